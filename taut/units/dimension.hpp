@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+
+namespace taut {
+
+/// Exponents of mass, length, time and temperature. An angle has none (its unit, not its dimension, says that it is
+/// one). Exponents are kept in sixths so that square and cube roots stay exact.
+struct Dimension {
+  int mass = 0;
+  int length = 0;
+  int time = 0;
+  int temperature = 0;
+
+  friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
+  friend constexpr Dimension operator*(Dimension a, Dimension b) {
+    return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
+  }
+  friend constexpr Dimension operator/(Dimension a, Dimension b) {
+    return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.temperature - b.temperature};
+  }
+};
+
+/// Sixths in one whole exponent.
+inline constexpr int whole_exponent = 6;
+
+/// The dimension kg^mass m^length s^time K^temperature.
+constexpr Dimension dimension(int mass, int length, int time, int temperature = 0) {
+  return {mass * whole_exponent, length * whole_exponent, time * whole_exponent, temperature * whole_exponent};
+}
+
+constexpr bool is_plain_number(Dimension d) { return d == Dimension{}; }
+
+/// d raised to numerator/denominator; throws ContractViolation when the result is not in sixths.
+Dimension power(Dimension d, int numerator, int denominator = 1);
+
+/// "kg m s^-2"; "1" for a plain number.
+std::string to_text(Dimension d);
+
+}  // namespace taut

@@ -1,0 +1,361 @@
+#include "taut/units/parse.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/units/names.hpp"
+
+namespace taut {
+namespace {
+
+using Failure = tl::unexpected<UnitError>;
+
+Failure fail(std::string message, std::size_t offset = 0, std::size_t width = 1) {
+  return Failure(
+      UnitError{std::move(message), static_cast<int>(offset), static_cast<int>(std::max<std::size_t>(width, 1))});
+}
+
+constexpr std::size_t longest_quantity = 100;
+
+struct UnitFree {
+  void operator()(ut_unit* u) const { ut_free(u); }
+};
+struct SystemFree {
+  void operator()(ut_system* s) const { ut_free_system(s); }
+};
+using UnitPtr = std::unique_ptr<ut_unit, UnitFree>;
+
+/// Factor and offset from a UDUNITS expression to a coherent SI expression.
+struct Conversion {
+  double offset = 0;
+  double factor = 1;
+};
+
+/// UDUNITS is not thread-safe and reads its database from disk: one system, opened at the first unit, behind a lock.
+Conversion convert(const std::string& from, const std::string& to) {
+  static std::mutex lock;
+  const std::lock_guard guard(lock);
+  static const std::unique_ptr<ut_system, SystemFree> system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    return std::unique_ptr<ut_system, SystemFree>(ut_read_xml(nullptr));
+  }();
+  expects(system != nullptr, "the UDUNITS-2 database is missing: install libudunits2-data");
+  const UnitPtr source(ut_parse(system.get(), from.c_str(), UT_UTF8));
+  const UnitPtr target(ut_parse(system.get(), to.c_str(), UT_UTF8));
+  expects(source != nullptr && target != nullptr, "UDUNITS does not know " + from);
+  cv_converter* converter = ut_get_converter(source.get(), target.get());
+  expects(converter != nullptr, "the unit list and UDUNITS disagree on " + from);
+  const double at_zero = cv_convert_double(converter, 0.0);
+  const double at_one = cv_convert_double(converter, 1.0);
+  cv_free(converter);
+  return {at_zero, at_one - at_zero};
+}
+
+/// One factor of a unit expression: a name of the list with its exponent.
+struct Factor {
+  const NameRow* row = nullptr;
+  int exponent = 1;
+};
+
+struct Expression {
+  std::vector<Factor> factors;
+  Dimension dimension;
+  bool is_angle = false;
+};
+
+const NameRow* find_name(std::string_view name) {
+  const auto& rows = name_rows();
+  const auto at = std::find_if(rows.begin(), rows.end(), [&](const NameRow& r) { return r.name == name; });
+  return at == rows.end() ? nullptr : &*at;
+}
+
+std::string unknown_unit(std::string_view name) {
+  for (const RefusedName& r : refused_names()) {
+    if (r.name == name) return fmt::format("'{}' is ambiguous or not a unit here; write {}", name, r.choices);
+  }
+  std::vector<std::string> known;
+  for (const NameRow& r : name_rows()) known.emplace_back(r.name);
+  const std::string hint = did_you_mean(name, known);
+  return fmt::format("'{}' is not a unit{}", name, hint.empty() ? " (see 'taut list units')" : hint);
+}
+
+bool is_name_byte(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '%' || c == '\'' || c == '"' || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80U;
+}
+
+struct Superscript {
+  std::string_view text;
+  int value;
+};
+constexpr std::array<Superscript, 4> superscripts = {{{"¹", 1}, {"²", 2}, {"³", 3}, {"⁴", 4}}};
+constexpr std::string_view middle_dot = "·";
+constexpr std::string_view degree_sign = "°";
+
+/// Reads "kN s/m", "mm^2", "kg/(m s)" over the allow-list.
+class ExpressionReader {
+ public:
+  ExpressionReader(std::string_view text, std::size_t offset) : text_(text), offset_(offset) {}
+
+  tl::expected<Expression, UnitError> read() {
+    Expression e;
+    bool divide = false;
+    bool divided_before = false;
+    while (true) {
+      skip_spaces();
+      const auto factor = read_factor(divide);
+      if (!factor) return tl::unexpected(factor.error());
+      add(e, *factor);
+      divided_before = divided_before || divide;
+      divide = false;
+      const std::size_t gap = at_;
+      skip_spaces();
+      if (at_ == text_.size()) return e;
+      if (text_[at_] == '/') {
+        divide = true;
+        ++at_;
+      } else {
+        if (divided_before) {
+          return fail(
+              "ambiguous after '/': put the factors before the '/', as in 'kN s/m', or repeat it, as in 'J/kg/K'",
+              offset_ + gap, text_.size() - gap);
+        }
+        skip_product_sign();
+      }
+    }
+  }
+
+ private:
+  void skip_spaces() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+  }
+  bool take(std::string_view word) {
+    if (text_.substr(at_, word.size()) != word) return false;
+    at_ += word.size();
+    return true;
+  }
+  void skip_product_sign() {
+    if (!take("*")) take(middle_dot);
+  }
+
+  std::string_view read_name() {
+    const std::size_t from = at_;
+    if (take(degree_sign)) return text_.substr(from, at_ - from);
+    while (at_ < text_.size() && is_name_byte(text_[at_])) {
+      const std::string_view rest = text_.substr(at_);
+      const bool power = std::any_of(superscripts.begin(), superscripts.end(),
+                                     [&](const Superscript& s) { return rest.substr(0, s.text.size()) == s.text; });
+      if (power || rest.substr(0, middle_dot.size()) == middle_dot) break;
+      ++at_;
+    }
+    return text_.substr(from, at_ - from);
+  }
+
+  tl::expected<int, UnitError> read_exponent() {
+    for (const Superscript& s : superscripts) {
+      if (take(s.text)) return s.value;
+    }
+    const bool caret = take("^") || take("**");
+    const std::size_t from = at_;
+    const bool minus = caret && take("-");
+    if (at_ < text_.size() && text_[at_] >= '1' && text_[at_] <= '4') {
+      const int value = text_[at_++] - '0';
+      if (at_ == text_.size() || (std::isdigit(static_cast<unsigned char>(text_[at_])) == 0 && text_[at_] != '.')) {
+        return minus ? -value : value;
+      }
+      return fail("an exponent is a whole number up to 4", offset_ + from, at_ - from + 1);
+    }
+    if (caret || (at_ < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at_])) != 0)) {
+      return fail("an exponent is a whole number from 1 to 4", offset_ + from, 1);
+    }
+    return 1;
+  }
+
+  tl::expected<Factor, UnitError> read_factor(bool divide) {
+    const std::size_t from = at_;
+    if (divide && at_ == from && take("1")) return fail("nothing to divide by", offset_ + from, 1);
+    if (!divide && text_.substr(at_, 2) == "1/") {  // "1/s"
+      ++at_;
+      return Factor{nullptr, 0};
+    }
+    const std::string_view name = read_name();
+    if (name.empty()) {
+      return at_ < text_.size() ? fail(fmt::format("'{}' is not part of a unit", text_[at_]), offset_ + at_, 1)
+                                : fail("the unit ends too early", offset_ + (from > 0 ? from - 1 : 0), 1);
+    }
+    const NameRow* row = find_name(name);
+    if (row == nullptr) return fail(unknown_unit(name), offset_ + from, name.size());
+    const auto exponent = read_exponent();
+    if (!exponent) return tl::unexpected(exponent.error());
+    return Factor{row, divide ? -*exponent : *exponent};
+  }
+
+  static void add(Expression& e, const Factor& f) {
+    if (f.row == nullptr) return;
+    e.factors.push_back(f);
+    e.dimension = e.dimension * power(f.row->dimension, f.exponent);
+    e.is_angle = e.is_angle || f.row->is_angle;
+  }
+
+  std::string_view text_;
+  std::size_t offset_;
+  std::size_t at_ = 0;
+};
+
+std::string udunits_text(const Expression& e) {
+  std::string text;
+  for (const Factor& f : e.factors) {
+    if (!text.empty()) text += '.';
+    text += fmt::format("({})^{}", f.row->udunits, f.exponent);
+  }
+  return text;
+}
+
+std::string udunits_text(Dimension d) {
+  return fmt::format("(kg)^{}.(m)^{}.(s)^{}.(K)^{}", d.mass / whole_exponent, d.length / whole_exponent,
+                     d.time / whole_exponent, d.temperature / whole_exponent);
+}
+
+/// What a person may write for this unit: "12 kN", "30 deg".
+std::string example(const Unit& target, double number) { return fmt::format("'{:g} {}'", number, target.shown); }
+
+/// The kind of quantity that a unit expression measures, as a word for messages.
+std::string kind_of(const Expression& e) {
+  if (e.factors.size() == 1 && e.factors[0].exponent == 1) return std::string(e.factors[0].row->kind);
+  for (const Unit& u : {si::one, si::m, si::m2, si::m3, si::m4, si::N, si::N_m, si::Pa, si::N_per_m, si::kg_per_m,
+                        si::N_per_m3, si::m_per_s, si::m_per_s2, si::per_s, si::kg_m2, si::N_s_per_m, si::W}) {
+    if (u.dimension == e.dimension) return std::string(u.kind);
+  }
+  return to_text(e.dimension);
+}
+
+bool fits(const Expression& e, const Unit& target) {
+  if (e.dimension != target.dimension) return false;
+  // an angle's unit counts only where an angle, or a speed of turning, is asked for
+  return e.is_angle == target.is_angle || (e.is_angle && !is_plain_number(e.dimension));
+}
+
+bool is_percent(const Expression& e) { return e.factors.size() == 1 && e.factors[0].row->name == "%"; }
+
+tl::expected<Expression, UnitError> read_unit(std::string_view unit, std::size_t offset, const Unit& target) {
+  auto e = ExpressionReader(unit, offset).read();
+  if (!e) return e;
+  const bool percent =
+      std::any_of(e->factors.begin(), e->factors.end(), [](const Factor& f) { return f.row->name == "%"; });
+  if (percent && !is_percent(*e)) return fail("'%' stands alone", offset, unit.size());
+  const bool percent_fits = is_percent(*e) && is_plain_number(target.dimension);
+  if (percent_fits || fits(*e, target)) return e;
+  if (!target.needs_text()) {
+    return fail(fmt::format("a plain number is expected here, not a {}", kind_of(*e)), offset, unit.size());
+  }
+  return fail(fmt::format("'{}' is a unit of {}; a {} is expected here, such as {}", unit, kind_of(*e), target.kind,
+                          example(target, 1)),
+              offset, unit.size());
+}
+
+struct Split {
+  double number = 0;
+  std::size_t unit_from = 0;
+  bool infinite = false;
+};
+
+bool starts_infinite(std::string_view rest) {
+  return rest.substr(0, 4) == ".inf" || rest.substr(0, 4) == ".Inf" || rest.substr(0, 4) == ".INF";
+}
+
+/// The number at the front of a text.
+tl::expected<Split, UnitError> split_number(std::string_view text) {
+  if (text.size() > longest_quantity) return fail("too long for a quantity", 0, text.size());
+  std::size_t from = 0;
+  if (!text.empty() && text[0] == '+') from = 1;
+  const bool minus = !text.empty() && text[0] == '-';
+  if (starts_infinite(text.substr(from + (minus ? 1U : 0U)))) {
+    const double value = std::numeric_limits<double>::infinity();
+    return Split{minus ? -value : value, from + (minus ? 5U : 4U), true};
+  }
+  if (from < text.size() && (text[from] == '+' || (from == 1 && text[from] == '-'))) return fail("two signs", from, 1);
+  Split s;
+  const char* first = text.data() + from;
+  const char* last = text.data() + text.size();
+  const auto [end, code] = std::from_chars(first, last, s.number);
+  const auto used = static_cast<std::size_t>(end - first);
+  if (code == std::errc::result_out_of_range) {
+    return fail("a number that is too large or too small to hold", 0, from + used);
+  }
+  if (code != std::errc{}) return fail(fmt::format("'{}' does not begin with a number", text), 0, text.size());
+  if (!std::isfinite(s.number)) return fail("a finite number is expected", 0, from + used);
+  s.unit_from = from + used;
+  if (s.unit_from < text.size() && text[s.unit_from] == ',') {
+    return fail("a comma in a number: write a decimal point, and no signs between thousands", s.unit_from, 1);
+  }
+  return s;
+}
+
+}  // namespace
+
+tl::expected<double, UnitError> parse_number(std::string_view text) {
+  const auto s = split_number(text);
+  if (!s) return tl::unexpected(s.error());
+  if (s->infinite) return fail("a finite number is expected", 0, text.size());
+  if (s->unit_from != text.size()) return fail(fmt::format("'{}' is not a plain number", text), 0, text.size());
+  return s->number;
+}
+
+tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& target) {
+  if (unit == target.symbol && !target.is_angle) return 1.0;
+  const auto e = read_unit(unit, 0, target);
+  if (!e) return tl::unexpected(e.error());
+  const Conversion c = convert(udunits_text(*e), target.is_angle ? "radian" : udunits_text(target.dimension));
+  if (c.offset != 0) return fail("a unit with an offset can't be used here; write 'K'", 0, unit.size());
+  return c.factor;
+}
+
+tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite) {
+  const auto s = split_number(text);
+  if (!s) return tl::unexpected(s.error());
+  if (s->infinite && !allow_infinite) return fail("a finite number is expected", 0, text.size());
+  std::size_t unit_from = s->unit_from;
+  while (unit_from < text.size() && (text[unit_from] == ' ' || text[unit_from] == '\t')) ++unit_from;
+  std::string_view unit = text.substr(unit_from);
+  while (!unit.empty() && (unit.back() == ' ' || unit.back() == '\t')) unit.remove_suffix(1);
+  if (unit.empty()) {
+    if (!target.needs_text() || s->infinite) return s->number;
+    return fail(fmt::format("a {} needs its unit, such as {}", target.kind, example(target, s->number)), 0,
+                text.size());
+  }
+  if (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 && unit.substr(0, 2) != "1/") {
+    return fail("two numbers: write digits without spaces, and one unit", unit_from, unit.size());
+  }
+  const auto e = read_unit(unit, unit_from, target);
+  if (!e) return tl::unexpected(e.error());
+  if (s->infinite) return s->number;
+  if (is_percent(*e)) return target.is_angle ? std::atan(s->number / 100.0) : s->number / 100.0;
+  const Conversion c = convert(udunits_text(*e), target.is_angle ? "radian" : udunits_text(target.dimension));
+  const double value = c.factor * s->number + c.offset;
+  if (!std::isfinite(value)) return fail("a number that is too large to hold in SI units", 0, text.size());
+  return value;
+}
+
+const std::vector<UnitName>& unit_names() {
+  static const std::vector<UnitName> names = [] {
+    std::vector<UnitName> list;
+    for (const NameRow& r : name_rows()) {
+      list.push_back({std::string(r.name), std::string(r.meaning), std::string(r.kind)});
+    }
+    return list;
+  }();
+  return names;
+}
+
+}  // namespace taut

@@ -1,0 +1,114 @@
+#include "taut/units/parse.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "taut/units/names.hpp"
+
+namespace taut {
+namespace {
+
+double si_value(std::string_view text, const Unit& unit) {
+  const auto v = parse_quantity(text, unit);
+  EXPECT_TRUE(v.has_value()) << text << ": " << (v ? "" : v.error().message);
+  return v.value_or(std::nan(""));
+}
+
+std::string refusal(std::string_view text, const Unit& unit) {
+  const auto v = parse_quantity(text, unit);
+  return v ? "accepted" : v.error().message;
+}
+
+TEST(ParseQuantity, TurnsUnitsIntoSi) {
+  EXPECT_DOUBLE_EQ(si_value("63 kN", si::N), 63000);
+  EXPECT_DOUBLE_EQ(si_value("63kN", si::N), 63000);
+  EXPECT_DOUBLE_EQ(si_value("3000 kgf", si::N), 29419.95);
+  EXPECT_DOUBLE_EQ(si_value("1 kgf/m", si::N_per_m), 9.80665);
+  EXPECT_DOUBLE_EQ(si_value("140 kgf/mm2", si::Pa), 140 * 9.80665e6);
+  EXPECT_DOUBLE_EQ(si_value("160 N/mm^2", si::Pa), 160e6);
+  EXPECT_DOUBLE_EQ(si_value("160 N/mm²", si::Pa), 160e6);
+  EXPECT_DOUBLE_EQ(si_value("2.72 MN/m", si::N_per_m), 2.72e6);
+  EXPECT_DOUBLE_EQ(si_value("100 kN s/m", si::N_s_per_m), 1e5);
+  EXPECT_DOUBLE_EQ(si_value("7000 kg m^2", si::kg_m2), 7000);
+  EXPECT_DOUBLE_EQ(si_value("-1.5e-3 m", si::m), -1.5e-3);
+  EXPECT_DOUBLE_EQ(si_value("+12 mm", si::m), 0.012);
+  EXPECT_DOUBLE_EQ(si_value("1 in", si::m), 0.0254);
+  EXPECT_DOUBLE_EQ(si_value("5 1/s", si::per_s), 5);
+  EXPECT_DOUBLE_EQ(si_value("3 rad/s", si::per_s), 3);
+  EXPECT_DOUBLE_EQ(si_value("36 km/h", si::m_per_s), 10);
+  EXPECT_DOUBLE_EQ(si_value("1 kip", si::N), 4448.2216152605);
+}
+
+TEST(ParseQuantity, ReadsAnglesAndSlopes) {
+  EXPECT_DOUBLE_EQ(si_value("180 deg", si::rad), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(si_value("200 gon", si::rad), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(si_value("12 °", si::rad), 12 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(si_value("100 %", si::rad), std::atan(1.0));
+  EXPECT_DOUBLE_EQ(si_value("-30 %", si::rad), std::atan(-0.3));
+  EXPECT_DOUBLE_EQ(si_value("90 %", si::one), 0.9);
+  EXPECT_DOUBLE_EQ(si_value("0.9", si::one), 0.9);
+}
+
+TEST(ParseQuantity, RefusesWhatIsAmbiguousAndNamesTheChoices) {
+  EXPECT_NE(refusal("3 ton", si::kg).find("'t' (1000 kg)"), std::string::npos);
+  EXPECT_NE(refusal("3 kn", si::N).find("'kN'"), std::string::npos);
+  EXPECT_NE(refusal("3 lbs", si::N).find("'lbf'"), std::string::npos);
+  EXPECT_NE(refusal("3 N/m s", si::N_s_per_m).find("ambiguous after '/'"), std::string::npos);
+}
+
+TEST(ParseQuantity, SaysWhatIsWrongAndWhatToDo) {
+  EXPECT_NE(refusal("100", si::N).find("such as '100 kN'"), std::string::npos);
+  EXPECT_NE(refusal("12", si::rad).find("such as '12 deg'"), std::string::npos);
+  EXPECT_NE(refusal("12 mm", si::N).find("'mm' is a unit of length; a force"), std::string::npos);
+  EXPECT_NE(refusal("12 Nn", si::N).find("did you mean"), std::string::npos);
+  EXPECT_NE(refusal("1,5 m", si::m).find("decimal point"), std::string::npos);
+  EXPECT_NE(refusal("1 000 m", si::m).find("two numbers"), std::string::npos);
+  EXPECT_NE(refusal("1e999 m", si::m).find("too large"), std::string::npos);
+  EXPECT_NE(refusal("0.5 m", si::one).find("plain number"), std::string::npos);
+  EXPECT_NE(refusal("5 % m", si::m).find("'%' stands alone"), std::string::npos);
+  for (const char* bad : {"", "m", "nan N", "inf N", ".inf N", "0x10 N", "1_0 N", "5 N^9", "5 N/", "5 /m", "5 N m2x",
+                          "5 (N", "--5 N", "+-5 N", "5 N^", "5 N^-", "5 m12"}) {
+    EXPECT_FALSE(parse_quantity(bad, si::N).has_value()) << bad;
+  }
+}
+
+TEST(ParseQuantity, AllowsInfinityOnlyWhereAsked) {
+  EXPECT_TRUE(std::isinf(parse_quantity(".inf", si::N, true).value()));
+  EXPECT_TRUE(std::isinf(parse_quantity(".inf kN", si::N, true).value()));
+  EXPECT_FALSE(parse_quantity(".inf", si::N).has_value());
+}
+
+TEST(ParseQuantity, PointsIntoTheText) {
+  const auto v = parse_quantity("12 kNN", si::N);
+  ASSERT_FALSE(v.has_value());
+  EXPECT_EQ(v.error().offset, 3);
+  EXPECT_EQ(v.error().width, 3);
+}
+
+TEST(ParseNumber, TakesWholeTextOnly) {
+  EXPECT_EQ(parse_number("0.12").value(), 0.12);
+  for (const char* bad : {"", "0x10", "1_000", "1 2", "nan", "1e999", ".inf", "a"})
+    EXPECT_FALSE(parse_number(bad)) << bad;
+}
+
+TEST(UnitNames, EveryNameIsKnownToUdunitsWithTheDimensionOfOurList) {
+  for (const NameRow& row : name_rows()) {
+    const Unit unit{row.dimension, "?", row.name, row.is_angle, row.kind};
+    EXPECT_TRUE(parse_quantity("1 " + std::string(row.name), unit).has_value()) << row.name;
+  }
+}
+
+TEST(UnitNames, TemperatureHasItsOffset) {
+  const Unit kelvin{dimension(0, 0, 0, 1), "K", "degC", false, "temperature"};
+  EXPECT_DOUBLE_EQ(si_value("15 degC", kelvin), 288.15);
+}
+
+RC_GTEST_PROP(ParseQuantity, NeverThrowsOnAnyText, (const std::string& text)) {
+  for (const Unit& unit : {si::N, si::rad, si::one}) parse_quantity(text, unit);
+}
+
+}  // namespace
+}  // namespace taut
