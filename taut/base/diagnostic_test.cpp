@@ -28,7 +28,12 @@ TEST(Diagnostic, SurvivesAColumnBehindTheLine) {
 }
 
 TEST(Diagnostic, KeepsTabsAndControlCharactersHarmless) {
-  const Diagnostic d{"d", {1, 3}, "m", std::string("\ta\x01b"), 1};
+  const Diagnostic d{"d",
+                     {1, 3},
+                     "m",
+                     std::string("\ta\x01"
+                                 "b"),
+                     1};
   EXPECT_NE(to_text(d).find("\ta?b"), std::string::npos);
 }
 

@@ -22,7 +22,7 @@ const std::vector<NameRow>& name_rows() {
       {"kg", "kg", "kilogram", "mass", si::kg.dimension},
       {"g", "g", "gram", "mass", si::kg.dimension},
       {"t", "tonne", "tonne, 1000 kg", "mass", si::kg.dimension},
-      {"lb", "international_pound", "pound mass, 0.45359237 kg", "mass", si::kg.dimension},
+      {"lb", "0.45359237 kg", "pound mass, 0.45359237 kg", "mass", si::kg.dimension},
       {"N", "N", "newton", "force", si::N.dimension},
       {"daN", "daN", "decanewton", "force", si::N.dimension},
       {"kN", "kN", "kilonewton", "force", si::N.dimension},

@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-double si_value(std::string_view text, const Unit& unit) {
+double in_si(std::string_view text, const Unit& unit) {
   const auto v = parse_quantity(text, unit);
   EXPECT_TRUE(v.has_value()) << text << ": " << (v ? "" : v.error().message);
   return v.value_or(std::nan(""));
@@ -23,33 +23,33 @@ std::string refusal(std::string_view text, const Unit& unit) {
 }
 
 TEST(ParseQuantity, TurnsUnitsIntoSi) {
-  EXPECT_DOUBLE_EQ(si_value("63 kN", si::N), 63000);
-  EXPECT_DOUBLE_EQ(si_value("63kN", si::N), 63000);
-  EXPECT_DOUBLE_EQ(si_value("3000 kgf", si::N), 29419.95);
-  EXPECT_DOUBLE_EQ(si_value("1 kgf/m", si::N_per_m), 9.80665);
-  EXPECT_DOUBLE_EQ(si_value("140 kgf/mm2", si::Pa), 140 * 9.80665e6);
-  EXPECT_DOUBLE_EQ(si_value("160 N/mm^2", si::Pa), 160e6);
-  EXPECT_DOUBLE_EQ(si_value("160 N/mm²", si::Pa), 160e6);
-  EXPECT_DOUBLE_EQ(si_value("2.72 MN/m", si::N_per_m), 2.72e6);
-  EXPECT_DOUBLE_EQ(si_value("100 kN s/m", si::N_s_per_m), 1e5);
-  EXPECT_DOUBLE_EQ(si_value("7000 kg m^2", si::kg_m2), 7000);
-  EXPECT_DOUBLE_EQ(si_value("-1.5e-3 m", si::m), -1.5e-3);
-  EXPECT_DOUBLE_EQ(si_value("+12 mm", si::m), 0.012);
-  EXPECT_DOUBLE_EQ(si_value("1 in", si::m), 0.0254);
-  EXPECT_DOUBLE_EQ(si_value("5 1/s", si::per_s), 5);
-  EXPECT_DOUBLE_EQ(si_value("3 rad/s", si::per_s), 3);
-  EXPECT_DOUBLE_EQ(si_value("36 km/h", si::m_per_s), 10);
-  EXPECT_DOUBLE_EQ(si_value("1 kip", si::N), 4448.2216152605);
+  EXPECT_DOUBLE_EQ(in_si("63 kN", si::N), 63000);
+  EXPECT_DOUBLE_EQ(in_si("63kN", si::N), 63000);
+  EXPECT_DOUBLE_EQ(in_si("3000 kgf", si::N), 29419.95);
+  EXPECT_DOUBLE_EQ(in_si("1 kgf/m", si::N_per_m), 9.80665);
+  EXPECT_DOUBLE_EQ(in_si("140 kgf/mm2", si::Pa), 140 * 9.80665e6);
+  EXPECT_DOUBLE_EQ(in_si("160 N/mm^2", si::Pa), 160e6);
+  EXPECT_DOUBLE_EQ(in_si("160 N/mm²", si::Pa), 160e6);
+  EXPECT_DOUBLE_EQ(in_si("2.72 MN/m", si::N_per_m), 2.72e6);
+  EXPECT_DOUBLE_EQ(in_si("100 kN s/m", si::N_s_per_m), 1e5);
+  EXPECT_DOUBLE_EQ(in_si("7000 kg m^2", si::kg_m2), 7000);
+  EXPECT_DOUBLE_EQ(in_si("-1.5e-3 m", si::m), -1.5e-3);
+  EXPECT_DOUBLE_EQ(in_si("+12 mm", si::m), 0.012);
+  EXPECT_DOUBLE_EQ(in_si("1 in", si::m), 0.0254);
+  EXPECT_DOUBLE_EQ(in_si("5 1/s", si::per_s), 5);
+  EXPECT_DOUBLE_EQ(in_si("3 rad/s", si::per_s), 3);
+  EXPECT_DOUBLE_EQ(in_si("36 km/h", si::m_per_s), 10);
+  EXPECT_DOUBLE_EQ(in_si("1 kip", si::N), 4448.2216152605);
 }
 
 TEST(ParseQuantity, ReadsAnglesAndSlopes) {
-  EXPECT_DOUBLE_EQ(si_value("180 deg", si::rad), std::numbers::pi);
-  EXPECT_DOUBLE_EQ(si_value("200 gon", si::rad), std::numbers::pi);
-  EXPECT_DOUBLE_EQ(si_value("12 °", si::rad), 12 * std::numbers::pi / 180);
-  EXPECT_DOUBLE_EQ(si_value("100 %", si::rad), std::atan(1.0));
-  EXPECT_DOUBLE_EQ(si_value("-30 %", si::rad), std::atan(-0.3));
-  EXPECT_DOUBLE_EQ(si_value("90 %", si::one), 0.9);
-  EXPECT_DOUBLE_EQ(si_value("0.9", si::one), 0.9);
+  EXPECT_DOUBLE_EQ(in_si("180 deg", si::rad), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(in_si("200 gon", si::rad), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(in_si("12 °", si::rad), 12 * std::numbers::pi / 180);
+  EXPECT_DOUBLE_EQ(in_si("100 %", si::rad), std::atan(1.0));
+  EXPECT_DOUBLE_EQ(in_si("-30 %", si::rad), std::atan(-0.3));
+  EXPECT_DOUBLE_EQ(in_si("90 %", si::one), 0.9);
+  EXPECT_DOUBLE_EQ(in_si("0.9", si::one), 0.9);
 }
 
 TEST(ParseQuantity, RefusesWhatIsAmbiguousAndNamesTheChoices) {
@@ -103,7 +103,7 @@ TEST(UnitNames, EveryNameIsKnownToUdunitsWithTheDimensionOfOurList) {
 
 TEST(UnitNames, TemperatureHasItsOffset) {
   const Unit kelvin{dimension(0, 0, 0, 1), "K", "degC", false, "temperature"};
-  EXPECT_DOUBLE_EQ(si_value("15 degC", kelvin), 288.15);
+  EXPECT_DOUBLE_EQ(in_si("15 degC", kelvin), 288.15);
 }
 
 RC_GTEST_PROP(ParseQuantity, NeverThrowsOnAnyText, (const std::string& text)) {

@@ -1,0 +1,47 @@
+#include "taut/calc/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+
+bool Range::contains(double x) const {
+  const bool above = low_included ? x >= low : x > low;
+  const bool below = high_included ? x <= high : x < high;
+  return above && below;
+}
+
+const Field* Description::find(const std::string& key) const {
+  const auto at = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == key; });
+  return at == fields.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> Description::keys() const {
+  std::vector<std::string> all;
+  all.reserve(fields.size());
+  for (const Field& f : fields) all.push_back(f.key);
+  return all;
+}
+
+std::optional<double> default_number(const Description& d, const Field& f) {
+  if (f.required) return std::nullopt;
+  const auto object = d.make_default();
+  const Slot slot = f.slot(object.get());
+  if (const auto* number = std::get_if<double*>(&slot); number != nullptr && !std::isnan(**number)) return **number;
+  if (const auto* maybe = std::get_if<std::optional<double>*>(&slot)) return **maybe;
+  if (const auto* whole = std::get_if<int*>(&slot)) return **whole;
+  return std::nullopt;
+}
+
+std::string default_text(const Description& d, const Field& f) {
+  if (f.required) return {};
+  const auto object = d.make_default();
+  const Slot slot = f.slot(object.get());
+  if (const auto* choice = std::get_if<Choice>(&slot)) return choice->get();
+  if (const auto* text = std::get_if<std::string*>(&slot)) return **text;
+  if (const auto* maybe = std::get_if<std::optional<std::string>*>(&slot)) return (*maybe)->value_or("");
+  if (const auto* flag = std::get_if<bool*>(&slot)) return **flag ? "true" : "false";
+  return {};
+}
+
+}  // namespace taut

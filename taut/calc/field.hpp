@@ -1,0 +1,189 @@
+#pragma once
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "taut/units/unit.hpp"
+
+namespace taut {
+
+struct Description;
+
+/// Allowed values of a number, in SI.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_included = true;
+  bool high_included = true;
+  bool contains(double x) const;
+};
+
+/// A text that stands for an enumerator.
+struct Choice {
+  std::function<bool(const std::string&)> set;  ///< false when the text is none of the choices
+  std::function<std::string()> get;
+};
+
+/// A nested struct: one, an optional one, or a list.
+struct Record {
+  std::function<void*()> create;  ///< the struct to fill: the only one, or a new one at the end of the list
+  std::function<std::vector<const void*>()> all;  ///< those that are there
+};
+
+/// Where the value of a field lives in one particular struct.
+using Slot = std::variant<double*, std::optional<double>*, std::vector<double>*, int*, std::optional<int>*, bool*,
+                          std::string*, std::optional<std::string>*, Choice, Record>;
+
+/// One line of the table that feeds deck reading, range errors, schema, web form, the report's "Given" and the docs.
+struct Field {
+  std::string key;     ///< the deck's key, or the name of a result value
+  std::string symbol;  ///< the source's letter, "alpha_s"; may be empty
+  Unit unit;
+  std::string words;   ///< one line: what it is
+  std::string source;  ///< outputs: the equation it comes from, "(4)-(6)"
+  Range range;
+  bool required = false;
+  bool may_be_infinite = false;
+  bool is_list = false;  ///< a list of numbers (one number is a list of one), or of records
+  std::vector<std::string> choices;
+  const Description* record = nullptr;  ///< fields of a nested struct
+  std::function<Slot(void*)> slot;
+};
+
+/// The fields of one struct and a way to make it with its defaults.
+struct Description {
+  std::vector<Field> fields;
+  std::function<std::shared_ptr<void>()> make_default;
+
+  const Field* find(const std::string& key) const;
+  std::vector<std::string> keys() const;
+};
+
+/// Builds the Description of struct `S`: each call adds a field, the modifiers after it change that field.
+///   Describe<Input>().field(&Input::span, "span", "l", si::m, "horizontal span").required().above(0)
+template <class S>
+class Describe {
+ public:
+  Describe() {
+    description_.make_default = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
+  }
+
+  /// A number, optional number, list of numbers, whole number, flag or text.
+  template <class Member>
+  Describe& field(Member S::*member, std::string key, std::string symbol, const Unit& unit, std::string words) {
+    Field f = make(std::move(key), std::move(symbol), unit, std::move(words));
+    f.is_list = std::is_same_v<Member, std::vector<double>>;
+    f.slot = [member](void* s) -> Slot { return &(static_cast<S*>(s)->*member); };
+    return add(std::move(f));
+  }
+  /// A flag or a text: no symbol, no unit.
+  template <class Member>
+  Describe& field(Member S::*member, std::string key, std::string words) {
+    return field(member, std::move(key), "", si::one, std::move(words));
+  }
+  /// A text that stands for an enumerator.
+  template <class E>
+  Describe& choice(E S::*member, std::string key, std::vector<std::pair<std::string, E>> names, std::string words) {
+    Field f = make(std::move(key), "", si::one, std::move(words));
+    for (const auto& [text, e] : names) f.choices.push_back(text);
+    f.slot = [member, names = std::move(names)](void* s) -> Slot {
+      E* target = &(static_cast<S*>(s)->*member);
+      return Choice{[target, names](const std::string& text) {
+                      for (const auto& [name, e] : names) {
+                        if (name == text) return *target = e, true;
+                      }
+                      return false;
+                    },
+                    [target, names] {
+                      for (const auto& [name, e] : names) {
+                        if (e == *target) return name;
+                      }
+                      return std::string{};
+                    }};
+    };
+    return add(std::move(f));
+  }
+  /// A nested struct that is always there.
+  template <class R>
+  Describe& record(R S::*member, std::string key, std::string words) {
+    Field f = make(std::move(key), "", si::one, std::move(words));
+    f.record = &R::describe();
+    f.slot = [member](void* s) -> Slot {
+      R* r = &(static_cast<S*>(s)->*member);
+      return Record{[r]() -> void* { return r; }, [r] { return std::vector<const void*>{r}; }};
+    };
+    return add(std::move(f));
+  }
+  template <class R>
+  Describe& record(std::optional<R> S::*member, std::string key, std::string words) {
+    Field f = make(std::move(key), "", si::one, std::move(words));
+    f.record = &R::describe();
+    f.slot = [member](void* s) -> Slot {
+      std::optional<R>* r = &(static_cast<S*>(s)->*member);
+      return Record{[r]() -> void* { return &r->emplace(); },
+                    [r] { return r->has_value() ? std::vector<const void*>{&**r} : std::vector<const void*>{}; }};
+    };
+    return add(std::move(f));
+  }
+  template <class R>
+  Describe& record(std::vector<R> S::*member, std::string key, std::string words) {
+    Field f = make(std::move(key), "", si::one, std::move(words));
+    f.record = &R::describe();
+    f.is_list = true;
+    f.slot = [member](void* s) -> Slot {
+      std::vector<R>* r = &(static_cast<S*>(s)->*member);
+      return Record{[r]() -> void* { return &r->emplace_back(); },
+                    [r] {
+                      std::vector<const void*> all;
+                      for (const R& one : *r) all.push_back(&one);
+                      return all;
+                    }};
+    };
+    return add(std::move(f));
+  }
+
+  Describe& required() { return last().required = true, *this; }
+  Describe& may_be_infinite() { return last().may_be_infinite = true, *this; }
+  Describe& above(double low) { return last().range.low = low, last().range.low_included = false, *this; }
+  Describe& at_least(double low) { return last().range.low = low, last().range.low_included = true, *this; }
+  Describe& below(double high) { return last().range.high = high, last().range.high_included = false, *this; }
+  Describe& at_most(double high) { return last().range.high = high, last().range.high_included = true, *this; }
+  Describe& from(std::string source) { return last().source = std::move(source), *this; }
+
+  operator Description() const { return description_; }  // the end of the chain
+
+ private:
+  static Field make(std::string key, std::string symbol, const Unit& unit, std::string words) {
+    Field f;
+    f.key = std::move(key);
+    f.symbol = std::move(symbol);
+    f.unit = unit;
+    f.words = std::move(words);
+    return f;
+  }
+  Describe& add(Field f) {
+    description_.fields.push_back(std::move(f));
+    return *this;
+  }
+  Field& last() { return description_.fields.back(); }
+
+  Description description_;
+};
+
+/// A rule between fields that a deck breaks: `path` is "span.load" or "cases[1].falls" below `input`.
+struct Complaint {
+  std::string path;
+  std::string message;
+};
+
+/// Default of a number as the struct sets it, in SI; empty for required ones, lists and records.
+std::optional<double> default_number(const Description& d, const Field& f);
+/// Default of a choice, text or flag; empty when there is none.
+std::string default_text(const Description& d, const Field& f);
+
+}  // namespace taut
