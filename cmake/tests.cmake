@@ -1,0 +1,78 @@
+# Test programs, found by where they lie:
+#   taut/<layer>/**/*_test.cpp           -> taut_<layer>_test
+#   taut/methods/<name>/*_test.cpp       -> taut_<name>_test
+#   cli/*_test.cpp                       -> taut_cli_test
+#   test/<folder>/*_test.cpp             -> taut_<folder>_test   (cases, cross, golden)
+#   test/<folder>/*_test.py, *_test.sh   -> run with TAUT_PROGRAM and TAUT_SOURCE_DIR in the environment
+# A folder that does not exist yet is simply no test.
+include(GoogleTest)
+
+# One precompiled header for all of them: gtest and rapidcheck cost about two seconds in every file without it.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test/paths.cpp @ONLY CONTENT [[
+#include "test/paths.hpp"
+
+namespace taut_test {
+std::filesystem::path source_dir() { return "@PROJECT_SOURCE_DIR@"; }
+std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"; }
+}  // namespace taut_test
+]])
+add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
+target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
+target_precompile_headers(taut_test_support PRIVATE
+  <gtest/gtest.h> <rapidcheck/gtest.h> <fmt/format.h> <cmath> <string> <vector>)
+
+function(taut_add_test name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE taut_test_support)
+  target_precompile_headers(${name} REUSE_FROM taut_test_support)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)
+endfunction()
+
+set(library_tests ${taut_files})
+list(FILTER library_tests INCLUDE REGEX "_test\\.cpp$")
+foreach(file IN LISTS library_tests)
+  if(file MATCHES "/taut/methods/([^/]+)/" OR file MATCHES "/taut/([^/]+)/")
+    list(APPEND groups ${CMAKE_MATCH_1})
+    list(APPEND files_${CMAKE_MATCH_1} ${file})
+  endif()
+endforeach()
+file(GLOB folder_tests CONFIGURE_DEPENDS test/*/*_test.cpp)
+foreach(file IN LISTS folder_tests)
+  if(file MATCHES "/test/([^/]+)/")
+    list(APPEND groups ${CMAKE_MATCH_1})
+    list(APPEND files_${CMAKE_MATCH_1} ${file})
+  endif()
+endforeach()
+if(groups)
+  list(REMOVE_DUPLICATES groups)
+endif()
+foreach(group IN LISTS groups)
+  taut_add_test(taut_${group}_test ${files_${group}})
+endforeach()
+
+file(GLOB cli_tests CONFIGURE_DEPENDS cli/*_test.cpp)
+if(cli_tests)
+  taut_add_test(taut_cli_test ${cli_tests})
+  target_link_libraries(taut_cli_test PRIVATE taut_cli_parts)
+  add_dependencies(taut_cli_test taut_cli)
+endif()
+
+file(GLOB script_tests CONFIGURE_DEPENDS test/*/*_test.py test/*/*_test.sh)
+if(script_tests)
+  # The distribution's interpreter: its packages (jsonschema, ruamel.yaml) are the ones ./dev installs.
+  find_program(TAUT_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  find_program(TAUT_BASH bash REQUIRED)
+endif()
+foreach(file IN LISTS script_tests)
+  cmake_path(GET file STEM name)
+  cmake_path(GET file PARENT_PATH folder)
+  cmake_path(GET folder FILENAME folder)
+  if(file MATCHES "\\.py$")
+    add_test(NAME ${folder}.${name} COMMAND ${TAUT_PYTHON} ${file})
+  else()
+    add_test(NAME ${folder}.${name} COMMAND ${TAUT_BASH} ${file})
+  endif()
+  set_tests_properties(${folder}.${name} PROPERTIES
+    ENVIRONMENT "TAUT_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/taut;TAUT_SOURCE_DIR=${PROJECT_SOURCE_DIR}" TIMEOUT 300)
+endforeach()
