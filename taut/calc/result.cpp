@@ -1,0 +1,149 @@
+#include "taut/calc/result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Reads a field of a const struct: the slot functions take a mutable address but only readers run here.
+Slot slot_of(const Field& f, const void* object) { return f.slot(const_cast<void*>(object)); }
+
+Given given_head(const std::string& prefix, const Description& d, const Field& f) {
+  Given g;
+  g.key = prefix + f.key;
+  g.symbol = f.symbol;
+  g.words = f.words;
+  g.unit = f.unit;
+  const auto number = default_number(d, f);
+  if (number) g.numbers = {*number};
+  g.text = default_text(d, f);
+  return g;
+}
+
+/// Puts the value of a slot into a Given; says false when the field is not set.
+struct Filler {
+  Given& g;
+
+  bool operator()(const double* x) const {
+    g.numbers = {*x};
+    return !std::isnan(*x);
+  }
+  bool operator()(const std::optional<double>* x) const {
+    if (x->has_value()) g.numbers = {**x};
+    return x->has_value();
+  }
+  bool operator()(const std::vector<double>* x) const {
+    g.numbers = *x;
+    return !x->empty();
+  }
+  bool operator()(const int* x) const {
+    g.numbers = {static_cast<double>(*x)};
+    return true;
+  }
+  bool operator()(const std::optional<int>* x) const {
+    if (x->has_value()) g.numbers = {static_cast<double>(**x)};
+    return x->has_value();
+  }
+  bool operator()(const bool* x) const {
+    g.text = *x ? "true" : "false";
+    return true;
+  }
+  bool operator()(const std::string* x) const {
+    g.text = *x;
+    return !x->empty();
+  }
+  bool operator()(const std::optional<std::string>* x) const {
+    if (x->has_value()) g.text = **x;
+    return x->has_value();
+  }
+  bool operator()(const Choice& x) const {
+    g.text = x.get();
+    return true;
+  }
+  bool operator()(const Record&) const { return false; }  // its own fields are listed instead
+};
+
+void collect(std::vector<Given>& all, const std::string& prefix, const Description& d, const void* object) {
+  for (const Field& f : d.fields) {
+    const Slot slot = slot_of(f, object);
+    if (const auto* record = std::get_if<Record>(&slot)) {
+      const auto present = record->all();
+      for (std::size_t i = 0; i < present.size(); ++i) {
+        const std::string at = f.is_list ? fmt::format("[{}]", i) : std::string{};
+        collect(all, fmt::format("{}{}{}.", prefix, f.key, at), *f.record, present[i]);
+      }
+      continue;
+    }
+    Given g = given_head(prefix, d, f);
+    const Given by_default = g;
+    if (!std::visit(Filler{g}, slot)) continue;
+    g.is_default = !f.required && g.numbers == by_default.numbers && g.text == by_default.text;
+    all.push_back(std::move(g));
+  }
+}
+
+}  // namespace
+
+Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
+                 std::string trust) {
+  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust)};
+  c.utilisation = sense == Sense::at_most ? value / limit : limit / value;
+  c.passes = sense == Sense::at_most ? value <= limit : value >= limit;
+  return c;
+}
+
+const Value* Result::find_value(const std::string& name) const {
+  const auto at = std::find_if(values.begin(), values.end(), [&](const Value& v) { return v.name == name; });
+  return at == values.end() ? nullptr : &*at;
+}
+
+const Table* Result::find_table(const std::string& name) const {
+  const auto at = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == name; });
+  return at == tables.end() ? nullptr : &*at;
+}
+
+int exit_code(const Result& r) {
+  if (r.status == Status::bad_deck) return 2;
+  if (r.status != Status::ok) return 3;
+  const bool all_pass = std::all_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.passes; });
+  return all_pass ? 0 : 4;
+}
+
+std::vector<Value> values_of(const Description& d, const void* output) {
+  std::vector<Value> all;
+  for (const Field& f : d.fields) {
+    const Slot slot = slot_of(f, output);
+    const auto* number = std::get_if<double*>(&slot);
+    if (number == nullptr || !std::isfinite(**number)) continue;
+    all.push_back({f.key, **number, f.unit, f.symbol.empty() ? f.key : f.symbol, f.words, f.source});
+  }
+  return all;
+}
+
+std::vector<Given> given_of(const Description& d, const void* input) {
+  std::vector<Given> all;
+  collect(all, "", d, input);
+  return all;
+}
+
+Table comparison_table(const std::vector<Comparison>& all) {
+  Table t{"comparison",
+          "Printed, corrected and exact",
+          {{"quantity", si::one},
+           {"symbol", si::one},
+           {"unit", si::one},
+           {"printed", si::one},
+           {"corrected", si::one},
+           {"exact", si::one},
+           {"build_by", si::one}},
+          {}};
+  for (const Comparison& c : all) {
+    t.rows.push_back({c.quantity, c.symbol, std::string(c.unit.symbol), c.printed, c.corrected, c.exact, c.build_by});
+  }
+  return t;
+}
+
+}  // namespace taut

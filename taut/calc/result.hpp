@@ -1,0 +1,133 @@
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "taut/base/diagnostic.hpp"
+#include "taut/calc/field.hpp"
+#include "taut/calc/figure.hpp"
+#include "taut/calc/formula.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/units/unit.hpp"
+
+namespace taut {
+
+/// One line of a calculation note.
+struct Step {
+  enum class Kind { heading, given, equation, root, note };
+  Kind kind = Kind::equation;
+  std::string eq;      ///< number in the source, "4", "18*" for a correction; empty when the source gives none
+  std::string symbol;  ///< left side
+  Formula formula;     ///< right side; for a root the expression that is zero
+  double value = 0;    ///< SI
+  Unit unit;
+  std::string source;  ///< "Shoshin et al. 2022, (4)"
+  std::string words;   ///< heading or note text; what a given quantity is
+};
+
+enum class Sense { at_most, at_least };
+
+/// A value against a limit. utilisation <= 1 exactly when it passes (value/limit or limit/value).
+struct Check {
+  std::string name;
+  double value = 0;
+  double limit = 0;
+  Unit unit;
+  Sense sense = Sense::at_most;
+  double utilisation = 0;
+  bool passes = false;
+  std::string rule;   ///< the rule and its source in words
+  std::string trust;  ///< "verified", "derived", "UNVERIFIED: ...", "user": of the limit
+};
+/// Fills utilisation and passes. NaN never passes.
+Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
+                 std::string trust);
+
+/// A result value, SI.
+struct Value {
+  std::string name;
+  double value = 0;
+  Unit unit;
+  std::string symbol;
+  std::string label;
+  std::string source;
+};
+
+struct Column {
+  std::string name;
+  Unit unit;
+};
+/// A number (SI; NaN: no value here) or a text.
+using Cell = std::variant<double, std::string>;
+struct Table {
+  std::string name;
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+};
+
+/// One input as it was used: number(s) in SI or a text.
+struct Given {
+  std::string key;
+  std::string symbol;
+  std::string words;
+  Unit unit;
+  std::vector<double> numbers;
+  std::string text;
+  bool is_default = false;
+};
+
+/// A quantity as the source prints it, as it should be, and (where the engine solves the same machine) exact; NaN: not
+/// there.
+struct Comparison {
+  std::string quantity;
+  std::string symbol;
+  Unit unit;
+  double printed = 0;
+  double corrected = 0;
+  double exact = 0;
+  std::string build_by;  ///< "corrected: ..." which to use and why
+  bool printed_unsafe = false;
+};
+
+/// Everything a report needs, and nothing else does: SI throughout.
+struct Result {
+  std::string title;
+  std::string method;
+  std::string method_title;
+  std::string source;  ///< citation of the method
+  Status status = Status::ok;
+  std::string message;
+  std::vector<Given> given;
+  std::vector<Value> values;
+  std::vector<Table> tables;
+  std::vector<Check> checks;
+  std::vector<Step> steps;
+  std::vector<Comparison> comparisons;
+  std::vector<Figure> figures;
+  std::vector<std::string> assumptions;
+  std::vector<std::string> warnings;
+  Diagnostics errors;
+  std::string deck_name;
+  std::string deck_hash;
+  std::map<std::string, std::string> display;  ///< kind of quantity -> unit, as the deck asks
+
+  const Value* find_value(const std::string& name) const;
+  const Table* find_table(const std::string& name) const;
+};
+
+/// 0 computed, 2 bad deck, 3 physics or solver says no, 4 a check fails.
+int exit_code(const Result& r);
+
+/// The numbers of an output struct that were computed (not NaN), in the order of its description.
+std::vector<Value> values_of(const Description& d, const void* output);
+
+/// The inputs as used, nested ones with dotted keys ("span.length", "cases[1].falls"); unset optional ones left out.
+std::vector<Given> given_of(const Description& d, const void* input);
+
+/// The comparisons as a table `comparison` (SI, unit as text), empty when there are none.
+Table comparison_table(const std::vector<Comparison>& all);
+
+}  // namespace taut
