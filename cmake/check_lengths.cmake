@@ -1,0 +1,18 @@
+# cmake -DROOT=<source tree> -P check_lengths.cmake
+# A source file over 400 lines is two things in one file: split it before it is merged.
+cmake_minimum_required(VERSION 3.25)
+set(limit 400)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/taut/*.hpp ${ROOT}/taut/*.cpp ${ROOT}/cli/*.hpp ${ROOT}/cli/*.cpp)
+set(errors)
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} text)
+  string(REGEX REPLACE "[^\n]" "" newlines "${text}")
+  string(LENGTH "${newlines}" lines)
+  if(lines GREATER limit)
+    list(APPEND errors "${file}: ${lines} lines")
+  endif()
+endforeach()
+if(errors)
+  list(JOIN errors "\n  " text)
+  message(FATAL_ERROR "Over ${limit} lines; split:\n  ${text}")
+endif()
