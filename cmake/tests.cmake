@@ -87,3 +87,11 @@ add_test(NAME layers.check_works COMMAND ${CMAKE_COMMAND} -DWORK=${PROJECT_BINAR
   -P ${PROJECT_SOURCE_DIR}/cmake/check_layers_test.cmake)
 add_test(NAME house.file_lengths COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${PROJECT_SOURCE_DIR}/cmake/check_lengths.cmake)
+
+# find_package(taut), as a stranger would: install into the build tree, configure, build and run a small program.
+# Not under the sanitizers: a stranger does not link their runtime.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  add_test(NAME consumer COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}
+    -DVERSION=${PROJECT_VERSION} -P ${PROJECT_SOURCE_DIR}/test/consumer/run.cmake)
+  set_tests_properties(consumer PROPERTIES TIMEOUT 300)
+endif()
