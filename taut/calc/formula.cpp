@@ -13,11 +13,15 @@ enum class Leaf { symbols, values };
 
 std::string write(const FormulaNode& node, Leaf leaf);
 
-std::string write_in(const FormulaNode& node, Leaf leaf, int least_binding) {
+enum class Side { left, right };
+
+/// A sign right after an operator needs parentheses: 2*(-3), not 2*-3.
+std::string write_in(const FormulaNode& node, Leaf leaf, int least_binding, Side side) {
   const std::string text = write(node, leaf);
   const bool negative_value = leaf == Leaf::values && node.op == Op::symbol && std::signbit(node.value);
   const int bound = negative_value ? 3 : binding(node);
-  return bound < least_binding ? fmt::format("({})", text) : text;
+  const bool signed_right = side == Side::right && bound == 3;
+  return bound < least_binding || signed_right ? fmt::format("({})", text) : text;
 }
 
 std::string write_call(const FormulaNode& node, Leaf leaf) {
@@ -30,7 +34,9 @@ std::string write_call(const FormulaNode& node, Leaf leaf) {
 }
 
 std::string write(const FormulaNode& node, Leaf leaf) {
-  const auto at = [&](std::size_t i, int least) { return write_in(*node.arguments[i], leaf, least); };
+  const auto at = [&](std::size_t i, int least) {
+    return write_in(*node.arguments[i], leaf, least, i == 0 ? Side::left : Side::right);
+  };
   switch (node.op) {
     case Op::number:
       return number_text(node.value);

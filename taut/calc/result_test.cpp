@@ -1,0 +1,110 @@
+#include "taut/calc/result.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace taut {
+namespace {
+
+struct Part {
+  double falls = 8;
+  static const Description& describe() {
+    static const Description d = Describe<Part>().field(&Part::falls, "falls", "K", si::one, "parts of line");
+    return d;
+  }
+};
+struct Input {
+  double force = 0;
+  double friction = 0.12;
+  std::optional<double> angle;
+  std::vector<Part> parts;
+  std::string name;
+  static const Description& describe() {
+    static const Description d = Describe<Input>()
+                                     .field(&Input::force, "force", "F", si::N, "force")
+                                     .required()
+                                     .field(&Input::friction, "friction", "f", si::one, "friction")
+                                     .field(&Input::angle, "angle", "alpha", si::rad, "angle")
+                                     .record(&Input::parts, "parts", "parts")
+                                     .field(&Input::name, "name", "a name");
+    return d;
+  }
+};
+struct Output {
+  double r = std::numeric_limits<double>::quiet_NaN();
+  double n = std::numeric_limits<double>::quiet_NaN();
+  static const Description& describe() {
+    static const Description d = Describe<Output>()
+                                     .field(&Output::r, "R", "R", si::N, "resultant")
+                                     .from("(4)")
+                                     .field(&Output::n, "N", "", si::N, "axial force");
+    return d;
+  }
+};
+
+TEST(Check, PassesUpToTheLimitIncluded) {
+  EXPECT_TRUE(make_check("c", 2, Sense::at_most, 2, si::one, "r", "verified").passes);
+  EXPECT_FALSE(make_check("c", 2.1, Sense::at_most, 2, si::one, "r", "verified").passes);
+  const Check c = make_check("c", 22, Sense::at_least, 20, si::one, "D/d", "verified");
+  EXPECT_TRUE(c.passes);
+  EXPECT_DOUBLE_EQ(c.utilisation, 20.0 / 22.0);
+  EXPECT_FALSE(make_check("c", std::nan(""), Sense::at_most, 2, si::one, "r", "t").passes);
+}
+
+TEST(Result, ValuesLeaveOutWhatWasNotComputed) {
+  Output out;
+  out.r = 5;
+  const auto values = values_of(Output::describe(), &out);
+  ASSERT_EQ(values.size(), 1U);
+  EXPECT_EQ(values[0].name, "R");
+  EXPECT_EQ(values[0].source, "(4)");
+}
+
+TEST(Result, GivenListsWhatWasUsedAndMarksDefaults) {
+  Input in;
+  in.force = 7;
+  in.parts.resize(2);
+  in.parts[1].falls = 6;
+  const auto given = given_of(Input::describe(), &in);
+  ASSERT_EQ(given.size(), 4U);
+  EXPECT_EQ(given[0].key, "force");
+  EXPECT_FALSE(given[0].is_default);
+  EXPECT_TRUE(given[1].is_default);
+  EXPECT_EQ(given[2].key, "parts[0].falls");
+  EXPECT_TRUE(given[2].is_default);
+  EXPECT_FALSE(given[3].is_default);
+}
+
+TEST(Result, ExitCodesFollowTheContract) {
+  Result r;
+  EXPECT_EQ(exit_code(r), 0);
+  r.checks.push_back(make_check("c", 3, Sense::at_most, 2, si::one, "r", "t"));
+  EXPECT_EQ(exit_code(r), 4);
+  r.status = Status::infeasible;
+  EXPECT_EQ(exit_code(r), 3);
+  r.status = Status::not_converged;
+  EXPECT_EQ(exit_code(r), 3);
+  r.status = Status::bad_deck;
+  EXPECT_EQ(exit_code(r), 2);
+}
+
+TEST(Result, FindsByName) {
+  Result r;
+  r.values.push_back({"N", 1, si::N, "N", "", ""});
+  r.tables.push_back({"positions", "", {}, {}});
+  EXPECT_NE(r.find_value("N"), nullptr);
+  EXPECT_EQ(r.find_value("M"), nullptr);
+  EXPECT_NE(r.find_table("positions"), nullptr);
+  EXPECT_EQ(r.find_table("x"), nullptr);
+}
+
+TEST(Result, ComparisonsBecomeATable) {
+  const Table t = comparison_table({{"take-up", "P_M", si::N, 1, 2, std::nan(""), "corrected", true}});
+  ASSERT_EQ(t.rows.size(), 1U);
+  EXPECT_EQ(t.rows[0].size(), t.columns.size());
+}
+
+}  // namespace
+}  // namespace taut
