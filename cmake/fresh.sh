@@ -11,8 +11,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly suite=bookworm
 root=$(mktemp -d "${TMPDIR:-/var/tmp}/taut-fresh.XXXXXX")
+chmod 755 "$root" # apt fetches as a user of its own
 mounted=()
 
+# shellcheck disable=SC2317 # called by the trap
 clean_up() {
   local place
   for place in "${mounted[@]}"; do umount -l "$root$place" || true; done
@@ -31,6 +33,7 @@ trap 'exit 130' INT TERM
 say() { printf '\n== fresh: %s\n' "$*"; }
 
 # The host's own mirror and settings: whoever runs this may have a local one, or a proxy.
+# shellcheck disable=SC2016 # apt's variables, not ours
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(CODENAME) $(CREATED_BY)' 2>/dev/null |
   sed -n "s/ $suite Packages\$//p" | head -n 1)
 [[ -n $mirror ]] || {
@@ -65,7 +68,9 @@ apt-config dump | grep -E '^Acquire::(http|https|Retries|Queue-Mode|Check-Valid-
 mkdir -p "$root/usr/share/keyrings"
 cp -aL /usr/share/keyrings/. "$root/usr/share/keyrings/" 2>/dev/null || true
 for part in /usr/local/share/ca-certificates /etc/ssl/certs; do
-  if [[ -d $part ]]; then mkdir -p "$root$part" && cp -aL "$part/." "$root$part/" 2>/dev/null || true; fi
+  [[ -d $part ]] || continue
+  mkdir -p "$root$part"
+  cp -aL "$part/." "$root$part/" 2>/dev/null || true
 done
 for part in /etc/resolv.conf /etc/hosts; do
   if [[ -e $part ]]; then cp -L "$part" "$root$part"; fi
