@@ -39,8 +39,12 @@ struct Record {
 using Slot = std::variant<double*, std::optional<double>*, std::vector<double>*, int*, std::optional<int>*, bool*,
                           std::string*, std::optional<std::string>*, Choice, Record>;
 
+/// What a field holds.
+enum class FieldKind { number, numbers, whole_number, flag, text, choice, record, records };
+
 /// One line of the table that feeds deck reading, range errors, schema, web form, the report's "Given" and the docs.
 struct Field {
+  FieldKind kind = FieldKind::number;
   std::string key;     ///< the deck's key, or the name of a result value
   std::string symbol;  ///< the source's letter, "alpha_s"; may be empty
   Unit unit;
@@ -77,7 +81,8 @@ class Describe {
   template <class Member>
   Describe& field(Member S::*member, std::string key, std::string symbol, const Unit& unit, std::string words) {
     Field f = make(std::move(key), std::move(symbol), unit, std::move(words));
-    f.is_list = std::is_same_v<Member, std::vector<double>>;
+    f.kind = kind_of_member<Member>();
+    f.is_list = f.kind == FieldKind::numbers;
     f.slot = [member](void* s) -> Slot { return &(static_cast<S*>(s)->*member); };
     return add(std::move(f));
   }
@@ -90,6 +95,7 @@ class Describe {
   template <class E>
   Describe& choice(E S::*member, std::string key, std::vector<std::pair<std::string, E>> names, std::string words) {
     Field f = make(std::move(key), "", si::one, std::move(words));
+    f.kind = FieldKind::choice;
     for (const auto& [text, e] : names) f.choices.push_back(text);
     f.slot = [member, names = std::move(names)](void* s) -> Slot {
       E* target = &(static_cast<S*>(s)->*member);
@@ -112,6 +118,7 @@ class Describe {
   template <class R>
   Describe& record(R S::*member, std::string key, std::string words) {
     Field f = make(std::move(key), "", si::one, std::move(words));
+    f.kind = FieldKind::record;
     f.record = &R::describe();
     f.slot = [member](void* s) -> Slot {
       R* r = &(static_cast<S*>(s)->*member);
@@ -122,6 +129,7 @@ class Describe {
   template <class R>
   Describe& record(std::optional<R> S::*member, std::string key, std::string words) {
     Field f = make(std::move(key), "", si::one, std::move(words));
+    f.kind = FieldKind::record;
     f.record = &R::describe();
     f.slot = [member](void* s) -> Slot {
       std::optional<R>* r = &(static_cast<S*>(s)->*member);
@@ -133,6 +141,7 @@ class Describe {
   template <class R>
   Describe& record(std::vector<R> S::*member, std::string key, std::string words) {
     Field f = make(std::move(key), "", si::one, std::move(words));
+    f.kind = FieldKind::records;
     f.record = &R::describe();
     f.is_list = true;
     f.slot = [member](void* s) -> Slot {
@@ -158,6 +167,21 @@ class Describe {
   operator Description() const { return description_; }  // the end of the chain
 
  private:
+  template <class Member>
+  static constexpr FieldKind kind_of_member() {
+    if constexpr (std::is_same_v<Member, double> || std::is_same_v<Member, std::optional<double>>) {
+      return FieldKind::number;
+    } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
+      return FieldKind::numbers;
+    } else if constexpr (std::is_same_v<Member, int> || std::is_same_v<Member, std::optional<int>>) {
+      return FieldKind::whole_number;
+    } else if constexpr (std::is_same_v<Member, bool>) {
+      return FieldKind::flag;
+    } else {
+      static_assert(std::is_same_v<Member, std::string> || std::is_same_v<Member, std::optional<std::string>>);
+      return FieldKind::text;
+    }
+  }
   static Field make(std::string key, std::string symbol, const Unit& unit, std::string words) {
     Field f;
     f.key = std::move(key);
