@@ -1,0 +1,80 @@
+#include "taut/catalogue/lookup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::catalogue {
+namespace {
+
+constexpr std::size_t longest_name = 120;  // longer than any id: not worth the quadratic comparison
+
+// What people type for the sign between two dimensions, and for a dash.
+constexpr std::array<std::pair<std::string_view, char>, 6> look_alikes{
+    {{"\u00d7", 'x'}, {"\u0445", 'x'}, {"\u0425", 'x'}, {"\u2013", '-'}, {"\u2212", '-'}, {"\u00a0", ' '}}};
+
+}  // namespace
+
+std::string normalised(std::string_view name) {
+  std::string out;
+  out.reserve(name.size());
+  for (std::size_t i = 0; i < name.size();) {
+    char c = name[i];
+    std::size_t length = 1;
+    for (const auto& [sign, plain] : look_alikes) {
+      if (name.substr(i, sign.size()) == sign) {
+        c = plain;
+        length = sign.size();
+        break;
+      }
+    }
+    i += length;
+    if (c == ' ' || c == '\t') continue;
+    out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return out;
+}
+
+std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names,
+                                       std::size_t count) {
+  const std::string wanted = normalised(word);
+  if (wanted.empty() || wanted.size() > longest_name) return {};
+  std::vector<std::pair<int, std::size_t>> ranking;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = normalised(names[i]);
+    if (name.size() > longest_name) continue;
+    const int distance = edit_distance(wanted, name);
+    if (2 * distance <= static_cast<int>(std::max(wanted.size(), name.size()))) ranking.emplace_back(distance, i);
+  }
+  const std::size_t kept = std::min(count, ranking.size());
+  std::partial_sort(ranking.begin(), ranking.begin() + static_cast<std::ptrdiff_t>(kept), ranking.end());
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < kept; ++i) out.push_back(names[ranking[i].second]);
+  return out;
+}
+
+std::string short_number(double value) { return fmt::format("{:.6g}", value); }
+
+std::string listed(const std::vector<std::string>& texts, std::size_t count) {
+  const std::size_t shown = std::min(count, texts.size());
+  std::string out =
+      fmt::format("{}", fmt::join(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < texts.size()) out += fmt::format(" and {} more", texts.size() - shown);
+  return out;
+}
+
+std::string to_text(const LookupError& error) {
+  if (error.candidates.empty()) return error.message;
+  constexpr std::size_t most = 3;
+  std::vector<std::string> quoted;
+  for (const std::string& candidate : error.candidates) {
+    if (quoted.size() < most) quoted.push_back(fmt::format("'{}'", candidate));
+  }
+  return fmt::format("{}; did you mean {}?", error.message, fmt::join(quoted, " or "));
+}
+
+}  // namespace taut::catalogue

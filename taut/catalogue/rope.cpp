@@ -1,0 +1,79 @@
+#include "taut/catalogue/rope.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/csv.hpp"
+#include "taut/catalogue/embedded/ropes_csv.hpp"
+#include "taut/catalogue/lookup.hpp"
+
+namespace taut::catalogue {
+namespace {
+
+constexpr double rounding = 1.001;  // tables print 3 to 5 digits
+
+void check_plausible(CsvReader& csv, const RopeRow& row) {
+  const double circle = std::numbers::pi / 4.0 * row.diameter * row.diameter;
+  if (row.area > rounding * circle) {
+    csv.fail("area_mm2",
+             fmt::format("a metallic area of {} mm2 does not fit into a rope of {} mm ({} mm2)",
+                         short_number(row.area * 1e6), short_number(row.diameter * 1e3), short_number(circle * 1e6)));
+  }
+  if (row.grade && row.breaking_force > rounding * row.area * *row.grade) {
+    csv.fail("mbf_kN", fmt::format("a breaking force of {} kN is above area x grade = {} kN",
+                                   short_number(row.breaking_force / 1e3), short_number(row.area * *row.grade / 1e3)));
+  }
+}
+
+}  // namespace
+
+tl::expected<std::vector<RopeRow>, Diagnostics> read_ropes(std::string_view csv_text, std::string file) {
+  CsvReader csv(csv_text, std::move(file),
+                {{"id"},
+                 {"standard"},
+                 {"construction"},
+                 {"core"},
+                 {"d_mm"},
+                 {"area_mm2"},
+                 {"mass_kg_per_m"},
+                 {"grade_MPa"},
+                 {"mbf_kN"},
+                 {"trust"},
+                 {"area_trust", false},
+                 {"trust_text", false}});
+  std::vector<RopeRow> rows;
+  std::size_t mistakes = 0;
+  while (csv.next()) {
+    RopeRow row;
+    row.id = csv.unique("id");
+    row.standard = csv.required_text("standard");
+    row.construction = csv.required_text("construction");
+    row.core = csv.text("core");
+    row.diameter = csv.positive("d_mm");
+    row.area = csv.positive("area_mm2");
+    row.mass_per_length = csv.positive("mass_kg_per_m");
+    row.grade = csv.optional_positive("grade_MPa");
+    row.breaking_force = csv.positive("mbf_kN");
+    row.trust = csv.trust("trust");
+    row.area_trust = csv.text("area_trust").empty() ? row.trust : csv.trust("area_trust");
+    row.trust_text = csv.text("trust_text");
+    if (csv.mistakes() == mistakes) check_plausible(csv, row);
+    mistakes = csv.mistakes();
+    rows.push_back(std::move(row));
+  }
+  if (csv.failed()) return tl::unexpected(csv.take_diagnostics());
+  return rows;
+}
+
+const std::vector<RopeRow>& ropes() {
+  static const std::vector<RopeRow> rows = [] {
+    auto read = read_ropes(embedded::ropes_csv, "data/ropes/ropes.csv");
+    expects(read.has_value(), read ? "" : to_text(read.error()));
+    return std::move(*read);
+  }();
+  return rows;
+}
+
+}  // namespace taut::catalogue

@@ -1,0 +1,123 @@
+#include "taut/catalogue/rule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numbers>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/csv.hpp"
+#include "taut/catalogue/embedded/rules_csv.hpp"
+
+namespace taut::catalogue {
+namespace {
+
+struct RuleUnit {
+  std::string_view printed;
+  std::string_view si;
+  double factor;
+};
+
+constexpr std::array<RuleUnit, 5> units{{{"1", "1", 1.0},
+                                         {"deg", "rad", std::numbers::pi / 180.0},
+                                         {"m", "m", 1.0},
+                                         {"GPa", "Pa", 1e9},
+                                         {"s/m", "s/m", 1.0}}};
+
+void read_numbers(CsvReader& csv, RuleRow& row) {
+  const std::string& printed = csv.text("unit");
+  const auto unit =
+      std::find_if(units.begin(), units.end(), [&](const RuleUnit& one) { return one.printed == printed; });
+  if (unit == units.end()) {
+    csv.fail("unit", fmt::format("unit '{}' is not 1, deg, m, GPa or s/m", printed));
+    return;
+  }
+  row.unit = std::string(unit->si);
+  row.low = csv.optional_positive("low");
+  row.high = csv.optional_positive("high");
+  if (row.low.has_value() != row.high.has_value()) csv.fail("low", "low and high are both given, or neither");
+  if (row.low && row.high && *row.low > *row.high) csv.fail("low", "low is above high");
+  if (!row.low && row.text.empty()) csv.fail("text", "a rule without a number needs a text");
+  if (row.low) *row.low *= unit->factor;
+  if (row.high) *row.high *= unit->factor;
+}
+
+}  // namespace
+
+tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv_text, std::string file) {
+  CsvReader csv(csv_text, std::move(file),
+                {{"id"},
+                 {"field"},
+                 {"item"},
+                 {"class"},
+                 {"low"},
+                 {"high"},
+                 {"unit"},
+                 {"text"},
+                 {"source"},
+                 {"trust"},
+                 {"trust_text", false}});
+  std::vector<RuleRow> rows;
+  while (csv.next()) {
+    RuleRow row;
+    row.id = csv.unique("id");
+    row.field = csv.text("field");
+    row.item = csv.required_text("item");
+    row.group = csv.text("class");
+    row.text = csv.text("text");
+    row.source = csv.required_text("source");
+    row.trust = csv.trust("trust");
+    row.trust_text = csv.text("trust_text");
+    read_numbers(csv, row);
+    rows.push_back(std::move(row));
+  }
+  if (csv.failed()) return tl::unexpected(csv.take_diagnostics());
+  return rows;
+}
+
+const std::vector<RuleRow>& rules() {
+  static const std::vector<RuleRow> rows = [] {
+    std::vector<RuleRow> all;
+    for (const auto& [name, text] : embedded::rules_csv) {
+      auto read = read_rules(text, fmt::format("data/rules/{}", name));
+      expects(read.has_value(), read ? "" : to_text(read.error()));
+      all.insert(all.end(), std::make_move_iterator(read->begin()), std::make_move_iterator(read->end()));
+    }
+    return all;
+  }();
+  return rows;
+}
+
+std::vector<RuleRow> rules_of(std::string_view prefix, const std::vector<RuleRow>& table) {
+  const std::string start = fmt::format("{}.", prefix);
+  std::vector<RuleRow> out;
+  std::copy_if(table.begin(), table.end(), std::back_inserter(out),
+               [&](const RuleRow& row) { return row.id.starts_with(start); });
+  return out;
+}
+
+Found<RuleRow> find_rule(std::string_view id, const std::vector<RuleRow>& table) {
+  const std::string wanted = normalised(id);
+  std::vector<std::string> names;
+  for (const RuleRow& row : table) {
+    if (normalised(row.id) == wanted) return row;
+    names.push_back(row.id);
+  }
+  return tl::unexpected(LookupError{fmt::format("no rule '{}'", id), nearest_names(id, names, 5)});
+}
+
+Found<double> value_of(const RuleRow& rule) {
+  if (!rule.low || !rule.high) {
+    return tl::unexpected(LookupError{fmt::format("rule '{}' has no number: {}", rule.id, rule.text), {}});
+  }
+  if (*rule.low != *rule.high) {
+    return tl::unexpected(LookupError{fmt::format("rule '{}' is a range, {} to {} {}: choose a value in it", rule.id,
+                                                  short_number(*rule.low), short_number(*rule.high), rule.unit),
+                                      {}});
+  }
+  return *rule.low;
+}
+
+}  // namespace taut::catalogue
