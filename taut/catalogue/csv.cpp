@@ -9,6 +9,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/catalogue/lookup.hpp"
 
 namespace taut::catalogue {
 namespace {
@@ -17,15 +18,6 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Text of a cell fit for a message: short and printable.
-std::string shown(std::string_view text) {
-  constexpr std::size_t most = 40;
-  std::string out(text.substr(0, most));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, '?');
-  return text.size() > most ? fmt::format("{}...", out) : out;
 }
 
 int width_of(std::string_view text) { return std::max(1, static_cast<int>(text.size())); }
@@ -38,7 +30,7 @@ double si_value_of(std::string_view column, double value) {
     double multiplier;
     double divisor;
   };
-  // Powers of ten that a double holds exactly, so that one rounding is made, not two. Longest suffix first.
+  // Powers of ten that a double holds exactly, dividing by which rounds once. Longest suffix first.
   static constexpr std::array<Unit, 10> units{{{"_kg_per_100m_per_mm2", 1e4, 1.0},
                                                {"_kg_per_m", 1.0, 1.0},
                                                {"_mm2", 1.0, 1e6},
@@ -92,12 +84,13 @@ void CsvReader::read_header() {
     const auto found = std::find(names.begin(), names.end(), head.text);
     if (found == names.end()) {
       note(head.place,
-           fmt::format("'{}' is not a column of this table{}", shown(head.text), did_you_mean(head.text, names)),
+           fmt::format("{} is not a column of this table{}", in_quotes(head.text), did_you_mean(head.text, names)),
            width_of(head.text));
       continue;
     }
     std::ptrdiff_t& index = index_[static_cast<std::size_t>(found - names.begin())];
-    if (index >= 0) note(head.place, fmt::format("column '{}' is there twice", head.text), width_of(head.text));
+    if (index >= 0)
+      note(head.place, fmt::format("column {} is there twice", in_quotes(head.text)), width_of(head.text));
     index = static_cast<std::ptrdiff_t>(i);
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -240,7 +233,7 @@ std::string CsvReader::unique(std::string_view column) {
   std::string found = required_text(column);
   if (found.empty()) return found;
   const auto [first, fresh] = seen_[std::string(column)].emplace(found, record_place_.line);
-  if (!fresh) fail(column, fmt::format("{} '{}' is already in line {}", column, shown(found), first->second));
+  if (!fresh) fail(column, fmt::format("{} {} is already in line {}", column, in_quotes(found), first->second));
   return found;
 }
 
@@ -249,14 +242,16 @@ std::optional<double> CsvReader::number(std::string_view column, bool zero_allow
   double value = 0.0;
   const char* const end = cell_text.data() + cell_text.size();
   const auto [stop, error] = std::from_chars(cell_text.data(), end, value);
-  if (error == std::errc::result_out_of_range || (error == std::errc() && stop == end && !std::isfinite(value))) {
-    fail(column, fmt::format("{}: '{}' is not a finite number", column, shown(cell_text)));
+  if (error == std::errc::result_out_of_range) {
+    fail(column, fmt::format("{}: {} is out of range", column, in_quotes(cell_text)));
+  } else if (error == std::errc() && stop == end && !std::isfinite(value)) {
+    fail(column, fmt::format("{}: {} is not a finite number", column, in_quotes(cell_text)));
   } else if (error != std::errc() || stop != end) {
     const bool comma = cell_text.find(',') != std::string::npos;
-    fail(column, fmt::format("{}: '{}' is not a number{}", column, shown(cell_text),
+    fail(column, fmt::format("{}: {} is not a number{}", column, in_quotes(cell_text),
                              comma ? "; write a decimal point, not a comma" : ""));
   } else if (value < 0.0 || (value == 0.0 && !zero_allowed)) {
-    fail(column, fmt::format("{}: {} must be {}", column, shown(cell_text), zero_allowed ? "0 or more" : "above 0"));
+    fail(column, fmt::format("{}: {} must be {}", column, cell_text, zero_allowed ? "0 or more" : "above 0"));
   } else {
     return si_value_of(column, value);
   }
@@ -280,7 +275,7 @@ Trust CsvReader::trust(std::string_view column) {
   const std::string found = required_text(column);
   if (found.empty()) return Trust::unverified;
   const std::optional<Trust> mark = parse_trust(found);
-  if (!mark) fail(column, fmt::format("{}: '{}' is not verified, derived or unverified", column, shown(found)));
+  if (!mark) fail(column, fmt::format("{}: {} is not verified, derived or unverified", column, in_quotes(found)));
   return mark.value_or(Trust::unverified);
 }
 

@@ -57,6 +57,16 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   return out;
 }
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t most = 60;
+  std::size_t end = std::min(most, text.size());
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  std::string shown(text.substr(0, end));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, '?');
+  return fmt::format("'{}{}'", shown, end < text.size() ? "..." : "");
+}
+
 std::string short_number(double value) { return fmt::format("{:.6g}", value); }
 
 std::string listed(const std::vector<std::string>& texts, std::size_t count) {
@@ -70,11 +80,11 @@ std::string listed(const std::vector<std::string>& texts, std::size_t count) {
 std::string to_text(const LookupError& error) {
   if (error.candidates.empty()) return error.message;
   constexpr std::size_t most = 3;
-  std::vector<std::string> quoted;
+  std::vector<std::string> shown;
   for (const std::string& candidate : error.candidates) {
-    if (quoted.size() < most) quoted.push_back(fmt::format("'{}'", candidate));
+    if (shown.size() < most) shown.push_back(in_quotes(candidate));
   }
-  return fmt::format("{}; did you mean {}?", error.message, fmt::join(quoted, " or "));
+  return fmt::format("{}; did you mean {}?", error.message, fmt::join(shown, " or "));
 }
 
 }  // namespace taut::catalogue

@@ -26,6 +26,9 @@ std::string normalised(std::string_view name);
 /// have little in common with it (more than half differs) are left out.
 std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names, std::size_t count);
 
+/// `text` in single quotes for a message: cut after 60 bytes (never within a character), control characters as '?'.
+std::string in_quotes(std::string_view text);
+
 /// `a number` as a table prints it: at most 6 significant digits, no trailing zeros. For messages.
 std::string short_number(double value);
 

@@ -67,19 +67,20 @@ LookupError no_such_construction(const RopeDescription& wanted, const Rows& all)
   filter.construction = wanted.construction;
   const Rows built = kept(all, [&](const RopeRow& r) { return matches(r, filter); });
   if (built.empty()) {
-    return {fmt::format("no rope of construction '{}'; there are {}", wanted.construction, listed(constructions, 20)),
+    return {fmt::format("no rope of construction {}; there are {}", in_quotes(wanted.construction),
+                        listed(constructions, 20)),
             nearest_names(wanted.construction, constructions, suggested)};
   }
   filter.standard = wanted.standard;
   const Rows standardised = kept(built, [&](const RopeRow& r) { return matches(r, filter); });
   if (standardised.empty()) {
     const auto standards = distinct(built, [](const RopeRow& r) { return r.standard; });
-    return {fmt::format("no {} rope to '{}'; {} is listed to {}", wanted.construction, wanted.standard,
+    return {fmt::format("no {} rope to {}; {} is listed to {}", wanted.construction, in_quotes(wanted.standard),
                         wanted.construction, listed(standards)),
             {}};
   }
   const auto cores = distinct(standardised, [](const RopeRow& r) { return r.core; });
-  return {fmt::format("no {} rope with core '{}'; the cores listed are {}", wanted.construction, wanted.core,
+  return {fmt::format("no {} rope with core {}; the cores listed are {}", wanted.construction, in_quotes(wanted.core),
                       listed(cores)),
           {}};
 }
@@ -151,7 +152,7 @@ Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table)
   }
   std::vector<std::string> names;
   for (const RopeRow& row : table) names.push_back(row.id);
-  return failure(fmt::format("no rope '{}'", id), nearest_names(id, names, suggested));
+  return failure(fmt::format("no rope {}", in_quotes(id)), nearest_names(id, names, suggested));
 }
 
 Found<RopeRow> find_rope(const RopeDescription& wanted, const std::vector<RopeRow>& table) {

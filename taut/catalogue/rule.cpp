@@ -31,7 +31,7 @@ void read_numbers(CsvReader& csv, RuleRow& row) {
   const auto unit =
       std::find_if(units.begin(), units.end(), [&](const RuleUnit& one) { return one.printed == printed; });
   if (unit == units.end()) {
-    csv.fail("unit", fmt::format("unit '{}' is not 1, deg, m, GPa or s/m", printed));
+    csv.fail("unit", fmt::format("unit {} is not 1, deg, m, GPa or s/m", in_quotes(printed)));
     return;
   }
   row.unit = std::string(unit->si);
@@ -105,7 +105,7 @@ Found<RuleRow> find_rule(std::string_view id, const std::vector<RuleRow>& table)
     if (normalised(row.id) == wanted) return row;
     names.push_back(row.id);
   }
-  return tl::unexpected(LookupError{fmt::format("no rule '{}'", id), nearest_names(id, names, 5)});
+  return tl::unexpected(LookupError{fmt::format("no rule {}", in_quotes(id)), nearest_names(id, names, 5)});
 }
 
 Found<double> value_of(const RuleRow& rule) {

@@ -37,11 +37,11 @@ SectionRow read_row(CsvReader& csv) {
   row.name = csv.unique("name");
   row.standard = csv.required_text("standard");
   const auto shape = parse_shape(csv.text("shape"));
-  if (!shape) csv.fail("shape", fmt::format("shape '{}' is not CHS, SHS or RHS", csv.text("shape")));
+  if (!shape) csv.fail("shape", fmt::format("shape {} is not CHS, SHS or RHS", in_quotes(csv.text("shape"))));
   row.shape = shape.value_or(SectionShape::chs);
   const auto forming = parse_forming(csv.text("forming"));
   if (!forming) {
-    csv.fail("forming", fmt::format("forming '{}' is not hot, cold, seamless or welded", csv.text("forming")));
+    csv.fail("forming", fmt::format("forming {} is not hot, cold, seamless or welded", in_quotes(csv.text("forming"))));
   }
   row.forming = forming.value_or(Forming::hot);
   row.height = csv.positive("H_mm");

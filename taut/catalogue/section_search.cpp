@@ -63,6 +63,19 @@ bool means(const SectionName& name, const SectionRow& row) {
   return same_sizes(row, name.sizes) && normalised(row.standard).starts_with(name.standard);
 }
 
+/// The name as the tables write it, for a shape that is given: "CHS508x16.0" is "chs508x16", "SHS 100x5"
+/// "shs100x100x5", "RHS 100x200x8" "rhs200x100x8".
+std::string table_name(const SectionName& name) {
+  if (!name.shape) return {};
+  std::vector<double> sizes = name.sizes;
+  if (sizes.size() == 2 && name.shape != SectionShape::chs) sizes.insert(sizes.begin(), sizes.front());
+  if (sizes.size() == 3 && sizes[0] < sizes[1]) std::swap(sizes[0], sizes[1]);
+  std::vector<std::string> texts;
+  for (const double size : sizes) texts.push_back(short_number(size * 1e3));
+  return normalised(
+      fmt::format("{}{}{}{}", to_text(*name.shape), name.cold ? "-c" : "", fmt::join(texts, "x"), name.standard));
+}
+
 /// Names of the sections of the shape asked for whose sizes are nearest.
 std::vector<std::string> nearest_sections(const SectionName& name, const std::vector<SectionRow>& table) {
   if (name.sizes.size() < 2) return {};
@@ -124,18 +137,22 @@ Found<SectionRow> find_section(std::string_view name, const std::vector<SectionR
   }
   const auto parts = parse_section_name(wanted);
   if (!parts || parts->sizes.size() < 2 || parts->sizes.size() > 3) {
-    return failure(
-        fmt::format("no section '{}'; write it as CHS 508x16, SHS 100x100x5 or RHS 200x100x8 (millimetres)", name), {});
+    return failure(fmt::format("no section {}; write it as CHS 508x16, SHS 100x100x5 or RHS 200x100x8 (millimetres)",
+                               in_quotes(name)),
+                   {});
   }
+  const std::string proper = table_name(*parts);
   std::vector<const SectionRow*> found;
   for (const SectionRow& row : table) {
+    if (normalised(row.name) == proper) return row;
     if (means(*parts, row)) found.push_back(&row);
   }
   if (found.size() == 1) return *found.front();
-  if (found.empty()) return failure(fmt::format("no section '{}'", name), nearest_sections(*parts, table));
+  if (found.empty()) return failure(fmt::format("no section {}", in_quotes(name)), nearest_sections(*parts, table));
   std::vector<std::string> names;
   for (const SectionRow* row : found) names.push_back(row->name);
-  return failure(fmt::format("'{}' may be any of {} sections", name, names.size()), std::move(names));
+  const std::string message = fmt::format("{} may be any of {} sections", in_quotes(name), names.size());
+  return failure(message, std::move(names));
 }
 
 }  // namespace taut::catalogue

@@ -35,8 +35,8 @@ std::vector<SectionRow> sections_by_mass(const SectionFilter& filter,
 
 /// The section that `name` means: "CHS 508x16", "chs508×16", "508x16", "RHS-C 100x200x8", "SHS 100x5" (a square needs
 /// its side once only), "CHS 219x8 GOST 8732". Case, spaces and the order of H and B do not count; shape, C and
-/// standard may be left out where one section is left. The full name goes before everything else. On failure: names
-/// that come near.
+/// standard may be left out where one section is left. A name that a row bears in full (CHS 508x16: the hot-finished
+/// one) goes before everything else. On failure: names that come near.
 Found<SectionRow> find_section(std::string_view name, const std::vector<SectionRow>& table = sections());
 
 }  // namespace taut::catalogue

@@ -32,7 +32,7 @@ void add_line(CsvReader& csv, std::vector<SteelRow>& rows) {
   line.standard = csv.required_text("standard");
   const std::string& basis = csv.text("basis");
   if (basis != "design" && basis != "product") {
-    csv.fail("basis", fmt::format("basis '{}' is not design or product", basis));
+    csv.fail("basis", fmt::format("basis {} is not design or product", in_quotes(basis)));
   }
   line.basis = basis == "product" ? SteelBasis::product : SteelBasis::design;
   SteelRange range;
@@ -92,7 +92,7 @@ LookupError no_such_steel(std::string_view name, const std::vector<SteelRow>& ta
     add(row.name);
     std::for_each(row.also.begin(), row.also.end(), add);
   }
-  return {fmt::format("no steel '{}'", name), nearest_names(name, names, 5)};
+  return {fmt::format("no steel {}", in_quotes(name)), nearest_names(name, names, 5)};
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ Found<SteelRow> find_steel(std::string_view name, const std::vector<SteelRow>& t
   if (design_end != found.begin()) found.erase(design_end, found.end());
   if (found.size() == 1) return *found.front();
   return tl::unexpected(
-      LookupError{fmt::format("steel '{}' is in {} standards", name, found.size()), full_names(found)});
+      LookupError{fmt::format("steel {} is in {} standards", in_quotes(name), found.size()), full_names(found)});
 }
 
 double yield(const SteelRow& steel) {
