@@ -1,5 +1,7 @@
 #include "taut/catalogue/construction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -59,7 +61,7 @@ std::optional<std::string> parse_lay(std::string_view letters) {
   const bool compacted = letters.starts_with('k');
   if (compacted) letters.remove_prefix(1);
   auto lay = translated(lay_names, letters);
-  if (lay && compacted) lay->insert(0, "k");
+  if (lay && compacted) lay = fmt::format("k{}", *lay);
   return lay;
 }
 
