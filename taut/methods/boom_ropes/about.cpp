@@ -67,9 +67,8 @@ const Method& about() {
   static const Method m{
       "boom_ropes",
       "Extension and retraction ropes of a three-section telescopic boom",
-      "A. A. Reutov, Calculating and modeling rope mechanism of a mobile crane telescopic boom, 2021, no. 1, pp. "
-      "13-22, "
-      "DOI 10.30987/2658-6436-2021-1-13-22",
+      "A. A. Reutov, Calculating and modeling rope mechanism of a mobile crane telescopic boom, 2021, no. 1, "
+      "pp. 13-22, DOI 10.30987/2658-6436-2021-1-13-22",
       "Reutov 2021",
       "Rope tensions of section 3 by (1)-(5), least pretensions, alternating tensioning (Table 1); with the block "
       "sliding "
