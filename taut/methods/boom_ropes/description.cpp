@@ -11,6 +11,76 @@ const Unit stiffness = si::N_per_m.in("MN/m");
 const std::vector<std::pair<std::string, Operation>> operations = {
     {"lift", Operation::lift}, {"retract", Operation::retract}, {"extend", Operation::extend}};
 
+void describe_geometry(Describe<Sliding>& t) {
+  using S = Sliding;
+  t.field(&S::retracted_length, "retracted_length", "L_b0", si::m, "boom length at which the overlaps are given")
+      .above(0)
+      .field(&S::stroke, "stroke", "s_max", si::m, "travel of section 2 in 1, and of 3 in 2")
+      .above(0)
+      .field(&S::head_distance, "head_distance", "h_3", si::m, "hoist head from the rear pads of section 3")
+      .above(0)
+      .field(&S::center_3, "center_3", "c_3", si::m, "centre of gravity of section 3 from its rear pads")
+      .field(&S::center_2, "center_2", "c_2", si::m, "centre of gravity of section 2 from its rear pads")
+      .field(&S::overlap_23, "overlap_23", "a_23", si::m, "pad distance of sections 2 and 3, boom retracted")
+      .above(0)
+      .field(&S::overlap_12, "overlap_12", "a_12", si::m, "pad distance of sections 1 and 2, boom retracted")
+      .above(0)
+      .field(&S::gap, "gap", "e_23", si::m, "rear pads of section 3 ahead of those of section 2, boom retracted")
+      .field(&S::pad_height_3, "pad_height_3", "b_3", si::m, "height of section 3 from pad to pad")
+      .at_least(0)
+      .field(&S::pad_height_2, "pad_height_2", "b_2", si::m, "height of section 2 from pad to pad")
+      .at_least(0)
+      .field(&S::offset_extension, "offset_extension", "z_1", si::m, "extension ropes above the axis")
+      .field(&S::offset_retraction, "offset_retraction", "z_2", si::m, "retraction rope above the axis")
+      .field(&S::offset_hoist, "offset_hoist", "z_h", si::m, "hoist head above the axis")
+      .field(&S::offset_lead, "offset_lead", "z_k", si::m, "lead line of the hoist above the axis")
+      .field(&S::offset_cylinder, "offset_cylinder", "z_c", si::m, "cylinder above the axis");
+}
+
+void describe_loads(Describe<Sliding>& t) {
+  using S = Sliding;
+  t.field(&S::section2_weight, "section2_weight", "G_2", si::N, "weight of section 2")
+      .at_least(0)
+      .field(&S::sheave_efficiency_1, "sheave_efficiency_1", "eta_1", si::one, "extension rope's sheave")
+      .above(0)
+      .at_most(1)
+      .field(&S::sheave_efficiency_2, "sheave_efficiency_2", "eta_2", si::one, "retraction rope's sheave")
+      .above(0)
+      .at_most(1)
+      .field(&S::extension_length, "extension_length", "l_1h", si::m, "half of the extension rope")
+      .above(0)
+      .field(&S::retraction_length, "retraction_length", "l_2", si::m, "retraction rope")
+      .above(0)
+      .field(&S::S10, "S10", "S_10", si::N, "pretension of the extension rope, one branch")
+      .at_least(0)
+      .field(&S::S20, "S20", "S_20", si::N, "pretension of the retraction rope")
+      .at_least(0)
+      .field(&S::kinetic_friction, "kinetic_friction", "f", si::one, "pads in steady sliding")
+      .at_least(0)
+      .field(&S::static_friction, "static_friction", "f_0", si::one, "pads before they slip, for slip_angles")
+      .at_least(0)
+      .field(&S::extension_stiffness, "extension_stiffness", "C_1", stiffness, "half of the extension rope")
+      .above(0)
+      .field(&S::retraction_stiffness, "retraction_stiffness", "C_2", stiffness, "retraction rope")
+      .above(0)
+      .field(&S::minimum_tension, "minimum_tension", "S_low", si::N, "below it a rope counts as slack")
+      .above(0)
+      .field(&S::falls, "falls", "K", si::one, "falls of the hoist tackle; unset: 8 when lifting, else 6")
+      .at_least(1)
+      .field(&S::boom_length, "boom_length", "L_b", si::m, "boom lengths to compute")
+      .required()
+      .above(0)
+      .field(&S::luffing_angle, "luffing_angle", "beta", si::rad, "luffing angles to compute")
+      .required()
+      .above(-right_angle)
+      .at_most(right_angle)
+      .field(&S::suspended_weight, "suspended_weight", "G_n", si::N, "weights of hook block and load to compute")
+      .required()
+      .at_least(0)
+      .choice(&S::operation, "operation", operations, "extend, retract, or lift with the boom at rest")
+      .record(&S::slip_angles, "slip_angles", "angles at which section 3 slides when a rope is gone");
+}
+
 }  // namespace
 
 const Description& Case::describe() {
@@ -50,70 +120,9 @@ const Description& Slip::describe() {
 
 const Description& Sliding::describe() {
   static const Description d = [] {
-    using S = Sliding;
-    Describe<S> t;
-    t.field(&S::retracted_length, "retracted_length", "L_b0", si::m, "boom length at which the overlaps are given")
-        .above(0)
-        .field(&S::stroke, "stroke", "s_max", si::m, "travel of section 2 in 1, and of 3 in 2")
-        .above(0)
-        .field(&S::head_distance, "head_distance", "h_3", si::m, "hoist head from the rear pads of section 3")
-        .above(0)
-        .field(&S::center_3, "center_3", "c_3", si::m, "centre of gravity of section 3 from its rear pads")
-        .field(&S::center_2, "center_2", "c_2", si::m, "centre of gravity of section 2 from its rear pads")
-        .field(&S::overlap_23, "overlap_23", "a_23", si::m, "pad distance of sections 2 and 3, boom retracted")
-        .above(0)
-        .field(&S::overlap_12, "overlap_12", "a_12", si::m, "pad distance of sections 1 and 2, boom retracted")
-        .above(0)
-        .field(&S::gap, "gap", "e_23", si::m, "rear pads of section 3 ahead of those of section 2, boom retracted")
-        .field(&S::pad_height_3, "pad_height_3", "b_3", si::m, "height of section 3 from pad to pad")
-        .at_least(0)
-        .field(&S::pad_height_2, "pad_height_2", "b_2", si::m, "height of section 2 from pad to pad")
-        .at_least(0)
-        .field(&S::offset_extension, "offset_extension", "z_1", si::m, "extension ropes above the axis")
-        .field(&S::offset_retraction, "offset_retraction", "z_2", si::m, "retraction rope above the axis")
-        .field(&S::offset_hoist, "offset_hoist", "z_h", si::m, "hoist head above the axis")
-        .field(&S::offset_lead, "offset_lead", "z_k", si::m, "lead line of the hoist above the axis")
-        .field(&S::offset_cylinder, "offset_cylinder", "z_c", si::m, "cylinder above the axis")
-        .field(&S::section2_weight, "section2_weight", "G_2", si::N, "weight of section 2")
-        .at_least(0)
-        .field(&S::sheave_efficiency_1, "sheave_efficiency_1", "eta_1", si::one, "extension rope's sheave")
-        .above(0)
-        .at_most(1)
-        .field(&S::sheave_efficiency_2, "sheave_efficiency_2", "eta_2", si::one, "retraction rope's sheave")
-        .above(0)
-        .at_most(1)
-        .field(&S::extension_length, "extension_length", "l_1h", si::m, "half of the extension rope")
-        .above(0)
-        .field(&S::retraction_length, "retraction_length", "l_2", si::m, "retraction rope")
-        .above(0)
-        .field(&S::S10, "S10", "S_10", si::N, "pretension of the extension rope, one branch")
-        .at_least(0)
-        .field(&S::S20, "S20", "S_20", si::N, "pretension of the retraction rope")
-        .at_least(0)
-        .field(&S::kinetic_friction, "kinetic_friction", "f", si::one, "pads in steady sliding")
-        .at_least(0)
-        .field(&S::static_friction, "static_friction", "f_0", si::one, "pads before they slip, for slip_angles")
-        .at_least(0)
-        .field(&S::extension_stiffness, "extension_stiffness", "C_1", stiffness, "half of the extension rope")
-        .above(0)
-        .field(&S::retraction_stiffness, "retraction_stiffness", "C_2", stiffness, "retraction rope")
-        .above(0)
-        .field(&S::minimum_tension, "minimum_tension", "S_low", si::N, "below it a rope counts as slack")
-        .above(0)
-        .field(&S::falls, "falls", "K", si::one, "falls of the hoist tackle; unset: 8 when lifting, else 6")
-        .at_least(1)
-        .field(&S::boom_length, "boom_length", "L_b", si::m, "boom lengths to compute")
-        .required()
-        .above(0)
-        .field(&S::luffing_angle, "luffing_angle", "beta", si::rad, "luffing angles to compute")
-        .required()
-        .above(-right_angle)
-        .at_most(right_angle)
-        .field(&S::suspended_weight, "suspended_weight", "G_n", si::N, "weights of hook block and load to compute")
-        .required()
-        .at_least(0)
-        .choice(&S::operation, "operation", operations, "extend, retract, or lift with the boom at rest")
-        .record(&S::slip_angles, "slip_angles", "angles at which section 3 slides when a rope is gone");
+    Describe<Sliding> t;
+    describe_geometry(t);
+    describe_loads(t);
     return Description(t);
   }();
   return d;

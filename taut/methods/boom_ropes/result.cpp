@@ -151,10 +151,12 @@ std::vector<Comparison> comparisons(const Output& out) {
 }
 
 void add_assumptions(const Input& in, const Output& out, Result& r) {
-  r.assumptions.push_back("Statics: no inertia, no swinging load. F0 is taken with the boom horizontal.");
+  r.assumptions.emplace_back("Statics: no inertia, no swinging load. F0 is taken with the boom horizontal.");
   if (!out.F.empty()) {
-    r.assumptions.push_back("Cases: pads do not jam, sheaves run free; tensions at section 3, of one branch for S1.");
-    r.assumptions.push_back("S10_min and S20_min are each taken with the F0 that makes them larger; never below zero.");
+    r.assumptions.emplace_back(
+        "Cases: pads do not jam, sheaves run free; tensions at section 3, of one branch for S1.");
+    r.assumptions.emplace_back(
+        "S10_min and S20_min are each taken with the F0 that makes them larger; never below zero.");
   }
   if (!in.sliding) return;
   const Sliding& q = *in.sliding;
@@ -173,7 +175,7 @@ void add_assumptions(const Input& in, const Output& out, Result& r) {
     }
   }
   if (!left.empty()) {
-    r.assumptions.push_back("Sliding: left at the calibrated values of the KS-55713-5K-1: " + left + ".");
+    r.assumptions.emplace_back("Sliding: left at the calibrated values of the KS-55713-5K-1: " + left + ".");
   }
 }
 
