@@ -1,0 +1,50 @@
+#pragma once
+#include "taut/calc/sheet.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+
+namespace taut::closed_loop {
+
+/// One carriage position in the paper's letters. Lengths m, forces N, weights N/m, angles rad.
+/// `S_x`, `S_y` are the gathering force toward B and down; `eta` is already 1/eta for out-haul.
+template <class T>
+struct Case {
+  T l;        ///< horizontal span
+  T alpha_s;  ///< signed slope of the chord, + downhill work (B above A)
+  T alpha;    ///< |alpha_s|
+  T m;        ///< tan(alpha_s)
+  T cos_a;
+  T sin_a;  ///< sin |alpha_s|
+  T sin_2a;
+  T x;      ///< A to carriage, horizontal
+  T y;      ///< carriage to B
+  T f;      ///< vertical sag under the chord at x
+  T S;      ///< gathering force
+  T sin_g;  ///< of gamma, from the vertical
+  T cos_g;
+  T q_b;  ///< weight of the return rope per metre of rope, q_T of the traction rope
+  T q_T;
+  T w_b;  ///< the same per horizontal metre
+  T w_T;
+  T eta;
+  T W_c;  ///< weight of the carriage
+  bool midspan = false;
+  bool downhill = true;  ///< alpha_s >= 0
+  bool has_weight = false;
+  Roller roller = Roller::free;
+};
+
+/// What differs between the positions of one deck: numbers that the deck gives only indirectly.
+struct Setting {
+  const double* x = nullptr;  ///< an element of Input::position, null for midspan
+  double q_b = 0;
+  double q_T = 0;
+};
+
+/// A place counts as midspan within this share of the span.
+inline constexpr double midspan_tolerance = 1e-9;
+
+/// Reads the case off the input; the sag is left to the caller. Records the given quantities.
+template <class T>
+Case<T> make_case(const Input& in, const Setting& at, Sheet<T>& s);
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,158 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/calc/method.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/calc/sheet.hpp"
+
+/// Statics of a closed loop of two ropes with parallel, jointly loaded branches (a live skyline whose return rope is
+/// led back over the tail sheave and carries with its upper branch), after V. D. Martynikhin, about 1971.
+///
+/// Head support A (winch) and tail support B (sheave) stand `span` apart; the carriage, clamped to the lower branch and
+/// rolling on the upper one, hangs at the horizontal distance x from A with the vertical sag f under the chord.
+/// Three tiers stand side by side: the paper's formulas (as printed where a misprint matters, and repaired), corrected
+/// ones, and a closed form with a roller that presses normal to the rope. Forces in N, lengths in m, angles in rad.
+namespace taut::closed_loop {
+
+enum class Mode { sag, winch_pull, loop_length, free_running };
+enum class Carriage { single, two_section };
+enum class DistanceKind { horizontal, rope };
+enum class Section { first, second };
+enum class BranchOffset { normal, vertical };
+enum class Roller { free, vertical };
+enum class Haul { in, out };
+enum class AngleFrom { vertical, horizontal };
+
+/// Which ropes of the catalogue may be chosen; empty texts and a missing grade let everything pass.
+struct RopeFilter {
+  std::optional<std::string> construction;  ///< "6x36"
+  std::optional<std::string> core;          ///< "IWRC", "FC"
+  std::optional<double> grade;              ///< nominal wire strength, Pa
+
+  static const Description& describe();
+};
+
+/// The deck's keys; see describe() for symbol, unit, range and meaning of each.
+struct Input {
+  double span = std::numeric_limits<double>::quiet_NaN();
+  double slope = 0;
+  std::optional<double> height_difference;
+  std::vector<double> position;
+  Mode mode = Mode::sag;
+  std::optional<double> sag;
+  std::optional<double> winch_pull;
+  double head_efficiency = 1;
+  std::optional<double> loop_length;
+  double gathering_force = std::numeric_limits<double>::quiet_NaN();
+  double gathering_angle = std::numeric_limits<double>::quiet_NaN();
+  AngleFrom gathering_angle_from = AngleFrom::vertical;
+  std::optional<double> return_weight;
+  std::optional<double> traction_weight;
+  std::optional<std::string> return_rope;
+  std::optional<std::string> traction_rope;
+  double tail_efficiency = std::numeric_limits<double>::quiet_NaN();
+  int tail_sheaves = 1;
+  Carriage carriage = Carriage::single;
+  std::optional<double> section_distance;
+  DistanceKind distance_kind = DistanceKind::horizontal;
+  Section sag_of = Section::first;
+  Section position_of = Section::first;
+  double branch_distance = 0;
+  BranchOffset branch_offset = BranchOffset::normal;
+  double carriage_weight = 0;
+  double return_stiffness = std::numeric_limits<double>::infinity();
+  double traction_stiffness = std::numeric_limits<double>::infinity();
+  Roller roller = Roller::free;
+  Haul haul = Haul::in;
+  std::optional<double> safety_factor;
+  std::optional<double> wire_strength;
+  double weight_per_area = 98066.5;
+  std::optional<RopeFilter> choose_ropes;
+  std::optional<double> clearance;
+
+  static const Description& describe();
+};
+
+/// A value that was not computed is NaN.
+struct Output {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double x = none;
+  double f = none;
+  double f_second = none;
+  double q_b = none;
+  double q_T = none;
+  // The paper, repaired.
+  double P = none;
+  double K = none;
+  double P_b = none;
+  double P_b_no_weight = none;
+  double T_b = none;
+  double T_n = none;
+  double T_up = none;
+  double T_lA_paper = none;
+  // The paper, as printed.
+  double P_b_4_printed = none;
+  double T_n_printed = none;
+  double T_lA_printed = none;
+  // Two-section carriage.
+  double delta_f = none;
+  double P_b_printed = none;
+  double delta_f_printed = none;
+  double x_1 = none;
+  double x_2 = none;
+  double f_1 = none;
+  double f_2 = none;
+  // Closed-form tier.
+  double N = none;
+  double P_v = none;
+  double P_b_closed = none;
+  double delta_f_closed = none;
+  double phi = none;
+  double T_uA = none;
+  double T_uB = none;
+  double T_lA = none;
+  double T_lB = none;
+  double T_U = none;
+  double T_lLA = none;
+  double T_lLB = none;
+  double T_12 = none;
+  double T_max = none;
+  double H_1 = none;
+  double H_2 = none;
+  double H_3 = none;
+  double H_4 = none;
+  // Sizing.
+  double F_return_paper = none;
+  double F_traction_paper = none;
+  double F_return = none;
+  double F_traction = none;
+
+  static const Description& describe();
+};
+
+/// Citation, scope, limits, errata with the tests that show them.
+const Method& about();
+
+/// Rules between fields that the deck breaks, and rope names that the catalogue does not know.
+std::vector<Complaint> complaints(const Input& in);
+
+/// The paper's equations in the paper's order and letters, the corrections beside them, and the closed-form tier, all
+/// for one carriage position: the only one given, midspan when none is, or the worst of a list (largest tension at any
+/// of the four rope ends, in the closed-form tier). Infeasible: no vertical load, the roller lifts off, a rope goes
+/// slack, no rope can carry its own weight at that sag. `out` keeps what was reached. Precondition: complaints(in) is
+/// empty. T is double or Num.
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out);
+
+/// compute without a calculation note.
+Outcome solve(const Input& in, Output& out);
+
+/// Everything a report needs: values, tables `positions` and `ropes`, checks, steps, comparisons, figures, warnings.
+Result run(const Input& in);
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,291 @@
+#include "taut/methods/closed_loop/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace taut::closed_loop {
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+constexpr int samples_of_a_rope = 24;
+constexpr int samples_of_a_plot = 61;
+
+/// What the figures need to know of a solved position.
+struct View {
+  double l, m, x1, x2, f1, f2, w_b, w_T, S_x, S_y, W_c;
+  bool two;
+};
+
+double slope_of(const Input& in) { return in.height_difference ? *in.height_difference / in.span : std::tan(in.slope); }
+
+View view_of(const Input& in, const Output& o) {
+  View v{};
+  v.l = in.span;
+  v.m = slope_of(in);
+  v.two = in.carriage == Carriage::two_section;
+  v.x1 = v.two ? o.x_1 : o.x;
+  v.x2 = v.two ? o.x_2 : o.x;
+  v.f1 = v.two ? o.f_1 : o.f;
+  v.f2 = v.two ? o.f_2 : o.f;
+  const double cos_a = 1 / std::sqrt(1 + v.m * v.m);
+  v.w_b = o.q_b / cos_a;
+  v.w_T = o.q_T / cos_a;
+  const double gamma =
+      in.gathering_angle_from == AngleFrom::vertical ? in.gathering_angle : 90 * degree - in.gathering_angle;
+  v.S_x = in.gathering_force * std::sin(gamma);
+  v.S_y = in.gathering_force * std::cos(gamma);
+  v.W_c = in.carriage_weight;
+  return v;
+}
+
+/// A parabola between two points with weight w per horizontal metre.
+void add_rope(Drawing& d, Point a, Point b, double w, double H, Role role) {
+  Polyline rope;
+  rope.role = role;
+  for (int i = 0; i <= samples_of_a_rope; ++i) {
+    const double t = static_cast<double>(i) / samples_of_a_rope;
+    const double x = a.x + t * (b.x - a.x);
+    rope.points.push_back({x, a.y + t * (b.y - a.y) - w * (x - a.x) * (b.x - x) / (2 * H)});
+  }
+  d.shapes.emplace_back(rope);
+}
+
+/// Slope of that rope at its left (end = -1) or right (end = +1) end.
+double end_slope(Point a, Point b, double w, double H, int end) {
+  return (b.y - a.y) / (b.x - a.x) + end * w * (b.x - a.x) / (2 * H);
+}
+
+/// The points that the drawing hangs on.
+struct Frame {
+  Point A_l, B_l, A_u, B_u, L1, L2, U;
+};
+
+Frame frame_of(const View& v, double rise, double lean) {
+  const auto up = [&](Point p) { return Point{p.x - lean, p.y + rise}; };
+  Frame k;
+  k.A_l = {0, 0};
+  k.B_l = {v.l, v.l * v.m};
+  k.L1 = {v.x1, v.m * v.x1 - v.f1};
+  k.L2 = {v.x2, v.m * v.x2 - v.f2};
+  k.A_u = up(k.A_l);
+  k.B_u = up(k.B_l);
+  k.U = up(k.L1);
+  return k;
+}
+
+/// Stretches a flat loop so that its sag can be seen; 1, 2, 3, ...
+double stretch_of(const View& v) {
+  const double height = std::max(v.f1, v.f2) + std::abs(v.l * v.m);
+  return std::clamp(std::floor(0.25 * v.l / height), 1.0, 10.0);
+}
+
+void add_ground(Drawing& d, const View& v, const Frame& k) {
+  const double below = 1.8 * std::max(v.f1, v.f2);
+  const double margin = 0.06 * v.l;
+  d.shapes.emplace_back(
+      Polyline{{{-margin, -v.m * margin - below}, {v.l + margin, v.m * (v.l + margin) - below}}, Role::ground});
+  d.shapes.emplace_back(Polyline{{{0, -below}, k.A_l, k.A_u}, Role::structure});
+  d.shapes.emplace_back(Polyline{{{v.l, v.l * v.m - below}, k.B_l, k.B_u}, Role::structure});
+  d.shapes.emplace_back(Polyline{{k.A_l, k.B_l}, Role::axis});
+}
+
+void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
+  const auto pull = [&](Point at, double H, double slope, int side, const char* label, Role role) {
+    d.shapes.emplace_back(ForceArrow{at, side * H, side * H * slope, label, role, false});
+  };
+  d.shapes.emplace_back(ForceArrow{k.L2, v.S_x, -v.S_y, "S", Role::force, false});
+  if (v.W_c > 0) d.shapes.emplace_back(ForceArrow{k.L1, 0, -v.W_c, "W_c", Role::second_force, false});
+  d.shapes.emplace_back(ForceArrow{k.U, o.P_v * std::tan(o.phi), -o.P_v, "N", Role::second_force, true});
+  pull(k.A_l, o.H_1, end_slope(k.A_l, k.L1, v.w_T, o.H_1, -1), -1, "T_lA", Role::force);
+  pull(k.A_u, o.H_3, end_slope(k.A_u, k.U, v.w_b, o.H_3, -1), -1, "T_uA", Role::second_force);
+  pull(k.B_l, o.H_2, end_slope(k.L2, k.B_l, v.w_b, o.H_2, +1), +1, "T_lB", Role::force);
+  pull(k.B_u, o.H_4, end_slope(k.U, k.B_u, v.w_b, o.H_4, +1), +1, "T_uB", Role::second_force);
+}
+
+void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, const Output& o) {
+  const double below = -2.4 * std::max(v.f1, v.f2) + std::min(0.0, v.l * v.m);
+  d.shapes.emplace_back(DimensionLine{{0, below}, {v.l, below}, 0, fmt::format("l = {:.4g} m", v.l)});
+  const double x = o.x;
+  const double nearer = below + 0.035 * v.l / stretch;
+  d.shapes.emplace_back(DimensionLine{{0, nearer}, {x, nearer}, 0, fmt::format("x = {:.4g} m", x)});
+  const Point at = std::abs(x - v.x1) <= std::abs(x - v.x2) ? k.L1 : k.L2;
+  d.shapes.emplace_back(DimensionLine{at, {x, v.m * x}, 0, fmt::format("f = {:.3g} m", o.f)});
+  d.shapes.emplace_back(Label{{-0.03 * v.l, k.A_l.y - 0.02 * v.l / stretch}, "A"});
+  d.shapes.emplace_back(Label{{1.03 * v.l, k.B_l.y - 0.02 * v.l / stretch}, "B"});
+}
+
+}  // namespace
+
+Drawing loop_drawing(const Input& in, const Output& out) {
+  const View v = view_of(in, out);
+  Drawing d;
+  d.name = "loop";
+  d.title = "The loop in its span";
+  d.vertical_scale = stretch_of(v);
+  const bool told = in.branch_distance > 0;
+  const double c = told ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
+  const double alpha = std::atan(v.m);
+  const bool normal = in.branch_offset == BranchOffset::normal && told;
+  const Frame k = frame_of(v, normal ? c * std::cos(alpha) : c, normal ? c * std::sin(alpha) : 0);
+  add_ground(d, v, k);
+  add_rope(d, k.A_u, k.U, v.w_b, out.H_3, Role::rope);
+  add_rope(d, k.U, k.B_u, v.w_b, out.H_4, Role::rope);
+  add_rope(d, k.L2, k.B_l, v.w_b, out.H_2, Role::rope);
+  if (v.two) d.shapes.emplace_back(Polyline{{k.L1, k.L2}, Role::rope});
+  add_rope(d, k.A_l, k.L1, v.w_T, out.H_1, Role::second_rope);
+  d.shapes.emplace_back(Polyline{{k.L1, k.U}, Role::body});
+  const double size = 0.006 * v.l;
+  d.shapes.emplace_back(Circle{k.U, size, Role::body, 0, 0, true});
+  d.shapes.emplace_back(Circle{k.L1, size, Role::body, 0, 0, true});
+  if (v.two) d.shapes.emplace_back(Circle{k.L2, size, Role::body, 0, 0, true});
+  d.shapes.emplace_back(Circle{{0.5 * (k.B_l.x + k.B_u.x), 0.5 * (k.B_l.y + k.B_u.y)}, c / 2, Role::body});
+  add_forces(d, v, k, out);
+  add_measures(d, v, k, d.vertical_scale, out);
+  d.caption = fmt::format(
+      "Return rope (upper branch and back to the carriage) and traction rope (carriage to A) as parabolas of the "
+      "closed-form tier.{}",
+      told ? "" : " The branches are drawn apart to tell them from each other.");
+  return d;
+}
+
+namespace {
+
+struct PolygonForce {
+  double fx;
+  double fy;
+  const char* label;
+  Role role;
+};
+
+std::vector<PolygonForce> forces_at_carriage(const View& v, const Output& o) {
+  const Frame k = frame_of(v, 0, 0);
+  const double left = end_slope(k.A_l, k.L1, v.w_T, o.H_1, +1);
+  const double right = end_slope(k.L2, k.B_l, v.w_b, o.H_2, -1);
+  std::vector<PolygonForce> all;
+  all.push_back({o.H_2, o.H_2 * right, "T_lLB", Role::rope});
+  all.push_back({v.S_x, -v.S_y, "S", Role::force});
+  if (v.W_c > 0) all.push_back({0, -v.W_c, "W_c", Role::force});
+  all.push_back({-o.P_v * std::tan(o.phi), o.P_v, "N", Role::highlight});
+  all.push_back({-o.H_1, -o.H_1 * left, "T_lLA", Role::second_rope});
+  return all;
+}
+
+}  // namespace
+
+Drawing force_polygon(const Input& in, const Output& out) {
+  Drawing d;
+  d.name = "force_polygon";
+  d.title = "Forces on the carriage";
+  d.unit = si::N;
+  d.caption =
+      in.carriage == Carriage::single
+          ? "Rope tensions at the carriage, gathering force S and roller reaction N close: the carriage is in "
+            "equilibrium."
+          : "Both sections together: what is missing to close the polygon is the weight of the rope between them.";
+  Point at{0, 0};
+  for (const PolygonForce& f : forces_at_carriage(view_of(in, out), out)) {
+    const Point next{at.x + f.fx, at.y + f.fy};
+    d.shapes.emplace_back(ForceArrow{at, f.fx, f.fy, f.label, f.role, false});
+    at = next;
+  }
+  return d;
+}
+
+namespace {
+
+using Member = double Output::*;
+
+Curve curve_of(const char* label, const std::vector<Row>& rows, Member y) {
+  Curve c;
+  c.label = label;
+  for (const Row& row : rows) {
+    c.x.push_back(row.out.x);
+    c.y.push_back(row.outcome.ok() ? row.out.*y : Output::none);
+  }
+  return c;
+}
+
+std::vector<Row> by_place(std::vector<Row> rows) {
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.out.x < b.out.x; });
+  return rows;
+}
+
+/// The same deck at places all over the span.
+std::vector<Row> over_the_span(const Input& in, const Ropes& ropes) {
+  const double d = in.section_distance.value_or(0);
+  const double low = std::max(0.05 * in.span, 1.01 * d);
+  const double high = std::min(0.95 * in.span, in.span - 1.01 * d);
+  if (low >= high) return {};
+  Input all = in;
+  all.position.clear();
+  for (int i = 0; i < samples_of_a_plot; ++i) {
+    all.position.push_back(low + (high - low) * i / (samples_of_a_plot - 1));
+  }
+  return sweep(all, ropes);
+}
+
+const char* law_of(const Input& in) {
+  if (in.mode == Mode::winch_pull) return "with the deck's winch pull at every position";
+  if (in.mode == Mode::free_running) return "with the return rope running freely at every position";
+  return "with the deck's sag at every position";
+}
+
+}  // namespace
+
+Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows) {
+  const bool listed = rows.size() > 1;
+  const std::vector<Row> all = listed ? by_place(rows) : over_the_span(in, ropes);
+  Plot p;
+  p.name = "tensions";
+  p.title = "End tensions against the position of the carriage";
+  p.caption = fmt::format("Closed-form tier, {}. Gaps are infeasible positions.", law_of(in));
+  p.x = {"distance from A to the carriage", si::m};
+  p.y = {"tension", si::N};
+  p.curves = {curve_of("T_lA", all, &Output::T_lA), curve_of("T_lB", all, &Output::T_lB),
+              curve_of("T_uB", all, &Output::T_uB), curve_of("T_uA", all, &Output::T_uA)};
+  p.curves[2].dashed = true;
+  p.curves[3].dashed = true;
+  const Row& worst = rows[worst_of(rows)];
+  if (worst.outcome.ok()) p.marks.push_back({worst.out.x, worst.out.T_max, listed ? "governs" : "deck", false});
+  return p;
+}
+
+Plot error_plot(const Input& in, const Ropes& ropes, const Output& out) {
+  Plot p;
+  p.name = "paper_error";
+  p.title = "Error of the paper's formulas over the slope of the chord";
+  p.caption =
+      "Repaired formulas against the closed-form tier, at the position, sag and load of the deck; 0.05 is 5 %. Below "
+      "zero "
+      "the paper is unsafe for a tension. + slope: downhill work.";
+  p.x = {"slope of the chord", si::rad};
+  p.y = {"paper / closed form - 1", si::one};
+  p.curves = {{"P_b (1)", {}, {}}, {"upper branch at its upper support (7)", {}, {}}, {"T_lA (9)", {}, {}}};
+  Input at = in;
+  at.mode = Mode::sag;
+  at.winch_pull.reset();
+  at.sag = out.f;
+  at.height_difference.reset();
+  at.position = {out.x};
+  at.wire_strength.reset();
+  Sheet<double> silent;
+  for (int i = -30; i <= 30; i += 2) {
+    at.slope = i * degree;
+    Output o;
+    const bool ok = solve_position(at, setting_of(at, ropes, 0), silent, o).ok();
+    const double upper = i < 0 ? o.T_uA : o.T_uB;
+    const std::array<double, 3> error = {o.P_b / o.P_b_closed - 1, o.T_up / upper - 1, o.T_lA_paper / o.T_lA - 1};
+    for (std::size_t j = 0; j < error.size(); ++j) {
+      p.curves[j].x.push_back(at.slope);
+      p.curves[j].y.push_back(ok ? error[j] : Output::none);
+    }
+  }
+  p.marks.push_back({0, 0, "no error", true});
+  return p;
+}
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,276 @@
+#include "taut/methods/closed_loop/position.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "taut/base/expects.hpp"
+#include "taut/methods/closed_loop/quick.hpp"
+#include "taut/methods/closed_loop/sag.hpp"
+#include "taut/methods/closed_loop/two_section.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+/// Limits of the paper's formulas off midspan and on slopes, and how much too low a printed tension may be unremarked.
+constexpr double local_slope_limit = 0.2;
+constexpr double slope_limit = 10 * degree;
+constexpr double remarked = 0.01;
+
+template <class T>
+void keep(const Paper<T>& p, Output& out) {
+  out.P_b = value(p.P_b);
+  out.T_b = value(p.T_b);
+  out.T_n = value(p.T_n);
+  out.T_up = value(p.T_up);
+  out.T_lA_paper = value(p.T_lA);
+}
+
+template <class T>
+void keep_forces(const Quick<T>& q, Output& out) {
+  out.N = value(q.N);
+  out.P_v = value(q.P_v);
+  out.P_b_closed = value(q.P_b);
+  out.phi = std::atan(value(q.m_x));
+}
+
+template <class T>
+void keep_tensions(const Quick<T>& q, Output& out) {
+  out.T_uA = value(q.T_uA);
+  out.T_uB = value(q.T_uB);
+  out.T_lA = value(q.T_lA);
+  out.T_lB = value(q.T_lB);
+  out.T_U = value(q.T_U);
+  out.T_lLA = value(q.T_lLA);
+  out.T_lLB = value(q.T_lLB);
+  out.H_1 = value(q.H_1);
+  out.H_2 = value(q.H_2);
+  out.H_3 = value(q.H_3);
+  out.H_4 = value(q.H_4);
+  out.T_max = std::max({out.T_uA, out.T_uB, out.T_lA, out.T_lB});
+}
+
+template <class T>
+Outcome no_vertical_load(const Case<T>& c, const Paper<T>& p) {
+  return infeasible(
+      fmt::format("no vertical load: P = {:.3g} kN by (3), the gathering line pulls the carriage up off the chord "
+                  "(slope {:.3g} deg); "
+                  "steepen the line or add carriage weight",
+                  value(p.P) / 1000, value(c.alpha_s) / degree));
+}
+
+template <class T>
+Outcome one_section(const Case<T>& c, const Case<double>& plain, Sheet<T>& s, Paper<T>& p, Output& out) {
+  paper_tensions(c, s, p);
+  keep(p, out);
+  out.P_b_no_weight = value(p.P_b_no_weight);
+  Quick<T> q{};
+  const Outcome o = quick_tensions(c, plain, s, q);
+  keep_forces(q, out);
+  if (o.ok()) keep_tensions(q, out);
+  return o;
+}
+
+SectionRule rule_of(const Input& in) { return {*in.section_distance, in.distance_kind, in.sag_of, in.position_of}; }
+
+template <class T>
+Outcome two_sections(const Input& in, const Case<T>& c, const Case<double>& plain, Sheet<T>& s, Paper<T>& p,
+                     Output& out) {
+  s.given(*in.section_distance);
+  const SectionRule rule = rule_of(in);
+  if (const auto printed = solve_as_printed(plain, rule, value(p.P), value(p.K))) {
+    out.P_b_printed = printed->P_b;
+    out.delta_f_printed = printed->delta_f;
+    s.note([&] {
+      return fmt::format("(11)-(16) as printed, unrounded, give P_b = {:.5g} kN and delta_f = {:.5g} m.",
+                         printed->P_b / 1000, printed->delta_f);
+    });
+  }
+  SectionForces<T> f{};
+  if (const Outcome o = corrected_system(c, plain, rule, s, p, f.delta_f); !o.ok()) return o;
+  keep(p, out);
+  out.delta_f = value(f.delta_f);
+  const Outcome o = two_section_tensions(c, plain, rule, s, f);
+  keep_forces(f.q, out);
+  out.x_1 = f.at.x1;
+  out.x_2 = f.at.x2;
+  out.f_1 = f.at.f1;
+  out.f_2 = f.at.f2;
+  if (!o.ok()) return o;
+  keep_tensions(f.q, out);
+  out.T_12 = value(f.T_12);
+  out.delta_f_closed = value(f.delta_f);
+  return {};
+}
+
+std::string kN(double force) { return fmt::format("{:.4g} kN", force / 1000); }
+
+/// Where the paper's formulas leave their range, and where they are unsafe.
+template <class T>
+void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
+  const double local = out.f / std::min(value(c.x), value(c.y));
+  if (local > local_slope_limit || value(c.alpha) > slope_limit) {
+    s.warn([&] {
+      return fmt::format(
+          "The paper's formulas (P_b, T_b, T_n, T_up, T_lA_paper) are outside their range (sag/distance to the nearer "
+          "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). They take the roller force as vertical: that "
+          "alone "
+          "puts about P_b sin(alpha_s) = {} too much on T_lA_paper (less, and unsafe, when negative). Build by the "
+          "closed-form tier.",
+          local, value(c.alpha_s) / degree, kN(out.P_b * std::sin(value(c.alpha_s))));
+    });
+  }
+  const double peak = peaks_of(out).return_rope.tension;
+  if (out.T_up < peak * (1 - remarked)) {
+    s.warn([&] {
+      return fmt::format(
+          "(7) is unsafe for the return rope: it gives {} in the upper branch, but the rope is pulled with up to {}, "
+          "behind the sheave at B.",
+          kN(out.T_up), kN(peak));
+    });
+  }
+  if (out.T_lA_paper < out.T_lA * (1 - remarked)) {
+    s.warn([&] {
+      return fmt::format("(9) is unsafe here: it gives T_lA = {}, the closed-form tier {}.", kN(out.T_lA_paper),
+                         kN(out.T_lA));
+    });
+  }
+}
+
+template <class T>
+void warn_of_stop(const Case<T>& c, const Output& out, Sheet<T>& s) {
+  const double S = value(c.S);
+  if (S <= out.T_lB) return;
+  s.warn([&] {
+    return fmt::format(
+        "The gathering force S = {} exceeds T_lB = {}: when S acts on the free end of the return rope (variant 2) the "
+        "carriage has left its stop; mode free_running finds the sag at which it leaves it.{}",
+        kN(S), kN(out.T_lB),
+        S > out.T_n ? fmt::format(" It also exceeds T_n = {} (variant 1).", kN(out.T_n)) : std::string());
+  });
+}
+
+template <class T>
+void warn_of_input(const Input& in, Sheet<T>& s) {
+  const bool elastic = std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness);
+  if (in.branch_distance > 0 || elastic) {
+    s.note(
+        "branch_distance and the stiffnesses do not enter these tiers; at a given sag they change every tension by "
+        "less "
+        "than 0.2 % and 0.1 % (a vertical offset on steep slopes: about 0.5 % per metre).");
+  }
+}
+
+}  // namespace
+
+template <class T>
+Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& out) {
+  Case<T> c = make_case(in, at, s);
+  Case<double> plain;
+  if constexpr (std::is_same_v<T, double>) {
+    plain = c;
+  } else {
+    Sheet<double> silent;
+    plain = make_case(in, at, silent);
+  }
+  out.x = value(c.x);
+  out.q_b = at.q_b;
+  out.q_T = at.q_T;
+  Paper<T> p{};
+  resolve_force(c, s, p);
+  out.P = value(p.P);
+  out.K = value(p.K);
+  if (!(out.P > 0)) return no_vertical_load(c, p);
+  if (const Outcome o = set_sag(in, plain, s, c, out); !o.ok()) return o;
+  plain.f = out.f;
+  const bool single = in.carriage == Carriage::single;
+  const Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
+  if (!o.ok()) return o;
+  warn_of_input(in, s);
+  warn_of_paper(c, out, s);
+  warn_of_stop(c, out, s);
+  if (single && c.midspan) {
+    const Printed printed = as_printed(plain, {out.P, out.K, out.P_b, out.P_b_no_weight, out.T_b, out.T_n, 0, 0});
+    out.P_b_4_printed = printed.P_b_4;
+    out.T_n_printed = printed.T_n;
+    out.T_lA_printed = printed.T_lA;
+  }
+  if (in.safety_factor && in.wire_strength) return areas(in, c, p, s, out);
+  return {};
+}
+
+template Outcome solve_position(const Input&, const Setting&, Sheet<double>&, Output&);
+template Outcome solve_position(const Input&, const Setting&, Sheet<Num>&, Output&);
+
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index) {
+  return {in.position.empty() ? nullptr : &in.position[index], ropes.q_b, ropes.q_T};
+}
+
+std::vector<Row> sweep(const Input& in, const Ropes& ropes) {
+  std::vector<Row> rows(std::max<std::size_t>(1, in.position.size()));
+  Sheet<double> silent;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].outcome = solve_position(in, setting_of(in, ropes, i), silent, rows[i].out);
+  }
+  return rows;
+}
+
+std::size_t worst_of(const std::vector<Row>& rows) {
+  std::size_t worst = 0;
+  double largest = -1;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].outcome.ok() && rows[i].out.T_max > largest) {
+      largest = rows[i].out.T_max;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+namespace {
+
+catalogue::RopeRow known_rope(const std::string& text) {
+  const auto row = rope_named(text);
+  expects(row.has_value(), "complaints() has refused unknown ropes");
+  return *row;
+}
+
+/// The peaks over all positions that are feasible; infeasible when none is.
+Outcome peaks_over(const Input& in, const Ropes& ropes, Peaks& peaks) {
+  const std::vector<Row> rows = sweep(in, ropes);
+  bool any = false;
+  for (const Row& row : rows) {
+    if (!row.outcome.ok()) continue;
+    peaks = any ? larger(peaks, peaks_of(row.out)) : peaks_of(row.out);
+    any = true;
+  }
+  return any ? Outcome{} : rows.front().outcome;
+}
+
+}  // namespace
+
+Outcome ropes_of(const Input& in, Ropes& ropes) {
+  if (in.choose_ropes) {
+    return choose(
+        *in.choose_ropes, *in.safety_factor, [&](const Ropes& r, Peaks& peaks) { return peaks_over(in, r, peaks); },
+        ropes);
+  }
+  if (in.return_rope) {
+    ropes.return_rope = known_rope(*in.return_rope);
+    ropes.q_b = ropes.return_rope->mass_per_length * gravity;
+  } else {
+    ropes.q_b = *in.return_weight;
+  }
+  if (in.traction_rope) {
+    ropes.traction_rope = known_rope(*in.traction_rope);
+    ropes.q_T = ropes.traction_rope->mass_per_length * gravity;
+  } else {
+    ropes.q_T = *in.traction_weight;
+  }
+  return {};
+}
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "taut/methods/closed_loop/case.hpp"
+#include "taut/methods/closed_loop/sizing.hpp"
+
+namespace taut::closed_loop {
+
+/// Everything for one carriage position. `out` keeps what was reached when the outcome is not ok.
+template <class T>
+Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& out);
+
+/// One position of a sweep.
+struct Row {
+  Outcome outcome;
+  Output out;
+};
+
+/// The positions of the deck, midspan when it gives none, each computed in double.
+std::vector<Row> sweep(const Input& in, const Ropes& ropes);
+
+/// The row with the largest tension at a rope end; the first row when all are infeasible.
+std::size_t worst_of(const std::vector<Row>& rows);
+
+/// The setting of row `index`.
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index);
+
+/// Weights from the deck, from ropes it names, or from ropes chosen. Precondition: complaints(in) is empty.
+Outcome ropes_of(const Input& in, Ropes& ropes);
+
+}  // namespace taut::closed_loop

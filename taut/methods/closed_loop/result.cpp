@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/catalogue/trust.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/methods/closed_loop/drawing.hpp"
+#include "taut/methods/closed_loop/position.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+constexpr double none = Output::none;
+
+Table positions_table(const std::vector<Row>& rows) {
+  Table t{"positions", "Tensions over the carriage positions (closed-form tier)", {}, {}};
+  t.columns = {{"x", si::m},    {"f", si::m},    {"P_b", si::N},  {"P_v", si::N},   {"T_uA", si::N},
+               {"T_uB", si::N}, {"T_lA", si::N}, {"T_lB", si::N}, {"T_max", si::N}, {"reason", si::one}};
+  for (const Row& row : rows) {
+    const Output& o = row.out;
+    t.rows.push_back(
+        {o.x, o.f, o.P_b, o.P_v, o.T_uA, o.T_uB, o.T_lA, o.T_lB, o.T_max, std::string(row.outcome.message)});
+  }
+  return t;
+}
+
+Peaks peaks_over(const std::vector<Row>& rows) {
+  Peaks p;
+  for (const Row& row : rows) {
+    if (row.outcome.ok()) p = larger(p, peaks_of(row.out));
+  }
+  return p;
+}
+
+std::vector<Cell> rope_row(const char* role, const catalogue::RopeRow& rope, const Peak& peak) {
+  return {std::string(role),
+          rope.id,
+          rope.diameter,
+          rope.area,
+          rope.mass_per_length,
+          rope.breaking_force,
+          peak.tension,
+          fmt::format("{}, carriage at {:.4g} m", peak.where, peak.x),
+          rope.breaking_force / peak.tension,
+          std::string(catalogue::to_text(rope.trust))};
+}
+
+Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
+  Table t{"ropes", "Ropes with their own weight", {}, {}};
+  t.columns = {{"role", si::one},
+               {"designation", si::one},
+               {"diameter", si::m.in("mm")},
+               {"area", si::m2},
+               {"mass_per_metre", si::kg_per_m},
+               {"breaking_force", si::N},
+               {"largest_tension", si::N},
+               {"where", si::one},
+               {"safety_factor", si::one},
+               {"trust", si::one}};
+  if (ropes.return_rope) t.rows.push_back(rope_row("return", *ropes.return_rope, peaks.return_rope));
+  if (ropes.traction_rope) t.rows.push_back(rope_row("traction", *ropes.traction_rope, peaks.traction_rope));
+  return t;
+}
+
+Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
+  return make_check(
+      fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, Sense::at_least, n,
+      si::one,
+      fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
+                  "at least safety_factor of the deck",
+                  rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
+      fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust)));
+}
+
+void add_checks(const Input& in, const Ropes& ropes, const std::vector<Row>& rows, Result& r) {
+  const Peaks peaks = peaks_over(rows);
+  const bool any = peaks.return_rope.tension > 0;
+  if (any && (ropes.return_rope || ropes.traction_rope)) r.tables.push_back(ropes_table(ropes, peaks));
+  if (any && in.safety_factor && ropes.return_rope) {
+    r.checks.push_back(rope_check("return", *ropes.return_rope, peaks.return_rope, *in.safety_factor));
+  }
+  if (any && in.safety_factor && ropes.traction_rope) {
+    r.checks.push_back(rope_check("traction", *ropes.traction_rope, peaks.traction_rope, *in.safety_factor));
+  }
+  if (!in.clearance) return;
+  double deepest = none;
+  for (const Row& row : rows) deepest = std::fmax(deepest, row.out.f);
+  if (std::isnan(deepest)) return;
+  r.checks.push_back(make_check("sag at the carriage", deepest, Sense::at_most, *in.clearance, si::m,
+                                "sag under the chord at most clearance of the deck", "user"));
+}
+
+/// Printed against corrected; a printed value more than 1 % too low is called unsafe.
+Comparison compared(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
+                    const char* build_by) {
+  return {what, symbol, unit, printed, corrected, none, build_by, printed < corrected * 0.99};
+}
+
+void add(Result& r, Comparison c) {
+  if (std::isfinite(c.printed) && std::isfinite(c.corrected)) r.comparisons.push_back(std::move(c));
+}
+
+void add_comparisons(const Input& in, const Output& o, Result& r) {
+  if (in.carriage == Carriage::two_section) {
+    add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, o.P_b_printed, o.P_b,
+                    "corrected: sections told apart, forces resolved on their own chords"));
+    add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, o.delta_f_printed, o.delta_f,
+                    "corrected: the same system"));
+  }
+  add(r, compared("load on the upper branch, (4)", "P_b0", si::N, o.P_b_4_printed, o.P_b_no_weight,
+                  "corrected: 2f in place of 2l"));
+  Comparison load =
+      compared(in.carriage == Carriage::single ? "load on the upper branch, (1)" : "load on the upper branch", "P_b",
+               si::N, o.P_b, o.P_b_closed, "corrected: roller force normal to the rope");
+  load.printed_unsafe = false;  // too small a share of one branch is too large a share of the other
+  add(r, load);
+  add(r, compared("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
+                  "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
+  add(r, compared("highest tension of the return rope, (7)", "T_up", si::N, o.T_up, peaks_of(o).return_rope.tension,
+                  "corrected: the rope is tightest behind the sheave at B, not in the upper branch"));
+  add(r, compared("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
+                  "corrected: closed-form tier"));
+  add(r, compared("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
+                  "corrected: closed-form tier, roller force normal to the rope"));
+  add(r, compared("area of the return rope, (8)", "F_return", si::m2, o.F_return_paper, o.F_return,
+                  "corrected: (8*), sized for the rope behind the sheave"));
+  add(r, compared("area of the traction rope, (10)", "F_traction", si::m2, o.F_traction_paper, o.F_traction,
+                  "corrected: (10*), with the roller's push along the slope"));
+}
+
+void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
+  r.assumptions = {"Statics of one span; both branches hang parallel, with the same sag at the carriage.",
+                   "Ropes are parabolas (small sag): the closed-form tier is within 2 % of catenaries for sags up to "
+                   "0.15 of the span.",
+                   "Not in these numbers: rolling resistance, bending of the ropes over sheaves and rollers, splices, "
+                   "wear, shocks at "
+                   "intermediate supports, wind, temperature."};
+  const auto failed = static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); }));
+  if (rows.size() > 1) {
+    r.assumptions.push_back(
+        "The values belong to the position with the largest tension at a rope end; the table lists all positions.");
+  }
+  if (rows.size() > 1 && in.mode == Mode::sag) {
+    r.assumptions.push_back(
+        "Every position has the sag of the deck: the winch slackens or tightens the loop as it moves.");
+  }
+  if (failed > 0 && failed < rows.size()) {
+    r.warnings.push_back(fmt::format("{} of {} positions are infeasible; the table `positions` gives the reasons.",
+                                     failed, rows.size()));
+  }
+  if (in.carriage == Carriage::two_section) {
+    r.assumptions.push_back(
+        "Two-section carriage: the roller rides with section 1, which is clamped to the lower branch; section 2 "
+        "carries the "
+        "gathering force.");
+  }
+}
+
+}  // namespace
+
+Result run(const Input& in) {
+  Result r;
+  r.method = about().name;
+  r.method_title = about().title;
+  r.source = about().source;
+  r.given = given_of(Input::describe(), &in);
+  Ropes ropes;
+  Output out;
+  Sheet<Num> s(about().short_source, Input::describe(), &in);
+  Outcome outcome = ropes_of(in, ropes);
+  std::vector<Row> rows;
+  if (outcome.ok()) {
+    rows = sweep(in, ropes);
+    const std::size_t at = worst_of(rows);
+    outcome = solve_position(in, setting_of(in, ropes, at), s, out);
+    if (!outcome.ok() && rows.size() > 1) {
+      outcome.message =
+          fmt::format("none of the {} positions is feasible; the first: {}", rows.size(), outcome.message);
+    }
+  }
+  r.status = outcome.status;
+  r.message = outcome.message;
+  r.values = values_of(Output::describe(), &out);
+  s.move_to(r);
+  if (rows.empty()) return r;
+  if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
+  add_words(in, rows, r);
+  if (!outcome.ok()) return r;
+  add_checks(in, ropes, rows, r);
+  add_comparisons(in, out, r);
+  r.figures = {loop_drawing(in, out), force_polygon(in, out), tension_plot(in, ropes, rows)};
+  if (in.carriage == Carriage::single) r.figures.push_back(error_plot(in, ropes, out));
+  return r;
+}
+
+}  // namespace taut::closed_loop

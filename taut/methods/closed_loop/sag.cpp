@@ -1,0 +1,115 @@
+#include "taut/methods/closed_loop/sag.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+#include "taut/methods/closed_loop/quick.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+constexpr double smallest_share = 1e-4;  // of the span
+constexpr double largest_share = 2;
+constexpr double step_factor = 1.04;
+
+/// The tension that the mode asks about.
+double tension_of(const Input& in, const Quick<double>& q) { return in.mode == Mode::winch_pull ? q.T_lA : q.T_lLB; }
+
+double target_of(const Input& in) {
+  return in.mode == Mode::winch_pull ? *in.winch_pull * in.head_efficiency : in.gathering_force;
+}
+
+Outcome out_of_reach(const Input& in, const Case<double>& c, double least, double most) {
+  const char* what = in.mode == Mode::winch_pull ? "a tension at A of" : "a return rope tension at the carriage of";
+  if (!(least <= most)) {
+    return infeasible(fmt::format(
+        "no sag is feasible at x = {:.4g} m: the roller lifts off or a rope goes slack at each; steepen the "
+        "gathering line or add carriage weight",
+        c.x));
+  }
+  return infeasible(
+      fmt::format("{} {:.4g} kN is not possible at x = {:.4g} m: it lies between {:.4g} kN and {:.4g} kN "
+                  "over all feasible sags; change {}",
+                  what, target_of(in) / 1000, c.x, least / 1000, most / 1000,
+                  in.mode == Mode::winch_pull ? "the winch pull" : "the gathering force or its angle"));
+}
+
+}  // namespace
+
+double excess_of(const Input& in, const Case<double>& c, double sag) {
+  Case<double> at = c;
+  at.f = sag;
+  const auto q = quick(at);
+  return q ? tension_of(in, *q) - target_of(in) : Output::none;
+}
+
+Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
+  const double target = target_of(in);
+  double least = INFINITY;
+  double most = -INFINITY;
+  int roots = 0;
+  double low = smallest_share * in.span;
+  double e_low = excess_of(in, c, low);
+  for (; low < largest_share * in.span && roots < 2; low *= step_factor) {
+    const double e_high = excess_of(in, c, low * step_factor);
+    if (std::isfinite(e_low)) {
+      least = std::min(least, e_low + target);
+      most = std::max(most, e_low + target);
+      if (!std::isfinite(e_high)) break;
+      if ((e_low < 0) != (e_high < 0)) {
+        if (++roots == 1) {
+          found.low = low;
+          found.high = low * step_factor;
+        } else {
+          const auto f = find_root([&](double sag) { return excess_of(in, c, sag); }, low, low * step_factor);
+          found.second = f.value_or(Output::none);
+        }
+      }
+    }
+    e_low = e_high;
+  }
+  return roots > 0 ? Outcome{} : out_of_reach(in, c, least, most);
+}
+
+template <class T>
+Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>& c, Output& out) {
+  if (in.mode == Mode::sag) {
+    c.f = s.given(*in.sag);
+    out.f = value(c.f);
+    return {};
+  }
+  FoundSag found;
+  if (const Outcome o = find_sag(in, plain, found); !o.ok()) return o;
+  const bool by_winch = in.mode == Mode::winch_pull;
+  s.section("Sag");
+  s.note(
+      "The sag is the smallest at which the closed-form tier below gives the tension asked for; exact catenaries would "
+      "give a slightly different one.");
+  const T target = by_winch ? T(s.given(*in.winch_pull) * s.given(in.head_efficiency)) : c.S;
+  const auto gap = [&](const T& sag) {
+    Case<double> at = plain;
+    at.f = value(sag);
+    const auto q = quick(at);
+    return s.named(by_winch ? "T_lA" : "T_lLB", si::N, q ? tension_of(in, *q) : Output::none) - target;
+  };
+  const auto f = s.root("", "f", si::m, gap, found.low, found.high);
+  expects(f.has_value(), "the bracket of the sag holds a root");
+  c.f = *f;
+  out.f = value(c.f);
+  out.f_second = found.second;
+  if (std::isfinite(found.second)) {
+    s.warn([&] {
+      return fmt::format("The same tension is also reached at the deeper sag of {:.4g} m; the smaller sag is used.",
+                         found.second);
+    });
+  }
+  return {};
+}
+
+template Outcome set_sag(const Input&, const Case<double>&, Sheet<double>&, Case<double>&, Output&);
+template Outcome set_sag(const Input&, const Case<double>&, Sheet<Num>&, Case<Num>&, Output&);
+
+}  // namespace taut::closed_loop

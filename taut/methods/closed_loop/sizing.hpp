@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/catalogue/lookup.hpp"
+#include "taut/catalogue/rope.hpp"
+#include "taut/methods/closed_loop/paper.hpp"
+
+namespace taut::closed_loop {
+
+/// Standard gravity, m/s2: turns a catalogue's mass per metre into a weight.
+inline constexpr double gravity = 9.80665;
+
+/// The metallic areas (8), (10) and their corrected forms, m2, for the load at midspan and the sag c.f there.
+/// Infeasible: at that sag no rope carries its own weight with the safety factor, or the upper branch takes no load.
+template <class T>
+Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s, Output& out);
+
+/// The two ropes: weights in N/m, and the catalogue's rows where the deck names or chooses them.
+struct Ropes {
+  double q_b = 0;
+  double q_T = 0;
+  std::optional<catalogue::RopeRow> return_rope;
+  std::optional<catalogue::RopeRow> traction_rope;
+};
+
+/// A rope by its id, or by words: "6x36-IWRC 16 mm 1960 MPa" in any order; spaces and case don't count.
+catalogue::Found<catalogue::RopeRow> rope_named(const std::string& text);
+
+/// Largest tensions of the two ropes over the whole deck with given weights; where they stand.
+struct Peak {
+  double tension = 0;  ///< N
+  double x = 0;        ///< position of the carriage, m
+  std::string where;   ///< "lower branch at B"
+};
+struct Peaks {
+  Peak return_rope;
+  Peak traction_rope;
+};
+
+/// The larger peaks of the two, each rope by itself.
+Peaks larger(const Peaks& a, const Peaks& b);
+
+/// The largest tensions of one solved position.
+Peaks peaks_of(const Output& out);
+
+/// The smallest ropes of the catalogue (by diameter, then area and breaking force) that keep MBF/T >= n with their own
+/// weights at every position. `verify` computes the peaks for two weights. The search steps each rope up until both
+/// pass, because each rope's weight raises both tensions. Infeasible: the filter or the catalogue has no such rope, or
+/// the deck itself is infeasible.
+Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(const Ropes&, Peaks&)>& verify,
+               Ropes& chosen);
+
+}  // namespace taut::closed_loop
