@@ -1,5 +1,7 @@
 #include "taut/catalogue/construction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -58,9 +60,9 @@ int take_number(std::string_view& rest) {
 std::optional<std::string> parse_lay(std::string_view letters) {
   const bool compacted = letters.starts_with('k');
   if (compacted) letters.remove_prefix(1);
-  const auto lay = translated(lay_names, letters);
-  if (!lay || !compacted) return lay;
-  return std::string("k").append(*lay);
+  auto lay = translated(lay_names, letters);
+  if (lay && compacted) lay = fmt::format("k{}", *lay);
+  return lay;
 }
 
 bool needs_naming(std::string_view lay) { return lay.starts_with('k') || lay == "m"; }

@@ -78,6 +78,7 @@ void CsvReader::read_header() {
     return;
   }
   std::vector<std::string> names;
+  names.reserve(columns_.size());
   for (const CsvColumn& column : columns_) names.emplace_back(column.name);
   for (std::size_t i = 0; i < cells_; ++i) {
     const Cell& head = record_[i];

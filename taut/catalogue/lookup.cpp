@@ -53,6 +53,7 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   const std::size_t kept = std::min(count, ranking.size());
   std::partial_sort(ranking.begin(), ranking.begin() + static_cast<std::ptrdiff_t>(kept), ranking.end());
   std::vector<std::string> out;
+  out.reserve(kept);
   for (std::size_t i = 0; i < kept; ++i) out.push_back(names[ranking[i].second]);
   return out;
 }

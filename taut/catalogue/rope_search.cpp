@@ -108,7 +108,7 @@ bool matches(const RopeRow& row, const RopeFilter& filter) {
   }
   if (!filter.core.empty() && parse_core(filter.core).value_or(filter.core) != row.core) return false;
   if (!filter.standard.empty() && !normalised(row.standard).starts_with(normalised(filter.standard))) return false;
-  if (filter.grade && !(row.grade && std::abs(*row.grade - *filter.grade) < same_grade)) return false;
+  if (filter.grade && (!row.grade || std::abs(*row.grade - *filter.grade) >= same_grade)) return false;
   if (filter.min_breaking_force && row.breaking_force < *filter.min_breaking_force) return false;
   if (filter.min_diameter && row.diameter < *filter.min_diameter - same_diameter) return false;
   if (filter.max_diameter && row.diameter > *filter.max_diameter + same_diameter) return false;
@@ -151,6 +151,7 @@ Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table)
     if (normalised(row.id) == wanted) return row;
   }
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const RopeRow& row : table) names.push_back(row.id);
   return failure(fmt::format("no rope {}", in_quotes(id)), nearest_names(id, names, suggested));
 }

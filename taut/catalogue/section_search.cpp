@@ -71,6 +71,7 @@ std::string table_name(const SectionName& name) {
   if (sizes.size() == 2 && name.shape != SectionShape::chs) sizes.insert(sizes.begin(), sizes.front());
   if (sizes.size() == 3 && sizes[0] < sizes[1]) std::swap(sizes[0], sizes[1]);
   std::vector<std::string> texts;
+  texts.reserve(sizes.size());
   for (const double size : sizes) texts.push_back(short_number(size * 1e3));
   return normalised(
       fmt::format("{}{}{}{}", to_text(*name.shape), name.cold ? "-c" : "", fmt::join(texts, "x"), name.standard));
@@ -150,6 +151,7 @@ Found<SectionRow> find_section(std::string_view name, const std::vector<SectionR
   if (found.size() == 1) return *found.front();
   if (found.empty()) return failure(fmt::format("no section {}", in_quotes(name)), nearest_sections(*parts, table));
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (const SectionRow* row : found) names.push_back(row->name);
   const std::string message = fmt::format("{} may be any of {} sections", in_quotes(name), names.size());
   return failure(message, std::move(names));

@@ -70,8 +70,8 @@ std::vector<std::string> spellings(const SteelRow& steel) {
   for (const std::string& name : names) {
     for (const std::string& basis : {std::string(), std::string(to_text(steel.basis))}) {
       out.push_back(normalised(name + basis));
-      out.push_back(normalised(steel.standard + name + basis));
-      out.push_back(normalised(name + steel.standard + basis));
+      out.push_back(normalised(fmt::format("{}{}{}", steel.standard, name, basis)));
+      out.push_back(normalised(fmt::format("{}{}{}", name, steel.standard, basis)));
     }
   }
   return out;
@@ -79,6 +79,7 @@ std::vector<std::string> spellings(const SteelRow& steel) {
 
 std::vector<std::string> full_names(const std::vector<const SteelRow*>& rows) {
   std::vector<std::string> out;
+  out.reserve(rows.size());
   for (const SteelRow* row : rows) out.push_back(full_name(*row));
   return out;
 }

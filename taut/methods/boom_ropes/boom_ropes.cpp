@@ -1,0 +1,281 @@
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/methods/boom_ropes/sliding.hpp"
+#include "taut/methods/boom_ropes/slip.hpp"
+
+namespace taut::boom_ropes {
+namespace {
+
+using std::abs, std::cos, std::max, std::sin;
+
+/// More cases than this are not written out line by line; the two that govern always are.
+constexpr std::size_t written_out = 12;
+
+template <class T>
+T force(const Input& in, const Case& one, std::string_view symbol, Sheet<T>& s) {
+  const T G_3 = s.given(in.section_weight);
+  const T f_0 = s.given(in.pad_friction);
+  const T zeta = s.given(in.tackle_efficiency);
+  const T G_n = s.given(one.suspended_weight);
+  const T beta = s.given(one.luffing_angle);
+  const T K = s.named("K", si::one, one.falls);
+  switch (one.operation) {
+    case Operation::lift:
+      return s.eq("4", symbol, si::N, -G_n / (K * zeta) - (G_n + G_3) * (sin(beta) - f_0 * cos(beta)));
+    case Operation::retract:
+      return s.eq("5", symbol, si::N, -G_n * zeta / K + (G_n + G_3) * (-sin(beta) + f_0 * cos(beta)));
+    case Operation::extend:
+      return s.eq("4*", symbol, si::N, -G_n / (K * zeta) - (G_n + G_3) * (sin(beta) + f_0 * cos(beta)),
+                  "as (4), pads pulling back: not printed");
+  }
+  return T{};
+}
+
+template <class T>
+struct Shares {
+  T lambda_1;
+  T lambda_2;
+};
+
+template <class T>
+Shares<T> shares(const Input& in, Sheet<T>& s, Output& out) {
+  s.section("How the ropes share a change of F");
+  const T C_1 = s.given(in.extension_stiffness);
+  const T C_2 = s.given(in.retraction_stiffness);
+  const T lambda_1 = s.eq("2", "lambda_1", si::one, C_1 / (2 * C_1 + C_2));
+  const T lambda_2 = s.eq("2", "lambda_2", si::one, C_2 / (2 * C_1 + C_2));
+  out.lambda_1 = value(lambda_1);
+  out.lambda_2 = value(lambda_2);
+  return {lambda_1, lambda_2};
+}
+
+template <class T>
+struct Span {
+  T highest;
+  T lowest;
+};
+
+/// F of every case; the highest and the lowest are the ones that (3) needs.
+template <class T>
+Span<T> forces(const Input& in, Sheet<T>& s, Output& out) {
+  out.F.resize(in.cases.size());
+  for (std::size_t i = 0; i < in.cases.size(); ++i) out.F[i] = force(in, in.cases[i]);
+  out.highest_case = static_cast<std::size_t>(std::max_element(out.F.begin(), out.F.end()) - out.F.begin());
+  out.lowest_case = static_cast<std::size_t>(std::min_element(out.F.begin(), out.F.end()) - out.F.begin());
+  Span<T> span;
+  for (std::size_t i = 0; i < in.cases.size(); ++i) {
+    const bool governs = i == out.highest_case || i == out.lowest_case;
+    if (!governs && (std::is_same_v<T, double> || in.cases.size() > written_out)) continue;
+    if constexpr (std::is_same_v<T, double>) {
+      (i == out.highest_case ? span.highest : span.lowest) = out.F[i];
+      if (i == out.lowest_case) span.lowest = out.F[i];
+    } else {
+      s.section(fmt::format("Case {}: {}", i + 1, in.cases[i].name));
+      const T F = force(in, in.cases[i], fmt::format("F_{}", i + 1), s);
+      if (i == out.highest_case) span.highest = F;
+      if (i == out.lowest_case) span.lowest = F;
+    }
+  }
+  return span;
+}
+
+template <class T>
+struct Limits {
+  T S10;
+  T S20;
+};
+
+/// (3) with the F0 that makes each limit largest. Below 0 there is nothing to ask of a rope: tensioning itself is a
+/// state with F = F0.
+template <class T>
+Limits<T> limits(const Span<T>& F, const T& F_0e, const T& F_0r, const Shares<T>& lambda, std::string_view no,
+                 std::string_view mark, Sheet<T>& s) {
+  const T none = s.named("0", si::N, 0.0);
+  const auto symbol = [&](const char* stem) {
+    if constexpr (std::is_same_v<T, double>) {
+      return std::string_view{};
+    } else {
+      return fmt::format("{}{}", stem, mark);
+    }
+  };
+  const T S10 = s.eq(no, symbol("S_10min"), si::N, max((F.highest - F_0e) * lambda.lambda_1, none));
+  const T S20 = s.eq(no, symbol("S_20min"), si::N, max((F_0r - F.lowest) * lambda.lambda_2, none));
+  return {S10, S20};
+}
+
+template <class T>
+void pretension(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, const Shares<T>& lambda, Sheet<T>& s,
+                Output& out) {
+  s.section("Least pretension");
+  s.note([&] {
+    return fmt::format(
+        "Largest F: case {} ({}); smallest F: case {} ({}). Each limit is taken with the F_0 that makes "
+        "it larger: F_0e for the extension rope, F_0r for the retraction rope.",
+        out.highest_case + 1, in.cases[out.highest_case].name, out.lowest_case + 1, in.cases[out.lowest_case].name);
+  });
+  const Limits<T> least = limits(F, F_0e, F_0r, lambda, "3", "", s);
+  const T& F_0 = in.tensioned_last == Rope::extension ? F_0e : F_0r;
+  const T S_10b = s.eq("1", "S_10b", si::N, (least.S20 - F_0) / 2);
+  out.S10_min = value(least.S10);
+  out.S20_min = value(least.S20);
+  out.S10_balance = value(S_10b);
+}
+
+/// The same with the C1 that the published tensions show: kappa = C2/C1 is the fall of S2 per rise of S1.
+template <class T>
+void corrected(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, Sheet<T>& s, Output& out) {
+  const auto ratio = measured_ratio(in);
+  if (!ratio) return;
+  s.section("With the stiffness that the tensions of Table 2 show");
+  const T kappa = s.named("kappa", si::one, *ratio);
+  const T C_2 = s.given(in.retraction_stiffness);
+  const T C_1c = s.eq("2*", "C_1c", si::N_per_m.in("MN/m"), C_2 / kappa);
+  const T lambda_1 = s.eq("2*", "lambda_1c", si::one, C_1c / (2 * C_1c + C_2));
+  const T lambda_2 = s.eq("2*", "lambda_2c", si::one, C_2 / (2 * C_1c + C_2));
+  out.C1_corrected = value(C_1c);
+  out.lambda_1_corrected = value(lambda_1);
+  out.lambda_2_corrected = value(lambda_2);
+  if (in.cases.empty()) return;
+  const Limits<T> least = limits(F, F_0e, F_0r, Shares<T>{lambda_1, lambda_2}, "3*", "c", s);
+  const T& F_0 = in.tensioned_last == Rope::extension ? F_0e : F_0r;
+  const T S_10bc = s.eq("1", "S_10bc", si::N, (least.S20 - F_0) / 2);
+  out.S10_min_corrected = value(least.S10);
+  out.S20_min_corrected = value(least.S20);
+  out.S10_balance_corrected = value(S_10bc);
+  if (out.S20_min_corrected > out.S20_min) {
+    s.warn([&] {
+      return fmt::format(
+          "C1 = {:.4g} MN/m contradicts the ratio of tension changes {:.3g}: the retraction rope needs S20 > {:.1f} "
+          "kN, "
+          "not {:.1f} kN. The smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
+          in.extension_stiffness / 1e6, *ratio, out.S20_min_corrected / 1e3, out.S20_min / 1e3, out.lowest_case + 1,
+          in.cases[out.lowest_case].name);
+    });
+  }
+}
+
+/// Pretension as the user set it. The pads hold |F0| <= f0 G3 only: beyond, section 3 slides until they do, while
+/// kappa S1 + S2 stays (both ropes see the same X).
+template <class T>
+void pretension_as_set(const Input& in, const T& F_0e, const T& F_0r, Sheet<T>& s, Output& out) {
+  s.section("The pretension as set");
+  const T S_10 = s.given(*in.S10);
+  const T S_20 = s.given(*in.S20);
+  const T F_0 = s.eq("1", "F_0", si::N, S_20 - 2 * S_10);
+  out.S10_set = *in.S10;
+  out.S20_set = *in.S20;
+  out.F0_set = value(F_0);
+  if (F_0 < F_0e || F_0 > F_0r) {
+    const T kappa = s.eq("", "kappa_C", si::one, s.given(in.retraction_stiffness) / s.given(in.extension_stiffness));
+    const T& held = F_0 < F_0e ? F_0e : F_0r;
+    const T S_10set = s.eq("1*", "S_10set", si::N, (kappa * S_10 + S_20 - held) / (kappa + 2));
+    const T S_20set = s.eq("1*", "S_20set", si::N, 2 * S_10set + held);
+    out.S10_set = value(S_10set);
+    out.S20_set = value(S_20set);
+    out.F0_set = value(held);
+    s.warn([&] {
+      return fmt::format(
+          "S10 = {:.2f} kN and S20 = {:.2f} kN pull section 3 with {:.2f} kN, but its pads hold only {:.2f} kN: it "
+          "slides "
+          "until {:.2f} and {:.2f} kN are left. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
+          *in.S10 / 1e3, *in.S20 / 1e3, std::abs(*in.S20 - 2 * *in.S10) / 1e3, std::abs(out.F0_retraction) / 1e3,
+          out.S10_set / 1e3, out.S20_set / 1e3);
+    });
+  }
+  if (in.cases.empty()) return;
+  const auto limit = [&](double printed, double better) {
+    return std::isnan(better) ? printed : std::max(printed, better);
+  };
+  s.check("pretension of the extension rope", s.named("S_10", si::N, out.S10_set), Sense::at_least,
+          s.named("S_10min", si::N, limit(out.S10_min, out.S10_min_corrected)), si::N,
+          "Reutov 2021, (3): the extension rope stays taut in every case", "derived");
+  s.check("pretension of the retraction rope", s.named("S_20", si::N, out.S20_set), Sense::at_least,
+          s.named("S_20min", si::N, limit(out.S20_min, out.S20_min_corrected)), si::N,
+          "Reutov 2021, (3): the retraction rope stays taut in every case", "derived");
+}
+
+/// Slip angles without ropes and without jamming, over the weights of the retract cases.
+void free_slip_angles(const Input& in, Output& out) {
+  const Case* light = nullptr;
+  const Case* heavy = nullptr;
+  for (const Case& c : in.cases) {
+    if (c.operation != Operation::retract) continue;
+    if (light == nullptr || c.suspended_weight < light->suspended_weight) light = &c;
+    if (heavy == nullptr || c.suspended_weight > heavy->suspended_weight) heavy = &c;
+  }
+  if (light == nullptr) return;
+  const auto angle = [&](const Case& c) {
+    return free_slip_angle(in.section_weight, c.suspended_weight, in.slip_friction, in.tackle_efficiency, c.falls);
+  };
+  out.beta1_light = angle(*light);
+  out.beta1_heavy = angle(*heavy);
+}
+
+}  // namespace
+
+std::optional<double> measured_ratio(const Input& in) {
+  if (in.stiffness_ratio) return in.stiffness_ratio;
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
+  if (near(in.extension_stiffness, printed_C1) && near(in.retraction_stiffness, printed_C2)) return table_2_ratio;
+  return std::nullopt;
+}
+
+double force(const Input& in, const Case& one) {
+  Sheet<double> s;
+  return force(in, one, "F", s);
+}
+
+RopeTensions tensions(const Output& out, double F) {
+  const double change = out.F0_set - F;
+  RopeTensions t{out.S10_set + change * out.lambda_1, out.S20_set - change * out.lambda_2, false, false};
+  // A limit pretension leaves exactly nothing in the governing case: rounding must not make that a slack rope.
+  const double nothing = 1e-9 * (std::abs(F) + std::abs(out.S10_set) + std::abs(out.S20_set));
+  if (t.S2 < -nothing) return {-F / 2, 0, false, true};
+  if (t.S1 < -nothing) return {0, F, true, false};
+  t.S1 = std::max(t.S1, 0.0);
+  t.S2 = std::max(t.S2, 0.0);
+  return t;
+}
+
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
+  const Shares<T> lambda = shares(in, s, out);
+  s.section("Force on section 3 after tensioning, boom horizontal");
+  const T G_3 = s.given(in.section_weight);
+  const T f_0 = s.given(in.pad_friction);
+  const T F_0e = s.eq("2", "F_0e", si::N, -f_0 * G_3);
+  const T F_0r = s.eq("2", "F_0r", si::N, f_0 * G_3);
+  out.F0_extension = value(F_0e);
+  out.F0_retraction = value(F_0r);
+  Span<T> F;
+  if (!in.cases.empty()) {
+    F = forces(in, s, out);
+    pretension(in, F, F_0e, F_0r, lambda, s, out);
+  }
+  corrected(in, F, F_0e, F_0r, s, out);
+  if (in.S10 && in.S20) {
+    pretension_as_set(in, F_0e, F_0r, s, out);
+  } else if (!in.cases.empty()) {
+    out.F0_set = in.tensioned_last == Rope::extension ? out.F0_extension : out.F0_retraction;
+    out.S10_set = std::max(out.S10_balance, out.S10_min);
+    out.S20_set = 2 * out.S10_set + out.F0_set;
+  }
+  free_slip_angles(in, out);
+  if (!in.sliding) return {};
+  return compute_sliding(in, *in.sliding, s, out);
+}
+
+template Outcome compute(const Input&, Sheet<double>&, Output&);
+template Outcome compute(const Input&, Sheet<Num>&, Output&);
+
+Outcome solve(const Input& in, Output& out) {
+  Sheet<double> s;
+  return compute(in, s, out);
+}
+
+}  // namespace taut::boom_ropes

@@ -1,0 +1,159 @@
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace taut::boom_ropes {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Case any_case() {
+  return {"", *rc::gen::element(Operation::lift, Operation::retract, Operation::extend),
+          *rc::gen::inRange(0, 90) * degree, 1.0 * *rc::gen::inRange(0, 400000), *rc::gen::inRange(1, 12)};
+}
+
+Input any_input() {
+  Input in;
+  in.section_weight = *rc::gen::inRange(1000, 50000);
+  in.pad_friction = *rc::gen::inRange(0, 50) / 100.0;
+  in.tackle_efficiency = *rc::gen::inRange(70, 101) / 100.0;
+  in.extension_stiffness = 1e4 * *rc::gen::inRange(10, 500);
+  in.retraction_stiffness = 1e4 * *rc::gen::inRange(10, 500);
+  in.tensioned_last = *rc::gen::element(Rope::extension, Rope::retraction);
+  const int cases = *rc::gen::inRange(1, 5);
+  for (int i = 0; i < cases; ++i) in.cases.push_back(any_case());
+  return in;
+}
+
+RC_GTEST_PROP(BoomRopes, WrittenOutIsBitIdentical, ()) {
+  const Input in = any_input();
+  Output plain;
+  Output written;
+  Sheet<Num> s("Reutov 2021", Input::describe(), &in);
+  RC_ASSERT(solve(in, plain).ok());
+  RC_ASSERT(compute(in, s, written).ok());
+  RC_ASSERT(plain.F == written.F);
+  const auto a = values_of(Output::describe(), &plain);
+  const auto b = values_of(Output::describe(), &written);
+  RC_ASSERT(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT(a[i].value == b[i].value);
+}
+
+RC_GTEST_PROP(BoomRopes, TensionsBalanceInEveryCaseAndNoRopeIsSlack, ()) {
+  const Input in = any_input();
+  Output out;
+  RC_ASSERT(solve(in, out).ok());
+  for (const double F : out.F) {
+    const RopeTensions t = tensions(out, F);
+    RC_ASSERT(!t.extension_slack && !t.retraction_slack);
+    RC_ASSERT(std::abs(2 * t.S1 - t.S2 + F) <= 1e-9 * (std::abs(F) + out.S20_set + 1));
+  }
+}
+
+/// (3) by brute force: the least pretension that keeps S of every case and of both orders of tensioning above zero.
+RC_GTEST_PROP(BoomRopes, LimitsCoverBothOrdersOfTensioning, ()) {
+  const Input in = any_input();
+  Output out;
+  RC_ASSERT(solve(in, out).ok());
+  double S10 = 0;
+  double S20 = 0;
+  for (const double F0 : {out.F0_extension, out.F0_retraction}) {
+    for (const double F : out.F) {
+      S10 = std::max(S10, (F - F0) * out.lambda_1);
+      S20 = std::max(S20, (F0 - F) * out.lambda_2);
+    }
+  }
+  RC_ASSERT(std::abs(S10 - out.S10_min) <= 1e-9 * (S10 + 1));
+  RC_ASSERT(std::abs(S20 - out.S20_min) <= 1e-9 * (S20 + 1));
+}
+
+RC_GTEST_PROP(BoomRopes, OrderOfCasesDoesNotMatter, ()) {
+  Input in = any_input();
+  Output out;
+  Output reversed;
+  RC_ASSERT(solve(in, out).ok());
+  std::reverse(in.cases.begin(), in.cases.end());
+  RC_ASSERT(solve(in, reversed).ok());
+  RC_ASSERT(out.S10_min == reversed.S10_min && out.S20_min == reversed.S20_min);
+}
+
+RC_GTEST_PROP(BoomRopes, ForcesScale, ()) {
+  Input in = any_input();
+  Output out;
+  RC_ASSERT(solve(in, out).ok());
+  in.section_weight *= 2;
+  for (Case& c : in.cases) c.suspended_weight *= 2;
+  Output doubled;
+  RC_ASSERT(solve(in, doubled).ok());
+  RC_ASSERT(std::abs(doubled.S20_min - 2 * out.S20_min) <= 1e-12 * out.S20_min);
+  RC_ASSERT(std::abs(doubled.S10_balance - 2 * out.S10_balance) <= 1e-12 * std::abs(out.S10_balance) + 1e-9);
+}
+
+Input paper() {
+  Input in;
+  in.section_weight = 8.44e3;
+  in.pad_friction = 0.15;
+  in.tackle_efficiency = 0.95;
+  in.extension_stiffness = printed_C1;
+  in.retraction_stiffness = printed_C2;
+  in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
+              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  return in;
+}
+
+TEST(BoomRopes, ExtendingIsLiftingWithThePadsPullingBack) {
+  const Case lift{"", Operation::lift, 0.7, 30e3, 6};
+  const Case extend{"", Operation::extend, 0.7, 30e3, 6};
+  const double friction = 0.15 * (30e3 + 8.44e3) * std::cos(0.7);
+  EXPECT_NEAR(force(paper(), lift) - force(paper(), extend), 2 * friction, 1e-9);
+}
+
+TEST(BoomRopes, RetractionLastBalancesAtTheOtherForce) {
+  Input in = paper();
+  in.tensioned_last = Rope::retraction;
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_NEAR(2 * out.S10_balance - out.S20_min + out.F0_retraction, 0, 1e-9);
+}
+
+TEST(BoomRopes, PretensionSetIsKeptWhenThePadsHoldIt) {
+  Input in = paper();
+  in.S10 = 40e3;
+  in.S20 = 80.5e3;
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_EQ(out.S10_set, 40e3);
+  EXPECT_EQ(out.S20_set, 80.5e3);
+}
+
+TEST(BoomRopes, PretensionTooLowFailsItsCheckAndGoesSlack) {
+  Input in = paper();
+  in.S10 = 20e3;
+  in.S20 = 40e3;
+  const Result r = run(in);
+  ASSERT_EQ(r.checks.size(), 2u);
+  EXPECT_TRUE(r.checks[0].passes);
+  EXPECT_FALSE(r.checks[1].passes);
+  EXPECT_EQ(exit_code(r), 4);
+  const Table* cases = r.find_table("cases");
+  ASSERT_NE(cases, nullptr);
+  EXPECT_EQ(std::get<std::string>(cases->rows[0][7]), "retraction");
+  EXPECT_EQ(std::get<double>(cases->rows[0][6]), 0);
+}
+
+TEST(BoomRopes, NoCaseNoLimit) {
+  Input in = paper();
+  in.cases.clear();
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_TRUE(std::isnan(out.S10_min));
+  EXPECT_FALSE(std::isnan(out.lambda_1));
+  EXPECT_EQ(run(in).status, Status::ok);
+}
+
+}  // namespace
+}  // namespace taut::boom_ropes

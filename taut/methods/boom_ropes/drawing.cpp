@@ -1,0 +1,278 @@
+#include "taut/methods/boom_ropes/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/methods/boom_ropes/sliding.hpp"
+
+namespace taut::boom_ropes {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Places along the boom (m from its foot) of pads, heads and sheaves at one boom length.
+struct Stations {
+  double rear_3, rear_2, head_1, head_2, head_3;
+  double height_1, height_2, height_3;
+};
+
+Stations stations(const Sliding& q, double boom_length) {
+  const double travel = (boom_length - q.retracted_length) / 2;
+  Stations p{};
+  p.head_3 = boom_length;
+  p.rear_3 = boom_length - q.head_distance;
+  p.head_2 = p.rear_3 + q.overlap_23 - travel;
+  p.rear_2 = p.head_2 - q.overlap_23 - q.gap;
+  p.head_1 = p.rear_2 + q.overlap_12 - travel;
+  p.height_3 = std::max(q.pad_height_3, 0.2);
+  p.height_2 = std::max(q.pad_height_2, 1.2 * p.height_3);
+  p.height_1 = 1.2 * p.height_2;
+  return p;
+}
+
+/// Turns boom coordinates (along, across) by the luffing angle.
+struct Frame {
+  double angle = 0;
+  Point operator()(double along, double across) const {
+    return {along * std::cos(angle) - across * std::sin(angle), along * std::sin(angle) + across * std::cos(angle)};
+  }
+  ForceArrow force(Point at, double along, double across, std::string label, Role role, bool towards = false) const {
+    const Point f = (*this)(along, across);
+    return {at, f.x, f.y, std::move(label), role, towards};
+  }
+};
+
+Polyline box(const Frame& turn, double from, double to, double height, Role role) {
+  return {{turn(from, -height / 2), turn(to, -height / 2), turn(to, height / 2), turn(from, height / 2)}, role, true};
+}
+
+void add_sections(Drawing& d, const Frame& turn, const Stations& p) {
+  d.shapes.push_back(box(turn, std::min(0.0, p.rear_2), p.head_1, p.height_1, Role::structure));
+  d.shapes.push_back(box(turn, p.rear_2, p.head_2, p.height_2, Role::body));
+  d.shapes.push_back(box(turn, p.rear_3, p.head_3, p.height_3, Role::highlight));
+}
+
+Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
+  Drawing d;
+  d.name = "boom";
+  d.title = "The boom where the cylinder force is largest";
+  d.caption = fmt::format("Luffing angle {:.4g} deg, boom {:.4g} m; forces on section 3 and on the cylinder.",
+                          g.luffing_angle / degree, g.boom_length);
+  const Frame turn{g.luffing_angle};
+  const Stations p = stations(q, g.boom_length);
+  add_sections(d, turn, p);
+  d.shapes.push_back(Polyline{{turn(0, 0), turn(p.rear_2, q.offset_cylinder)}, Role::hidden});
+  const Point head = turn(p.head_3, q.offset_hoist);
+  const double fall = std::min(4.0, std::max(1.0, 0.2 * g.boom_length));
+  d.shapes.push_back(Polyline{{head, {head.x, head.y - fall}}, Role::rope});
+  d.shapes.push_back(ForceArrow{{head.x, head.y - fall}, 0, -g.suspended_weight, "G_n", Role::force});
+  const Point center = turn(p.rear_3 + q.center_3, 0);
+  d.shapes.push_back(ForceArrow{center, 0, -in.section_weight, "G_3", Role::force});
+  d.shapes.push_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
+  d.shapes.push_back(AngleMark{{0, 0}, 0.3 * g.boom_length, 0, g.luffing_angle, "beta"});
+  d.shapes.push_back(Polyline{{{-0.05 * g.boom_length, 0}, {0.5 * g.boom_length, 0}}, Role::ground});
+  d.shapes.push_back(
+      DimensionLine{turn(0, 0), turn(p.head_3, 0), 2 * p.height_1, fmt::format("L_b = {:.4g} m", g.boom_length)});
+  return d;
+}
+
+void add_pads(Drawing& d, const Frame& turn, double along, double height, double N, std::string label) {
+  const double side = N >= 0 ? -1 : 1;  // the lower pad pushes up, the upper one down
+  for (const double z : {-height / 2, height / 2}) {
+    d.shapes.push_back(Polyline{{turn(along - 0.12, z), turn(along + 0.12, z)}, Role::structure});
+  }
+  d.shapes.push_back(turn.force(turn(along, side * height / 2), 0, N, std::move(label), Role::force, true));
+}
+
+/// Ropes and pads, the boom laid level and stretched across so that they can be told apart.
+Drawing ropes(const Sliding& q, const SlidingPoint& g) {
+  Drawing d;
+  d.name = "ropes";
+  d.title = "Ropes and pads along the boom";
+  d.caption = fmt::format(
+      "Boom frame, heights stretched. Extension rope from the rear of section 1 over the head of section 2 to the tail "
+      "of "
+      "section 3 (second branch below it the same way); retraction rope from the front of section 1 over the tail of "
+      "section 2. {}",
+      g.jamming() ? "The upper rear pad of section 3 carries: its friction jams the section."
+                  : "Lower pads carry section 3.");
+  d.vertical_scale = 4;
+  const Frame level;
+  const Stations p = stations(q, g.boom_length);
+  add_sections(d, level, p);
+  const double high = (p.height_3 + p.height_2) / 4;
+  const double low = (p.height_2 + p.height_1) / 4;
+  const double rear_1 = std::min(0.0, p.rear_2);
+  const double tail = p.rear_3 - equaliser_distance;
+  for (const double side : {1.0, -1.0}) {
+    d.shapes.push_back(Polyline{
+        {{rear_1, side * low}, {p.head_2, side * low}, {p.head_2, side * high}, {tail, side * high}}, Role::rope});
+  }
+  const double r = 0.35 * high;
+  d.shapes.push_back(Polyline{{{p.head_1, -r}, {p.rear_2, -r}, {p.rear_2, r}, {p.rear_3, r}}, Role::second_rope});
+  add_pads(d, level, p.rear_3, p.height_3, g.Nr, "N_r");
+  add_pads(d, level, p.head_2, p.height_3, g.Nf, "N_f");
+  add_pads(d, level, p.rear_2, p.height_2, g.Mr, "M_r");
+  add_pads(d, level, p.head_1, p.height_2, g.Mf, "M_f");
+  d.shapes.push_back(Label{{(p.rear_3 + p.head_2) / 2, 1.5 * p.height_1}, fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
+  d.shapes.push_back(Label{{(p.rear_2 + p.rear_3) / 2, -1.5 * p.height_1}, fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
+  d.shapes.push_back(DimensionLine{{p.rear_3, 0}, {p.head_2, 0}, -2.2 * p.height_1, "a"});
+  d.shapes.push_back(DimensionLine{{p.rear_2, 0}, {p.head_1, 0}, -3.0 * p.height_1, "A"});
+  return d;
+}
+
+struct Part {
+  std::string label;
+  double force;  ///< N, + outward
+};
+
+void add_part(Drawing& d, const Part& part, double from, double level, double size) {
+  const double to = from + part.force;
+  const double head = std::min(0.5 * std::abs(part.force), 0.5 * size) * (part.force < 0 ? -1 : 1);
+  const Role role = part.force < 0 ? Role::second_force : Role::force;
+  d.shapes.push_back(Polyline{{{from, level}, {to - head, level}}, role});
+  d.shapes.push_back(
+      Polyline{{{to - head, level - 0.3 * size}, {to, level}, {to - head, level + 0.3 * size}}, role, true, true});
+  d.shapes.push_back(Polyline{{{to, level}, {to, level - size}}, Role::hidden});
+  d.shapes.push_back(
+      Label{{(from + to) / 2, level + 0.45 * size}, fmt::format("{} = {:.1f} kN", part.label, part.force / 1e3)});
+}
+
+/// The longitudinal forces on section 3 laid end to end: they close at zero.
+Drawing balance(const std::string& name, const std::string& title, const std::vector<Part>& parts) {
+  Drawing d;
+  d.name = name;
+  d.title = title;
+  d.caption = "Along the boom, outward to the right; each force starts where the one above it ends, the last at zero.";
+  d.unit = si::N;
+  double reach = 0;
+  double x = 0;
+  for (const Part& p : parts) reach = std::max(reach, std::abs(x += p.force));
+  const double size = 0.08 * std::max(reach, 1.0);
+  d.shapes.push_back(Polyline{{{0, size}, {0, -size * static_cast<double>(parts.size())}}, Role::axis});
+  x = 0;
+  double level = 0;
+  for (const Part& p : parts) {
+    add_part(d, p, x, level, size);
+    x += p.force;
+    level -= size;
+  }
+  return d;
+}
+
+std::vector<Part> sliding_parts(const Input& in, const Sliding& q, const SlidingPoint& g) {
+  const double falls = falls_of(q);
+  const double lead = q.operation == Operation::retract ? g.suspended_weight * in.tackle_efficiency / falls
+                                                        : g.suspended_weight / (falls * in.tackle_efficiency);
+  const double weight = in.section_weight + g.suspended_weight;
+  const double d = q.operation == Operation::extend ? 1 : -1;
+  return {{"2 S_1", 2 * g.S1},
+          {"S_2", -g.S2},
+          {"S_k", -lead},
+          {"W sin(beta)", -weight * std::sin(g.luffing_angle)},
+          {"pad friction", -d * q.kinetic_friction * (std::abs(g.Nf) + std::abs(g.Nr))}};
+}
+
+Plot plot(std::string name, std::string title, Axis x, Axis y) {
+  Plot p;
+  p.name = std::move(name);
+  p.title = std::move(title);
+  p.x = std::move(x);
+  p.y = std::move(y);
+  return p;
+}
+
+/// One curve per luffing angle, at the governing weight.
+Plot over_length(const Sliding& q, const Output& out, std::string name, std::string title,
+                 double SlidingPoint::*member) {
+  Plot p = plot(std::move(name), std::move(title), {"boom length", si::m}, {"force", si::N});
+  const std::size_t lengths = q.boom_length.size();
+  const std::size_t block = lengths * q.luffing_angle.size();
+  const std::size_t first = out.governing_point / block * block;
+  for (std::size_t b = 0; b < q.luffing_angle.size(); ++b) {
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t l = 0; l < lengths; ++l) {
+      const SlidingPoint& g = out.grid[first + b * lengths + l];
+      points.emplace_back(g.boom_length, g.*member);
+    }
+    std::sort(points.begin(), points.end(), [](const auto& m, const auto& n) { return m.first < n.first; });
+    Curve c;
+    c.label = fmt::format("{:.4g} deg", q.luffing_angle[b] / degree);
+    for (const auto& [x, y] : points) {
+      c.x.push_back(x);
+      c.y.push_back(y);
+    }
+    p.curves.push_back(std::move(c));
+  }
+  const SlidingPoint& g = out.grid[out.governing_point];
+  p.caption = fmt::format("Suspended weight {:.4g} kN.", g.suspended_weight / 1e3);
+  p.marks.push_back({g.boom_length, g.*member, "largest F_h", false});
+  return p;
+}
+
+Plot case_forces(const Output& out) {
+  Plot p = plot("forces", "Force F on section 3 by case", {"case", si::one}, {"F, outward", si::N});
+  Curve c;
+  c.label = "F";
+  c.points_only = true;
+  for (std::size_t i = 0; i < out.F.size(); ++i) {
+    c.x.push_back(static_cast<double>(i + 1));
+    c.y.push_back(out.F[i]);
+  }
+  p.curves.push_back(std::move(c));
+  const auto mark = [&](std::size_t i, const char* label) {
+    p.marks.push_back({static_cast<double>(i + 1), out.F[i], label, false});
+  };
+  mark(out.highest_case, "governs S_10");
+  mark(out.lowest_case, "governs S_20");
+  return p;
+}
+
+Plot tensioning_plot(const Input& in, const Output& out) {
+  Plot p = plot("tensioning", "Tensioning the ropes in turn", {"step", si::one}, {"pretension", si::N});
+  Curve curves[] = {{"S_10, extension rope first", {}, {}},
+                    {"S_20, extension rope first", {}, {}},
+                    {"S_10, retraction rope first", {}, {}, true},
+                    {"S_20, retraction rope first", {}, {}, true}};
+  double step = 0;
+  for (const TensioningStep& t : tensioning(out.F0_retraction, in.tensioning_steps)) {
+    const double y[] = {t.S10_extension_first, t.S20_extension_first, t.S10_retraction_first, t.S20_retraction_first};
+    step += 1;
+    for (int i = 0; i < 4; ++i) {
+      curves[i].x.push_back(step);
+      curves[i].y.push_back(y[i]);
+    }
+  }
+  for (Curve& c : curves) p.curves.push_back(std::move(c));
+  return p;
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const Input& in, const Output& out) {
+  std::vector<Figure> all;
+  if (in.sliding && std::isfinite(out.Fh)) {
+    const Sliding& q = *in.sliding;
+    const SlidingPoint& g = out.grid[out.governing_point];
+    all.emplace_back(boom(in, q, g));
+    all.emplace_back(ropes(q, g));
+    all.emplace_back(balance("balance", "Forces along section 3 while sliding", sliding_parts(in, q, g)));
+    all.emplace_back(over_length(q, out, "cylinder_force", "Cylinder force against boom length", &SlidingPoint::Fh));
+    all.emplace_back(over_length(q, out, "extension_rope", "S_1 against boom length", &SlidingPoint::S1));
+    all.emplace_back(over_length(q, out, "retraction_rope", "S_2 against boom length", &SlidingPoint::S2));
+  }
+  if (!out.F.empty() && std::isfinite(out.S10_set)) {
+    const double F = out.F[out.lowest_case];
+    const RopeTensions t = tensions(out, F);
+    all.emplace_back(balance("lowest_case", fmt::format("Section 3 in case {}: (1)", out.lowest_case + 1),
+                             {{"2 S_1", 2 * t.S1}, {"S_2", -t.S2}, {"F", F}}));
+    all.emplace_back(case_forces(out));
+  }
+  if (in.tensioning_steps > 0) all.emplace_back(tensioning_plot(in, out));
+  return all;
+}
+
+}  // namespace taut::boom_ropes

@@ -1,0 +1,251 @@
+#include "taut/calc/result.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/drawing.hpp"
+#include "taut/methods/boom_ropes/sliding.hpp"
+#include "taut/methods/boom_ropes/slip.hpp"
+
+namespace taut::boom_ropes {
+namespace {
+
+constexpr std::size_t largest_grid = 200'000;
+
+std::string name_of(Operation o) {
+  switch (o) {
+    case Operation::lift:
+      return "lift";
+    case Operation::retract:
+      return "retract";
+    case Operation::extend:
+      return "extend";
+  }
+  return {};
+}
+
+std::string governs(const Output& out, std::size_t i) {
+  const bool high = i == out.highest_case;
+  const bool low = i == out.lowest_case;
+  if (high && low) return "S10 and S20";
+  if (high) return "S10";
+  return low ? "S20" : "";
+}
+
+Table cases_table(const Input& in, const Output& out) {
+  Table t{"cases",
+          fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
+          {{"name", si::one},
+           {"operation", si::one},
+           {"luffing_angle", si::rad},
+           {"suspended_weight", si::N},
+           {"F", si::N},
+           {"S1", si::N},
+           {"S2", si::N},
+           {"slack", si::one},
+           {"governs", si::one}},
+          {}};
+  for (std::size_t i = 0; i < in.cases.size(); ++i) {
+    const Case& c = in.cases[i];
+    const RopeTensions r = tensions(out, out.F[i]);
+    const std::string slack = r.extension_slack ? "extension" : r.retraction_slack ? "retraction" : "";
+    t.rows.push_back({c.name, name_of(c.operation), c.luffing_angle, c.suspended_weight, out.F[i], r.S1, r.S2, slack,
+                      governs(out, i)});
+  }
+  return t;
+}
+
+Table tensioning_table(std::string name, std::string title, double friction, int steps) {
+  Table t{std::move(name),
+          std::move(title),
+          {{"step", si::one},
+           {"S10_extension_first", si::N},
+           {"S20_extension_first", si::N},
+           {"S10_retraction_first", si::N},
+           {"S20_retraction_first", si::N}},
+          {}};
+  double step = 0;
+  for (const TensioningStep& s : tensioning(friction, steps)) {
+    t.rows.push_back(
+        {step += 1, s.S10_extension_first, s.S20_extension_first, s.S10_retraction_first, s.S20_retraction_first});
+  }
+  return t;
+}
+
+Table extension_table(const Output& out) {
+  Table t{"extension",
+          "Sections sliding, by weight, luffing angle and boom length",
+          {{"luffing_angle", si::rad},
+           {"boom_length", si::m},
+           {"suspended_weight", si::N},
+           {"Fh", si::N},
+           {"S1", si::N},
+           {"S2", si::N},
+           {"Nf", si::N},
+           {"Nr", si::N},
+           {"Mf", si::N},
+           {"Mr", si::N},
+           {"jamming", si::one}},
+          {}};
+  for (const SlidingPoint& p : out.grid) {
+    const double jamming = std::isnan(p.Nf) ? unset : p.jamming() ? 1.0 : 0.0;
+    t.rows.push_back(
+        {p.luffing_angle, p.boom_length, p.suspended_weight, p.Fh, p.S1, p.S2, p.Nf, p.Nr, p.Mf, p.Mr, jamming});
+  }
+  return t;
+}
+
+Table slip_table(const Input& in) {
+  Table t{"slip_angles",
+          "Luffing angle above which section 3 slides without its rope",
+          {{"boom_length", si::m},
+           {"suspended_weight", si::N},
+           {"overlap_change", si::m},
+           {"slip_angle", si::rad},
+           {"slip_angle_free", si::rad},
+           {"jamming", si::one},
+           {"reason", si::one}},
+          {}};
+  for (const Slip& s : in.sliding->slip_angles) {
+    const SlipAngle a = slip_angle(in, *in.sliding, s);
+    t.rows.push_back({s.boom_length, s.suspended_weight, s.overlap_change, a.angle, a.free_angle,
+                      std::isnan(a.angle) ? unset
+                      : a.jamming         ? 1.0
+                                          : 0.0,
+                      a.reason});
+  }
+  return t;
+}
+
+/// F_1, F_2, ... have no place of their own in the struct.
+void add_case_values(const Input& in, const Output& out, Result& r) {
+  std::vector<Value> forces;
+  for (std::size_t i = 0; i < out.F.size(); ++i) {
+    const Case& c = in.cases[i];
+    const char* const from = c.operation == Operation::lift      ? "(4)"
+                             : c.operation == Operation::retract ? "(5)"
+                                                                 : "(4*)";
+    forces.push_back({fmt::format("F_{}", i + 1), out.F[i], si::N, fmt::format("F_{}", i + 1),
+                      fmt::format("force on section 3, {}", c.name.empty() ? name_of(c.operation) : c.name), from});
+  }
+  r.values.insert(r.values.begin(), forces.begin(), forces.end());
+}
+
+std::vector<Comparison> comparisons(const Output& out) {
+  if (std::isnan(out.C1_corrected)) return {};
+  const std::string why = "corrected: C1 that fits the published tensions";
+  std::vector<Comparison> all = {
+      {"share of each extension branch", "lambda_1", si::one, out.lambda_1, out.lambda_1_corrected, unset, why, false},
+      {"share of the retraction rope", "lambda_2", si::one, out.lambda_2, out.lambda_2_corrected, unset, why,
+       out.lambda_2 < out.lambda_2_corrected}};
+  if (std::isnan(out.S20_min)) return all;
+  const auto add = [&](const char* quantity, const char* symbol, double printed, double corrected) {
+    all.push_back({quantity, symbol, si::N, printed, corrected, unset, why, printed < corrected});
+  };
+  add("least pretension of the extension rope", "S_10min", out.S10_min, out.S10_min_corrected);
+  add("least pretension of the retraction rope", "S_20min", out.S20_min, out.S20_min_corrected);
+  add("pretension of the extension rope that balances it", "S_10b", out.S10_balance, out.S10_balance_corrected);
+  return all;
+}
+
+void add_assumptions(const Input& in, const Output& out, Result& r) {
+  r.assumptions.emplace_back("Statics: no inertia, no swinging load. F0 is taken with the boom horizontal.");
+  if (!out.F.empty()) {
+    r.assumptions.emplace_back(
+        "Cases: pads do not jam, sheaves run free; tensions at section 3, of one branch for S1.");
+    r.assumptions.emplace_back(
+        "S10_min and S20_min are each taken with the F0 that makes them larger; never below zero.");
+  }
+  if (!in.sliding) return;
+  const Sliding& q = *in.sliding;
+  r.assumptions.push_back(fmt::format(
+      "Sliding: section 3 moves {} relative to section 2 with f = {:.3g}; S1 (one branch) and S2 are tensions at "
+      "section 3, means in steady motion, no peaks.",
+      q.operation == Operation::extend ? "outward (d = +1)" : "inward (d = -1)", q.kinetic_friction));
+  if (!q.falls) {
+    r.assumptions.push_back(
+        fmt::format("Sliding: falls not given, K = {} as in the paper for this operation.", falls_of(q)));
+  }
+  std::string left;
+  for (const Given& g : r.given) {
+    if (g.is_default && g.key.starts_with("sliding.") && g.key.find('[') == std::string::npos) {
+      left += (left.empty() ? "" : ", ") + g.key.substr(8);
+    }
+  }
+  if (!left.empty()) {
+    r.assumptions.emplace_back("Sliding: left at the calibrated values of the KS-55713-5K-1: " + left + ".");
+  }
+}
+
+void add_tables(const Input& in, const Output& out, Result& r) {
+  if (!out.F.empty()) r.tables.push_back(cases_table(in, out));
+  if (in.tensioning_steps > 0) {
+    r.tables.push_back(tensioning_table("tensioning", "Tensioning the ropes in turn until section 3 slips",
+                                        out.F0_retraction, in.tensioning_steps));
+    // The paper rounds f0 G3 to 0.01 kN before it starts; its Table 1 shows that number's multiples.
+    r.tables.push_back(tensioning_table("tensioning_printed",
+                                        "The same with f0 G3 rounded to 0.01 kN, as Table 1 has it",
+                                        std::round(out.F0_retraction / 10) * 10, in.tensioning_steps));
+  }
+  if (!out.grid.empty()) r.tables.push_back(extension_table(out));
+  if (in.sliding && !in.sliding->slip_angles.empty()) r.tables.push_back(slip_table(in));
+}
+
+void complain_of_sliding(const Sliding& q, std::vector<Complaint>& all) {
+  const auto needs = [&](const std::vector<double>& list, const char* key) {
+    if (list.empty())
+      all.push_back({fmt::format("sliding.{}", key), fmt::format("'{}' needs at least one value", key)});
+  };
+  needs(q.boom_length, "boom_length");
+  needs(q.luffing_angle, "luffing_angle");
+  needs(q.suspended_weight, "suspended_weight");
+  if (q.boom_length.size() * q.luffing_angle.size() * q.suspended_weight.size() > largest_grid) {
+    all.push_back({"sliding.boom_length", fmt::format("the lists span more than {} positions", largest_grid)});
+  }
+  if (q.overlap_23 + equaliser_distance >= q.extension_length) {
+    all.push_back({"sliding.extension_length",
+                   fmt::format("half of the extension rope must be longer than {:.6g} m, its branch at section 3",
+                               q.overlap_23 + equaliser_distance)});
+  }
+  if (q.retraction_length <= shortest_branch) {
+    all.push_back({"sliding.retraction_length", fmt::format("must be longer than {} m", shortest_branch)});
+  }
+}
+
+}  // namespace
+
+std::vector<Complaint> complaints(const Input& in) {
+  std::vector<Complaint> all;
+  if (in.S10.has_value() != in.S20.has_value()) {
+    all.push_back({in.S10 ? "S10" : "S20",
+                   fmt::format("give 'S10' and 'S20' together: '{}' is missing", in.S10 ? "S20" : "S10")});
+  }
+  if (in.sliding) complain_of_sliding(*in.sliding, all);
+  return all;
+}
+
+Result run(const Input& in) {
+  Result r;
+  const Method& m = about();
+  r.method = m.name;
+  r.method_title = m.title;
+  r.source = m.source;
+  r.given = given_of(Input::describe(), &in);
+  Sheet<Num> s(m.short_source, Input::describe(), &in);
+  Output out;
+  const Outcome outcome = compute(in, s, out);
+  r.status = outcome.status;
+  r.message = outcome.message;
+  r.values = values_of(Output::describe(), &out);
+  add_case_values(in, out, r);
+  add_tables(in, out, r);
+  r.comparisons = comparisons(out);
+  r.figures = figures(in, out);
+  s.move_to(r);
+  add_assumptions(in, out, r);
+  return r;
+}
+
+}  // namespace taut::boom_ropes

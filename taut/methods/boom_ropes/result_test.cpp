@@ -1,0 +1,140 @@
+#include "taut/calc/result.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+
+namespace taut::boom_ropes {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Input crane() {
+  Input in;
+  in.section_weight = 8.44e3;
+  in.pad_friction = 0.15;
+  in.tackle_efficiency = 0.95;
+  in.extension_stiffness = printed_C1;
+  in.retraction_stiffness = printed_C2;
+  in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
+              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.sliding.emplace();
+  in.sliding->boom_length = {9, 15, 21};
+  in.sliding->luffing_angle = {19 * degree, 52 * degree};
+  in.sliding->suspended_weight = {2943, 32373};
+  in.sliding->slip_angles = {{21, 2943, 0.4, 6}, {21, 2943, -3, 6}};
+  return in;
+}
+
+TEST(BoomRopesResult, NamesTheWorstPlace) {
+  const Result r = run(crane());
+  ASSERT_EQ(r.status, Status::ok);
+  EXPECT_NEAR(r.find_value("Fh")->value, 166.7e3, 50);
+  EXPECT_NEAR(r.find_value("governing_angle")->value, 52 * degree, 1e-12);
+  EXPECT_EQ(r.find_value("governing_length")->value, 21);
+  EXPECT_EQ(r.find_value("Fh")->value, r.find_value("Fh_max")->value);
+  EXPECT_NEAR(r.find_value("F_1")->value, -326.17e3, 5);
+}
+
+TEST(BoomRopesResult, TableHasTheWholeGrid) {
+  const Result r = run(crane());
+  const Table* t = r.find_table("extension");
+  ASSERT_NE(t, nullptr);
+  std::vector<std::string> names;
+  for (const Column& c : t->columns) names.push_back(c.name);
+  EXPECT_THAT(names, testing::ElementsAre("luffing_angle", "boom_length", "suspended_weight", "Fh", "S1", "S2", "Nf",
+                                          "Nr", "Mf", "Mr", "jamming"));
+  ASSERT_EQ(t->rows.size(), 12u);
+  EXPECT_EQ(std::get<double>(t->rows[0][10]), 0);
+  EXPECT_EQ(std::get<double>(t->rows[11][10]), 1);
+}
+
+TEST(BoomRopesResult, LastStepsBelongToTheGoverningPlace) {
+  const Result r = run(crane());
+  double last = 0;
+  for (const Step& s : r.steps) {
+    if (s.symbol == "F_h") last = s.value;
+  }
+  EXPECT_EQ(last, r.find_value("Fh")->value);
+}
+
+TEST(BoomRopesResult, WarnsOfThePrintedStiffness) {
+  const Result r = run(crane());
+  bool unsafe = false;
+  for (const Comparison& c : r.comparisons) unsafe = unsafe || (c.symbol == "S_20min" && c.printed_unsafe);
+  EXPECT_TRUE(unsafe);
+  EXPECT_THAT(r.warnings, testing::Contains(testing::HasSubstr("unsafe")));
+  Input other = crane();
+  other.extension_stiffness = 0.778e6;
+  EXPECT_TRUE(run(other).comparisons.empty());
+}
+
+TEST(BoomRopesResult, SlipTableSaysWhereThereIsNoAngle) {
+  const Result r = run(crane());
+  const Table* t = r.find_table("slip_angles");
+  ASSERT_NE(t, nullptr);
+  EXPECT_NEAR(std::get<double>(t->rows[0][3]) / degree, 30.4, 0.05);
+  EXPECT_TRUE(std::isnan(std::get<double>(t->rows[1][3])));
+  EXPECT_THAT(std::get<std::string>(t->rows[1][6]), testing::HasSubstr("overlap"));
+}
+
+TEST(BoomRopesResult, SlackRopeFailsTheCheck) {
+  Input in = crane();
+  in.sliding->operation = Operation::lift;
+  in.sliding->boom_length = {9};
+  in.sliding->luffing_angle = {77 * degree};
+  in.sliding->suspended_weight = {400e3};
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::ok);
+  EXPECT_EQ(exit_code(r), 4);
+  EXPECT_THAT(r.warnings, testing::Contains(testing::HasSubstr("slack")));
+}
+
+TEST(BoomRopesResult, InfeasibleKeepsTheStaticPart) {
+  Input in = crane();
+  in.sliding->boom_length = {30};
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::infeasible);
+  EXPECT_NE(r.find_value("S20_min"), nullptr);
+  EXPECT_EQ(r.find_value("Fh"), nullptr);
+  EXPECT_FALSE(r.steps.empty());
+  EXPECT_NE(r.find_table("extension"), nullptr);
+}
+
+TEST(BoomRopesResult, EveryGivenLineIsFoundOnce) {
+  const Result r = run(crane());
+  int weights = 0;
+  for (const Step& s : r.steps) weights += s.kind == Step::Kind::given && s.symbol == "G_3";
+  EXPECT_EQ(weights, 1);
+}
+
+TEST(BoomRopesComplaints, OneOfTwoPretensions) {
+  Input in = crane();
+  in.S10 = 90e3;
+  const auto all = complaints(in);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].path, "S10");
+}
+
+TEST(BoomRopesComplaints, EmptyLists) {
+  Input in = crane();
+  in.sliding->boom_length.clear();
+  const auto all = complaints(in);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].path, "sliding.boom_length");
+  EXPECT_TRUE(complaints(crane()).empty());
+}
+
+TEST(BoomRopesComplaints, RopeShorterThanItsBranch) {
+  Input in = crane();
+  in.sliding->extension_length = 7;
+  ASSERT_EQ(complaints(in).size(), 1u);
+  EXPECT_EQ(complaints(in)[0].path, "sliding.extension_length");
+}
+
+}  // namespace
+}  // namespace taut::boom_ropes

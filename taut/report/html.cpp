@@ -1,0 +1,75 @@
+#include "taut/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <kainjow/mustache.hpp>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/version.hpp"
+#include "taut/report/embedded/italic_font.hpp"
+#include "taut/report/embedded/math_font.hpp"
+#include "taut/report/embedded/page_css.hpp"
+#include "taut/report/embedded/page_template.hpp"
+#include "taut/report/sections.hpp"
+#include "taut/report/text.hpp"
+#include "taut/report/verdict.hpp"
+
+namespace taut::report {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+std::string_view mood_class(Mood m) { return m == Mood::good ? "good" : m == Mood::bad ? "bad" : "neutral"; }
+
+mustache::data section_list(const Result& r) {
+  mustache::data list{mustache::data::type::list};
+  for (Section& s : sections(r)) {
+    mustache::data one;
+    one.set("id", s.id);
+    one.set("title", s.title);
+    one.set("html", std::move(s.html));
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+/// Drops the line breaks and the indentation of the style sheet's source.
+std::string packed(std::string_view css) {
+  std::string out;
+  bool at_start = true;
+  for (const char c : css) {
+    if (c == '\n') at_start = true;
+    if (c == '\n' || (at_start && c == ' ')) continue;
+    at_start = false;
+    out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_html(const Result& r) {
+  const std::string title =
+      clean(r.title.empty() ? (r.method_title.empty() ? "Calculation" : r.method_title) : r.title);
+  const Verdict v = verdict(r);
+  mustache::data page;
+  page.set("title", title);
+  page.set("method", r.method_title.empty() || r.title.empty() ? clean(r.method) : clean(r.method_title));
+  page.set("source", clean(r.source));
+  page.set("mood", std::string(mood_class(v.mood)));
+  page.set("headline", clean(v.headline));
+  page.set("detail", clean(v.detail));
+  page.set("sections", section_list(r));
+  page.set("version", std::string(version));
+  page.set("deck", clean(r.deck_name));
+  page.set("hash", clean(r.deck_hash));
+  page.set("css", packed(embedded::page_css));
+  page.set("running", css_string(shortened(title, 90)));
+  page.set("math_font", base64(embedded::math_font));
+  page.set("italic_font", base64(embedded::italic_font));
+  mustache::mustache view{std::string(embedded::page_template)};
+  expects(view.is_valid(), "the page template is well formed");
+  return view.render(page);
+}
+
+}  // namespace taut::report

@@ -1,0 +1,78 @@
+#include "taut/report/html.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/golden/made_result.hpp"
+
+namespace {
+
+using namespace taut;
+
+int count(const std::string& text, const std::string& what) {
+  int n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(Html, IsOneLightSelfContainedFile) {
+  const std::string page = report::to_html(taut_test::made_result());
+  EXPECT_LT(page.size(), 500'000U);
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  for (const char* outside : {"http://", "https://", "src=\"", "<link", "@import", "<script"}) {
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  }
+}
+
+TEST(Html, SameResultSameBytes) {
+  EXPECT_EQ(report::to_html(taut_test::made_result()), report::to_html(taut_test::made_result()));
+}
+
+TEST(Html, EscapesWhatComesFromTheDeck) {
+  Result r = taut_test::made_result();
+  r.title = "</title></style><script>alert(1)</script>\" onload='x' \x01\x1b[31m\xff {{css}}";
+  r.deck_name = "<img src=x>.yaml";
+  r.given.push_back({"<b>", "<u>x", "<words>", si::m, {}, "<text>\"", false});
+  const std::string page = report::to_html(r);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find("<words>"), std::string::npos);
+  EXPECT_EQ(page.find("<u>x"), std::string::npos);
+  EXPECT_EQ(page.find('\x1b'), std::string::npos);
+  EXPECT_EQ(page.find('\x01'), std::string::npos);
+  EXPECT_EQ(count(page, "</style>"), 1);
+  EXPECT_EQ(count(page, "</title>"), 1);
+  EXPECT_NE(page.find("{{css}}"), std::string::npos);
+}
+
+TEST(Html, KeepsTheOrderThatAnEngineerReads) {
+  const std::string page = report::to_html(taut_test::made_result());
+  std::size_t last = 0;
+  for (const char* id : {"<h1>", "class=\"verdict bad\"", "id=\"warnings\"", "id=\"drawings\"", "id=\"comparison\"",
+                         "id=\"results\"", "id=\"checks\"", "id=\"given\"", "id=\"calculation\"", "id=\"plots\"",
+                         "id=\"tables\"", "id=\"assumptions\"", "<footer>"}) {
+    const std::size_t at = page.find(id);
+    ASSERT_NE(at, std::string::npos) << id;
+    EXPECT_GT(at, last) << id;
+    last = at;
+  }
+}
+
+TEST(Html, SaysWhatItCutsFromALongTable) {
+  const std::string page = report::to_html(taut_test::made_result());
+  EXPECT_NE(page.find("60 of 70 rows are shown; positions.csv has all of them."), std::string::npos);
+}
+
+TEST(Html, IsCompleteForEveryStatusAndForNothing) {
+  Result r;
+  EXPECT_TRUE(report::to_html(r).find("Computed") != std::string::npos);
+  r.status = Status::infeasible;
+  r.message = "no grip: raise the wrap angle";
+  EXPECT_NE(report::to_html(r).find("no grip: raise the wrap angle"), std::string::npos);
+  r.status = Status::bad_deck;
+  r.errors.push_back({"deck.yaml", {12, 3}, "'diamter' is not a field of rope", "  diamter: 12 mm", 7});
+  const std::string page = report::to_html(r);
+  EXPECT_NE(page.find("deck.yaml:12:3"), std::string::npos);
+  EXPECT_NE(page.find("^~~~~~"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/calc/formula.hpp"
+
+namespace taut::report {
+
+/// What the leaves of a formula show: its symbols, or their values with six significant digits.
+enum class Leaves { symbols, numbers };
+
+/// A number as MathML: proper minus, powers of ten; π where it is that number exactly.
+std::string number_mathml(double x);
+
+/// The formula as the elements inside one <math>. `unknown`: this symbol stays a symbol among the numbers, as the
+/// unknown of an equation does.
+std::string to_mathml(const Formula& f, Leaves leaves, std::string_view unknown = {});
+
+/// The same in pieces, each for a <math> of its own, where a long line may be broken: before the terms of a sum or the
+/// factors of a product. One piece for anything else; none for no formula.
+std::vector<std::string> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown = {});
+
+}  // namespace taut::report

@@ -1,0 +1,155 @@
+#include "taut/report/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "taut/report/text.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::report {
+namespace {
+
+std::string superscript(std::string_view digits) {
+  constexpr std::array<std::string_view, 10> small{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out;
+  for (const char c : digits) {
+    if (c == '-') out += "⁻";
+    if (c >= '0' && c <= '9') out += small[static_cast<std::size_t>(c - '0')];
+  }
+  return out;
+}
+
+/// "m2" and "m^2" -> "m²"; the digits of "1/s" stay.
+std::string with_powers(std::string_view name) {
+  std::string out;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool after_letter = i > 0 && std::isalpha(static_cast<unsigned char>(name[i - 1])) != 0;
+    const bool power = name[i] == '^' || (std::isdigit(static_cast<unsigned char>(name[i])) != 0 && after_letter);
+    if (!power) {
+      out += name[i] == ' ' || name[i] == '*' ? "·" : std::string(1, name[i]);
+      continue;
+    }
+    if (name[i] == '^') ++i;
+    const std::size_t from = i;
+    while (i < name.size() && (name[i] == '-' || std::isdigit(static_cast<unsigned char>(name[i])) != 0)) ++i;
+    out += superscript(name.substr(from, i - from));
+    --i;
+  }
+  return out;
+}
+
+/// Fixed for sizes a person reads at once, with a power of ten beyond.
+std::string digits_of(double x, int digits) {
+  const double size = std::abs(x);
+  if (size != 0 && (size < 1e-4 || size >= 1e7)) return fmt::format("{:.{}e}", x, digits - 1);
+  return fmt::format("{:.{}g}", x,
+                     std::max(digits, size >= 1 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1));
+}
+
+void strip_zeros(std::string& mantissa) {
+  if (mantissa.find('.') == std::string::npos) return;
+  mantissa.erase(mantissa.find_last_not_of('0') + 1);
+  if (mantissa.back() == '.') mantissa.pop_back();
+}
+
+std::string pretty(std::string text) {
+  const std::size_t e = text.find('e');
+  std::string mantissa = text.substr(0, e);
+  if (e != std::string::npos) strip_zeros(mantissa);
+  std::string out = mantissa.starts_with('-') ? "−" + mantissa.substr(1) : mantissa;
+  if (e != std::string::npos) out += "×10" + superscript(std::to_string(std::stoi(text.substr(e + 1))));
+  return out;
+}
+
+}  // namespace
+
+double ShownUnit::of(double si_value) const { return is_slope ? 100 * std::tan(si_value) : si_value / si; }
+
+ShownUnit shown_unit(const Unit& unit, const Display& display) {
+  const auto wanted = display.find(std::string(unit.kind));
+  std::vector<std::string> tries;
+  if (wanted != display.end()) tries.push_back(wanted->second);
+  tries.emplace_back(unit.shown);
+  for (const std::string& name : tries) {
+    if (name == "1" && !unit.needs_text()) return {};
+    if (name == "%" && unit.is_angle) return {name, 1, true};
+    const auto factor = unit_factor(name, unit);
+    if (factor && std::isfinite(*factor) && *factor > 0) return {name, *factor, false};
+  }
+  return {std::string(unit.symbol), 1, false};
+}
+
+std::string unit_text(const ShownUnit& unit) {
+  if (unit.name == "1") return {};
+  if (unit.name == "deg") return "°";
+  return with_powers(unit.name);
+}
+
+std::string plain_unit(const ShownUnit& unit) { return unit.name == "1" ? std::string{} : unit.name; }
+
+std::string number_shown(double x, int digits) {
+  if (std::isnan(x)) return "–";
+  if (std::isinf(x)) return x > 0 ? "∞" : "−∞";
+  return pretty(digits_of(x == 0 ? 0.0 : x, digits));
+}
+
+std::string number_plain(double x, int digits) {
+  if (std::isnan(x)) return "-";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  std::string text = digits_of(x == 0 ? 0.0 : x, digits);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  std::string mantissa = text.substr(0, e);
+  strip_zeros(mantissa);
+  return mantissa + text.substr(e);
+}
+
+std::string quantity_shown(double si_value, const Unit& unit, const Display& display, int digits) {
+  const ShownUnit u = shown_unit(unit, display);
+  const std::string name = unit_text(u);
+  const std::string number = number_shown(u.of(si_value), digits);
+  if (name.empty() || std::isnan(si_value)) return number;
+  return name == "°" ? number + name : fmt::format("{} {}", number, name);
+}
+
+std::string quantity_plain(double si_value, const Unit& unit, const Display& display, int digits) {
+  const ShownUnit u = shown_unit(unit, display);
+  const std::string name = plain_unit(u);
+  const std::string number = number_plain(u.of(si_value), digits);
+  return name.empty() || std::isnan(si_value) ? number : fmt::format("{} {}", number, name);
+}
+
+std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits) {
+  double largest = 0;
+  for (const double x : numbers) {
+    if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  }
+  const bool fixed = largest == 0 || (largest >= 1e-4 && largest < 1e7);
+  const int before = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
+  const int decimals = std::clamp(digits - before, 0, 8);
+  std::vector<std::string> all;
+  std::size_t spare = static_cast<std::size_t>(decimals);
+  for (const double x : numbers) {
+    const double least = 0.5 * std::pow(10, -decimals);
+    const bool plain = fixed && std::isfinite(x) && (x == 0 || std::abs(x) >= least);
+    all.push_back(plain ? pretty(fmt::format("{:.{}f}", x == 0 ? 0.0 : x, decimals)) : number_shown(x, digits));
+    if (!plain) continue;
+    const std::string& s = all.back();  // zeros that all numbers end with say nothing
+    std::size_t zeros = 0;
+    while (zeros < spare && s[s.size() - 1 - zeros] == '0') ++zeros;
+    spare = std::min(spare, zeros);
+  }
+  if (spare == 0 || !fixed) return all;
+  const std::size_t cut = spare == static_cast<std::size_t>(decimals) ? spare + 1 : spare;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].find('.') == std::string::npos || all[i].find("×") != std::string::npos) continue;
+    if (decimals > 0) all[i].erase(all[i].size() - cut);
+  }
+  return all;
+}
+
+}  // namespace taut::report

@@ -1,0 +1,127 @@
+#include "taut/report/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "taut/report/quantity.hpp"
+#include "taut/report/text.hpp"
+#include "taut/report/verdict.hpp"
+
+namespace taut::report {
+namespace {
+
+using Row = std::vector<std::string>;
+constexpr int longest_words = 60;
+
+std::string padded(const std::string& text, int width, bool right) {
+  const std::string space(static_cast<std::size_t>(std::max(0, width - length(text))), ' ');
+  return right ? space + text : text + space;
+}
+
+/// Columns as wide as their widest cell, two spaces between, indented by two; `right` says which are right-aligned.
+std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& right) {
+  std::vector<int> widths(right.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], length(row[k]));
+  }
+  std::string out;
+  for (const Row& row : rows) {
+    std::string line = " ";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (widths[k] > 0) line += (k > 0 ? "  " : " ") + padded(row[k], widths[k], right[k]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
+  }
+  return out;
+}
+
+std::string painted(const std::string& text, Mood mood, const TerminalOptions& o) {
+  if (!o.colour || mood == Mood::neutral) return text;
+  return fmt::format("\x1b[{}m{}\x1b[0m", mood == Mood::good ? "1;32" : "1;31", text);
+}
+
+std::string hanging(const std::string& first, const std::string& text, int width) {
+  const int indent = length(first);
+  std::string out = first;
+  const auto lines = wrapped(clean(text), std::max(20, width - indent));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0) out += std::string(static_cast<std::size_t>(indent), ' ');
+    out += lines[i] + "\n";
+  }
+  return out;
+}
+
+std::string head(const Result& r, const TerminalOptions& o) {
+  const Verdict v = verdict(r);
+  std::string out = hanging("", r.title.empty() ? r.method_title : r.title, o.width);
+  if (!r.source.empty()) out += hanging("  ", r.source, o.width);
+  out += painted(v.headline, v.mood, o) + "\n";
+  if (!v.detail.empty()) out += hanging("  ", v.detail, o.width);
+  return out;
+}
+
+std::string words(const std::string& text) { return shortened(clean(text), longest_words); }
+
+std::string checks(const Result& r, const TerminalOptions& o) {
+  if (r.checks.empty()) return {};
+  std::vector<Row> rows;
+  for (const Check& c : r.checks) {
+    rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, r.display),
+                    c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, r.display),
+                    utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
+  }
+  std::string text = aligned(rows, {false, false, true, false, true, true, false});
+  if (!o.colour) return "\nChecks\n" + text;
+  std::string out = "\nChecks\n";
+  std::size_t at = 0;
+  for (const Check& c : r.checks) {  // colour after the columns are set: escapes have no width
+    const std::size_t end = text.find('\n', at) + 1;
+    const std::string word(outcome_text(c));
+    out += "  " + painted(word, c.passes ? Mood::good : Mood::bad, o) +
+           text.substr(at + 2 + word.size(), end - at - 2 - word.size());
+    at = end;
+  }
+  return out;
+}
+
+std::string comparisons(const Result& r) {
+  if (r.comparisons.empty()) return {};
+  std::vector<Row> rows{{"", "as printed", "corrected", "exact", "", ""}};
+  for (const Comparison& c : r.comparisons) {
+    const ShownUnit u = shown_unit(c.unit, r.display);
+    const auto number = [&](double x) { return std::isnan(x) ? std::string{} : number_plain(u.of(x)); };
+    rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), plain_unit(u),
+                    c.printed_unsafe ? "printed value is unsafe" : ""});
+  }
+  const bool exact = std::any_of(rows.begin() + 1, rows.end(), [](const Row& row) { return !row[3].empty(); });
+  if (!exact) rows[0][3].clear();
+  return "\nPrinted against corrected\n" + aligned(rows, {false, true, true, true, false, false});
+}
+
+std::string values(const Result& r) {
+  if (r.values.empty()) return {};
+  std::vector<Row> rows;
+  for (const Value& v : r.values) {
+    const ShownUnit u = shown_unit(v.unit, r.display);
+    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), plain_unit(u), words(v.label)});
+  }
+  return "\nResults\n" + aligned(rows, {false, true, false, false});
+}
+
+}  // namespace
+
+std::string to_terminal(const Result& r, const TerminalOptions& o) {
+  std::string out = head(r, o);
+  if (!r.warnings.empty()) out += "\nWarnings\n";
+  for (const std::string& w : r.warnings) out += hanging("  ! ", w, o.width);
+  out += checks(r, o);
+  out += comparisons(r);
+  out += values(r);
+  return out;
+}
+
+}  // namespace taut::report

@@ -1,0 +1,106 @@
+#include "taut/units/display.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/suggest.hpp"
+
+namespace taut {
+namespace {
+
+/// An angle in % is a slope, the one unit that is not a factor.
+bool is_slope(const Unit& unit, std::string_view shown) { return unit.is_angle && shown == "%"; }
+
+constexpr double first_large = 1e5;   // from here on five digits would round whole ones away
+constexpr double first_huge = 1e7;    // from here on an exponent reads better
+constexpr double first_small = 1e-4;  // below here too
+
+}  // namespace
+
+struct Display::Factors {
+  std::mutex lock;
+  std::map<std::pair<std::string, std::string>, double> of;  ///< (SI unit, unit of print) -> SI value of the latter
+};
+
+const std::vector<Unit>& display_kinds() {
+  static const std::vector<Unit> kinds = {
+      si::rad,      si::m,       si::m2,       si::m3,      si::m4,    si::s,       si::kg,
+      si::N,        si::N_m,     si::J,        si::W,       si::Pa,    si::N_per_m, si::kg_per_m,
+      si::N_per_m3, si::m_per_s, si::m_per_s2, si::m_per_N, si::per_s, si::kg_m2,   si::N_s_per_m};
+  return kinds;
+}
+
+tl::expected<void, UnitError> check_display(std::string_view kind, std::string_view unit) {
+  const auto& kinds = display_kinds();
+  const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const Unit& u) { return u.kind == kind; });
+  if (at == kinds.end()) {
+    std::vector<std::string> names;
+    for (const Unit& u : kinds) names.emplace_back(u.kind);
+    std::string hint = did_you_mean(kind, names);
+    if (hint.empty()) hint = fmt::format("; the kinds are {}", fmt::join(names, ", "));
+    return tl::unexpected(UnitError{fmt::format("'{}' is not a kind of quantity{}", kind, hint), -1, 1});
+  }
+  const auto factor = unit_factor(unit, *at);
+  if (!factor) return tl::unexpected(factor.error());
+  return {};
+}
+
+Display::Display() : Display(std::map<std::string, std::string>{}) {}
+
+Display::Display(std::map<std::string, std::string> units)
+    : units_(std::move(units)), factors_(std::make_shared<Factors>()) {}
+
+double Display::factor(const Unit& unit, const std::string& shown) const {
+  const std::lock_guard guard(factors_->lock);
+  const auto key = std::make_pair(fmt::format("{} {}", unit.symbol, to_text(unit.dimension)), shown);
+  const auto known = factors_->of.find(key);
+  if (known != factors_->of.end()) return known->second;
+  const auto found = unit_factor(shown, unit);
+  expects(found.has_value(), found ? "" : found.error().message);
+  factors_->of.emplace(key, *found);
+  return *found;
+}
+
+std::string Display::unit(const Unit& unit) const {
+  const auto chosen = units_.find(std::string(unit.kind));
+  if (chosen != units_.end()) return chosen->second;
+  return unit.shown == "1" ? std::string{} : std::string(unit.shown);
+}
+
+double Display::from_si(double si, const Unit& unit) const {
+  const std::string shown = this->unit(unit);
+  if (shown.empty()) return si;
+  if (is_slope(unit, shown)) return 100.0 * std::tan(si);
+  return si / factor(unit, shown);
+}
+
+std::string short_number(double x) {
+  if (std::isnan(x)) return "-";
+  if (std::isinf(x)) return x < 0 ? "-infinite" : "infinite";
+  const double size = std::abs(x);
+  if (size == 0) return "0";
+  if (size >= first_large && size < first_huge) return fmt::format("{:.0f}", x);
+  std::string text = fmt::format("{:.5g}", x);
+  if (size >= first_small && size < first_large && text.find('e') == std::string::npos) return text;
+  // "1.2e-07" reads as "1.2e-7"; 99999.7 becomes "1e+05" above, and is better whole
+  if (size < first_large && size >= first_small) return fmt::format("{:.0f}", x);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  const int exponent = std::stoi(text.substr(e + 1));
+  return fmt::format("{}e{}", text.substr(0, e), exponent);
+}
+
+std::string Display::number(double si, const Unit& unit) const { return short_number(from_si(si, unit)); }
+
+std::string Display::quantity(double si, const Unit& unit) const {
+  const std::string shown = this->unit(unit);
+  const std::string text = number(si, unit);
+  return shown.empty() || !std::isfinite(si) ? text : fmt::format("{} {}", text, shown);
+}
+
+}  // namespace taut

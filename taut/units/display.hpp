@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "taut/units/parse.hpp"
+#include "taut/units/unit.hpp"
+
+namespace taut {
+
+/// One unit for each kind of quantity that `display:` of a deck may name, in the order of print.
+const std::vector<Unit>& display_kinds();
+
+/// Empty when `unit` may show quantities of `kind` ("force", "kN"); otherwise why not, with the kinds or units that
+/// can. `offset` and `width` of the error point into `unit`; -1 as offset: it is the kind that is wrong.
+tl::expected<void, UnitError> check_display(std::string_view kind, std::string_view unit);
+
+/// How a person likes to read SI numbers: each unit's own unit of print, or the one chosen for its kind.
+/// Conversion factors are asked for once and kept; copies share them. Safe to use from several threads.
+class Display {
+ public:
+  Display();
+  /// `units`: kind of quantity -> unit, each accepted by check_display; a ContractViolation at its first use otherwise.
+  explicit Display(std::map<std::string, std::string> units);
+
+  /// The number in the unit of print; an angle in % is 100 tan(angle).
+  double from_si(double si, const Unit& unit) const;
+  /// The unit of print, "kN"; empty for a plain number.
+  std::string unit(const Unit& unit) const;
+  /// The number in the unit of print, five significant digits, whole digits kept up to 10 million: "1.2346", "123457".
+  /// NaN is "-", an infinity "infinite" or "-infinite".
+  std::string number(double si, const Unit& unit) const;
+  /// Number and unit, "63 kN"; the unit stands away for a plain number, for NaN and for an infinity.
+  std::string quantity(double si, const Unit& unit) const;
+
+  const std::map<std::string, std::string>& units() const { return units_; }
+
+ private:
+  struct Factors;
+  double factor(const Unit& unit, const std::string& shown) const;
+
+  std::map<std::string, std::string> units_;
+  std::shared_ptr<Factors> factors_;
+};
+
+/// Five significant digits without trailing zeros, whole digits kept up to 10 million; see Display::number.
+std::string short_number(double x);
+
+}  // namespace taut
