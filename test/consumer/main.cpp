@@ -1,11 +1,21 @@
-// A stranger's whole program: it reads a force and says which library did it.
+// A stranger's whole program: it calls one published method and reads a quantity from text.
 #include <cstdio>
 
 #include "taut/base/version.hpp"
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/units/parse.hpp"
 
 int main() {
-  const auto force = taut::parse_quantity("63 kN", taut::si::N);
-  std::printf("taut %s reads 63 kN as %g N\n", taut::version.data(), force.value_or(0));
-  return force == 63e3 ? 0 : 1;
+  namespace boom = taut::boom_ropes;
+  boom::Input in;
+  in.section_weight = taut::parse_quantity("8.44 kN", taut::si::N).value();
+  in.pad_friction = 0.15;
+  in.tackle_efficiency = 0.95;
+  in.extension_stiffness = boom::printed_C1;
+  in.retraction_stiffness = boom::printed_C2;
+  in.cases = {{"retract 3 t", boom::Operation::retract, 0.087, 32.4e3, 6}};
+  boom::Output out;
+  const auto outcome = boom::solve(in, out);
+  std::printf("taut %s: S20 >= %g N\n", taut::version.data(), out.S20_min);
+  return outcome.ok() && out.S20_min > 0 ? 0 : 1;
 }
