@@ -11,7 +11,7 @@
 namespace taut::boom_ropes {
 namespace {
 
-using std::abs, std::cos, std::max, std::sin;
+using std::cos, std::max, std::sin;
 
 /// More cases than this are not written out line by line; the two that govern always are.
 constexpr std::size_t written_out = 12;

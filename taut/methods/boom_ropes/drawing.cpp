@@ -50,9 +50,9 @@ Polyline box(const Frame& turn, double from, double to, double height, Role role
 }
 
 void add_sections(Drawing& d, const Frame& turn, const Stations& p) {
-  d.shapes.push_back(box(turn, std::min(0.0, p.rear_2), p.head_1, p.height_1, Role::structure));
-  d.shapes.push_back(box(turn, p.rear_2, p.head_2, p.height_2, Role::body));
-  d.shapes.push_back(box(turn, p.rear_3, p.head_3, p.height_3, Role::highlight));
+  d.shapes.emplace_back(box(turn, std::min(0.0, p.rear_2), p.head_1, p.height_1, Role::structure));
+  d.shapes.emplace_back(box(turn, p.rear_2, p.head_2, p.height_2, Role::body));
+  d.shapes.emplace_back(box(turn, p.rear_3, p.head_3, p.height_3, Role::structure));
 }
 
 Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
@@ -64,17 +64,17 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
   const Frame turn{g.luffing_angle};
   const Stations p = stations(q, g.boom_length);
   add_sections(d, turn, p);
-  d.shapes.push_back(Polyline{{turn(0, 0), turn(p.rear_2, q.offset_cylinder)}, Role::hidden});
+  d.shapes.emplace_back(Polyline{{turn(0, 0), turn(p.rear_2, q.offset_cylinder)}, Role::hidden});
   const Point head = turn(p.head_3, q.offset_hoist);
   const double fall = std::min(4.0, std::max(1.0, 0.2 * g.boom_length));
-  d.shapes.push_back(Polyline{{head, {head.x, head.y - fall}}, Role::rope});
-  d.shapes.push_back(ForceArrow{{head.x, head.y - fall}, 0, -g.suspended_weight, "G_n", Role::force});
+  d.shapes.emplace_back(Polyline{{head, {head.x, head.y - fall}}, Role::rope});
+  d.shapes.emplace_back(ForceArrow{{head.x, head.y - fall}, 0, -g.suspended_weight, "G_n", Role::force});
   const Point center = turn(p.rear_3 + q.center_3, 0);
-  d.shapes.push_back(ForceArrow{center, 0, -in.section_weight, "G_3", Role::force});
-  d.shapes.push_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
-  d.shapes.push_back(AngleMark{{0, 0}, 0.3 * g.boom_length, 0, g.luffing_angle, "beta"});
-  d.shapes.push_back(Polyline{{{-0.05 * g.boom_length, 0}, {0.5 * g.boom_length, 0}}, Role::ground});
-  d.shapes.push_back(
+  d.shapes.emplace_back(ForceArrow{center, 0, -in.section_weight, "G_3", Role::force});
+  d.shapes.emplace_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
+  d.shapes.emplace_back(AngleMark{{0, 0}, 0.3 * g.boom_length, 0, g.luffing_angle, "beta"});
+  d.shapes.emplace_back(Polyline{{{-0.05 * g.boom_length, 0}, {0.5 * g.boom_length, 0}}, Role::ground});
+  d.shapes.emplace_back(
       DimensionLine{turn(0, 0), turn(p.head_3, 0), 2 * p.height_1, fmt::format("L_b = {:.4g} m", g.boom_length)});
   return d;
 }
@@ -82,9 +82,9 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
 void add_pads(Drawing& d, const Frame& turn, double along, double height, double N, std::string label) {
   const double side = N >= 0 ? -1 : 1;  // the lower pad pushes up, the upper one down
   for (const double z : {-height / 2, height / 2}) {
-    d.shapes.push_back(Polyline{{turn(along - 0.12, z), turn(along + 0.12, z)}, Role::structure});
+    d.shapes.emplace_back(Polyline{{turn(along - 0.12, z), turn(along + 0.12, z)}, Role::structure});
   }
-  d.shapes.push_back(turn.force(turn(along, side * height / 2), 0, N, std::move(label), Role::force, true));
+  d.shapes.emplace_back(turn.force(turn(along, side * height / 2), 0, N, std::move(label), Role::force, true));
 }
 
 /// Ropes and pads, the boom laid level and stretched across so that they can be told apart.
@@ -96,10 +96,11 @@ Drawing ropes(const Sliding& q, const SlidingPoint& g) {
       "Boom frame, heights stretched. Extension rope from the rear of section 1 over the head of section 2 to the tail "
       "of "
       "section 3 (second branch below it the same way); retraction rope from the front of section 1 over the tail of "
-      "section 2. {}",
+      "section 2. Overlaps {:.3g} m (2-3) and {:.3g} m (1-2). {}",
+      q.overlap_23 - (g.boom_length - q.retracted_length) / 2, q.overlap_12 - (g.boom_length - q.retracted_length) / 2,
       g.jamming() ? "The upper rear pad of section 3 carries: its friction jams the section."
                   : "Lower pads carry section 3.");
-  d.vertical_scale = 4;
+  d.vertical_scale = 6;
   const Frame level;
   const Stations p = stations(q, g.boom_length);
   add_sections(d, level, p);
@@ -108,19 +109,19 @@ Drawing ropes(const Sliding& q, const SlidingPoint& g) {
   const double rear_1 = std::min(0.0, p.rear_2);
   const double tail = p.rear_3 - equaliser_distance;
   for (const double side : {1.0, -1.0}) {
-    d.shapes.push_back(Polyline{
+    d.shapes.emplace_back(Polyline{
         {{rear_1, side * low}, {p.head_2, side * low}, {p.head_2, side * high}, {tail, side * high}}, Role::rope});
   }
   const double r = 0.35 * high;
-  d.shapes.push_back(Polyline{{{p.head_1, -r}, {p.rear_2, -r}, {p.rear_2, r}, {p.rear_3, r}}, Role::second_rope});
+  d.shapes.emplace_back(Polyline{{{p.head_1, -r}, {p.rear_2, -r}, {p.rear_2, r}, {p.rear_3, r}}, Role::second_rope});
   add_pads(d, level, p.rear_3, p.height_3, g.Nr, "N_r");
   add_pads(d, level, p.head_2, p.height_3, g.Nf, "N_f");
   add_pads(d, level, p.rear_2, p.height_2, g.Mr, "M_r");
   add_pads(d, level, p.head_1, p.height_2, g.Mf, "M_f");
-  d.shapes.push_back(Label{{(p.rear_3 + p.head_2) / 2, 1.5 * p.height_1}, fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
-  d.shapes.push_back(Label{{(p.rear_2 + p.rear_3) / 2, -1.5 * p.height_1}, fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
-  d.shapes.push_back(DimensionLine{{p.rear_3, 0}, {p.head_2, 0}, -2.2 * p.height_1, "a"});
-  d.shapes.push_back(DimensionLine{{p.rear_2, 0}, {p.head_1, 0}, -3.0 * p.height_1, "A"});
+  d.shapes.emplace_back(
+      Label{{(p.rear_3 + p.head_2) / 2, 1.5 * p.height_1}, fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
+  d.shapes.emplace_back(
+      Label{{(p.rear_2 + p.rear_3) / 2, -1.5 * p.height_1}, fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
   return d;
 }
 
@@ -128,18 +129,6 @@ struct Part {
   std::string label;
   double force;  ///< N, + outward
 };
-
-void add_part(Drawing& d, const Part& part, double from, double level, double size) {
-  const double to = from + part.force;
-  const double head = std::min(0.5 * std::abs(part.force), 0.5 * size) * (part.force < 0 ? -1 : 1);
-  const Role role = part.force < 0 ? Role::second_force : Role::force;
-  d.shapes.push_back(Polyline{{{from, level}, {to - head, level}}, role});
-  d.shapes.push_back(
-      Polyline{{{to - head, level - 0.3 * size}, {to, level}, {to - head, level + 0.3 * size}}, role, true, true});
-  d.shapes.push_back(Polyline{{{to, level}, {to, level - size}}, Role::hidden});
-  d.shapes.push_back(
-      Label{{(from + to) / 2, level + 0.45 * size}, fmt::format("{} = {:.1f} kN", part.label, part.force / 1e3)});
-}
 
 /// The longitudinal forces on section 3 laid end to end: they close at zero.
 Drawing balance(const std::string& name, const std::string& title, const std::vector<Part>& parts) {
@@ -151,14 +140,16 @@ Drawing balance(const std::string& name, const std::string& title, const std::ve
   double reach = 0;
   double x = 0;
   for (const Part& p : parts) reach = std::max(reach, std::abs(x += p.force));
-  const double size = 0.08 * std::max(reach, 1.0);
-  d.shapes.push_back(Polyline{{{0, size}, {0, -size * static_cast<double>(parts.size())}}, Role::axis});
+  const double drop = 0.12 * std::max(reach, 1.0);
+  d.shapes.emplace_back(Polyline{{{0, drop}, {0, -drop * static_cast<double>(parts.size())}}, Role::axis});
   x = 0;
   double level = 0;
   for (const Part& p : parts) {
-    add_part(d, p, x, level, size);
+    const Role role = p.force < 0 ? Role::second_force : Role::force;
+    d.shapes.emplace_back(ForceArrow{{x, level}, p.force, 0, p.label, role});
     x += p.force;
-    level -= size;
+    d.shapes.emplace_back(Polyline{{{x, level}, {x, level - drop}}, Role::hidden});
+    level -= drop;
   }
   return d;
 }

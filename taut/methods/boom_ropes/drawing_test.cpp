@@ -44,7 +44,7 @@ TEST(BoomDrawing, BoomReachesItsLength) {
   double reach = 0;
   for (const Shape& s : d->shapes) {
     const auto* line = std::get_if<Polyline>(&s);
-    if (line == nullptr || line->role != Role::highlight) continue;
+    if (line == nullptr || !line->closed) continue;
     for (const Point& p : line->points) reach = std::max(reach, std::hypot(p.x, p.y));
   }
   EXPECT_NEAR(reach, 21, 0.05);
@@ -57,8 +57,8 @@ TEST(BoomDrawing, ForcesAlongSection3CloseAtZero) {
     ASSERT_NE(d, nullptr);
     double end = 1e9;
     for (const Shape& s : d->shapes) {
-      const auto* line = std::get_if<Polyline>(&s);
-      if (line != nullptr && line->filled) end = line->points[1].x;
+      const auto* arrow = std::get_if<ForceArrow>(&s);
+      if (arrow != nullptr) end = arrow->at.x + arrow->fx;
     }
     EXPECT_NEAR(end, 0, 1e-3);
   }

@@ -93,15 +93,23 @@ struct Section3 {
   T S10, S20, C_1, C_2;
   T m_0;  ///< moment about the rear pads of all but the ropes
   T z_1, z_2;
+  T V;            ///< weight across the boom
+  bool on_axis;   ///< the ropes pull through the pads' axis: pad forces do not depend on X
+  T N_f, N_r, R;  ///< on_axis only: pad forces and their friction
 
   T S1(const Setting<T>& k, const T& X) const { return max((S10 + C_1 * X) / k.m_1, k.zero); }
   T S2(const Setting<T>& k, const T& X) const { return max((S20 - C_2 * X) / k.m_2, k.zero); }
-  T front(const Setting<T>& k, const T& S_1, const T& S_2) const { return (m_0 + 2 * z_1 * S_1 - z_2 * S_2) / k.a; }
+  T front(const Setting<T>& k, const T& S_1, const T& S_2) const {
+    return on_axis ? N_f : T((m_0 + 2 * z_1 * S_1 - z_2 * S_2) / k.a);
+  }
+  /// |N_f| + |N_r| with N_r = V - N_f is the larger of V and |2 N_f - V|: one N_f less in the written line.
+  T friction(const Setting<T>& k, const T& S_1, const T& S_2) const {
+    return on_axis ? R : T(k.d * k.f * max(V, abs(2 * front(k, S_1, S_2) - V)));
+  }
   T balance(const Setting<T>& k, const T& X) const {
     const T S_1 = S1(k, X);
     const T S_2 = S2(k, X);
-    const T N_f = front(k, S_1, S_2);
-    return 2 * S_1 - S_2 - k.S_k - k.W * sin(k.beta) - k.d * k.f * (abs(N_f) + abs(k.W * cos(k.beta) - N_f));
+    return 2 * S_1 - S_2 - k.S_k - k.W * sin(k.beta) - friction(k, S_1, S_2);
   }
 };
 
@@ -113,12 +121,22 @@ Section3<T> section_3(const Input& in, const Sliding& q, const Setting<T>& k, Sh
                 s.given(q.retraction_stiffness),
                 T{},
                 s.given(q.offset_extension),
-                s.given(q.offset_retraction)};
+                s.given(q.offset_retraction),
+                s.eq("", "V", si::N, k.W * cos(k.beta), model),
+                q.offset_extension == 0 && q.offset_retraction == 0,
+                T{},
+                T{},
+                T{}};
   const T weights = s.given(in.section_weight) * s.given(q.center_3) + k.G_n * s.given(q.head_distance);
   r.m_0 = s.eq("", "M_30", si::N_m,
                cos(k.beta) * weights - s.given(q.offset_hoist) * k.G_n * sin(k.beta) - s.given(q.offset_lead) * k.S_k +
                    k.d * k.f * (s.given(q.pad_height_3) / 2) * k.W * cos(k.beta),
                model);
+  if (r.on_axis) {
+    r.N_f = s.eq("", "N_f", si::N, r.m_0 / k.a, model);
+    r.N_r = s.eq("", "N_r", si::N, r.V - r.N_f, model);
+    r.R = s.eq("", "R", si::N, k.d * k.f * (abs(r.N_f) + abs(r.N_r)), model);
+  }
   return r;
 }
 
@@ -138,7 +156,7 @@ std::vector<double> breaks_of(const Section3<double>& r, const Setting<double>& 
   const double starts[] = {slack[0] - step, slack[0], slack[1]};
   const double ends[] = {slack[0], slack[1], slack[1] + step};
   const auto front = [&](double X) { return r.front(k, r.S1(k, X), r.S2(k, X)); };
-  const double across = k.W * std::cos(k.beta);
+  const double across = r.V;
   for (int i = 0; i < 3; ++i) {
     if (!(starts[i] < ends[i])) continue;
     const double y0 = front(starts[i]);
@@ -263,114 +281,13 @@ Outcome slide(const Input& in, const Sliding& q, const Position& at, Sheet<T>& s
   out.X = value(*X);
   const T S_1 = s.eq("2", "S_1", si::N, r.S1(k, *X));
   const T S_2 = s.eq("2", "S_2", si::N, r.S2(k, *X));
-  const T N_f = s.eq("", "N_f", si::N, r.front(k, S_1, S_2), model);
-  const T N_r = s.eq("", "N_r", si::N, k.W * cos(k.beta) - N_f, model);
+  const T N_f = r.on_axis ? r.N_f : s.eq("", "N_f", si::N, r.front(k, S_1, S_2), model);
+  const T N_r = r.on_axis ? r.N_r : s.eq("", "N_r", si::N, r.V - N_f, model);
   take(S_1, S_2, N_f, N_r, out);
   return slide_section_2<T>(q, k, plain(k), {S_1, S_2, N_f, N_r}, s, out);
 }
 
 template Outcome slide(const Input&, const Sliding&, const Position&, Sheet<double>&, SlidingPoint&);
 template Outcome slide(const Input&, const Sliding&, const Position&, Sheet<Num>&, SlidingPoint&);
-
-namespace {
-
-/// The largest |F_h| of the grid; empty when no position has an equilibrium.
-std::optional<std::size_t> governing(const std::vector<SlidingPoint>& grid) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (grid[i].ok() && (!best || abs(grid[i].Fh) > abs(grid[*best].Fh))) best = i;
-  }
-  return best;
-}
-
-std::string place(const SlidingPoint& p) {
-  return fmt::format("{:.6g} m, {:.6g} deg, {:.6g} kN", p.boom_length, p.luffing_angle * 57.29577951308232,
-                     p.suspended_weight / 1e3);
-}
-
-struct Extremes {
-  double& high;
-  double& low;
-  void take(double x) const {
-    high = std::isnan(high) ? x : max(high, x);
-    low = std::isnan(low) ? x : min(low, x);
-  }
-};
-
-void extremes(Output& out) {
-  for (const SlidingPoint& p : out.grid) {
-    if (!p.ok()) continue;
-    Extremes{out.Fh_max, out.Fh_min}.take(p.Fh);
-    Extremes{out.S1_max, out.S1_min}.take(p.S1);
-    Extremes{out.S2_max, out.S2_min}.take(p.S2);
-  }
-}
-
-void name_governing(const SlidingPoint& p, Output& out) {
-  out.Fh = p.Fh;
-  out.S1 = p.S1;
-  out.S2 = p.S2;
-  out.governing_angle = p.luffing_angle;
-  out.governing_length = p.boom_length;
-  out.governing_weight = p.suspended_weight;
-}
-
-template <class T>
-void warn_of_gaps(const Sliding& q, Sheet<T>& s, const Output& out) {
-  for (const SlidingPoint& p : out.grid) {
-    if (!p.ok()) s.warn([&] { return fmt::format("No equilibrium at {}: {}.", place(p), p.reason); });
-    if (p.ok() && p.S1 < q.minimum_tension) {
-      s.warn([&] { return fmt::format("The extension rope is slack at {}: raise S10.", place(p)); });
-    }
-    if (p.ok() && p.S2 < q.minimum_tension) {
-      s.warn([&] { return fmt::format("The retraction rope is slack at {}: raise S20.", place(p)); });
-    }
-  }
-}
-
-template <class T>
-void check_taut(const Sliding& q, Sheet<T>& s, const Output& out) {
-  const T least = s.given(q.minimum_tension);
-  s.check("extension rope stays taut", s.named("S_1min", si::N, out.S1_min), Sense::at_least, least, si::N,
-          "Reutov 2021: a slack rope jumps off its sheave", "user");
-  s.check("retraction rope stays taut", s.named("S_2min", si::N, out.S2_min), Sense::at_least, least, si::N,
-          "Reutov 2021: a slack rope jumps off its sheave", "user");
-}
-
-}  // namespace
-
-template <class T>
-Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& out) {
-  Sheet<double> plain_sheet;
-  out.grid.clear();
-  for (std::size_t w = 0; w < q.suspended_weight.size(); ++w) {
-    for (std::size_t b = 0; b < q.luffing_angle.size(); ++b) {
-      for (std::size_t l = 0; l < q.boom_length.size(); ++l) {
-        slide(in, q, {w, b, l}, plain_sheet, out.grid.emplace_back());
-      }
-    }
-  }
-  warn_of_gaps(q, s, out);
-  const auto best = governing(out.grid);
-  if (!best) {
-    return infeasible(out.grid.empty() ? "sliding: boom_length, luffing_angle and suspended_weight need a value each"
-                                       : fmt::format("sliding: no position has an equilibrium; at {}: {}",
-                                                     place(out.grid.front()), out.grid.front().reason));
-  }
-  out.governing_point = *best;
-  const std::size_t lengths = q.boom_length.size();
-  const std::size_t angles = q.luffing_angle.size();
-  const Position at{*best / (lengths * angles), *best / lengths % angles, *best % lengths};
-  s.note([&] { return fmt::format("Largest cylinder force in amount: {}.", place(out.grid[*best])); });
-  SlidingPoint p;
-  const Outcome outcome = slide(in, q, at, s, p);
-  name_governing(p, out);
-  extremes(out);
-  check_taut(q, s, out);
-  return outcome;
-}
-
-template Outcome compute_sliding(const Input&, const Sliding&, Sheet<double>&, Output&);
-template Outcome compute_sliding(const Input&, const Sliding&, Sheet<Num>&, Output&);
 
 }  // namespace taut::boom_ropes

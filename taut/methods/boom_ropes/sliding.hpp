@@ -19,7 +19,7 @@ struct Position {
 };
 
 /// Falls of the tackle: the deck's, else 8 when lifting (25 t) and 6 otherwise (3 t), as in the paper.
-int falls_of(const Sliding& sliding);
+int falls_of(const Sliding& q);
 
 /// Limiting sliding equilibrium of sections 2 and 3 at one position: rope tensions, pad forces, cylinder force.
 /// Unknown is X, the elongation of half the extension rope: S1 rises and S2 falls with it, 2 S1 - S2 is therefore
@@ -28,10 +28,10 @@ int falls_of(const Sliding& sliding);
 /// at which more pull means less sliding is a jam: infeasible, with the reason. Likewise for F_h, sure with 2 f |z_c| <
 /// A.
 template <class T>
-Outcome slide(const Input& in, const Sliding& sliding, const Position& at, Sheet<T>& s, SlidingPoint& out);
+Outcome slide(const Input& in, const Sliding& q, const Position& at, Sheet<T>& s, SlidingPoint& out);
 
 /// slide() in double over the whole grid, then once more over `T` where |F_h| is largest.
 template <class T>
-Outcome compute_sliding(const Input& in, const Sliding& sliding, Sheet<T>& s, Output& out);
+Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& out);
 
 }  // namespace taut::boom_ropes
