@@ -111,5 +111,13 @@ Num pow(const Num& x, int exponent) {
   const double v = std::pow(x.value(), exponent);
   return {v, power(x.dimension(), exponent), make_node(Op::power, {x.formula(), make_number(exponent)}, v)};
 }
+Num square(const Num& x) {
+  const double v = square(x.value());
+  return {v, power(x.dimension(), 2), make_node(Op::power, {x.formula(), make_number(2)}, v)};
+}
+Num cube(const Num& x) {
+  const double v = cube(x.value());
+  return {v, power(x.dimension(), 3), make_node(Op::power, {x.formula(), make_number(3)}, v)};
+}
 
 }  // namespace taut

@@ -67,6 +67,12 @@ Num min(const Num& a, const Num& b);
 Num max(const Num& a, const Num& b);
 Num pow(const Num& x, int exponent);
 
+/// x^2 and x^3 by multiplication: a power call costs ten times as much where a root is sought.
+inline double square(double x) { return x * x; }
+inline double cube(double x) { return x * x * x; }
+Num square(const Num& x);
+Num cube(const Num& x);
+
 /// The bare number, whatever the number type.
 inline double value(double x) { return x; }
 inline double value(const Num& x) { return x.value(); }

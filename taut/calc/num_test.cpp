@@ -54,6 +54,15 @@ TEST(Num, CarriesDimensionsThroughRootsAndPowers) {
   EXPECT_EQ((force / Num::named("A", si::m2, 3)).dimension(), si::Pa.dimension);
 }
 
+TEST(Num, SquaresAndCubesArePowersInTheFormula) {
+  const Num d = Num::named("d", si::m, 0.3);
+  EXPECT_EQ(formula_text(cube(d).formula()), "d^3");
+  EXPECT_EQ(formula_text(square(d + d).formula()), "(d + d)^2");
+  EXPECT_EQ(cube(d).dimension(), si::m3.dimension);
+  EXPECT_EQ(cube(d).value(), cube(0.3));
+  EXPECT_EQ(square(d).value(), 0.3 * 0.3);
+}
+
 TEST(Num, ComparesByValue) {
   EXPECT_TRUE(Num(1) < Num(2));
   EXPECT_TRUE(Num(2) >= Num(2));

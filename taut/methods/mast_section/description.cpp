@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "taut/methods/mast_section/mast_section.hpp"
+#include "taut/methods/mast_section/position.hpp"
+
+namespace taut::mast_section {
+
+const Description& Span::describe() {
+  static const Description d =
+      Describe<Span>()
+          .field(&Span::length, "length", "l", si::m, "span of the line, horizontal")
+          .required()
+          .above(0)
+          .field(&Span::chord_slope, "chord_slope", "psi", si::rad,
+                 "slope of the chord, positive when it falls away from the mast")
+          .above(-std::numbers::pi / 2)
+          .below(std::numbers::pi / 2)
+          .field(&Span::carriage_position, "carriage_position", "x", si::m,
+                 "distance of the carriage from the mast, horizontal; one or a list, of which the worst governs")
+          .required()
+          .above(0)
+          .field(&Span::rope_weight, "rope_weight", "w", si::N_per_m, "weight of the skyline per metre")
+          .required()
+          .at_least(0)
+          .field(&Span::load, "load", "Q_load", si::N, "load on the skyline: carriage, lifted share of the load, ropes")
+          .required()
+          .at_least(0)
+          .field(&Span::horizontal_tension, "horizontal_tension", "H", si::N,
+                 "horizontal component of the skyline's tension")
+          .required()
+          .above(0);
+  return d;
+}
+
+const Description& ChooseSection::describe() {
+  static const Description d =
+      Describe<ChooseSection>()
+          .choice(&ChooseSection::shape, "shape",
+                  {{"any", Shape::any}, {"CHS", Shape::chs}, {"SHS", Shape::shs}, {"RHS", Shape::rhs}},
+                  "kind of section; any: the lightest of all")
+          .choice(&ChooseSection::forming, "forming",
+                  {{"any", FormingChoice::any},
+                   {"hot", FormingChoice::hot},
+                   {"cold", FormingChoice::cold},
+                   {"seamless", FormingChoice::seamless},
+                   {"welded", FormingChoice::welded}},
+                  "hot-finished, cold-formed; GOST: seamless, welded")
+          .field(&ChooseSection::standard, "standard", "beginning of the standard's name: EN 10210, GOST")
+          .choice(&ChooseSection::least_trust, "least_trust",
+                  {{"verified", LeastTrust::verified},
+                   {"derived", LeastTrust::derived},
+                   {"unverified", LeastTrust::unverified}},
+                  "how far the section's numbers have to be trusted");
+  return d;
+}
+
+const Description& Input::describe() {
+  static const Description d =
+      Describe<Input>()
+          .field(&Input::skyline_force, "skyline_force", "T_sky", si::N, "largest force in the skyline")
+          .required()
+          .above(0)
+          .field(&Input::mainline_force, "mainline_force", "T_main", si::N, "largest force in the mainline")
+          .required()
+          .at_least(0)
+          .field(&Input::skyline_block_height, "skyline_block_height", "h_sky", si::m,
+                 "height of the skyline block above the clamp")
+          .required()
+          .above(0)
+          .field(&Input::mainline_block_height, "mainline_block_height", "h_main", si::m,
+                 "height of the mainline block above the clamp; as the skyline's when left out")
+          .above(0)
+          .field(&Input::block_friction, "block_friction", "f", si::one,
+                 "friction of the rope on the block; the paper: 0.10 to 0.16")
+          .at_least(0)
+          .at_most(0.5)
+          .choice(&Input::wrap, "wrap", {{"geometric", Wrap::geometric}, {"paper", Wrap::paper}},
+                  "wrap angle on the block: 90 deg + alpha, or the paper's 120 deg for any alpha")
+          .field(&Input::branch_angle, "branch_angle", "alpha", si::rad,
+                 "angle of the span side of the ropes below the horizontal, negative when it rises; or give span")
+          .at_least(least_branch_angle)
+          .at_most(largest_branch_angle)
+          .record(&Input::span, "span", "the span, from which the branch angle follows; or give branch_angle")
+          .field(&Input::allowable_stress, "allowable_stress", "[sigma]", si::Pa,
+                 "allowable stress; or give steel and safety")
+          .above(0)
+          .field(&Input::steel, "steel", "steel grade of the catalogue, S355H; with safety")
+          .field(&Input::safety, "safety", "n", si::one, "yield stress over allowable stress")
+          .at_least(1)
+          .field(&Input::tube_ratio, "tube_ratio", "c", si::one, "inner over outer diameter of the tube")
+          .at_least(0)
+          .below(1)
+          .field(&Input::section, "section", "catalogue section to check, CHS 508x16; RHS about the strong axis")
+          .record(&Input::choose_section, "choose_section", "which catalogue sections may be chosen; or give section");
+  return d;
+}
+
+const Description& Output::describe() {
+  static const Description d =
+      Describe<Output>()
+          .field(&Output::x, "x", "x", si::m, "governing carriage position")
+          .field(&Output::f_x, "f_x", "f_x", si::m, "sag of the skyline at the carriage")
+          .from("(11)")
+          .field(&Output::alpha, "alpha", "alpha", si::rad, "angle of the span side below the horizontal")
+          .from("(10)")
+          .field(&Output::wrap, "wrap", "epsilon", si::rad, "wrap angle of the rope on its block")
+          .field(&Output::F_span_sky, "F_span_sky", "F_span_sky", si::N, "skyline force on the span side")
+          .from("(1)")
+          .field(&Output::R_sky, "R_sky", "R_sky", si::N, "resultant on the skyline block")
+          .from("(4), (5)")
+          .field(&Output::gamma_sky, "gamma_sky", "gamma_sky", si::rad, "angle of R_sky below the horizontal")
+          .from("(8), (9) corrected")
+          .field(&Output::gamma_sky_printed, "gamma_sky_printed", "gamma_sky_printed", si::rad,
+                 "the same by (9) as printed, wrong")
+          .from("(9)")
+          .field(&Output::F_span_main, "F_span_main", "F_span_main", si::N, "mainline force on the span side")
+          .from("(1)")
+          .field(&Output::R_main, "R_main", "R_main", si::N, "resultant on the mainline block")
+          .from("(4), (6)")
+          .field(&Output::gamma_main, "gamma_main", "gamma_main", si::rad, "angle of R_main below the horizontal")
+          .from("(8), (9) corrected")
+          .field(&Output::N, "N", "N", si::N, "axial force at the clamp, pressing down")
+          .from("figure 7")
+          .field(&Output::M, "M", "M", si::N_m, "bending moment at the clamp, towards the span")
+          .from("figure 7")
+          .field(&Output::Q, "Q", "Q", si::N, "shear at the clamp, towards the span")
+          .from("figure 7")
+          .field(&Output::sigma_allow, "sigma_allow", "[sigma]", si::Pa, "allowable stress used")
+          .field(&Output::b_square, "b_square", "b_square", si::m.in("mm"), "side of the solid square")
+          .from("(15), (16)")
+          .field(&Output::B_hollow, "B_hollow", "B_hollow", si::m.in("mm"),
+                 "outer side of the hollow square, twice the inner one")
+          .from("table, 4/3 and 6.40")
+          .field(&Output::B_hollow_printed, "B_hollow_printed", "B_hollow_printed", si::m.in("mm"),
+                 "the same with the table's 1.33 and 6.41")
+          .from("table")
+          .field(&Output::D_tube, "D_tube", "D_tube", si::m.in("mm"), "outer diameter of the tube")
+          .from("table, 4/pi and 32/pi")
+          .field(&Output::D_tube_printed, "D_tube_printed", "D_tube_printed", si::m.in("mm"),
+                 "the same with the table's 1.27 and 10, too small")
+          .from("table")
+          .field(&Output::t_tube, "t_tube", "t_tube", si::m.in("mm"), "wall of the tube D_tube")
+          .field(&Output::N_payout, "N_payout", "N_payout", si::N,
+                 "axial force while the ropes are paid out under load")
+          .from("(2) corrected")
+          .field(&Output::M_payout, "M_payout", "M_payout", si::N_m, "moment while the ropes are paid out under load")
+          .from("(3) corrected")
+          .field(&Output::D_tube_payout, "D_tube_payout", "D_tube_payout", si::m.in("mm"),
+                 "tube for the ropes paid out under load")
+          .field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
+          .from("(12)-(14)")
+          .field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa, "its allowable stress")
+          .field(&Output::section_mass, "section_mass", "m", si::kg_per_m, "its mass per metre");
+  return d;
+}
+
+namespace {
+
+std::vector<Erratum> errata() {
+  return {
+      {"(9)", "gamma = asin(T sin beta / R) - alpha",
+       "gamma = alpha + asin(T sin beta / R), taken as atan2 of the components",
+       "vector sum of the two branches; (8) solved for gamma", "MastSectionCase.GammaLiesBelowTheBranch"},
+      {"wrap angle", "120 deg for every branch angle", "90 deg + alpha",
+       "geometry of figure 5: the drum side is vertical", "MastSectionCase.WrapFollowsTheBranch"},
+      {"table, hollow square", "[sigma] b^3 - 1.33 N b - 6.41 M = 0, b not named",
+       "the unknown is the outer side B; 4/3 and 6.40", "A = 3 b^2, W = 1.25 b^3 with the inner side b = B/2",
+       "MastSectionCase.HollowSquareCarriesTheStress"},
+      {"table, tube", "coefficients 1.27 and 10", "4/pi and 32/pi = 10.186",
+       "the stress in the tube of the printed coefficients exceeds [sigma]", "MastSectionCase.PrintedTubeIsTooSmall"},
+      {"model", "guylines and buckling left out", "to be checked apart; the program warns", "the paper says so itself",
+       "MastSectionCase.WarnsOfWhatIsLeftOut"},
+      {"(2), (3)", "the drum side always carries the larger force",
+       "while a rope is paid out under load the span side does", "Euler's formula with the motion reversed",
+       "MastSectionCase.PayingOutBendsMore"}};
+}
+
+}  // namespace
+
+const Method& about() {
+  static const Method m{
+      "mast_section",
+      "Mast section of a tractor-mounted cable yarder",
+      "A. O. Shoshin, A. V. Dorozhko, V. Shtollmann, S. V. Yarmolik: Method for determining the parameters of the "
+      "tower "
+      "section of a cable yarding based on a tractor. Proceedings of BSTU, issue 1, 2022, no. 1 (252), pp. 155-164 (in "
+      "Russian)",
+      "Shoshin et al. 2022",
+      "Smallest solid square, hollow square or tube of a mast that is clamped at its foot and carries the blocks of "
+      "skyline and mainline, by stress under axial force and bending. Leaves out guylines, buckling, local buckling, "
+      "own "
+      "weight, wind, dynamics and fatigue.",
+      {"branch angle from -60 to 85 deg below the horizontal", "block friction from 0 to 0.5; the paper: 0.10 to 0.16",
+       "the drum side of each rope runs straight down the mast", "both ropes leave the mast in one vertical plane",
+       "elastic material, section constant over the height",
+       "alpha of (10) points from the block to the carriage: right "
+       "for a taut mainline; a heavy skyline leaves the mast a little steeper"},
+      errata()};
+  return m;
+}
+
+}  // namespace taut::mast_section

@@ -1,0 +1,52 @@
+#include "taut/methods/mast_section/mast_section.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/methods/mast_section/position.hpp"
+
+namespace taut::mast_section {
+namespace {
+
+constexpr std::array<const char*, sizes.size()> size_words{"the tube", "the solid square", "the hollow square",
+                                                           "the tube with the ropes paid out"};
+
+/// Takes over one size, and what goes with it, from the position that governs it.
+void take_size(std::size_t k, const Output& from, Output& out) {
+  out.*sizes[k] = from.*sizes[k];
+  if (sizes[k] == &Output::B_hollow) out.B_hollow_printed = from.B_hollow_printed;
+  if (sizes[k] == &Output::D_tube_payout) {
+    out.N_payout = from.N_payout;
+    out.M_payout = from.M_payout;
+  }
+}
+
+}  // namespace
+
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
+  if (position_count(in) == 1) return compute_at(in, 0, s, out);
+  const Governing governing = governing_positions(in);
+  if (!governing.outcome.ok()) {
+    compute_at(in, 0, s, out);  // the steps up to where it fails
+    return governing.outcome;
+  }
+  Outcome outcome = compute_at(in, governing.of[0], s, out);
+  for (std::size_t k = 1; k < sizes.size() && outcome.ok(); ++k) {
+    if (governing.of[k] == governing.of[0]) continue;
+    s.section(fmt::format("Where {} is governed by another carriage position", size_words[k]));
+    Output there;
+    outcome = compute_at(in, governing.of[k], s, there);
+    take_size(k, there, out);
+  }
+  return outcome;
+}
+
+template Outcome compute<double>(const Input&, Sheet<double>&, Output&);
+template Outcome compute<Num>(const Input&, Sheet<Num>&, Output&);
+
+Outcome solve(const Input& in, Output& out) {
+  Sheet<double> s;
+  return compute(in, s, out);
+}
+
+}  // namespace taut::mast_section

@@ -1,0 +1,123 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/calc/method.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/calc/sheet.hpp"
+
+/// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
+///
+/// A vertical mast, clamped at its foot, carries the blocks of skyline and mainline. Each rope comes in from the span
+/// under the angle alpha below the horizontal, turns over its block and runs down to its drum. From the largest rope
+/// forces follow the block resultants, the internal forces at the clamp and the smallest section with
+/// N/A + M/W <= [sigma].
+///
+/// Signs: N > 0 presses the mast down; Q > 0 pulls its head towards the span; M > 0 bends it towards the span, so that
+/// the most pressed fibre is on the span's side. alpha and gamma are positive below the horizontal.
+namespace taut::mast_section {
+
+inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+/// Wrap angle of the rope on its block: 90 deg + alpha, as figure 5 has it, or the paper's 120 deg for any alpha.
+enum class Wrap { geometric, paper };
+enum class Shape { any, chs, shs, rhs };
+enum class FormingChoice { any, hot, cold, seamless, welded };
+enum class LeastTrust { verified, derived, unverified };
+
+/// The span, where the branch angle follows from the carriage's position: (10), (11).
+struct Span {
+  double length = not_computed;              ///< l, horizontal, m
+  double chord_slope = 0;                    ///< psi, rad, positive: the chord falls away from the mast
+  std::vector<double> carriage_position;     ///< x from the mast, m, 0 < x <= l
+  double rope_weight = not_computed;         ///< w of the skyline, N/m
+  double load = not_computed;                ///< Q at the carriage, N
+  double horizontal_tension = not_computed;  ///< H of the skyline, N
+
+  static const Description& describe();
+};
+
+/// Which catalogue sections may be chosen.
+struct ChooseSection {
+  Shape shape = Shape::any;
+  FormingChoice forming = FormingChoice::any;
+  std::optional<std::string> standard;  ///< the beginning of its name: "EN 10210"
+  LeastTrust least_trust = LeastTrust::unverified;
+
+  static const Description& describe();
+};
+
+struct Input {
+  double skyline_force = not_computed;          ///< T_sky, N
+  double mainline_force = not_computed;         ///< T_main, N
+  double skyline_block_height = not_computed;   ///< h_sky above the clamp, m
+  std::optional<double> mainline_block_height;  ///< h_main, m; as the skyline's when left out
+  double block_friction = 0.12;                 ///< f
+  Wrap wrap = Wrap::geometric;
+  std::optional<double> branch_angle;  ///< alpha, rad; or
+  std::optional<Span> span;
+  std::optional<double> allowable_stress;  ///< [sigma], Pa; or
+  std::optional<std::string> steel;        ///< of the catalogue, with
+  std::optional<double> safety;            ///< n: [sigma] = f_y / n
+  double tube_ratio = 0.9;                 ///< c = d/D
+  std::optional<std::string> section;      ///< "CHS 508x16": checked
+  std::optional<ChooseSection> choose_section;
+
+  static const Description& describe();
+};
+
+/// Numbers of the governing carriage position. A size is the largest that any position asks for.
+struct Output {
+  double x = not_computed;                  ///< m, governing carriage position, where the span is given
+  double f_x = not_computed;                ///< m, skyline sag there
+  double alpha = not_computed;              ///< rad
+  double wrap = not_computed;               ///< rad
+  double F_span_sky = not_computed;         ///< N
+  double R_sky = not_computed;              ///< N
+  double gamma_sky = not_computed;          ///< rad
+  double gamma_sky_printed = not_computed;  ///< rad, (9) as printed
+  double F_span_main = not_computed;        ///< N
+  double R_main = not_computed;             ///< N
+  double gamma_main = not_computed;         ///< rad
+  double N = not_computed;                  ///< N
+  double M = not_computed;                  ///< N m
+  double Q = not_computed;                  ///< N
+  double sigma_allow = not_computed;        ///< Pa
+  double b_square = not_computed;           ///< m
+  double B_hollow = not_computed;           ///< m, outer side
+  double B_hollow_printed = not_computed;   ///< m, with 1.33 and 6.41
+  double D_tube = not_computed;             ///< m
+  double D_tube_printed = not_computed;     ///< m, with 1.27 and 10
+  double t_tube = not_computed;             ///< m, wall of D_tube
+  double N_payout = not_computed;           ///< N, rope paid out under load
+  double M_payout = not_computed;           ///< N m
+  double D_tube_payout = not_computed;      ///< m
+  double section_stress = not_computed;     ///< Pa, in the section checked or chosen
+  double section_allowable = not_computed;  ///< Pa
+  double section_mass = not_computed;       ///< kg/m
+
+  static const Description& describe();
+};
+
+const Method& about();
+
+/// Rules between fields and names that the catalogue lacks; paths below `input`.
+std::vector<Complaint> complaints(const Input& in);
+
+/// (1)-(16) and the table of section kinds, in the paper's order. Of several carriage positions the one that asks for
+/// the largest tube is computed; where another one governs another kind of section, that kind is computed there.
+/// Takes inputs that `complaints` has nothing against. Instantiated for double and Num.
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out);
+
+/// compute<double>: no allocation when [sigma] is given.
+Outcome solve(const Input& in, Output& out);
+
+/// The whole calculation note: values, steps, tables of positions and of catalogue sections, checks, figures.
+Result run(const Input& in);
+
+}  // namespace taut::mast_section

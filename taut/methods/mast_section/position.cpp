@@ -1,0 +1,293 @@
+#include "taut/methods/mast_section/position.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/steel.hpp"
+
+namespace taut::mast_section {
+
+// A hair wider than the words, so that "85 deg" passes however it was turned into radians.
+const double least_branch_angle = -60 * std::numbers::pi / 180 - 1e-9;
+const double largest_branch_angle = 85 * std::numbers::pi / 180 + 1e-9;
+
+namespace {
+
+// For double; Num brings its own along.
+using std::abs;
+using std::asin;
+using std::atan;
+using std::atan2;
+using std::cos;
+using std::exp;
+using std::min;
+using std::sin;
+using std::sqrt;
+using std::tan;
+
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
+/// What all positions share, as quantities of the sheet.
+template <class T>
+struct Mast {
+  T T_sky, T_main, h_sky, h_main, f, c, sigma, pi;
+};
+
+template <class T>
+T allowable(const Input& in, Sheet<T>& s) {
+  if (in.allowable_stress) return s.given(*in.allowable_stress);
+  const T f_y = s.named("f_y", si::Pa, allowable_stress(in) * *in.safety);
+  const T n = s.given(*in.safety);
+  return s.eq("", "[sigma]", si::Pa, f_y / n, "yield of the thinnest range over the safety");
+}
+
+template <class T>
+Mast<T> mast_of(const Input& in, Sheet<T>& s) {
+  s.section("Given");
+  const T T_sky = s.given(in.skyline_force);
+  const T T_main = s.given(in.mainline_force);
+  const T h_sky = s.given(in.skyline_block_height);
+  const T h_main = in.mainline_block_height ? s.given(*in.mainline_block_height)
+                                            : s.eq("", "h_main", si::m, h_sky, "both blocks at one height");
+  return {T_sky,
+          T_main,
+          h_sky,
+          h_main,
+          s.given(in.block_friction),
+          s.given(in.tube_ratio),
+          allowable(in, s),
+          s.named("pi", si::one, std::numbers::pi)};
+}
+
+/// (10), (11) or the angle as given.
+template <class T>
+T branch_angle(const Input& in, std::size_t index, Sheet<T>& s, Output& out) {
+  if (in.branch_angle) return s.given(*in.branch_angle);
+  const Span& span = *in.span;
+  s.section("Branch angle from the carriage's position");
+  const T l = s.given(span.length);
+  const T psi = s.given(span.chord_slope);
+  const T w = s.given(span.rope_weight);
+  const T Q = s.given(span.load);
+  const T H = s.given(span.horizontal_tension);
+  const T x = s.given(span.carriage_position.at(index));
+  const T f_x = s.eq("11", "f_x", si::m, x * (l - x) / (2 * H) * (w / cos(psi) + 2 * Q / l));
+  out.x = value(x);
+  out.f_x = value(f_x);
+  return s.eq("10", "alpha", si::rad, atan((f_x + x * tan(psi)) / x));
+}
+
+template <class T>
+T wrap_angle(const Input& in, const Mast<T>& m, const T& alpha, Sheet<T>& s) {
+  if (in.wrap == Wrap::paper)
+    return s.eq("", "epsilon", si::rad, 2 * m.pi / 3, "Shoshin et al. 2022, 120 deg for any alpha");
+  return s.eq("", "epsilon", si::rad, m.pi / 2 + alpha, "geometry of figure 5 of Shoshin et al. 2022");
+}
+
+/// Names of one rope's quantities.
+struct RopeNames {
+  const char* equation;
+  const char* F_span;
+  const char* R;
+  const char* gamma;
+};
+constexpr RopeNames skyline{"5", "F_span_sky", "R_sky", "gamma_sky"};
+constexpr RopeNames mainline{"6", "F_span_main", "R_main", "gamma_main"};
+
+template <class T>
+struct Block {
+  T F_span, R, gamma;
+};
+
+/// (1)-(9): the resultant on one block.
+template <class T>
+Block<T> block(const RopeNames& names, const T& T_max, const T& f, const T& epsilon, const T& alpha, const T& beta,
+               Sheet<T>& s) {
+  const T F_span = s.eq("1", names.F_span, si::N, T_max * exp(-f * epsilon));
+  const T R =
+      s.eq(names.equation, names.R, si::N, T_max * sqrt(exp(-2 * f * epsilon) + 1 - 2 * cos(beta) * exp(-f * epsilon)));
+  const T gamma = s.eq("9*", names.gamma, si::rad, atan2(F_span * sin(alpha) + T_max, F_span * cos(alpha)));
+  return {F_span, R, gamma};
+}
+
+template <class T>
+struct Loads {
+  T N, M;
+};
+
+/// (1)-(9) for both ropes and figure 7.
+template <class T>
+Loads<T> loads(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
+  s.section("Resultants on the blocks");
+  const T beta = s.eq("7", "beta", si::rad, m.pi / 2 + alpha);
+  const Block<T> sky = block(skyline, m.T_sky, m.f, epsilon, alpha, beta, s);
+  const T printed = s.eq("9", "gamma_sky_printed", si::rad, asin(min(m.T_sky * sin(beta) / sky.R, T(1.0))) - alpha);
+  const Block<T> main = block(mainline, m.T_main, m.f, epsilon, alpha, beta, s);
+  s.section("Internal forces at the clamp");
+  const char* figure = "Shoshin et al. 2022, figure 7";
+  const T Q = s.eq("", "Q", si::N, sky.R * cos(sky.gamma) + main.R * cos(main.gamma), figure);
+  const T N = s.eq("", "N", si::N, sky.R * sin(sky.gamma) + main.R * sin(main.gamma), figure);
+  const T M = s.eq("", "M", si::N_m, sky.R * m.h_sky * cos(sky.gamma) + main.R * m.h_main * cos(main.gamma), figure);
+  out.F_span_sky = value(sky.F_span);
+  out.R_sky = value(sky.R);
+  out.gamma_sky = value(sky.gamma);
+  out.gamma_sky_printed = value(printed);
+  out.F_span_main = value(main.F_span);
+  out.R_main = value(main.R);
+  out.gamma_main = value(main.gamma);
+  out.Q = value(Q);
+  out.N = value(N);
+  out.M = value(M);
+  return {N, M};
+}
+
+/// The root of x^3 - p x - q for p >= 0, q > 0 within a few units of the last place, by Newton's method from above
+/// (the cubic is convex there), so that the sheet's own search starts on a hair's breadth.
+double cubic_root(double p, double q) {
+  double x = std::sqrt(p) + std::cbrt(q);
+  for (int i = 0; i < 60; ++i) {
+    const double next = x - (cube(x) - p * x - q) / (3 * square(x) - p);
+    if (!(next < x)) break;
+    x = next;
+  }
+  return x;
+}
+
+/// Solves sigma x^3 = n x + m, written by `f`, and stores the value.
+template <class T, class F>
+bool size(const char* no, const char* symbol, F&& f, double n, double m, double sigma, Sheet<T>& s, double& out) {
+  const double near = cubic_root(n / sigma, m / sigma);
+  const double hair = 64 * std::numeric_limits<double>::epsilon();
+  const std::optional<T> x = s.root(no, symbol, si::m, f, near * (1 - hair), near * (1 + hair));
+  if (x) out = value(*x);
+  return x.has_value();
+}
+
+/// The table's line for the tube, exact.
+template <class T>
+bool tube_size(const char* symbol, const Mast<T>& m, const T& N, const T& M, Sheet<T>& s, double& out) {
+  // The root's function is stored without allocation when it holds one pointer, hence the struct.
+  const struct { T sigma, N, M, pi, c2, c4; } k{m.sigma, N, M, m.pi, square(m.c), square(square(m.c))};
+  const auto f = [&k](const T& D) {
+    return k.sigma * cube(D) - 4 * k.N * D / (k.pi * (1 - k.c2)) - 32 * k.M / (k.pi * (1 - k.c4));
+  };
+  const double pi = value(m.pi);
+  return size("table*", symbol, f, 4 * value(N) / (pi * (1 - value(k.c2))), 32 * value(M) / (pi * (1 - value(k.c4))),
+              value(m.sigma), s, out);
+}
+
+/// (15), (16) and the table of section kinds, with the table's rounded coefficients beside the exact ones.
+template <class T>
+bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out) {
+  const struct { T sigma, N, M, c2, c4; } k{m.sigma, at.N, at.M, square(m.c), square(square(m.c))};
+  const double N = value(at.N), M = value(at.M), sigma = value(m.sigma);
+  const auto square_bar = [&k](const T& b) { return k.sigma * cube(b) - k.N * b - 6 * k.M; };
+  const auto hollow = [&k](const T& B) { return k.sigma * cube(B) - T(4.0) / 3 * k.N * B - 6.4 * k.M; };
+  const auto hollow_printed = [&k](const T& B) { return k.sigma * cube(B) - 1.33 * k.N * B - 6.41 * k.M; };
+  const auto tube_printed = [&k](const T& D) {
+    return k.sigma * cube(D) - 1.27 * k.N * D / (1 - k.c2) - 10 * k.M / (1 - k.c4);
+  };
+  s.section("Sizes by N/A + M/W = [sigma]");
+  const bool found =
+      size("16", "b_square", square_bar, N, 6 * M, sigma, s, out.b_square) &&
+      size("table", "B_hollow_printed", hollow_printed, 1.33 * N, 6.41 * M, sigma, s, out.B_hollow_printed) &&
+      size("table*", "B_hollow", hollow, 4 * N / 3, 6.4 * M, sigma, s, out.B_hollow) &&
+      size("table", "D_tube_printed", tube_printed, 1.27 * N / (1 - value(k.c2)), 10 * M / (1 - value(k.c4)), sigma, s,
+           out.D_tube_printed) &&
+      tube_size("D_tube", m, at.N, at.M, s, out.D_tube);
+  if (!found) return false;
+  const T D = s.named("D_tube", si::m, out.D_tube);
+  out.t_tube = value(s.eq("", "t_tube", si::m, D * (1 - m.c) / 2, "wall of the tube"));
+  return true;
+}
+
+/// The ropes paid out under load: then the span side carries T_max and the drum side less.
+template <class T>
+bool payout(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
+  s.section("The same with the ropes paid out under load");
+  const T N = s.eq("2*", "N_payout", si::N, (m.T_sky + m.T_main) * (sin(alpha) + exp(-m.f * epsilon)));
+  const T M = s.eq("3*", "M_payout", si::N_m, (m.T_sky * m.h_sky + m.T_main * m.h_main) * cos(alpha));
+  out.N_payout = value(N);
+  out.M_payout = value(M);
+  // A steeply rising rope can pull the mast up when its drum side is slack: the other fibre governs then.
+  return tube_size("D_tube_payout", m, abs(N), M, s, out.D_tube_payout);
+}
+
+template <class T>
+Outcome out_of_range(const Input& in, const T& alpha, const Output& out) {
+  std::string where = in.span ? fmt::format(" with the carriage at x = {:.4g} m (f_x = {:.4g} m)", out.x, out.f_x) : "";
+  return infeasible(fmt::format(
+      "the branch angle is {:.4g} deg{}; the method holds from -60 to 85 deg: change the carriage position, the "
+      "horizontal tension or the chord slope",
+      degrees(value(alpha)), where));
+}
+
+}  // namespace
+
+std::size_t position_count(const Input& in) { return in.span ? in.span->carriage_position.size() : 1; }
+
+double allowable_stress(const Input& in) {
+  if (in.allowable_stress) return *in.allowable_stress;
+  const auto steel = catalogue::find_steel(in.steel.value_or(""));
+  expects(steel.has_value() && in.safety.has_value(), "mast_section takes inputs without complaints");
+  return catalogue::yield(*steel) / *in.safety;
+}
+
+template <class T>
+Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out) {
+  const Mast<T> m = mast_of(in, s);
+  out.sigma_allow = value(m.sigma);
+  const T alpha = branch_angle(in, index, s, out);
+  out.alpha = value(alpha);
+  if (!(out.alpha >= least_branch_angle && out.alpha <= largest_branch_angle)) return out_of_range(in, alpha, out);
+  const T epsilon = wrap_angle(in, m, alpha, s);
+  out.wrap = value(epsilon);
+  const Loads<T> at = loads(m, alpha, epsilon, s, out);
+  if (!ideal_sizes(m, at, s, out) || !payout(m, alpha, epsilon, s, out)) {
+    return not_converged(
+        fmt::format("no section size follows from N = {:.4g} N and M = {:.4g} N m: check the forces "
+                    "and the allowable stress {:.4g} Pa",
+                    out.N, out.M, out.sigma_allow));
+  }
+  return {};
+}
+
+template Outcome compute_at<double>(const Input&, std::size_t, Sheet<double>&, Output&);
+template Outcome compute_at<Num>(const Input&, std::size_t, Sheet<Num>&, Output&);
+
+std::vector<Position> sweep(const Input& in) {
+  std::vector<Position> all;
+  Sheet<double> s;
+  for (std::size_t i = 0; i < position_count(in); ++i) {
+    Position p{i, {}, {}};
+    p.outcome = compute_at(in, i, s, p.out);
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+Governing governing_positions(const Input& in) {
+  Governing g;
+  std::array<double, sizes.size()> most{};
+  most.fill(-1);
+  Sheet<double> s;
+  for (std::size_t i = 0; i < position_count(in); ++i) {
+    Output out;
+    Outcome outcome = compute_at(in, i, s, out);
+    if (!outcome.ok()) {
+      if (most.front() < 0) g.outcome = std::move(outcome);
+      continue;
+    }
+    g.outcome = {};
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      if (out.*sizes[k] > most[k]) most[k] = out.*sizes[k], g.of[k] = i;
+    }
+  }
+  return g;
+}
+
+}  // namespace taut::mast_section
