@@ -24,6 +24,7 @@ std::optional<double> find_root(const std::function<double(double)>& f, double l
   const auto close = [](double a, double b) {
     return std::abs(b - a) <= 2 * std::numeric_limits<double>::epsilon() * std::min(std::abs(a), std::abs(b));
   };
+  if (close(low, high)) return std::abs(at_low) <= std::abs(at_high) ? low : high;
   std::uintmax_t evaluations = most_evaluations;
   const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, at_low, at_high, close, evaluations);
   return std::abs(f(a)) <= std::abs(f(b)) ? a : b;

@@ -38,7 +38,10 @@ const Description& ChooseSection::describe() {
   static const Description d =
       Describe<ChooseSection>()
           .choice(&ChooseSection::shape, "shape",
-                  {{"any", Shape::any}, {"CHS", Shape::chs}, {"SHS", Shape::shs}, {"RHS", Shape::rhs}},
+                  {{"any", SectionKind::any},
+                   {"CHS", SectionKind::chs},
+                   {"SHS", SectionKind::shs},
+                   {"RHS", SectionKind::rhs}},
                   "kind of section; any: the lightest of all")
           .choice(&ChooseSection::forming, "forming",
                   {{"any", FormingChoice::any},

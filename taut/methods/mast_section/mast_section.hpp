@@ -25,7 +25,7 @@ inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 /// Wrap angle of the rope on its block: 90 deg + alpha, as figure 5 has it, or the paper's 120 deg for any alpha.
 enum class Wrap { geometric, paper };
-enum class Shape { any, chs, shs, rhs };
+enum class SectionKind { any, chs, shs, rhs };
 enum class FormingChoice { any, hot, cold, seamless, welded };
 enum class LeastTrust { verified, derived, unverified };
 
@@ -43,7 +43,7 @@ struct Span {
 
 /// Which catalogue sections may be chosen.
 struct ChooseSection {
-  Shape shape = Shape::any;
+  SectionKind shape = SectionKind::any;
   FormingChoice forming = FormingChoice::any;
   std::optional<std::string> standard;  ///< the beginning of its name: "EN 10210"
   LeastTrust least_trust = LeastTrust::unverified;

@@ -25,6 +25,7 @@ using std::atan2;
 using std::cos;
 using std::exp;
 using std::min;
+using std::pow;
 using std::sin;
 using std::sqrt;
 using std::tan;
@@ -34,7 +35,7 @@ double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 /// What all positions share, as quantities of the sheet.
 template <class T>
 struct Mast {
-  T T_sky, T_main, h_sky, h_main, f, c, sigma, pi;
+  T T_sky, T_main, h_sky, h_main, f, c, sigma, pi, c2, c4;
 };
 
 template <class T>
@@ -53,14 +54,10 @@ Mast<T> mast_of(const Input& in, Sheet<T>& s) {
   const T h_sky = s.given(in.skyline_block_height);
   const T h_main = in.mainline_block_height ? s.given(*in.mainline_block_height)
                                             : s.eq("", "h_main", si::m, h_sky, "both blocks at one height");
-  return {T_sky,
-          T_main,
-          h_sky,
-          h_main,
-          s.given(in.block_friction),
-          s.given(in.tube_ratio),
-          allowable(in, s),
-          s.named("pi", si::one, std::numbers::pi)};
+  const T f = s.given(in.block_friction);
+  const T c = s.given(in.tube_ratio);
+  const T sigma = allowable(in, s);
+  return {T_sky, T_main, h_sky, h_main, f, c, sigma, s.named("pi", si::one, std::numbers::pi), pow(c, 2), pow(c, 4)};
 }
 
 /// (10), (11) or the angle as given.
@@ -148,7 +145,8 @@ Loads<T> loads(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, 
 /// The root of x^3 - p x - q for p >= 0, q > 0 within a few units of the last place, by Newton's method from above
 /// (the cubic is convex there), so that the sheet's own search starts on a hair's breadth.
 double cubic_root(double p, double q) {
-  double x = std::sqrt(p) + std::cbrt(q);
+  const double r = std::cbrt(q);
+  double x = std::min(std::sqrt(p) + r, r + p / (3 * r));  // both lie above the root
   for (int i = 0; i < 60; ++i) {
     const double next = x - (cube(x) - p * x - q) / (3 * square(x) - p);
     if (!(next < x)) break;
@@ -161,8 +159,10 @@ double cubic_root(double p, double q) {
 template <class T, class F>
 bool size(const char* no, const char* symbol, F&& f, double n, double m, double sigma, Sheet<T>& s, double& out) {
   const double near = cubic_root(n / sigma, m / sigma);
-  const double hair = 64 * std::numeric_limits<double>::epsilon();
-  const std::optional<T> x = s.root(no, symbol, si::m, f, near * (1 - hair), near * (1 + hair));
+  std::optional<T> x = s.root(no, symbol, si::m, f, std::nextafter(near, 0), std::nextafter(near, 2 * near));
+  for (double hair = 4e-15; !x && hair < 1e-6; hair *= 16) {  // rounding may hide the change of sign that close by
+    x = s.root(no, symbol, si::m, f, near * (1 - hair), near * (1 + hair));
+  }
   if (x) out = value(*x);
   return x.has_value();
 }
@@ -171,7 +171,7 @@ bool size(const char* no, const char* symbol, F&& f, double n, double m, double 
 template <class T>
 bool tube_size(const char* symbol, const Mast<T>& m, const T& N, const T& M, Sheet<T>& s, double& out) {
   // The root's function is stored without allocation when it holds one pointer, hence the struct.
-  const struct { T sigma, N, M, pi, c2, c4; } k{m.sigma, N, M, m.pi, square(m.c), square(square(m.c))};
+  const struct { T sigma, N, M, pi, c2, c4; } k{m.sigma, N, M, m.pi, m.c2, m.c4};
   const auto f = [&k](const T& D) {
     return k.sigma * cube(D) - 4 * k.N * D / (k.pi * (1 - k.c2)) - 32 * k.M / (k.pi * (1 - k.c4));
   };
@@ -183,7 +183,7 @@ bool tube_size(const char* symbol, const Mast<T>& m, const T& N, const T& M, She
 /// (15), (16) and the table of section kinds, with the table's rounded coefficients beside the exact ones.
 template <class T>
 bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out) {
-  const struct { T sigma, N, M, c2, c4; } k{m.sigma, at.N, at.M, square(m.c), square(square(m.c))};
+  const struct { T sigma, N, M, c2, c4; } k{m.sigma, at.N, at.M, m.c2, m.c4};
   const double N = value(at.N), M = value(at.M), sigma = value(m.sigma);
   const auto square_bar = [&k](const T& b) { return k.sigma * cube(b) - k.N * b - 6 * k.M; };
   const auto hollow = [&k](const T& B) { return k.sigma * cube(B) - T(4.0) / 3 * k.N * B - 6.4 * k.M; };

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/catalogue/section_search.hpp"
+#include "taut/catalogue/steel.hpp"
+#include "taut/methods/mast_section/mast_section.hpp"
+#include "taut/methods/mast_section/sizing.hpp"
+
+namespace taut::mast_section {
+namespace {
+
+void branch_angle_rules(const Input& in, std::vector<Complaint>& all) {
+  if (in.branch_angle && in.span) {
+    all.push_back({"branch_angle", "the span gives the branch angle: give branch_angle or span, not both"});
+  }
+  if (!in.branch_angle && !in.span) {
+    all.push_back({"", "no branch angle: give branch_angle, or span so that it follows from the carriage's position"});
+  }
+  if (!in.span) return;
+  const Span& span = *in.span;
+  if (span.carriage_position.empty())
+    all.push_back({"span.carriage_position", "at least one carriage position is needed"});
+  for (std::size_t i = 0; i < span.carriage_position.size(); ++i) {
+    const double x = span.carriage_position[i];
+    if (!(x > span.length)) continue;
+    const std::string at = span.carriage_position.size() > 1 ? fmt::format("[{}]", i) : "";
+    all.push_back({fmt::format("span.carriage_position{}", at),
+                   fmt::format("the carriage at {:.6g} m is beyond the span of {:.6g} m", x, span.length)});
+  }
+}
+
+void stress_rules(const Input& in, std::vector<Complaint>& all) {
+  if (in.allowable_stress && in.steel) {
+    all.push_back({"steel", "the allowable stress is given already: give allowable_stress, or steel and safety"});
+  }
+  if (in.allowable_stress && in.safety) {
+    all.push_back({"safety", "safety goes with steel: an allowable_stress holds as it is"});
+  }
+  if (!in.allowable_stress && !in.steel) {
+    all.push_back({"", "no allowable stress: give allowable_stress, or steel and safety"});
+  }
+  if (in.steel && !in.safety && !in.allowable_stress) {
+    all.push_back({"steel", "safety is missing: the allowable stress is the steel's yield stress over the safety"});
+  }
+  if (!in.steel) return;
+  const auto steel = catalogue::find_steel(*in.steel);
+  if (!steel) all.push_back({"steel", to_text(steel.error())});
+}
+
+void section_rules(const Input& in, std::vector<Complaint>& all) {
+  if (in.section && in.choose_section) {
+    all.push_back({"choose_section", "the section is given already: give section or choose_section, not both"});
+  }
+  if (in.section) {
+    const auto section = catalogue::find_section(*in.section);
+    if (!section) {
+      all.push_back({"section", to_text(section.error())});
+    } else if (in.steel && !in.allowable_stress && catalogue::find_steel(*in.steel)) {
+      const auto yield = catalogue::yield(*in.steel, section->thickness);
+      if (!yield) all.push_back({"section", to_text(yield.error())});
+    }
+  }
+  if (!in.choose_section) return;
+  const auto shapes = shapes_of(in);
+  const bool any = std::any_of(shapes.begin(), shapes.end(), [&](catalogue::SectionShape shape) {
+    return !catalogue::select_sections(filter_of(in, shape)).empty();
+  });
+  if (!any)
+    all.push_back(
+        {"choose_section", "no section of the catalogue is like that: allow another standard, forming or trust"});
+}
+
+}  // namespace
+
+std::vector<Complaint> complaints(const Input& in) {
+  std::vector<Complaint> all;
+  branch_angle_rules(in, all);
+  stress_rules(in, all);
+  section_rules(in, all);
+  return all;
+}
+
+}  // namespace taut::mast_section

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include "taut/methods/mast_section/mast_section.hpp"
+
+namespace taut::mast_section {
+namespace {
+
+Input good() {
+  Input in;
+  in.skyline_force = 100e3;
+  in.mainline_force = 40e3;
+  in.skyline_block_height = 8;
+  in.allowable_stress = 160e6;
+  in.branch_angle = 0.2;
+  return in;
+}
+
+Span span_of(std::vector<double> positions) {
+  Span span;
+  span.length = 300;
+  span.carriage_position = std::move(positions);
+  span.rope_weight = 18;
+  span.load = 20e3;
+  span.horizontal_tension = 90e3;
+  return span;
+}
+
+std::vector<std::string> paths(const Input& in) {
+  std::vector<std::string> all;
+  for (const Complaint& c : complaints(in)) {
+    EXPECT_FALSE(c.message.empty());
+    all.push_back(c.path);
+  }
+  return all;
+}
+
+using Paths = std::vector<std::string>;
+
+TEST(MastSectionComplaints, NoneForAGoodDeck) {
+  EXPECT_EQ(paths(good()), Paths{});
+  Input in = good();
+  in.branch_angle.reset();
+  in.span = span_of({10, 300});
+  EXPECT_EQ(paths(in), Paths{}) << "the far end itself is allowed";
+}
+
+TEST(MastSectionComplaints, AngleOrSpan) {
+  Input in = good();
+  in.span = span_of({10});
+  EXPECT_EQ(paths(in), Paths{"branch_angle"});
+  in.span.reset();
+  in.branch_angle.reset();
+  EXPECT_EQ(paths(in), Paths{""});
+}
+
+TEST(MastSectionComplaints, CarriageBeyondTheSpan) {
+  Input in = good();
+  in.branch_angle.reset();
+  in.span = span_of({10, 301, 5, 400});
+  EXPECT_EQ(paths(in), (Paths{"span.carriage_position[1]", "span.carriage_position[3]"}));
+  in.span = span_of({301});
+  EXPECT_EQ(paths(in), Paths{"span.carriage_position"});
+  in.span = span_of({});
+  EXPECT_EQ(paths(in), Paths{"span.carriage_position"});
+}
+
+TEST(MastSectionComplaints, StressOrSteelWithSafety) {
+  Input in = good();
+  in.steel = "S355";
+  in.safety = 1.5;
+  EXPECT_EQ(paths(in), (Paths{"steel", "safety"}));
+  in.allowable_stress.reset();
+  EXPECT_EQ(paths(in), Paths{});
+  in.safety.reset();
+  EXPECT_EQ(paths(in), Paths{"steel"});
+  in.steel = "S350";
+  in.safety = 1.5;
+  ASSERT_EQ(paths(in), Paths{"steel"});
+  EXPECT_NE(complaints(in)[0].message.find("S355"), std::string::npos);
+  in.steel.reset();
+  in.safety.reset();
+  EXPECT_EQ(paths(in), Paths{""});
+}
+
+TEST(MastSectionComplaints, SectionsThatAreNotThere) {
+  Input in = good();
+  in.section = "CHS 509x16";
+  EXPECT_EQ(paths(in), Paths{"section"});
+  in.section = "CHS 508x16";
+  EXPECT_EQ(paths(in), Paths{});
+  in.choose_section = ChooseSection{};
+  EXPECT_EQ(paths(in), Paths{"choose_section"});
+  in.section.reset();
+  in.choose_section->standard = "DIN 99999";
+  EXPECT_EQ(paths(in), Paths{"choose_section"});
+  in.choose_section->standard = "GOST";
+  EXPECT_EQ(paths(in), Paths{});
+}
+
+}  // namespace
+}  // namespace taut::mast_section

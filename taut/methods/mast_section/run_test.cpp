@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/methods/mast_section/mast_section.hpp"
+
+namespace taut::mast_section {
+namespace {
+
+Input yarder() {
+  Input in;
+  in.skyline_force = 100e3;
+  in.mainline_force = 40e3;
+  in.skyline_block_height = 8;
+  in.mainline_block_height = 7.2;
+  in.steel = "EN 10210-1 S355H";
+  in.safety = 1.2;
+  Span span;
+  span.length = 300;
+  span.chord_slope = 0.1;
+  span.carriage_position = {290, 10, 75, 150};
+  span.rope_weight = 18;
+  span.load = 20e3;
+  span.horizontal_tension = 90e3;
+  in.span = span;
+  return in;
+}
+
+bool warns(const Result& r, std::string_view words) {
+  return std::any_of(r.warnings.begin(), r.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(MastSectionRun, HasAllAReportNeeds) {
+  const Result r = run(yarder());
+  EXPECT_EQ(r.status, Status::ok);
+  EXPECT_EQ(exit_code(r), 0);
+  for (const char* name : {"alpha", "wrap", "F_span_sky", "R_sky", "gamma_sky", "F_span_main", "R_main", "gamma_main",
+                           "N", "M", "Q", "b_square", "B_hollow", "D_tube", "D_tube_printed", "section_stress"}) {
+    EXPECT_NE(r.find_value(name), nullptr) << name;
+  }
+  const Table* positions = r.find_table("positions");
+  ASSERT_NE(positions, nullptr);
+  ASSERT_EQ(positions->rows.size(), 4u);
+  EXPECT_EQ(std::get<double>(positions->rows[0][0]), 290) << "in the order of the deck";
+  for (const auto& row : positions->rows) EXPECT_EQ(row.size(), positions->columns.size());
+  const Table* sections = r.find_table("sections");
+  ASSERT_NE(sections, nullptr);
+  EXPECT_EQ(sections->rows.size(), 3u);
+  for (const auto& row : sections->rows) EXPECT_EQ(row.size(), sections->columns.size());
+  ASSERT_EQ(r.checks.size(), 1u);
+  EXPECT_TRUE(r.checks[0].passes);
+  EXPECT_EQ(r.figures.size(), 7u);
+  EXPECT_FALSE(r.steps.empty());
+  EXPECT_FALSE(r.assumptions.empty());
+  EXPECT_EQ(r.comparisons.size(), 7u);
+  EXPECT_TRUE(warns(r, "guylines and buckling"));
+}
+
+TEST(MastSectionRun, InfeasibleStillShowsItsSteps) {
+  Input in = yarder();
+  in.span->horizontal_tension = 1;
+  const Result r = run(in);
+  EXPECT_EQ(exit_code(r), 3);
+  EXPECT_NE(r.message.find("branch angle"), std::string::npos);
+  EXPECT_NE(r.find_value("alpha"), nullptr);
+  EXPECT_EQ(r.find_value("N"), nullptr);
+  EXPECT_FALSE(r.steps.empty());
+  const Table* positions = r.find_table("positions");
+  ASSERT_NE(positions, nullptr);
+  EXPECT_FALSE(std::get<std::string>(positions->rows[0].back()).empty());
+  EXPECT_TRUE(std::isnan(std::get<double>(positions->rows[0][6])));
+}
+
+TEST(MastSectionRun, NoSectionPasses) {
+  Input in = yarder();
+  in.skyline_force = 50e6;
+  const Result without_wish = run(in);
+  EXPECT_EQ(exit_code(without_wish), 0) << "the ideal sizes are there";
+  EXPECT_TRUE(warns(without_wish, "no CHS of the catalogue carries the mast"));
+  EXPECT_TRUE(without_wish.checks.empty());
+  in.choose_section = ChooseSection{};
+  const Result wished = run(in);
+  EXPECT_EQ(exit_code(wished), 3);
+  EXPECT_NE(wished.message.find("no SHS"), std::string::npos);
+  EXPECT_NE(wished.find_value("D_tube"), nullptr);
+}
+
+TEST(MastSectionRun, WarnsOfUnsafeChoices) {
+  Input in = yarder();
+  EXPECT_FALSE(warns(run(in), "wrap of 120 deg"));
+  in.wrap = Wrap::paper;
+  in.block_friction = 0.3;
+  const Result r = run(in);
+  EXPECT_TRUE(warns(r, "wrap of 120 deg"));
+  EXPECT_TRUE(warns(r, "block friction 0.3"));
+  EXPECT_TRUE(warns(r, "paid out"));
+  EXPECT_TRUE(warns(r, "0.6 % too small"));
+}
+
+TEST(MastSectionRun, UnverifiedSectionIsMarked) {
+  Input in = yarder();
+  in.skyline_force = 20e3;
+  in.mainline_force = 10e3;
+  in.choose_section = ChooseSection{SectionKind::chs, FormingChoice::seamless, "GOST", LeastTrust::unverified};
+  const Result r = run(in);
+  ASSERT_EQ(r.checks.size(), 1u);
+  EXPECT_TRUE(warns(r, "unverified row"));
+}
+
+TEST(MastSectionRun, SomePositionsMayFail) {
+  Input in = yarder();
+  in.span->chord_slope = 0;
+  in.span->load = 1e6;
+  in.span->horizontal_tension = 5e3;
+  in.span->carriage_position = {1, 299};
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::ok);
+  EXPECT_TRUE(warns(r, "1 of 2 carriage positions"));
+}
+
+TEST(MastSectionRun, EveryErratumNamesATestOfTheCases) {
+  for (const Erratum& e : about().errata) EXPECT_EQ(e.test.rfind("MastSectionCase.", 0), 0u);
+}
+
+}  // namespace
+}  // namespace taut::mast_section

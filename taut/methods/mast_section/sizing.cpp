@@ -1,0 +1,122 @@
+#include "taut/methods/mast_section/sizing.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/steel.hpp"
+
+namespace taut::mast_section {
+namespace {
+
+using catalogue::SectionRow;
+using catalogue::SectionShape;
+
+catalogue::Trust least_trust(LeastTrust t) {
+  switch (t) {
+    case LeastTrust::verified:
+      return catalogue::Trust::verified;
+    case LeastTrust::derived:
+      return catalogue::Trust::derived;
+    case LeastTrust::unverified:
+      break;
+  }
+  return catalogue::Trust::unverified;
+}
+
+std::optional<catalogue::Forming> forming_of(FormingChoice f) {
+  switch (f) {
+    case FormingChoice::hot:
+      return catalogue::Forming::hot;
+    case FormingChoice::cold:
+      return catalogue::Forming::cold;
+    case FormingChoice::seamless:
+      return catalogue::Forming::seamless;
+    case FormingChoice::welded:
+      return catalogue::Forming::welded;
+    case FormingChoice::any:
+      break;
+  }
+  return std::nullopt;
+}
+
+double stress_in(const SectionRow& section, const ClampForces& f) { return f.N / section.area + f.M / section.W_el_y; }
+
+}  // namespace
+
+StressLimit limit_of(const Input& in) {
+  if (in.allowable_stress) return {in.allowable_stress, std::nullopt, 1};
+  const auto steel = catalogue::find_steel(in.steel.value_or(""));
+  expects(steel.has_value() && in.safety.has_value(), "mast_section takes inputs without complaints");
+  return {std::nullopt, *steel, *in.safety};
+}
+
+std::optional<double> allowable_stress(const StressLimit& limit, double thickness) {
+  if (limit.given) return limit.given;
+  const auto yield = catalogue::yield(*limit.steel, thickness);
+  if (!yield) return std::nullopt;
+  return *yield / limit.safety;
+}
+
+std::string trust_of(const StressLimit& limit) {
+  if (!limit.steel) return "user";
+  const bool unverified = limit.steel->trust == catalogue::Trust::unverified;
+  return unverified ? fmt::format("UNVERIFIED: {}", limit.steel->trust_text) : std::string(to_text(limit.steel->trust));
+}
+
+std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& section,
+                                 const std::vector<ClampForces>& forces) {
+  expects(!forces.empty(), "a section is assessed under at least one load");
+  const auto allowable = allowable_stress(limit, section.thickness);
+  if (!allowable) return std::nullopt;
+  Assessment a{section, -1, *allowable, {}};
+  for (const ClampForces& f : forces) {
+    const double stress = stress_in(section, f);
+    if (stress > a.stress) a.stress = stress, a.worst = f;
+  }
+  return a;
+}
+
+catalogue::SectionFilter filter_of(const Input& in, SectionShape shape) {
+  const ChooseSection choice = in.choose_section.value_or(ChooseSection{});
+  catalogue::SectionFilter filter;
+  filter.shape = shape;
+  filter.forming = forming_of(choice.forming);
+  filter.standard = choice.standard.value_or("");
+  filter.min_trust = least_trust(choice.least_trust);
+  return filter;
+}
+
+std::vector<SectionShape> shapes_of(const Input& in) {
+  switch (in.choose_section.value_or(ChooseSection{}).shape) {
+    case SectionKind::chs:
+      return {SectionShape::chs};
+    case SectionKind::shs:
+      return {SectionShape::shs};
+    case SectionKind::rhs:
+      return {SectionShape::rhs};
+    case SectionKind::any:
+      break;
+  }
+  return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
+}
+
+std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
+  const StressLimit limit = limit_of(in);
+  for (const SectionRow& row : catalogue::sections_by_mass(filter_of(in, shape))) {
+    auto a = assess(limit, row, forces);
+    if (a && a->passes()) return a;
+  }
+  return std::nullopt;
+}
+
+std::optional<Assessment> strongest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
+  std::optional<Assessment> best;
+  const StressLimit limit = limit_of(in);
+  for (const SectionRow& row : catalogue::sections_by_mass(filter_of(in, shape))) {
+    auto a = assess(limit, row, forces);
+    if (a && (!best || a->utilisation() < best->utilisation())) best = std::move(a);
+  }
+  return best;
+}
+
+}  // namespace taut::mast_section
