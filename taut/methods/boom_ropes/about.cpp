@@ -56,8 +56,7 @@ std::vector<std::string> limits() {
       "F0 is taken with the boom horizontal",
       "Sliding: steady motion or its limit; a boom at rest can stand anywhere between the states of both directions",
       "Geometry of the KS-55713-5K-1 in the defaults of sliding is calibrated or assumed, not published",
-      "Not modelled: rigid-body contact with clearance, side loads, wind, bending of the sections, break of a rope in "
-      "time"};
+      "Not modelled: clearances of the pads, side loads, wind, bending of sections, rope breaks in time"};
   return {std::begin(all), std::end(all)};
 }
 
