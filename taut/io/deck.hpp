@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "taut/io/document.hpp"
+#include "taut/units/display.hpp"
+
+namespace taut::io {
+
+/// What stands around the input of a deck.
+struct Deck {
+  std::string title;
+  std::string method;  ///< one of the methods; empty when the deck names none of them
+  Display display;
+  Node input;  ///< always a map; empty at the deck's place when `input` is missing
+};
+
+/// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, and the keys
+/// `taut`, `title`, `method`, `display`, `input`. All mistakes are added to `mistakes`; when nothing can be read at all
+/// (not YAML) the result is empty. A deck with mistakes may still be read further, to find more of them; it must not
+/// be run.
+///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
+///         a name without a folder)
+///   set: "input.cases[0].falls=6" and so on, in order
+///   methods: names that `method:` may have
+std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
+                              const std::vector<std::string>& methods, Diagnostics& mistakes);
+
+/// The same from a document whose includes and overrides are done.
+Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes);
+
+}  // namespace taut::io

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "taut/base/diagnostic.hpp"
+
+namespace taut::io {
+
+/// Decks above this many bytes are refused unread.
+inline constexpr std::size_t largest_deck = 16U * 1024U * 1024U;
+/// So many mistakes are told, and then how to see more.
+inline constexpr std::size_t most_mistakes = 100;
+
+/// A text with the name that messages give it. Shared by every value that was read from it.
+struct Source {
+  std::string name;
+  std::string text;
+
+  /// Line and column (1-based, in bytes) of a byte of the text.
+  Place place(std::size_t offset) const;
+  /// The line around that byte without its end; empty when it is longer than 100 000 bytes.
+  std::string line(std::size_t offset) const;
+};
+using SourcePtr = std::shared_ptr<const Source>;
+
+/// Bytes `offset` to `offset + width` of a source.
+struct Spot {
+  SourcePtr source;
+  std::size_t offset = 0;
+  std::size_t width = 1;
+
+  Place place() const;
+};
+
+/// `message` at that spot, with the source line; the caret ends with the line.
+Diagnostic at(const Spot& spot, std::string message);
+
+/// Appends a mistake unless there are most_mistakes already; the last one says that there are more.
+void add(Diagnostics& all, Diagnostic d);
+void add(Diagnostics& all, const Spot& spot, std::string message);
+
+/// No further mistake would be told: the reading of a hopeless deck may end.
+inline bool enough(const Diagnostics& all) { return all.size() >= most_mistakes; }
+
+/// Finds what no YAML text may hold: more than largest_deck bytes, NUL and other control characters, UTF-16, invalid
+/// UTF-8. Stops at the first one.
+Diagnostics check_text(const SourcePtr& source);
+
+/// `text` in quotes, cut to a readable length, control characters as '?'.
+std::string in_quotes(std::string_view text);
+
+}  // namespace taut::io
