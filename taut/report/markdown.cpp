@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "taut/base/version.hpp"
+#include "taut/report/html_table.hpp"
 #include "taut/report/quantity.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
@@ -200,7 +201,7 @@ std::string to_markdown(const Result& r) {
   out += section("Mistakes in the deck", errors(r));
   out += section("Warnings", list(r.warnings));
   out += section("Drawings", figures(r, false));
-  out += section("Printed, corrected, exact", comparisons(r));
+  out += section(comparison_title(r), comparisons(r));
   out += section("Results", values(r));
   out += section("Checks", checks(r));
   out += section("Given", given(r));

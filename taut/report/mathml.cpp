@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "taut/report/formula_width.hpp"
 #include "taut/report/symbol.hpp"
 #include "taut/report/text.hpp"
 
@@ -15,13 +16,20 @@ namespace taut::report {
 namespace {
 
 constexpr std::string_view times = "<mo lspace=\".22em\" rspace=\".22em\">⋅</mo>";
-constexpr std::string_view thin_space = "<mspace width=\".17em\"/>";
+constexpr std::string_view thin_space = "<mspace width=\".2em\"/>";
 constexpr std::string_view minus_sign = "<mo form=\"prefix\" lspace=\"0\" rspace=\"0\">−</mo>";
 /// A line of a calculation is far shorter; this only keeps a formula gone wild from filling the page.
 constexpr int most_nodes = 4000;
 
+/// Parentheses grow with what stands in them; around a plain line they keep the size of the letters.
 std::string fenced(std::string_view open, std::string_view inside, std::string_view close) {
-  return fmt::format("<mrow><mo>{}</mo>{}<mo>{}</mo></mrow>", open, inside, close);
+  const bool tall = inside.find("<mfrac") != std::string_view::npos ||
+                    inside.find("<msqrt") != std::string_view::npos || inside.find("<mroot") != std::string_view::npos;
+  const std::string_view grows = tall ? "" : " stretchy=\"false\"";
+  return fmt::format(
+      "<mrow><mo form=\"prefix\"{0} lspace=\"0\" rspace=\"0\">{1}</mo>{2}<mo form=\"postfix\"{0} lspace=\"0\" "
+      "rspace=\"0\">{3}</mo></mrow>",
+      grows, open, inside, close);
 }
 
 std::string one(const std::string& inside) { return fmt::format("<mrow>{}</mrow>", inside); }
@@ -157,6 +165,62 @@ std::vector<Term> spine(const Formula& f, bool sum) {
   return terms;
 }
 
+/// Collects the pieces of a line.
+struct Breaker {
+  Writer writer;
+  Leaves leaves;
+  std::string_view unknown;
+  double most_width;
+  std::vector<Piece> pieces;
+
+  double width(const Formula& f) const { return formula_width(*f, leaves, unknown); }
+
+  /// A product, broken before each factor; `sign` stands before it.
+  void add_product(const Formula& f, const std::string& sign) {
+    const auto factors = spine(f, false);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const Formula& t = *factors[i].formula;
+      if (i == 0) {
+        pieces.push_back({sign + (factors.size() == 1 ? writer.write(*t) : writer.left(t, 2)), width(t)});
+        continue;
+      }
+      // The factor before decides with this one whether a dot is needed; it leads the new piece.
+      const std::string before(writer.between(**factors[i - 1].formula, *t));
+      if (width(t) > most_width && (t->op == Op::add || t->op == Op::subtract)) {
+        add_parenthesis(t, before);
+        continue;
+      }
+      pieces.push_back({before + writer.right(t, 2), width(t) + 1});
+    }
+  }
+
+  /// A sum in parentheses that is too wide for a line: its terms on lines of their own, the parentheses as tall as what
+  /// they hold, which a browser can't see across lines.
+  void add_parenthesis(const Formula& f, const std::string& before) {
+    const std::size_t from = pieces.size();
+    const auto terms = spine(f, true);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const std::string sign =
+          i == 0 ? "" : fmt::format("<mo form=\"infix\">{}</mo>", terms[i].op == Op::add ? "+" : "−");
+      pieces.push_back({sign + (i == 0 ? writer.left(*terms[i].formula, 1) : writer.right(*terms[i].formula, 2)),
+                        width(*terms[i].formula) + 1});
+    }
+    const bool tall = std::any_of(pieces.begin() + static_cast<std::ptrdiff_t>(from), pieces.end(),
+                                  [](const Piece& p) { return p.mathml.find("<mfrac") != std::string::npos; });
+    const std::string_view size = tall ? "minsize=\"2.6em\"" : "stretchy=\"false\"";
+    pieces[from].mathml =
+        fmt::format("{}<mo form=\"prefix\" {} symmetric=\"true\">(</mo>{}", before, size, pieces[from].mathml);
+    pieces.back().mathml += fmt::format("<mo form=\"postfix\" {} symmetric=\"true\">)</mo>", size);
+  }
+
+  /// A term of a sum: whole when it fits on a line.
+  void add_term(const Formula& f, const std::string& sign, bool first) {
+    const double w = width(f) + 1;
+    if (w > most_width && f->op == Op::multiply) return add_product(f, sign);
+    pieces.push_back({sign + (first ? writer.left(f, 1) : writer.right(f, 2)), w});
+  }
+};
+
 }  // namespace
 
 std::string number_mathml(double x) {
@@ -178,25 +242,21 @@ std::string to_mathml(const Formula& f, Leaves leaves, std::string_view unknown)
   return f ? Writer(leaves, unknown).write(*f) : std::string{};
 }
 
-std::vector<std::string> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown) {
+std::vector<Piece> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown, double most_width) {
   if (!f) return {};
-  Writer writer(leaves, unknown);
+  Breaker b{Writer(leaves, unknown), leaves, unknown, most_width, {}};
   const bool sum = f->op == Op::add || f->op == Op::subtract;
-  const auto terms = spine(f, sum);
-  std::vector<std::string> pieces;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Formula& t = *terms[i].formula;
-    if (i == 0) {
-      pieces.push_back(terms.size() == 1 ? writer.write(*t) : writer.left(t, sum ? 1 : 2));
-    } else if (sum) {
-      const char* sign = terms[i].op == Op::add ? "+" : "−";
-      pieces.push_back(fmt::format("<mo form=\"infix\">{}</mo>{}", sign, writer.right(t, 2)));
-    } else {
-      // The factor before decides with this one whether a dot is needed; it leads the new piece.
-      pieces.push_back(std::string(writer.between(**terms[i - 1].formula, *t)) + writer.right(t, 2));
-    }
+  if (!sum) {
+    b.add_product(f, "");
+    return b.pieces;
   }
-  return pieces;
+  const auto terms = spine(f, true);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const std::string sign =
+        i == 0 ? "" : fmt::format("<mo form=\"infix\">{}</mo>", terms[i].op == Op::add ? "+" : "−");
+    b.add_term(*terms[i].formula, sign, i == 0);
+  }
+  return b.pieces;
 }
 
 }  // namespace taut::report

@@ -17,8 +17,16 @@ std::string number_mathml(double x);
 /// unknown of an equation does.
 std::string to_mathml(const Formula& f, Leaves leaves, std::string_view unknown = {});
 
-/// The same in pieces, each for a <math> of its own, where a long line may be broken: before the terms of a sum or the
-/// factors of a product. One piece for anything else; none for no formula.
-std::vector<std::string> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown = {});
+/// A part of a line, for a <math> of its own.
+struct Piece {
+  std::string mathml;
+  double width = 0;  ///< estimated, in multiples of the font size
+};
+
+/// The formula in pieces between which a line may be broken: before the terms of a sum, before the factors of a
+/// product, and inside a term that is wider than `most_width`, before its factors. One piece for anything else; none
+/// for no formula.
+std::vector<Piece> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown = {},
+                                 double most_width = 34);
 
 }  // namespace taut::report

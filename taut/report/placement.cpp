@@ -29,7 +29,9 @@ Box box_beside(Pixel anchor, double ux, double uy, double distance, double w, do
   return box_at({anchor.x + ux * distance + sx * w / 2, anchor.y + uy * distance + sy * h / 2}, w, h);
 }
 
-double price_of(const Box& box, const std::vector<Obstacle>& obstacles, const std::vector<Box>& others,
+Pixel nearest(const Box& b, Pixel p) { return {std::clamp(p.x, b.left, b.right), std::clamp(p.y, b.top, b.bottom)}; }
+
+double price_of(const Box& box, Pixel anchor, const std::vector<Obstacle>& obstacles, const std::vector<Box>& others,
                 const Box& frame) {
   const Box air = box.grown(2);
   double price = 0;
@@ -37,6 +39,12 @@ double price_of(const Box& box, const std::vector<Obstacle>& obstacles, const st
   for (const Obstacle& o : obstacles) {
     const double inside = length_inside(air, o.a, o.b);
     if (inside > 0) price += o.weight * (25 + 2 * inside);
+  }
+  const Pixel edge = nearest(box, anchor);
+  const double far = std::hypot(edge.x - anchor.x, edge.y - anchor.y);
+  if (far > leader_from) {  // the leader line should not run through other words
+    price += 15;
+    for (const Box& o : others) price += length_inside(o, edge, anchor) > 0 ? 60 : 0;
   }
   if (!frame.empty()) {
     const double out =
@@ -56,7 +64,7 @@ Box best_box(const Wanted& w, const std::vector<Obstacle>& obstacles, const std:
   bool first = true;
   const auto consider = [&](const Box& box, double extra) {
     if (!first && extra >= best.price) return;
-    const double price = extra + price_of(box, obstacles, others, frame);
+    const double price = extra + price_of(box, w.anchor, obstacles, others, frame);
     if (first || price < best.price) best = {box, price};
     first = false;
   };
@@ -74,8 +82,6 @@ Box best_box(const Wanted& w, const std::vector<Obstacle>& obstacles, const std:
   }
   return best.box;
 }
-
-Pixel nearest(const Box& b, Pixel p) { return {std::clamp(p.x, b.left, b.right), std::clamp(p.y, b.top, b.bottom)}; }
 
 }  // namespace
 

@@ -14,9 +14,9 @@ using Display = std::map<std::string, std::string>;
 
 /// The unit that a quantity is shown in.
 struct ShownUnit {
-  std::string name;       ///< of the unit list, "kN m"; "1" for a plain number
-  double si = 1;          ///< SI value of one of it
-  bool is_slope = false;  ///< an angle in %: 100 tan(angle)
+  std::string name = "1";  ///< of the unit list, "kN m"; "1" for a plain number
+  double si = 1;           ///< SI value of one of it
+  bool is_slope = false;   ///< an angle in %: 100 tan(angle)
   double of(double si_value) const;
 };
 

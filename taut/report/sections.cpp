@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/report/given.hpp"
+#include "taut/report/html_table.hpp"
 #include "taut/report/quantity.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/svg_drawing.hpp"
@@ -15,10 +17,6 @@
 
 namespace taut::report {
 namespace {
-
-std::string cell(std::string_view inside, std::string_view kind = {}) {
-  return kind.empty() ? fmt::format("<td>{}</td>", inside) : fmt::format("<td class=\"{}\">{}</td>", kind, inside);
-}
 
 std::string list_html(const std::vector<std::string>& lines) {
   std::string out;
@@ -73,17 +71,16 @@ std::string plots_html(const Result& r) {
 
 std::string comparisons_html(const Result& r) {
   if (r.comparisons.empty()) return {};
-  const bool exact =
-      std::any_of(r.comparisons.begin(), r.comparisons.end(), [](const Comparison& c) { return !std::isnan(c.exact); });
+  const bool exact = has_exact(r);
   std::string rows;
   for (const Comparison& c : r.comparisons) {
     const ShownUnit u = shown_unit(c.unit, r.display);
-    const auto number = [&](double x) { return std::isnan(x) ? "–" : escape(number_shown(u.of(x))); };
-    const std::string mark = c.printed_unsafe ? " <span class=\"badge bad\">unsafe</span>" : "";
+    const auto shown = column_shown({u.of(c.printed), u.of(c.corrected), u.of(c.exact)});
+    const std::string mark = c.printed_unsafe ? "<span class=\"badge bad\">printed value is unsafe</span> " : "";
     rows += fmt::format("<tr{}>", c.printed_unsafe ? " class=\"unsafe\"" : "") + cell(symbol_html(c.symbol)) +
-            cell(prose_html(c.quantity)) + cell(number(c.printed) + mark, "num") + cell(number(c.corrected), "num") +
-            (exact ? cell(number(c.exact), "num") : "") + cell(escape(unit_text(u)), "u") +
-            cell(prose_html(c.build_by)) + "</tr>\n";
+            cell(prose_html(c.quantity)) + cell(escape(shown[0]), "num") + cell(escape(shown[1]), "num") +
+            (exact ? cell(escape(shown[2]), "num") : "") + cell(escape(unit_text(u)), "u") +
+            cell(mark + prose_html(c.build_by)) + "</tr>\n";
   }
   return fmt::format(
       "<table><thead><tr><th></th><th>quantity</th><th class=\"num\">as printed</th><th class=\"num\">"
@@ -98,7 +95,7 @@ std::string values_html(const Result& r) {
     const ShownUnit u = shown_unit(v.unit, r.display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
             cell(escape(number_shown(u.of(v.value), 6)), "num") + cell(escape(unit_text(u)), "u") +
-            cell(escape(v.source), "src") + "</tr>\n";
+            cell(escape(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
   }
   return fmt::format(
       "<table><thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th><th>from</th></tr>"
@@ -142,101 +139,6 @@ std::string checks_html(const Result& r) {
       rows);
 }
 
-std::string given_value(const Given& g, const Display& display) {
-  if (g.numbers.empty()) return escape(g.text.empty() ? "–" : g.text);
-  if (g.numbers.size() == 1) return escape(quantity_shown(g.numbers[0], g.unit, display, 6));
-  constexpr std::size_t most = 12;
-  const ShownUnit u = shown_unit(g.unit, display);
-  std::string out;
-  for (std::size_t i = 0; i < std::min(most, g.numbers.size()); ++i) {
-    if (i > 0) out += ", ";
-    out += number_shown(u.of(g.numbers[i]), 6);
-  }
-  if (g.numbers.size() > most) out += fmt::format(", … ({} values)", g.numbers.size());
-  const std::string unit = unit_text(u);
-  return escape(unit.empty() ? out : fmt::format("{} {}", out, unit));
-}
-
-std::string given_html(const Result& r) {
-  if (r.given.empty()) return {};
-  std::string rows;
-  for (const Given& g : r.given) {
-    rows += fmt::format("<tr{}>", g.is_default ? " class=\"default\"" : "") + cell(symbol_html(g.symbol)) +
-            cell(prose_html(g.words)) + cell(given_value(g, r.display), "val") +
-            cell(fmt::format("<code>{}</code>", escape(g.key))) + cell(g.is_default ? "default" : "given", "src") +
-            "</tr>\n";
-  }
-  return fmt::format(
-      "<table><thead><tr><th></th><th>quantity</th><th class=\"val\">value</th><th>key in the deck</th>"
-      "<th></th></tr></thead><tbody>\n{}</tbody></table>\n",
-      rows);
-}
-
-bool is_number_column(const Table& t, std::size_t k) {
-  return std::any_of(t.rows.begin(), t.rows.end(),
-                     [&](const auto& row) { return k < row.size() && std::holds_alternative<double>(row[k]); });
-}
-
-/// Which rows to show: all, or the first ones and the last few with a gap.
-std::vector<std::size_t> shown_rows(const Table& t) {
-  constexpr std::size_t last = 10;
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < t.rows.size(); ++i) {
-    if (t.rows.size() <= most_rows || i < most_rows - last || i + last >= t.rows.size()) all.push_back(i);
-  }
-  return all;
-}
-
-/// Cells of one column, in the order of `rows`.
-std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::vector<std::size_t>& rows,
-                                      const Display& display) {
-  const ShownUnit u = shown_unit(t.columns[k].unit, display);
-  std::vector<double> numbers;
-  for (const std::size_t i : rows) {
-    const auto* x = k < t.rows[i].size() ? std::get_if<double>(&t.rows[i][k]) : nullptr;
-    numbers.push_back(x == nullptr ? NAN : u.of(*x));
-  }
-  const std::vector<std::string> shown = column_shown(numbers);
-  std::vector<std::string> cells;
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const auto& row = t.rows[rows[n]];
-    const auto* words = k < row.size() ? std::get_if<std::string>(&row[k]) : nullptr;
-    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num") : cell(prose_html(*words)));
-  }
-  return cells;
-}
-
-std::string table_html(const Table& t, const Display& display) {
-  const auto rows = shown_rows(t);
-  std::string head;
-  std::vector<std::vector<std::string>> columns;
-  for (std::size_t k = 0; k < t.columns.size(); ++k) {
-    const std::string unit = unit_text(shown_unit(t.columns[k].unit, display));
-    const std::string name = to_html(label_runs(t.columns[k].name));
-    head += fmt::format("<th{}>{}{}</th>", is_number_column(t, k) ? " class=\"num\"" : "", name,
-                        unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(unit)));
-    columns.push_back(column_cells(t, k, rows, display));
-  }
-  std::string body;
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    if (n > 0 && rows[n] != rows[n - 1] + 1) {
-      body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", t.columns.size(),
-                          t.rows.size() - rows.size());
-    }
-    body += "<tr>";
-    for (const auto& column : columns) body += column[n];
-    body += "</tr>\n";
-  }
-  const std::string cut = rows.size() == t.rows.size()
-                              ? ""
-                              : fmt::format("<p class=\"cut\">{} of {} rows are shown; {}.csv has all of them.</p>\n",
-                                            rows.size(), t.rows.size(), escape(t.name));
-  return fmt::format(
-      "<div class=\"wide\"><table class=\"{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
-      "{}</tbody></table></div>\n{}",
-      t.columns.size() > 8 ? "dense" : "data", prose_html(t.title.empty() ? t.name : t.title), head, body, cut);
-}
-
 std::string tables_html(const Result& r) {
   std::string out;
   for (const Table& t : r.tables) {
@@ -248,11 +150,20 @@ std::string tables_html(const Result& r) {
 
 }  // namespace
 
+bool has_exact(const Result& r) {
+  return std::any_of(r.comparisons.begin(), r.comparisons.end(),
+                     [](const Comparison& c) { return !std::isnan(c.exact); });
+}
+
+std::string comparison_title(const Result& r) {
+  return has_exact(r) ? "Printed, corrected and exact" : "Printed against corrected";
+}
+
 std::vector<Section> sections(const Result& r) {
   std::vector<Section> all{{"errors", "Mistakes in the deck", errors_html(r)},
                            {"warnings", "Warnings", list_html(r.warnings)},
                            {"drawings", "Drawings", drawings_html(r)},
-                           {"comparison", "Printed, corrected, exact", comparisons_html(r)},
+                           {"comparison", comparison_title(r), comparisons_html(r)},
                            {"results", "Results", values_html(r)},
                            {"checks", "Checks", checks_html(r)},
                            {"given", "Given", given_html(r)},

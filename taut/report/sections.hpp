@@ -18,7 +18,8 @@ struct Section {
 /// assumptions. Sections without content are left out.
 std::vector<Section> sections(const Result& r);
 
-/// Rows of a table that a page shows; the rest is in the CSV file.
-inline constexpr std::size_t most_rows = 60;
+/// Whether any comparison has an exact value; without one its column is left out.
+bool has_exact(const Result& r);
+std::string comparison_title(const Result& r);
 
 }  // namespace taut::report

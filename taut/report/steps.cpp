@@ -14,11 +14,18 @@ namespace {
 
 constexpr std::size_t most_bytes = 220'000;
 
-/// Pieces of a line, each a <math> that the browser may put on the next line.
-std::string flow(const std::string& head, const std::vector<std::string>& pieces) {
+/// What a line of the page holds, in multiples of the font size of formulas.
+constexpr double line_width = 34;
+
+/// Pieces of a line, each a <math> that the browser may put on the next line; a piece that is too wide for any line is
+/// set smaller, down to half the size.
+std::string flow(const std::string& head, const std::vector<Piece>& pieces) {
   std::string out;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    out += fmt::format("{}<math displaystyle=\"true\">{}{}</math>", i > 0 ? " " : "", i == 0 ? head : "", pieces[i]);
+    const double size = std::max(0.5, line_width / std::max(line_width, pieces[i].width));
+    const std::string style = size < 1 ? fmt::format(" style=\"font-size:{:.2f}em\"", 1.1 * size) : "";
+    out += fmt::format("{}<math displaystyle=\"true\"{}>{}{}</math>", i > 0 ? "<wbr>" : "", style, i == 0 ? head : "",
+                       pieces[i].mathml);
   }
   return out;
 }
@@ -38,9 +45,6 @@ std::string value_html(const Step& s, const Display& display) {
                      escape(si), last);
 }
 
-/// True when the numbers say nothing that the value does not: "x = 3.2 = 3.2".
-bool is_plain_leaf(const Formula& f) { return f && (f->op == Op::number || f->op == Op::symbol); }
-
 std::string reference_html(const Step& s) {
   std::string out = "<div class=\"ref\">";
   if (!s.eq.empty()) out += fmt::format("<span class=\"eq\">({})</span>", escape(s.eq));
@@ -52,14 +56,15 @@ std::string reference_html(const Step& s) {
 std::string equation_html(const Step& s, const Display& display) {
   const std::string left = symbol_mathml(s.symbol);
   const std::string equals = "<mo>=</mo>";
+  if (!s.formula || s.formula->op == Op::number) {  // a value that nothing is put into
+    return fmt::format("<div class=\"f\"><math>{}</math> = {}</div>", left, value_html(s, display));
+  }
   std::string lines;
-  if (s.formula)
-    lines += fmt::format("<div class=\"f\">{}</div>", flow(left + equals, mathml_pieces(s.formula, Leaves::symbols)));
+  lines += fmt::format("<div class=\"f\">{}</div>", flow(left + equals, mathml_pieces(s.formula, Leaves::symbols)));
   const std::string result = fmt::format("<span class=\"r\">= {}</span>", value_html(s, display));
   const std::string numbers =
-      s.formula && !is_plain_leaf(s.formula) ? flow(equals, mathml_pieces(s.formula, Leaves::numbers)) : "";
-  const std::string head = s.formula ? "" : fmt::format("<math>{}</math> ", left);
-  lines += fmt::format("<div class=\"n\">{}{} {}</div>", head, numbers, result);
+      s.formula->op != Op::symbol ? flow(equals, mathml_pieces(s.formula, Leaves::numbers)) : "";
+  lines += fmt::format("<div class=\"n\">{} {}</div>", numbers, result);
   return lines;
 }
 

@@ -19,6 +19,7 @@ constexpr double font_size = 12.5;
 constexpr double paper_width = 660;    ///< what a page takes in its full width
 constexpr double drawing_width = 520;  ///< for the machine itself, before arrows and labels
 constexpr double drawing_height = 380;
+constexpr double polygon_height = 260;
 constexpr double longest_arrow = 95;
 constexpr int longest_label = 64;
 
@@ -134,8 +135,7 @@ struct Drawer {
     const Pen& p = pen(s.role);
     c.roles.insert(s.role);
     const double force = std::hypot(s.fx, s.fy);
-    const double value_digits = 4;
-    const std::string value = quantity_shown(force, si::N, c.display, static_cast<int>(value_digits));
+    const std::string value = quantity_shown(force, si::N, c.display, 4);
     const std::string text = s.label.empty() ? value : fmt::format("{} = {}", s.label, value);
     const Pixel at = c.layout.fit.of(s.at);
     // Along the stretched rope, not across it; the length shows the force whatever the direction.
@@ -258,9 +258,10 @@ Layout layout_of(const Drawing& d, double wide) {
   for (const Point& p : points) {
     if (is_finite(p)) box.add(Pixel{p.x, p.y * layout.fit.vertical});
   }
+  const double high = layout.is_polygon ? polygon_height : drawing_height;
   const double w = box.empty() ? 0 : box.width();
   const double h = box.empty() ? 0 : box.height();
-  if (w > 0 || h > 0) layout.fit.scale = std::min(w > 0 ? wide / w : 1e300, h > 0 ? drawing_height / h : 1e300);
+  if (w > 0 || h > 0) layout.fit.scale = std::min(w > 0 ? wide / w : 1e300, h > 0 ? high / h : 1e300);
   const double force = largest_force(d);
   if (force > 0) layout.force_scale = layout.is_polygon ? layout.fit.scale : longest_arrow / force;
   return layout;
@@ -288,7 +289,7 @@ double round_length(double scale, const ShownUnit& unit) { return nice_below(90 
 void draw_foot(Canvas& c, const Drawing& d) {
   constexpr double row = 20;
   const double left = c.box.left;
-  const double right = std::max(c.box.right, left + 320);
+  const double right = std::max(c.box.right, left + 480);
   Pixel at{left, c.box.bottom + 26};
   std::string out;
   const auto next = [&](double taken) { at.x += taken; };

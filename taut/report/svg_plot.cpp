@@ -113,6 +113,11 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
   if (!r.y.empty() && r.y.low > 0 && r.y.low < 0.5 * r.y.high) r.y.low = 0;
   if (!r.y.empty() && r.y.high < 0 && r.y.high > 0.5 * r.y.low) r.y.high = 0;
   const Span curves = r.y;
+  const bool marked = std::any_of(plot.marks.begin(), plot.marks.end(), [](const Mark& m) { return !m.whole_line; });
+  if (marked && !curves.empty()) {  // room for the words at the highest and the lowest point
+    r.y.high += r.y.high == 0 ? 0 : 0.07 * curves.size();
+    r.y.low -= r.y.low == 0 ? 0 : 0.07 * curves.size();
+  }
   for (const Mark& m : plot.marks) {
     if (!m.whole_line || !std::isfinite(m.y)) continue;
     Span with = r.y;
@@ -281,7 +286,10 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
       if (!m.label.empty()) labels.push_back({p, runs, {0, -1}});
     }
   }
-  const Box inside = s.axes.grown(-4);
+  const Box& a = s.axes;
+  for (const double y : {a.top, a.bottom}) obstacles.push_back({{a.left, y}, {a.right, y}, 3});
+  for (const double x : {a.left, a.right}) obstacles.push_back({{x, a.top}, {x, a.bottom}, 3});
+  const Box inside = a.grown(-4);
   return out + to_svg(place_labels(labels, obstacles, inside, font_size), font_size);
 }
 

@@ -194,7 +194,12 @@ std::string symbol_mathml(std::string_view symbol) {
   } else if (!sup.empty()) {
     base = fmt::format("<msup>{}{}</msup>", base, sup);
   }
-  return s.bracketed ? fmt::format("<mrow><mo>[</mo>{}<mo>]</mo></mrow>", base) : base;
+  return s.bracketed
+             ? fmt::format(
+                   "<mrow><mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">[</mo>{}<mo stretchy=\"false\" lspace=\"0\" "
+                   "rspace=\"0\">]</mo></mrow>",
+                   base)
+             : base;
 }
 
 std::string symbol_html(std::string_view symbol) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/report/quantity.hpp"
+#include "taut/report/sections.hpp"
 #include "taut/report/text.hpp"
 #include "taut/report/verdict.hpp"
 
@@ -97,9 +98,8 @@ std::string comparisons(const Result& r) {
     rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), plain_unit(u),
                     c.printed_unsafe ? "printed value is unsafe" : ""});
   }
-  const bool exact = std::any_of(rows.begin() + 1, rows.end(), [](const Row& row) { return !row[3].empty(); });
-  if (!exact) rows[0][3].clear();
-  return "\nPrinted against corrected\n" + aligned(rows, {false, true, true, true, false, false});
+  if (!has_exact(r)) rows[0][3].clear();
+  return fmt::format("\n{}\n", comparison_title(r)) + aligned(rows, {false, true, true, true, false, false});
 }
 
 std::string values(const Result& r) {

@@ -61,7 +61,10 @@ bool is_unverified(std::string_view trust) {
          });
 }
 
-std::string utilisation_text(double u) { return number_plain(u, 3); }
+std::string utilisation_text(double u) {
+  if (u > 0 && u < 0.001) return "< 0.001";
+  return number_plain(u, 3);
+}
 
 std::string_view outcome_text(const Check& c) { return c.passes ? "passes" : "fails"; }
 

@@ -22,10 +22,10 @@ Verdict verdict(const Result& r);
 /// True when the limit's trust says that nobody has checked it against its source.
 bool is_unverified(std::string_view trust);
 
-/// "0.87"; three significant digits.
+/// "0.87"; three significant digits, "< 0.001" for next to nothing.
 std::string utilisation_text(double utilisation);
 
-/// "×" or "passes" / "fails" in words.
+/// "passes" or "fails".
 std::string_view outcome_text(const Check& c);
 
 }  // namespace taut::report

@@ -28,6 +28,16 @@ MATH = GREEK + [
 ]
 
 
+def let_bars_grow(variants):
+    """STIX builds a tall | from pieces of |, but lets them overlap on one side only: browsers refuse to join them."""
+    glyphs = variants.VertGlyphCoverage.glyphs
+    for name, construction in zip(glyphs, variants.VertGlyphConstruction):
+        parts = construction.GlyphAssembly.PartRecords if construction.GlyphAssembly else []
+        for part in parts:
+            if len(parts) == 2 and parts[0].glyph == parts[1].glyph == name:
+                part.StartConnectorLength = part.EndConnectorLength = part.FullAdvance // 2
+
+
 def make(source, target, style, ranges):
     font = TTFont(folder / source, recalcTimestamp=False)
     options = subset.Options(layout_features=["kern", "liga", "ssty", "dtls", "flac"], hinting=False,
@@ -36,6 +46,8 @@ def make(source, target, style, ranges):
     worker = subset.Subsetter(options)
     worker.populate(unicodes=[c for low, high in ranges for c in range(low, high + 1)])
     worker.subset(font)
+    if "MATH" in font:
+        let_bars_grow(font["MATH"].table.MathVariants)
     postscript = f"TautMath-{style}"
     for record in font["name"].names:
         new = {1: "Taut Math", 2: style, 3: postscript, 4: f"Taut Math {style}", 6: postscript}.get(record.nameID)

@@ -1,0 +1,92 @@
+#include "taut/report/html_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "taut/report/symbol.hpp"
+#include "taut/report/text.hpp"
+
+namespace taut::report {
+namespace {
+
+bool is_number_column(const Table& t, std::size_t k) {
+  return std::any_of(t.rows.begin(), t.rows.end(),
+                     [&](const auto& row) { return k < row.size() && std::holds_alternative<double>(row[k]); });
+}
+
+/// Which rows to show: all, or the first ones and the last few with a gap.
+std::vector<std::size_t> shown_rows(const Table& t) {
+  constexpr std::size_t last = 10;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    if (t.rows.size() <= most_rows || i < most_rows - last || i + last >= t.rows.size()) all.push_back(i);
+  }
+  return all;
+}
+
+/// Cells of one column, in the order of `rows`.
+std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::vector<std::size_t>& rows,
+                                      const Display& display) {
+  const ShownUnit u = shown_unit(t.columns[k].unit, display);
+  std::vector<double> numbers;
+  for (const std::size_t i : rows) {
+    const auto* x = k < t.rows[i].size() ? std::get_if<double>(&t.rows[i][k]) : nullptr;
+    numbers.push_back(x == nullptr ? NAN : u.of(*x));
+  }
+  const std::vector<std::string> shown = column_shown(numbers);
+  std::vector<std::string> cells;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const auto& row = t.rows[rows[n]];
+    const auto* words = k < row.size() ? std::get_if<std::string>(&row[k]) : nullptr;
+    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num") : cell(prose_html(*words)));
+  }
+  return cells;
+}
+
+/// "boom_length" reads as words; a symbol stays one.
+std::string heading(std::string name) {
+  if (split_symbol(name).is_word) std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+}  // namespace
+
+std::string cell(std::string_view inside, std::string_view kind) {
+  return kind.empty() ? fmt::format("<td>{}</td>", inside) : fmt::format("<td class=\"{}\">{}</td>", kind, inside);
+}
+
+std::string table_html(const Table& t, const Display& display) {
+  const auto rows = shown_rows(t);
+  std::string head;
+  std::vector<std::vector<std::string>> columns;
+  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+    const std::string unit = unit_text(shown_unit(t.columns[k].unit, display));
+    const std::string name = to_html(label_runs(heading(t.columns[k].name)));
+    head += fmt::format("<th{}>{}{}</th>", is_number_column(t, k) ? " class=\"num\"" : "", name,
+                        unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(unit)));
+    columns.push_back(column_cells(t, k, rows, display));
+  }
+  std::string body;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    if (n > 0 && rows[n] != rows[n - 1] + 1) {
+      body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", t.columns.size(),
+                          t.rows.size() - rows.size());
+    }
+    body += "<tr>";
+    for (const auto& column : columns) body += column[n];
+    body += "</tr>\n";
+  }
+  const std::string cut = rows.size() == t.rows.size()
+                              ? ""
+                              : fmt::format("<p class=\"cut\">{} of {} rows are shown; {}.csv has all of them.</p>\n",
+                                            rows.size(), t.rows.size(), escape(t.name));
+  return fmt::format(
+      "<div class=\"wide\"><table class=\"{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
+      "{}</tbody></table></div>\n{}",
+      t.columns.size() > 8 ? "dense" : "data", prose_html(t.title.empty() ? t.name : t.title), head, body, cut);
+}
+
+}  // namespace taut::report

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "taut/calc/result.hpp"
+#include "taut/report/quantity.hpp"
+
+namespace taut::report {
+
+/// Rows of a table that a page shows; the rest is in the CSV file.
+inline constexpr std::size_t most_rows = 60;
+
+/// <td> around HTML, with a class: num (right-aligned), u (unit), src (small), ...
+std::string cell(std::string_view inside, std::string_view kind = {});
+
+/// A table of results in display units, a unit under each column's name. Beyond `most_rows` the middle is left out, and
+/// that is said with the name of the CSV file.
+std::string table_html(const Table& t, const Display& display);
+
+}  // namespace taut::report
