@@ -1,0 +1,13 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace taut {
+
+/// A vector and a matrix of space, right-handed axes. Eigen keeps them on the stack.
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+
+/// The upward direction: gravity pulls along -z.
+inline Vector3 up() { return Vector3::UnitZ(); }
+
+}  // namespace taut
