@@ -1,8 +1,8 @@
-#include "taut/methods/closed_loop/closed_loop.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include <numbers>
+
+#include "taut/methods/closed_loop/closed_loop.hpp"
 
 namespace {
 

@@ -5,29 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "test/cases/closed_loop_example.hpp"
+
 // Every number of the paper's example, as published where it holds and as re-derived where it does not.
 
 namespace taut::closed_loop {
 namespace {
 
-constexpr double kgf = 9.80665;
-constexpr double degree = std::numbers::pi / 180;
-constexpr double kgf_per_mm2 = kgf * 1e6;
-constexpr double mm2 = 1e-6;
-
-/// S = 3000 kgf, q_b = 1, q_T = 1.5 kgf/m, l = 200, f = 10, x = 100 m, gamma = 30 deg, alpha = 0, eta = 0.9.
-Input base_case() {
-  Input in;
-  in.span = 200;
-  in.position = {100};
-  in.sag = 10;
-  in.gathering_force = 3000 * kgf;
-  in.gathering_angle = 30 * degree;
-  in.return_weight = 1 * kgf;
-  in.traction_weight = 1.5 * kgf;
-  in.tail_efficiency = 0.9;
-  return in;
-}
+using namespace taut_test;
 
 Output solved(const Input& in) {
   Output out;
@@ -37,25 +22,25 @@ Output solved(const Input& in) {
 }
 
 TEST(ClosedLoop, ResolvesTheGatheringForce) {
-  const Output out = solved(base_case());
+  const Output out = solved(example());
   EXPECT_NEAR(out.P / kgf, 2598.08, 0.01);
   EXPECT_NEAR(out.K / kgf, 1500.00, 0.01);
 }
 
 TEST(ClosedLoop, Equation4SubtractsTwiceTheSagNotTheSpan) {
-  const Output out = solved(base_case());
+  const Output out = solved(example());
   EXPECT_NEAR(out.P_b_no_weight / kgf, 1159.6, 0.1);
   EXPECT_NEAR(out.P_b_no_weight / kgf, 1160, 0.5);  // as published
   EXPECT_NEAR(out.P_b_4_printed / kgf, -190, 0.5);  // as printed: no load a rope could carry
 }
 
 TEST(ClosedLoop, LoadOfTheUpperBranchWithWeights) {
-  const Output out = solved(base_case());
+  const Output out = solved(example());
   EXPECT_NEAR(out.P_b / kgf, 1166.19, 0.01);
 }
 
 TEST(ClosedLoop, TensionsAtMidspan) {
-  const Output out = solved(base_case());
+  const Output out = solved(example());
   EXPECT_NEAR(out.T_b / kgf, 6331.0, 0.1);
   EXPECT_NEAR(out.T_n / kgf, 8534.4, 0.1);
   EXPECT_NEAR(out.T_lA_paper / kgf, 8534.4, 0.1);
@@ -79,21 +64,14 @@ TEST(ClosedLoop, CoefficientsOfTheExampleSystem) {
   EXPECT_NEAR(3 * 97 / 2.0 * 2 * 1500 / 3 / 100, 1455.0, 0.1);
 }
 
-Input two_sections() {
-  Input in = base_case();
-  in.carriage = Carriage::two_section;
-  in.section_distance = 3;
-  return in;
-}
-
 TEST(ClosedLoop, TwoSectionSystemAsPrinted) {
-  const Output out = solved(two_sections());
+  const Output out = solved(two_section_example());
   EXPECT_NEAR(out.P_b_printed / kgf, 1114.97, 0.005);
   EXPECT_NEAR(out.delta_f_printed, 0.94396, 5e-6);
 }
 
 TEST(ClosedLoop, TwoSectionSystemCorrected) {
-  Input in = two_sections();
+  Input in = two_section_example();
   Output out = solved(in);
   EXPECT_NEAR(out.P_b / kgf, 1134.10, 0.0005 * 1134);
   EXPECT_NEAR(out.P_b / kgf, 1134.10, 0.005);
@@ -109,7 +87,7 @@ TEST(ClosedLoop, TwoSectionSystemCorrected) {
 }
 
 TEST(ClosedLoop, TwoSectionTierIsCloseToExactCatenaries) {
-  Input in = two_sections();
+  Input in = two_section_example();
   Output out = solved(in);
   EXPECT_NEAR(out.P_b_closed / kgf, 1134.84, 0.0005 * 1134.84);
   EXPECT_NEAR(out.delta_f_closed, 0.980, 0.001);  // 0.05 % and the last digit printed
@@ -124,7 +102,7 @@ TEST(ClosedLoop, TwoSectionTierIsCloseToExactCatenaries) {
 }
 
 Input sized() {
-  Input in = base_case();
+  Input in = example();
   in.safety_factor = 3.5;
   in.wire_strength = 140 * kgf_per_mm2;
   in.weight_per_area = 0.01 * kgf / mm2;
@@ -150,7 +128,7 @@ TEST(ClosedLoop, Equation8UndersizesTheReturnRope) {
 }
 
 TEST(ClosedLoop, FreeRunningSag) {
-  Input in = base_case();
+  Input in = example();
   in.mode = Mode::free_running;
   in.sag.reset();
   const Output out = solved(in);

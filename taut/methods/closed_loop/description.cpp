@@ -191,7 +191,7 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::T_lLA, "T_lLA", "T_lLA", si::N, "traction rope at the carriage").from("closed-form tier");
   d.field(&Output::T_lLB, "T_lLB", "T_lLB", si::N, "return rope of the lower branch at the carriage")
       .from("closed-form tier");
-  d.field(&Output::T_12, "T_12", "T_12", si::N, "rope between the sections").from("closed-form tier");
+  d.field(&Output::T_12, "T_12", "T_12", si::N, "connecting rope between the sections").from("closed-form tier");
   d.field(&Output::H_1, "H_1", "H_1", si::N, "horizontal tension of the lower branch between A and the carriage")
       .from("closed-form tier");
   d.field(&Output::H_2, "H_2", "H_2", si::N, "of the lower branch between the carriage and B").from("closed-form tier");

@@ -13,6 +13,7 @@ namespace {
 constexpr double degree = 0.017453292519943295;
 constexpr int samples_of_a_rope = 24;
 constexpr int samples_of_a_plot = 61;
+constexpr double ground_depth = 1.8;  // of the ground under the chord, in sags
 
 /// What the figures need to know of a solved position.
 struct View {
@@ -84,7 +85,7 @@ double stretch_of(const View& v) {
 }
 
 void add_ground(Drawing& d, const View& v, const Frame& k) {
-  const double below = 1.8 * std::max(v.f1, v.f2);
+  const double below = ground_depth * std::max(v.f1, v.f2);
   const double margin = 0.06 * v.l;
   d.shapes.emplace_back(
       Polyline{{{-margin, -v.m * margin - below}, {v.l + margin, v.m * (v.l + margin) - below}}, Role::ground});
@@ -107,11 +108,13 @@ void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
 }
 
 void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, const Output& o) {
-  const double below = -2.4 * std::max(v.f1, v.f2) + std::min(0.0, v.l * v.m);
-  d.shapes.emplace_back(DimensionLine{{0, below}, {v.l, below}, 0, fmt::format("l = {:.4g} m", v.l)});
+  // Under the lower end of the ground, so that nothing crosses.
+  const double row = 0.045 * v.l / stretch;
+  const double ground = std::min(0.0, v.l * v.m) - ground_depth * std::max(v.f1, v.f2);
   const double x = o.x;
-  const double nearer = below + 0.035 * v.l / stretch;
-  d.shapes.emplace_back(DimensionLine{{0, nearer}, {x, nearer}, 0, fmt::format("x = {:.4g} m", x)});
+  d.shapes.emplace_back(DimensionLine{{0, ground - row}, {x, ground - row}, 0, fmt::format("x = {:.4g} m", x)});
+  d.shapes.emplace_back(
+      DimensionLine{{0, ground - 2 * row}, {v.l, ground - 2 * row}, 0, fmt::format("l = {:.4g} m", v.l)});
   const Point at = std::abs(x - v.x1) <= std::abs(x - v.x2) ? k.L1 : k.L2;
   d.shapes.emplace_back(DimensionLine{at, {x, v.m * x}, 0, fmt::format("f = {:.3g} m", o.f)});
   d.shapes.emplace_back(Label{{-0.03 * v.l, k.A_l.y - 0.02 * v.l / stretch}, "A"});
@@ -169,7 +172,7 @@ std::vector<PolygonForce> forces_at_carriage(const View& v, const Output& o) {
   all.push_back({o.H_2, o.H_2 * right, "T_lLB", Role::rope});
   all.push_back({v.S_x, -v.S_y, "S", Role::force});
   if (v.W_c > 0) all.push_back({0, -v.W_c, "W_c", Role::force});
-  all.push_back({-o.P_v * std::tan(o.phi), o.P_v, "N", Role::highlight});
+  all.push_back({-o.P_v * std::tan(o.phi), o.P_v, "N", Role::second_force});
   all.push_back({-o.H_1, -o.H_1 * left, "T_lLA", Role::second_rope});
   return all;
 }
@@ -237,8 +240,7 @@ const char* law_of(const Input& in) {
 }  // namespace
 
 Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows) {
-  const bool listed = rows.size() > 1;
-  const std::vector<Row> all = listed ? by_place(rows) : over_the_span(in, ropes);
+  const std::vector<Row> all = over_the_span(in, ropes);
   Plot p;
   p.name = "tensions";
   p.title = "End tensions against the position of the carriage";
@@ -249,8 +251,13 @@ Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& r
               curve_of("T_uB", all, &Output::T_uB), curve_of("T_uA", all, &Output::T_uA)};
   p.curves[2].dashed = true;
   p.curves[3].dashed = true;
+  if (rows.size() > 1) {
+    p.curves.push_back(curve_of("largest, positions of the deck", by_place(rows), &Output::T_max));
+    p.curves.back().points_only = true;
+  }
   const Row& worst = rows[worst_of(rows)];
-  if (worst.outcome.ok()) p.marks.push_back({worst.out.x, worst.out.T_max, listed ? "governs" : "deck", false});
+  if (worst.outcome.ok())
+    p.marks.push_back({worst.out.x, worst.out.T_max, rows.size() > 1 ? "governs" : "deck", false});
   return p;
 }
 
@@ -264,7 +271,9 @@ Plot error_plot(const Input& in, const Ropes& ropes, const Output& out) {
       "the paper is unsafe for a tension. + slope: downhill work.";
   p.x = {"slope of the chord", si::rad};
   p.y = {"paper / closed form - 1", si::one};
-  p.curves = {{"P_b (1)", {}, {}}, {"upper branch at its upper support (7)", {}, {}}, {"T_lA (9)", {}, {}}};
+  p.curves = {{"load of the upper branch (1)", {}, {}},
+              {"upper branch, upper support (7)", {}, {}},
+              {"traction rope at A (9)", {}, {}}};
   Input at = in;
   at.mode = Mode::sag;
   at.winch_pull.reset();

@@ -12,8 +12,8 @@ Drawing loop_drawing(const Input& in, const Output& out);
 /// The forces at the carriage as a closed polygon, N.
 Drawing force_polygon(const Input& in, const Output& out);
 
-/// End tensions against position, in the closed-form tier: over the positions of the deck, or over the whole span by
-/// the deck's law (constant sag, winch pull, ...) when it gives one position.
+/// End tensions against position, in the closed-form tier: over the whole span by the deck's law (constant sag, winch
+/// pull, ...), with the positions of the deck as points when it lists several.
 Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows);
 
 /// Error of the paper's P_b, T_up and T_lA over the slope, at the deck's position and sag; against the closed-form

@@ -19,6 +19,8 @@ constexpr double degree = 0.017453292519943295;
 constexpr double local_slope_limit = 0.2;
 constexpr double slope_limit = 10 * degree;
 constexpr double remarked = 0.01;
+/// Tensions this close count as equal: at a given winch pull T_lA is the same everywhere.
+constexpr double alike_within = 1e-9;
 
 template <class T>
 void keep(const Paper<T>& p, Output& out) {
@@ -114,13 +116,12 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
   const double local = out.f / std::min(value(c.x), value(c.y));
   if (local > local_slope_limit || value(c.alpha) > slope_limit) {
     s.warn([&] {
+      const double excess = out.P_b * std::sin(value(c.alpha_s));
       return fmt::format(
           "The paper's formulas (P_b, T_b, T_n, T_up, T_lA_paper) are outside their range (sag/distance to the nearer "
-          "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). They take the roller force as vertical: that "
-          "alone "
-          "puts about P_b sin(alpha_s) = {} too much on T_lA_paper (less, and unsafe, when negative). Build by the "
-          "closed-form tier.",
-          local, value(c.alpha_s) / degree, kN(out.P_b * std::sin(value(c.alpha_s))));
+          "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). Taking the roller force as vertical alone makes "
+          "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by the closed-form tier.",
+          local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large");
     });
   }
   const double peak = peaks_of(out).return_rope.tension;
@@ -219,13 +220,16 @@ std::vector<Row> sweep(const Input& in, const Ropes& ropes) {
 }
 
 std::size_t worst_of(const std::vector<Row>& rows) {
+  const auto sum = [](const Output& o) { return o.T_uA + o.T_uB + o.T_lA + o.T_lB; };
   std::size_t worst = 0;
-  double largest = -1;
+  bool any = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].outcome.ok() && rows[i].out.T_max > largest) {
-      largest = rows[i].out.T_max;
-      worst = i;
-    }
+    if (!rows[i].outcome.ok()) continue;
+    const Output& best = rows[worst].out;
+    const Output& o = rows[i].out;
+    const bool alike = any && std::abs(o.T_max - best.T_max) <= alike_within * best.T_max;
+    if (!any || (alike ? sum(o) > sum(best) : o.T_max > best.T_max)) worst = i;
+    any = true;
   }
   return worst;
 }

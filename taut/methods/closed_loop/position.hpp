@@ -19,7 +19,8 @@ struct Row {
 /// The positions of the deck, midspan when it gives none, each computed in double.
 std::vector<Row> sweep(const Input& in, const Ropes& ropes);
 
-/// The row with the largest tension at a rope end; the first row when all are infeasible.
+/// The row with the largest tension at a rope end; among equal ones the row with the largest sum of end tensions; the
+/// first row when all are infeasible.
 std::size_t worst_of(const std::vector<Row>& rows);
 
 /// The setting of row `index`.

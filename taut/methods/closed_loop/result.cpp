@@ -91,8 +91,15 @@ void add_checks(const Input& in, const Ropes& ropes, const std::vector<Row>& row
                                 "sag under the chord at most clearance of the deck", "user"));
 }
 
-/// Printed against corrected; a printed value more than 1 % too low is called unsafe.
+/// Printed against corrected.
 Comparison compared(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
+                    const char* build_by) {
+  return {what, symbol, unit, printed, corrected, none, build_by, false};
+}
+
+/// The same for what a rope must withstand: a printed value more than 1 % too low is unsafe. (Of a load that two
+/// branches share, too small a part of one is too large a part of the other.)
+Comparison demanded(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
                     const char* build_by) {
   return {what, symbol, unit, printed, corrected, none, build_by, printed < corrected * 0.99};
 }
@@ -115,17 +122,17 @@ void add_comparisons(const Input& in, const Output& o, Result& r) {
                si::N, o.P_b, o.P_b_closed, "corrected: roller force normal to the rope");
   load.printed_unsafe = false;  // too small a share of one branch is too large a share of the other
   add(r, load);
-  add(r, compared("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
+  add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
                   "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
-  add(r, compared("highest tension of the return rope, (7)", "T_up", si::N, o.T_up, peaks_of(o).return_rope.tension,
+  add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N, o.T_up, peaks_of(o).return_rope.tension,
                   "corrected: the rope is tightest behind the sheave at B, not in the upper branch"));
-  add(r, compared("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
+  add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
                   "corrected: closed-form tier"));
-  add(r, compared("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
+  add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
                   "corrected: closed-form tier, roller force normal to the rope"));
-  add(r, compared("area of the return rope, (8)", "F_return", si::m2, o.F_return_paper, o.F_return,
+  add(r, demanded("area of the return rope, (8)", "F_return", si::m2, o.F_return_paper, o.F_return,
                   "corrected: (8*), sized for the rope behind the sheave"));
-  add(r, compared("area of the traction rope, (10)", "F_traction", si::m2, o.F_traction_paper, o.F_traction,
+  add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2, o.F_traction_paper, o.F_traction,
                   "corrected: (10*), with the roller's push along the slope"));
 }
 

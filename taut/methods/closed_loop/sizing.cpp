@@ -52,9 +52,9 @@ Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
   const T strength = 8.0 * sigma * c.f * cos2;
   const T own = k * c.l * n;
   const T eta = min(c.eta, T(1.0));  // out-haul: the upper branch itself is the tighter one
-  const T below_8 = s.eq("8", "D_8", si::N, strength - own * (c.l + 2.0 * bend));
-  const T below_10 = s.eq("10", "D_10", si::N, 2.0 * strength - own * (c.l + 3.0 * at_A));
-  const T below_b = s.eq("8*", "D_8c", si::N, eta * strength - own * (c.l + 2.0 * at_B));
+  const T below_8 = s.eq("8", "D_8", si::N_per_m, strength - own * (c.l + 2.0 * bend));
+  const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * (c.l + 3.0 * at_A));
+  const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * (c.l + 2.0 * at_B));
   if (!(value(below_8) > 0 && value(below_10) > 0 && value(below_b) > 0)) {
     return too_shallow(words_of(c), *in.safety_factor);
   }
@@ -144,7 +144,6 @@ Peaks peaks_of(const Output& out) {
   raise(p.return_rope, out.T_uB, out.x, "upper branch at B");
   raise(p.return_rope, out.T_lB, out.x, "lower branch at B");
   raise(p.return_rope, out.T_lLB, out.x, "lower branch at the carriage");
-  raise(p.return_rope, out.T_12, out.x, "between the carriage sections");
   raise(p.traction_rope, out.T_lA, out.x, "lower branch at A");
   raise(p.traction_rope, out.T_lLA, out.x, "lower branch at the carriage");
   return p;

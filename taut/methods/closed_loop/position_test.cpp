@@ -1,0 +1,112 @@
+#include "taut/methods/closed_loop/position.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test/cases/closed_loop_example.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+using namespace taut_test;
+
+Ropes ropes_from(const Input& in) {
+  Ropes ropes;
+  EXPECT_TRUE(ropes_of(in, ropes).ok());
+  return ropes;
+}
+
+TEST(ClosedLoopPosition, TheWorstPositionHasTheLargestEndTension) {
+  Input in = example();
+  in.position = {30, 90, 60, 170};
+  const auto rows = sweep(in, ropes_from(in));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(worst_of(rows), 1U);
+  for (const Row& row : rows) EXPECT_LE(row.out.T_max, rows[1].out.T_max);
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_EQ(out.x, 90);
+  EXPECT_EQ(out.T_lA, rows[1].out.T_lA);
+}
+
+TEST(ClosedLoopPosition, InfeasiblePositionsStayInTheSweep) {
+  Input in = example();
+  in.slope = -25 * degree;
+  in.gathering_angle = 50 * degree;
+  in.position = {5, 100};
+  const auto rows = sweep(in, ropes_from(in));
+  EXPECT_FALSE(rows[0].outcome.ok());
+  EXPECT_FALSE(rows[0].outcome.message.empty());
+  EXPECT_TRUE(rows[1].outcome.ok()) << rows[1].outcome.message;
+  EXPECT_EQ(worst_of(rows), 1U);
+}
+
+TEST(ClosedLoopPosition, EqualPullsAreToldApartByTheOtherEnds) {
+  Input in = example();
+  in.mode = Mode::winch_pull;
+  in.sag.reset();
+  in.winch_pull = 80e3;
+  in.position = {60, 100, 160, 80};
+  const auto rows = sweep(in, ropes_from(in));
+  EXPECT_EQ(worst_of(rows), 2U);  // the tension at B grows toward B
+}
+
+TEST(ClosedLoopPosition, AtAGivenPullTheTailTensionGrowsTowardB) {
+  Input in = example();
+  Output mid;
+  ASSERT_TRUE(solve(in, mid).ok());
+  in.mode = Mode::winch_pull;
+  in.sag.reset();
+  in.winch_pull = mid.T_lA;
+  double most = 0;
+  for (double x = 100; x < 190; x += 2) {
+    in.position = {x};
+    Output o;
+    ASSERT_TRUE(solve(in, o).ok()) << x;
+    most = std::max(most, o.T_uB);
+  }
+  EXPECT_NEAR(most / mid.T_uB - 1, 0.038, 0.004);
+}
+
+TEST(ClosedLoopPosition, NamedRopesGiveTheirWeights) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.return_rope = "6x36-IWRC 16 mm 1960 MPa";
+  in.traction_rope = "6x36-IWRC 18 mm 1960 MPa";
+  const Ropes ropes = ropes_from(in);
+  EXPECT_NEAR(ropes.q_b, ropes.return_rope->mass_per_length * 9.80665, 1e-12);
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_EQ(out.q_b, ropes.q_b);
+  EXPECT_EQ(out.q_T, ropes.q_T);
+}
+
+TEST(ClosedLoopPosition, NoVerticalLoadIsRefusedFirst) {
+  Input in = example();
+  in.slope = -30 * degree;
+  in.gathering_angle = 70 * degree;
+  Output out;
+  const Outcome o = solve(in, out);
+  EXPECT_EQ(o.status, Status::infeasible);
+  EXPECT_NE(o.message.find("no vertical load"), std::string::npos) << o.message;
+  EXPECT_TRUE(std::isfinite(out.P));
+  EXPECT_TRUE(std::isnan(out.T_b));
+}
+
+TEST(ClosedLoopPosition, LiftOffBoundaryAtMidspan) {
+  // cot(gamma) + tan(alpha_s) <= 2 f/l; uphill 30 deg, f/l = 0.05: gamma > 56 deg is impossible.
+  Input in = example();
+  in.slope = -30 * degree;
+  in.return_weight = 1e-6;
+  in.traction_weight = 1e-6;
+  Output out;
+  in.gathering_angle = 55.4 * degree;
+  EXPECT_TRUE(solve(in, out).ok());
+  in.gathering_angle = 56.3 * degree;
+  EXPECT_EQ(solve(in, out).status, Status::infeasible);
+}
+
+}  // namespace
+}  // namespace taut::closed_loop

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/methods/closed_loop/closed_loop.hpp"
+#include "test/cases/closed_loop_example.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+using namespace taut_test;
+
+bool warns(const Result& r, const std::string& words) {
+  return std::any_of(r.warnings.begin(), r.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(ClosedLoopResult, TheExampleIsWhole) {
+  Input in = example();
+  in.safety_factor = 3.5;
+  in.wire_strength = 140 * kgf_per_mm2;
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::ok);
+  EXPECT_EQ(r.method, "closed_loop");
+  EXPECT_EQ(exit_code(r), 0);
+  EXPECT_EQ(r.figures.size(), 4U);
+  EXPECT_EQ(r.comparisons.size(), 8U);
+  EXPECT_TRUE(warns(r, "(7) is unsafe"));
+  EXPECT_FALSE(warns(r, "outside their range"));
+  for (const char* name : {"P", "K", "P_b", "P_b_no_weight", "T_b", "T_n", "T_up", "T_lA_paper", "N", "P_v", "T_uA",
+                           "T_uB", "T_lA", "T_lB", "F_return_paper", "F_traction_paper", "F_return", "F_traction"}) {
+    EXPECT_NE(r.find_value(name), nullptr) << name;
+  }
+  EXPECT_EQ(r.find_table("positions"), nullptr);
+}
+
+TEST(ClosedLoopResult, TwoSectionsHaveTheirOwnValues) {
+  const Result r = run(two_section_example());
+  for (const char* name : {"P_b", "delta_f", "P_b_printed", "delta_f_printed"}) {
+    EXPECT_NE(r.find_value(name), nullptr) << name;
+  }
+}
+
+TEST(ClosedLoopResult, AListOfPositionsMakesATable) {
+  Input in = example();
+  in.slope = -25 * degree;
+  in.gathering_angle = 50 * degree;
+  in.position = {5, 100, 60};
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok);
+  const Table* t = r.find_table("positions");
+  ASSERT_NE(t, nullptr);
+  ASSERT_EQ(t->rows.size(), 3U);
+  EXPECT_TRUE(std::isnan(std::get<double>(t->rows[0][8])));
+  EXPECT_NE(std::get<std::string>(t->rows[0].back()), "");
+  EXPECT_EQ(std::get<std::string>(t->rows[1].back()), "");
+  EXPECT_EQ(r.find_value("x")->value, 100);
+  EXPECT_TRUE(warns(r, "1 of 3 positions"));
+  EXPECT_TRUE(warns(r, "outside their range"));
+}
+
+TEST(ClosedLoopResult, NothingFeasibleKeepsTheStepsReached) {
+  Input in = example();
+  in.slope = -30 * degree;
+  in.gathering_angle = 58 * degree;
+  in.position = {80, 100};
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::infeasible);
+  EXPECT_NE(r.message.find("none of the 2 positions"), std::string::npos);
+  EXPECT_FALSE(r.steps.empty());
+  EXPECT_NE(r.find_value("P_b"), nullptr);
+  EXPECT_NE(r.find_table("positions"), nullptr);
+  EXPECT_EQ(exit_code(r), 3);
+}
+
+TEST(ClosedLoopResult, ChosenRopesPassTheirChecks) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.safety_factor = 3.5;
+  in.choose_ropes = RopeFilter{"6x36", "IWRC", 1960e6};
+  in.clearance = 12;
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  ASSERT_EQ(r.checks.size(), 3U);
+  EXPECT_EQ(exit_code(r), 0);
+  const Table* t = r.find_table("ropes");
+  ASSERT_NE(t, nullptr);
+  ASSERT_EQ(t->rows.size(), 2U);
+  EXPECT_EQ(std::get<std::string>(t->rows[0][0]), "return");
+  EXPECT_GE(std::get<double>(t->rows[0][8]), 3.5);
+  EXPECT_NE(r.checks[0].trust.find("derived"), std::string::npos);
+}
+
+TEST(ClosedLoopResult, AThinRopeFailsItsCheck) {
+  Input in = example();
+  in.return_weight.reset();
+  in.return_rope = "6x36-IWRC 10 mm 1960 MPa";
+  in.safety_factor = 3.5;
+  in.clearance = 9;
+  const Result r = run(in);
+  ASSERT_EQ(r.checks.size(), 2U);
+  EXPECT_FALSE(r.checks[0].passes);
+  EXPECT_FALSE(r.checks[1].passes);  // 10 m of sag over 9 m of clearance
+  EXPECT_EQ(exit_code(r), 4);
+}
+
+TEST(ClosedLoopResult, AFreeCarriageIsWarnedOf) {
+  Input in = example();
+  in.sag = 26;
+  EXPECT_TRUE(warns(run(in), "has left its stop"));
+}
+
+TEST(ClosedLoopResult, NoRopeIsInfeasibleWithoutSteps) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.safety_factor = 3.5;
+  in.gathering_force *= 100;
+  in.choose_ropes = RopeFilter{};
+  const Result r = run(in);
+  EXPECT_EQ(r.status, Status::infeasible);
+  EXPECT_FALSE(r.given.empty());
+}
+
+}  // namespace
+}  // namespace taut::closed_loop

@@ -1,0 +1,36 @@
+#pragma once
+#include <numbers>
+
+#include "taut/methods/closed_loop/closed_loop.hpp"
+
+namespace taut_test {
+
+inline constexpr double kgf = 9.80665;
+inline constexpr double degree = std::numbers::pi / 180;
+inline constexpr double mm2 = 1e-6;
+inline constexpr double kgf_per_mm2 = kgf / mm2;
+
+/// The paper's example: S = 3000 kgf, q_b = 1, q_T = 1.5 kgf/m, l = 200, f = 10, x = 100 m, gamma = 30 deg, alpha = 0,
+/// eta = 0.9.
+inline taut::closed_loop::Input example() {
+  taut::closed_loop::Input in;
+  in.span = 200;
+  in.position = {100};
+  in.sag = 10;
+  in.gathering_force = 3000 * kgf;
+  in.gathering_angle = 30 * degree;
+  in.return_weight = 1 * kgf;
+  in.traction_weight = 1.5 * kgf;
+  in.tail_efficiency = 0.9;
+  return in;
+}
+
+/// The same with the two-section carriage, d = 3 m.
+inline taut::closed_loop::Input two_section_example() {
+  auto in = example();
+  in.carriage = taut::closed_loop::Carriage::two_section;
+  in.section_distance = 3;
+  return in;
+}
+
+}  // namespace taut_test
