@@ -1,0 +1,35 @@
+#include "taut/catalogue/rope_words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace taut::catalogue {
+namespace {
+
+TEST(RopeWords, AnyOrder) {
+  for (const char* text : {"EN 12385-4|6x36-IWRC|16|1960", "6x36-IWRC 16 mm 1960 MPa", "16mm 6x36 IWRC 1960MPa",
+                           "1960 N/mm2 EN 12385-4 6x36 IWRC 16 mm"}) {
+    const auto rope = find_rope_in_words(text);
+    ASSERT_TRUE(rope.has_value()) << text << ": " << to_text(rope.error());
+    EXPECT_EQ(rope->id, "EN 12385-4|6x36-IWRC|16|1960") << text;
+  }
+}
+
+TEST(RopeWords, TakesTheWordsApart) {
+  const RopeDescription d = describe_rope("EN 12385-4 6x36 FC 20 mm 1770 MPa");
+  EXPECT_EQ(d.standard, "EN 12385-4");
+  EXPECT_EQ(d.construction, "6x36");
+  EXPECT_EQ(d.core, "FC");
+  EXPECT_DOUBLE_EQ(d.diameter, 0.020);
+  EXPECT_DOUBLE_EQ(d.grade.value(), 1770e6);
+}
+
+TEST(RopeWords, SaysWhatIsMissing) {
+  EXPECT_FALSE(find_rope_in_words("6x36 IWRC").has_value());
+  EXPECT_FALSE(find_rope_in_words("16 mm").has_value());
+  const auto rope = find_rope_in_words("6x36-IWRC 16.5 mm 1960 MPa");
+  ASSERT_FALSE(rope.has_value());
+  EXPECT_FALSE(rope.error().message.empty());
+}
+
+}  // namespace
+}  // namespace taut::catalogue

@@ -1,0 +1,95 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/calc/method.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/calc/sheet.hpp"
+
+/// Friction drive of an endless rope with cutters (rope-saw), after Ryabukhin, Grigoriev, Ivanov (2022).
+///
+/// The rope runs over a driving sheave and an idler that is pulled by a constant force. From the cutting force, the
+/// speed and the friction follow the branch forces at the limit of slip, the initial tension P_M of the paper, and the
+/// take-up pull that keeps the rope from slipping, which the paper's P_M does not.
+///
+/// All forces are tensions, N, positive when they pull. T_1, P_tight: the branch that the driving sheave draws in; T_2,
+/// P_slack: the one that it lets go. Both contain the centrifugal tension c = q U^2.
+namespace taut::friction_drive {
+
+inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+struct Input {
+  double cutting_force = not_computed;  ///< P_p, N
+  double friction = not_computed;       ///< mu, 0 < mu <= 1.5
+  double wrap = not_computed;           ///< alpha on the driving sheave, rad
+  double rope_mass = not_computed;      ///< q, kg/m, with the cutters
+  double speed = not_computed;          ///< U, m/s
+  double grip_reserve = 1.2;            ///< m >= 1
+  double section_factor = 0;            ///< k of Andreev's formula
+  double fill_ratio = 1;                ///< K_fill / K_fill_max
+  double rest_arc = 0;                  ///< m_a d/R, rad
+  double idler_loss = 1.08;             ///< r, the factor in (14)
+  std::optional<double> rope_area;      ///< A, m2
+  std::optional<double> sheave_radius;  ///< R to the rope's centre, m
+  std::optional<std::string> rope;      ///< of the catalogue: id, or construction, core, diameter and grade in words
+
+  static const Description& describe();
+};
+
+struct Output {
+  double euler_ratio = not_computed;             ///< exp(mu alpha)
+  double andreev_ratio = not_computed;           ///< exp(mu phi)
+  double phi = not_computed;                     ///< rad
+  double e = not_computed;                       ///< exp(mu phi)
+  double c = not_computed;                       ///< N
+  double P_slack = not_computed;                 ///< N, (15)
+  double P_tight = not_computed;                 ///< N, (16)
+  double P_tight_printed = not_computed;         ///< N, (13) as printed
+  double P_T = not_computed;                     ///< N, (17)
+  double P_M = not_computed;                     ///< N, (18) derived
+  double P_M_printed = not_computed;             ///< N, (18) as printed
+  double P_M_3_printed = not_computed;           ///< N, (3) as printed
+  double T_1 = not_computed;                     ///< N, with P_M
+  double T_2 = not_computed;                     ///< N, with P_M
+  double slip_ratio = not_computed;              ///< (T_1 - c)/(T_2 - c)
+  double cutting_force_at_P_M = not_computed;    ///< N, what a take-up that holds P_M can pass on
+  double T_1_no_slip = not_computed;             ///< N
+  double T_2_no_slip = not_computed;             ///< N
+  double takeup_no_slip = not_computed;          ///< N
+  double takeup_with_idler_loss = not_computed;  ///< N
+  double takeup_15_16 = not_computed;            ///< N, P_tight + P_slack - 2 c
+  double speed_of_lost_grip = not_computed;      ///< m/s
+  double F_0 = not_computed;                     ///< N, tension of each branch at rest
+  double sigma_0 = not_computed;                 ///< Pa
+  double sigma_tight = not_computed;             ///< Pa
+  double torque = not_computed;                  ///< N m, (1), (2)
+  double torque_working = not_computed;          ///< N m
+  double power = not_computed;                   ///< W
+  double power_working = not_computed;           ///< W
+  double diameter_ratio = not_computed;          ///< D/d
+  double safety_factor = not_computed;           ///< minimum breaking force over the largest tension
+
+  static const Description& describe();
+};
+
+const Method& about();
+
+/// Rules between fields and names that the catalogue lacks; paths below `input`.
+std::vector<Complaint> complaints(const Input& in);
+
+/// The paper's equations in its order, the corrected ones beside them, and the drive that does not slip. Infeasible
+/// when e <= idler_loss: the grip can't even turn the idler. Does not look at `rope`. Instantiated for double and Num.
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out);
+
+/// compute<double>, without allocation.
+Outcome solve(const Input& in, Output& out);
+
+/// The whole calculation note: values, steps, checks, comparisons, tables, figures; and the rope's strength.
+Result run(const Input& in);
+
+}  // namespace taut::friction_drive

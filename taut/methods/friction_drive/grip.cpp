@@ -1,0 +1,67 @@
+#include "taut/methods/friction_drive/grip.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace taut::friction_drive {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+/// A little more than just enough, so that the value named in a message does what it says.
+constexpr double margin = 1.005;
+
+}  // namespace
+
+double working_share(const Input& in) {
+  return (1 - in.section_factor) / (in.friction * in.section_factor + 1) * in.fill_ratio;
+}
+
+double grip_ratio(const Input& in) { return std::exp(in.friction * (in.wrap - in.rest_arc) * working_share(in)); }
+
+std::optional<double> wrap_for(const Input& in, double ratio) {
+  const double share = working_share(in);
+  if (!(share > 0)) return std::nullopt;
+  return in.rest_arc + std::log(ratio) / (in.friction * share);
+}
+
+std::optional<double> friction_for(const Input& in, double ratio) {
+  // mu G / (mu k + 1) = ln(ratio)
+  const double G = (in.wrap - in.rest_arc) * (1 - in.section_factor) * in.fill_ratio;
+  const double below = G - std::log(ratio) * in.section_factor;
+  if (!(below > 0)) return std::nullopt;
+  const double mu = std::log(ratio) / below;
+  return mu <= 1.5 ? std::optional(mu) : std::nullopt;
+}
+
+std::optional<double> fill_for(const Input& in, double ratio) {
+  const double full =
+      in.friction * (in.wrap - in.rest_arc) * (1 - in.section_factor) / (in.friction * in.section_factor + 1);
+  if (!(full > 0)) return std::nullopt;
+  const double fill = std::log(ratio) / full;
+  return fill <= 1 ? std::optional(fill) : std::nullopt;
+}
+
+std::string how_to_get_grip(const Input& in) {
+  const double ratio = in.idler_loss * margin;
+  std::vector<std::string> ways;
+  if (const auto wrap = wrap_for(in, ratio)) ways.push_back(fmt::format("the wrap above {:.4g} deg", *wrap / degree));
+  if (const auto mu = friction_for(in, ratio)) ways.push_back(fmt::format("the friction above {:.3g}", *mu));
+  if (const auto fill = fill_for(in, ratio)) ways.push_back(fmt::format("the fill ratio above {:.3g}", *fill));
+  if (in.rest_arc > 0) ways.emplace_back("or lower the rest arc");
+  if (in.section_factor > 0) ways.emplace_back("or lower the section factor");
+  return fmt::format(
+      "no grip: e = exp(mu phi) = {:.4g} does not exceed the idler loss {:.4g}, so the driving sheave can't even "
+      "turn the idler; raise {}",
+      grip_ratio(in), in.idler_loss,
+      ways.empty() ? "friction, wrap and fill ratio together" : fmt::format("{}", fmt::join(ways, ", ")));
+}
+
+double transmissible_force(double pull, double e, double m) { return std::max(0.0, pull) * (e - 1) / (e - 1 + 2 * m); }
+
+double pull_for(double cutting_force, double e, double m) { return cutting_force * (1 + 2 * m / (e - 1)); }
+
+}  // namespace taut::friction_drive

@@ -1,0 +1,80 @@
+#include "taut/methods/friction_drive/rope_strength.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/construction.hpp"
+#include "taut/catalogue/rope_words.hpp"
+
+namespace taut::friction_drive {
+namespace {
+
+std::string trust_text(catalogue::Trust trust, const std::string& text) {
+  if (trust == catalogue::Trust::unverified) return fmt::format("UNVERIFIED: {}", text);
+  return std::string(to_text(trust));
+}
+
+/// "6x36WS IWRC" names a construction and a core, "18x7 / 19x7" two constructions.
+bool advice_fits(const std::string& group, const catalogue::RopeRow& rope) {
+  std::size_t from = 0;
+  while (from < group.size()) {
+    const std::size_t to = std::min(group.find(' ', from), group.size());
+    const std::string word = group.substr(from, to - from);
+    if (catalogue::parse_construction(word) && catalogue::matches_construction(rope.construction, word)) return true;
+    from = to + 1;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<catalogue::RuleRow> diameter_rule(const catalogue::RopeRow& rope) {
+  std::optional<catalogue::RuleRow> strictest;
+  for (const catalogue::RuleRow& rule : catalogue::rules_of("ratio.maker")) {
+    if (!rule.low || !advice_fits(rule.group, rope)) continue;
+    if (!strictest || *rule.low > *strictest->low) strictest = rule;
+  }
+  if (strictest) return strictest;
+  const auto block = catalogue::find_rule("ratio.mainline_block.us_wa");
+  return block ? std::optional(*block) : std::nullopt;
+}
+
+std::optional<catalogue::RopeRow> rope_of(const Input& in) {
+  if (!in.rope) return std::nullopt;
+  const auto rope = catalogue::find_rope_in_words(*in.rope);
+  expects(rope.has_value(), "friction_drive takes inputs without complaints");
+  return *rope;
+}
+
+void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r) {
+  const double largest = std::max({out.P_tight, out.T_1, out.T_1_no_slip});
+  out.safety_factor = rope.breaking_force / largest;
+  if (rope.trust == catalogue::Trust::unverified) {
+    r.warnings.push_back(
+        fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
+                    rope.trust_text));
+  }
+  r.checks.push_back(
+      make_check("rope does not break", largest, Sense::at_most, rope.breaking_force, si::N,
+                 fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
+                             "wanted on top is the designer's",
+                             rope.id),
+                 trust_text(rope.trust, rope.trust_text)));
+  if (in.rope_mass < rope.mass_per_length) {
+    r.warnings.push_back(
+        fmt::format("rope_mass {:.3g} kg/m is less than that of the bare rope {}, {:.3g} kg/m: the cutters come on "
+                    "top of it",
+                    in.rope_mass, rope.id, rope.mass_per_length));
+  }
+  if (!in.sheave_radius) return;
+  out.diameter_ratio = 2 * *in.sheave_radius / rope.diameter;
+  const auto rule = diameter_rule(rope);
+  if (!rule || !rule->low) return;
+  r.checks.push_back(make_check("D/d of the driving sheave", out.diameter_ratio, Sense::at_least, *rule->low, si::one,
+                                fmt::format("{}: {} {}, {}", rule->field, rule->item, rule->group, rule->source),
+                                trust_text(rule->trust, rule->trust_text)));
+}
+
+}  // namespace taut::friction_drive

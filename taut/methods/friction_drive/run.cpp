@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "taut/methods/friction_drive/figures.hpp"
+#include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/methods/friction_drive/grip.hpp"
+#include "taut/methods/friction_drive/rope_strength.hpp"
+
+namespace taut::friction_drive {
+namespace {
+
+void add_comparisons(const Output& o, Result& r) {
+  const auto add = [&](const char* quantity, const char* symbol, double printed, double corrected,
+                       const char* build_by) {
+    r.comparisons.push_back({quantity, symbol, si::N, printed, corrected, not_computed, build_by, printed < corrected});
+  };
+  add("initial tension, (18)", "P_M", o.P_M_printed, o.P_M, "neither: both slip, see the pull on the idler");
+  add("initial tension, (3)", "P_M", o.P_M_3_printed, o.P_M, "neither: both slip, see the pull on the idler");
+  add("tight branch, (13)", "P_tight", o.P_tight_printed, o.P_tight, "corrected, for the limit of slip");
+  add("pull on the idler: (18) derived and without slip", "take-up", o.P_M, o.takeup_no_slip,
+      "without slip; at least that, and the idler loss on top");
+  add("pull on the idler: (15), (16) and without slip", "take-up", o.takeup_15_16, o.takeup_no_slip,
+      "without slip; (15), (16) contain the idler loss and put the reserve on the centrifugal tension too");
+}
+
+/// The two readings of k that are found, none, and the one at hand.
+Table readings(const Input& in) {
+  Table t{"readings",
+          "Readings of Andreev's k",
+          {{"reading", si::one},
+           {"k", si::one},
+           {"phi", si::rad},
+           {"e", si::one},
+           {"P_M", si::N},
+           {"takeup_no_slip", si::N}},
+          {}};
+  constexpr double nu = 0.3;
+  const std::array<std::pair<const char*, double>, 4> all{
+      {{"as given", in.section_factor},
+       {"none: the whole arc works", 0},
+       {"half the section about a diameter, 0.180 (1 - nu)", 0.180 * (1 - nu)},
+       {"whole section about the contact, 0.8 (1 - nu)", 0.8 * (1 - nu)}}};
+  for (const auto& [words, k] : all) {
+    Input at = in;
+    at.section_factor = k;
+    Output out;
+    solve(at, out);
+    t.rows.push_back({std::string(words), k, out.phi, out.e, out.P_M, out.takeup_no_slip});
+  }
+  return t;
+}
+
+std::string build_by(const Input& in, const Output& o) {
+  const std::string with_loss =
+      std::isfinite(o.takeup_with_idler_loss)
+          ? fmt::format("with the idler loss {:.3g} on the slack branch it is {:.1f} N", in.idler_loss,
+                        o.takeup_with_idler_loss)
+          : fmt::format("with the idler loss {:.3g} and this reserve no pull is enough: raise friction, wrap or fill",
+                        in.idler_loss);
+  return fmt::format(
+      "build by the pull without slip: the take-up has to hold at least takeup_no_slip = {:.1f} N; that leaves out the "
+      "idler loss, {}",
+      o.takeup_no_slip, with_loss);
+}
+
+void add_warnings(const Input& in, const Output& o, Result& r) {
+  auto& w = r.warnings;
+  if (!(o.slip_ratio <= o.e)) {
+    w.push_back(fmt::format(
+        "the paper's initial tension is not safe: with P_M = {:.1f} N of (18) ({:.1f} N as printed) the branches "
+        "stand as (T_1 - c)/(T_2 - c) = {:.4g}, the grip holds e = {:.4g} at most, so the rope slips; a take-up "
+        "that holds P_M passes on {:.1f} N of the {:.1f} N cutting force",
+        o.P_M, o.P_M_printed, o.slip_ratio, o.e, o.cutting_force_at_P_M, in.cutting_force));
+  }
+  w.push_back(build_by(in, o));
+  if (in.friction > 0.4) {
+    w.push_back(fmt::format(
+        "friction {:.3g} is far above what mine hoists (0.20 to 0.25) and ropeways (0.22 to 0.30) are designed "
+        "for: a wet, oily or sap-covered rope has much less; see the plot over friction",
+        in.friction));
+  }
+  if (in.rope_mass * square(in.speed) > 0.25 * o.T_1_no_slip) {
+    w.push_back(fmt::format(
+        "the centrifugal tension c = {:.1f} N is more than a quarter of the tight branch: between fixed sheaves "
+        "(screw take-up) it has to be added to the tension at rest; set at rest to takeup_no_slip, the grip "
+        "is gone at {:.1f} m/s",
+        o.c, o.speed_of_lost_grip));
+  }
+}
+
+void add_assumptions(Result& r) {
+  r.assumptions = {
+      "The idler is pulled by a constant force (weight): the centrifugal tension adds c to both branches and leaves "
+      "their grip alone.",
+      "The tight branch is the one that the driving sheave draws in; the cut holds it back.",
+      "Friction is the same along the arc; the rope has no bending stiffness, its weight on the sheave is left out.",
+      "The cutting force is constant: starts and a bundle's fluctuation are left out.",
+      "takeup_no_slip keeps the reserve m on the cutting force alone and leaves out the idler loss."};
+}
+
+}  // namespace
+
+Result run(const Input& in) {
+  Result r;
+  const Method& m = about();
+  r.method = m.name;
+  r.method_title = m.title;
+  r.source = m.source;
+  r.given = given_of(Input::describe(), &in);
+  const auto rope = rope_of(in);
+  Input with_area = in;
+  if (rope && !in.rope_area) with_area.rope_area = rope->area;
+  Output out;
+  Sheet<Num> s(m.short_source, Input::describe(), &with_area);
+  const Outcome outcome = compute(with_area, s, out);
+  s.move_to(r);
+  r.status = outcome.status;
+  r.message = outcome.message;
+  add_assumptions(r);
+  if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings(in));
+  if (outcome.ok()) {
+    add_warnings(in, out, r);
+    add_comparisons(out, r);
+    if (rope) check_rope(in, *rope, out, r);
+    r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out), pull_plot(in, out),
+                 speed_plot(in, out)};
+  }
+  r.values = values_of(Output::describe(), &out);
+  return r;
+}
+
+}  // namespace taut::friction_drive
