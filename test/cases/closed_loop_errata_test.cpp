@@ -325,6 +325,78 @@ TEST(ClosedLoopWitness, ErrorOfEquation9AtMidspan) {
   }
 }
 
+TEST(ClosedLoopWitness, AtSteepSlopesTheMidspanCorrectionOfEquation9Holds) {
+  Band plain;
+  Band corrected;
+  Band other_end;
+  for (double alpha : {-30.0, -20.0, -10.0, 0.0, 10.0, 20.0, 30.0}) {
+    for (double share : {0.02, 0.04, 0.06, 0.09}) {
+      for (double gamma : {10.0, 20.0, 30.0, 40.0, 50.0}) {
+        LoopCase c;
+        c.m = std::tan(alpha * degree);
+        c.f = share * c.l;
+        c.gamma = gamma * degree;
+        Output o;
+        if (!solve(input_of(c), o).ok()) continue;
+        const LoopForces e = exact(c, o);
+        if (e.P_b <= 0.05 * c.S) continue;
+        plain.take(o.T_lA_paper / e.T_lA - 1);
+        corrected.take((o.T_lA_paper - o.P_b * std::sin(alpha * degree)) / e.T_lA - 1);
+        other_end.take((e.T_uB - c.q_b * c.l * c.m) / e.T_uA - 1);
+      }
+    }
+  }
+  EXPECT_LT(plain.low, -7.8);
+  EXPECT_GT(plain.high, 11.0);
+  EXPECT_NEAR(corrected.low, -2.1, 0.05);
+  EXPECT_NEAR(corrected.high, -0.1, 0.05);
+  EXPECT_NEAR(other_end.low, 0, 1e-6);  // a free roller: the upper tension changes by weight times height only
+  EXPECT_NEAR(other_end.high, 0, 1e-6);
+}
+
+TEST(ClosedLoopWitness, WithAVerticalRollerEquation1IsRight) {
+  for (double alpha : {-30.0, -10.0, 0.0, 10.0, 30.0}) {
+    for (double share : {0.02, 0.05, 0.10, 0.15}) {
+      for (double gamma : {10.0, 30.0, 50.0}) {
+        LoopCase c;
+        c.m = std::tan(alpha * degree);
+        c.f = share * c.l;
+        c.gamma = gamma * degree;
+        c.vertical = true;
+        Output o;
+        if (!solve(input_of(c), o).ok()) continue;
+        const LoopForces e = exact(c, o);
+        if (e.P_b <= 0.05 * c.S) continue;
+        const double error = 100 * (o.P_b / e.P_b - 1);
+        EXPECT_GT(error, share > 0.1 ? -2.2 : -1.2) << alpha << ' ' << share << ' ' << gamma;
+        EXPECT_LT(error, 0.5) << alpha << ' ' << share << ' ' << gamma;
+      }
+    }
+  }
+}
+
+TEST(ClosedLoopWitness, OffMidspanThePaperHoldsToALocalSlopeOfAFifth) {
+  for (double alpha : {-10.0, 0.0, 10.0}) {
+    for (double place : {0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9}) {
+      for (double local : {0.05, 0.10, 0.15, 0.20}) {
+        for (double gamma : {10.0, 30.0, 50.0}) {
+          LoopCase c;
+          c.m = std::tan(alpha * degree);
+          c.x = place * c.l;
+          c.f = local * std::min(c.x, c.l - c.x);
+          c.gamma = gamma * degree;
+          Output o;
+          if (!solve(input_of(c), o).ok()) continue;
+          const LoopForces e = exact(c, o);
+          if (e.P_b <= 0.05 * c.S) continue;
+          EXPECT_NEAR(o.P_b / e.P_b, 1, 0.07) << alpha << ' ' << place << ' ' << local << ' ' << gamma;
+          EXPECT_NEAR(o.T_lA_paper / e.T_lA, 1, 0.07) << alpha << ' ' << place << ' ' << local << ' ' << gamma;
+        }
+      }
+    }
+  }
+}
+
 TEST(ClosedLoopWitness, ClosedFormTierOverTheGrid) {
   std::vector<double> worst_lA;
   std::vector<double> ends;

@@ -15,6 +15,7 @@ namespace taut::closed_loop {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
+constexpr double tonne_force = 1000 * gravity;
 /// Limits of the paper's formulas off midspan and on slopes, and how much too low a printed tension may be unremarked.
 constexpr double local_slope_limit = 0.2;
 constexpr double slope_limit = 10 * degree;
@@ -124,13 +125,13 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
           local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large");
     });
   }
-  const double peak = peaks_of(out).return_rope.tension;
-  if (out.T_up < peak * (1 - remarked)) {
+  const Peak peak = peaks_of(out).return_rope;
+  if (out.T_up < peak.tension * (1 - remarked)) {
     s.warn([&] {
       return fmt::format(
-          "(7) is unsafe for the return rope: it gives {} in the upper branch, but the rope is pulled with up to {}, "
-          "behind the sheave at B.",
-          kN(out.T_up), kN(peak));
+          "(7) is unsafe for the return rope: it gives {} in the upper branch, but the rope is pulled with up to {} "
+          "({}).",
+          kN(out.T_up), kN(peak.tension), peak.where);
     });
   }
   if (out.T_lA_paper < out.T_lA * (1 - remarked)) {
@@ -184,6 +185,10 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   resolve_force(c, s, p);
   out.P = value(p.P);
   out.K = value(p.K);
+  s.note([&] {
+    return fmt::format("Nominal grade TU-{:.2g}/{:.2g}: transverse load / gathering pull in tonnes-force.",
+                       out.P / tonne_force, value(c.S) / tonne_force);
+  });
   if (!(out.P > 0)) return no_vertical_load(c, p);
   if (const Outcome o = set_sag(in, plain, s, c, out); !o.ok()) return o;
   plain.f = out.f;

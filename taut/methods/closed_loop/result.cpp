@@ -125,7 +125,7 @@ void add_comparisons(const Input& in, const Output& o, Result& r) {
   add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
                   "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
   add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N, o.T_up, peaks_of(o).return_rope.tension,
-                  "corrected: the rope is tightest behind the sheave at B, not in the upper branch"));
+                  "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)"));
   add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
                   "corrected: closed-form tier"));
   add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
