@@ -96,6 +96,7 @@ class Builder : public YAML::EventHandler {
     n.quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     n.spot = spot(offset(mark));
     measure(n);
+    last_end_ = n.spot.offset + n.spot.width;
     finish(std::move(n));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -108,6 +109,15 @@ class Builder : public YAML::EventHandler {
     begin(mark, tag, anchor, Node::Kind::map, style);
   }
   void OnMapEnd() override { end(); }
+
+  /// The quote that opens a text which the scanner found no end of: the first one behind the last value.
+  std::size_t open_quote(std::size_t from_end) const {
+    for (std::size_t i = last_end_; i < text_.size(); ++i) {
+      const bool begins = i == 0 || std::string_view(" \t\r\n[{,:").find(text_[i - 1]) != std::string_view::npos;
+      if (begins && (text_[i] == '"' || text_[i] == '\'')) return i;
+    }
+    return from_end;
+  }
 
  private:
   /// A map or list that is not complete yet.
@@ -270,6 +280,7 @@ class Builder : public YAML::EventHandler {
   MeteredText& meter_;
   std::vector<Open> open_;
   bool complete_ = false;
+  std::size_t last_end_ = 0;
   std::size_t values_ = 0;
   std::size_t text_size_ = 0;
 };
@@ -279,8 +290,14 @@ void read_events(Document& document, std::string_view text) {
   MeteredText meter(document.source, text);
   std::istream stream(&meter);
   Builder builder(document, text, meter);
-  YAML::Parser parser(stream);
-  while (parser.HandleNextDocument(builder)) {
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& e) {
+    const std::size_t offset = e.mark.pos < 0 ? 0 : static_cast<std::size_t>(e.mark.pos);
+    const bool unclosed = e.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
+    throw Stop{yaml_mistake(document.source, unclosed ? builder.open_quote(offset) : offset, e.msg)};
   }
 }
 
@@ -299,8 +316,6 @@ tl::expected<Document, Diagnostics> parse(std::string_view text, SourcePtr sourc
     read_events(document, text);
   } catch (const Stop& stop) {
     return fail(stop.mistake);
-  } catch (const YAML::Exception& e) {
-    return fail(yaml_mistake(source, e.mark.pos < 0 ? 0 : static_cast<std::size_t>(e.mark.pos), e.msg));
   }
   if (document.root.kind == Node::Kind::null && document.mistakes.empty()) {
     return fail({source->name, {1, 1}, "there is nothing in it", {}, 1});

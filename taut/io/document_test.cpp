@@ -1,5 +1,6 @@
 #include "taut/io/document.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

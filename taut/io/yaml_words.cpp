@@ -23,7 +23,7 @@ constexpr std::array<Row, 26> rows = {{
     {"end of sequence not found", "this does not belong to the list above: check the indentation and the '-'"},
     {"end of sequence flow not found", "a ']' or ',' is missing before this"},
     {"illegal tab", "a tab in the indentation: use spaces"},
-    {"illegal EOF in scalar", "a quoted text is never closed"},
+    {"illegal EOF in scalar", "a quoted text that is never closed"},
     {"illegal document indicator in scalar", "a quoted text is not closed before '---' or '...'"},
     {"unknown escape character", "an unknown escape in a text with double quotes: write '\\\\' for a backslash"},
     {"bad character found while scanning hex number", "a bad number of a character behind a backslash"},

@@ -1,0 +1,130 @@
+#include "taut/io/json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "taut/base/version.hpp"
+#include "taut/io/table.hpp"
+
+namespace taut::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json cell(const Cell& c) {
+  if (const auto* text = std::get_if<std::string>(&c)) return *text;
+  return number(std::get<double>(c));
+}
+
+Json columns(const std::vector<Column>& all) {
+  Json list = Json::array();
+  for (const Column& c : all) list.push_back({{"name", c.name}, {"unit", c.unit.symbol}});
+  return list;
+}
+
+Json values(const std::vector<Value>& all) {
+  Json map = Json::object();
+  for (const Value& v : all) {
+    map[v.name] = {{"value", number(v.value)},
+                   {"unit", v.unit.symbol},
+                   {"symbol", v.symbol},
+                   {"label", v.label},
+                   {"source", v.source}};
+  }
+  return map;
+}
+
+Json table(const Table& t) {
+  Json rows = Json::array();
+  for (const auto& row : t.rows) {
+    Json cells = Json::array();
+    for (const Cell& c : row) cells.push_back(cell(c));
+    rows.push_back(std::move(cells));
+  }
+  return {{"columns", columns(t.columns)}, {"rows", std::move(rows)}};
+}
+
+Json tables(const Result& r) {
+  Json map = Json::object();
+  for (const Table& t : r.tables) map[t.name] = table(t);
+  if (!r.comparisons.empty()) {
+    const Table comparison = comparison_table(r.comparisons);
+    if (!map.contains(comparison.name)) map[comparison.name] = table(comparison);
+  }
+  return map;
+}
+
+Json checks(const std::vector<Check>& all) {
+  Json list = Json::array();
+  for (const Check& c : all) {
+    list.push_back({{"name", c.name},
+                    {"value", number(c.value)},
+                    {"limit", number(c.limit)},
+                    {"unit", c.unit.symbol},
+                    {"utilisation", number(c.utilisation)},
+                    {"passes", c.passes},
+                    {"rule", c.rule},
+                    {"trust", c.trust}});
+  }
+  return list;
+}
+
+Json steps(const std::vector<Step>& all) {
+  Json list = Json::array();
+  for (const Step& s : all) {
+    if (s.symbol.empty()) continue;
+    list.push_back({{"eq", s.eq},
+                    {"symbol", s.symbol},
+                    {"formula", formula_text(s.formula)},
+                    {"numbers", numbers_text(s.formula)},
+                    {"value", number(s.value)},
+                    {"unit", s.unit.symbol},
+                    {"source", s.source}});
+  }
+  return list;
+}
+
+Json series(const std::vector<Figure>& figures, SeriesFiles files) {
+  Json map = Json::object();
+  for (const Figure& f : figures) {
+    const auto* plot = std::get_if<Plot>(&f);
+    if (plot == nullptr) continue;
+    map[plot->name] = {{"columns", columns(series_table(*plot).columns)},
+                       {"file", files == SeriesFiles::named ? Json(fmt::format("{}.csv", plot->name)) : Json(nullptr)}};
+  }
+  return map;
+}
+
+Json errors(const Diagnostics& all) {
+  Json list = Json::array();
+  for (const Diagnostic& d : all) {
+    list.push_back({{"file", d.file}, {"line", d.place.line}, {"column", d.place.column}, {"message", d.message}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string to_json(const Result& r, SeriesFiles files) {
+  Json j;
+  j["taut"] = {{"version", version}, {"format", result_format}};
+  j["title"] = r.title;
+  j["method"] = r.method;
+  j["status"] = to_text(r.status);
+  j["message"] = r.message;
+  j["values"] = values(r.values);
+  j["tables"] = tables(r);
+  j["checks"] = checks(r.checks);
+  j["steps"] = steps(r.steps);
+  j["series"] = series(r.figures, files);
+  j["warnings"] = r.warnings;
+  j["errors"] = errors(r.errors);
+  // a text that is not UTF-8 (a file's name) must not stop the result
+  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace taut::io

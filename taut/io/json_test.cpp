@@ -1,0 +1,99 @@
+#include "taut/io/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "taut/calc/formula.hpp"
+
+namespace taut::io {
+namespace {
+
+Result sample() {
+  Result r;
+  r.title = "Title";
+  r.method = "mast_section";
+  r.message = "fine";
+  r.values = {{"P_s", 1.0 / 3.0, si::N, "P_s", "force of the mast", "(4)"},
+              {"A", std::nan(""), si::m2, "A", "area", "(5)"}};
+  r.tables = {
+      {"sweep", "Sweep", {{"x", si::m}, {"note", si::one}}, {{1.5, std::string("a")}, {std::nan(""), std::string()}}}};
+  r.checks = {make_check("D/d", 22, Sense::at_least, 20, si::one, "rule", "verified"),
+              make_check("q", 1, Sense::at_most, 0, si::one, "rule", "user")};
+  r.steps = {{Step::Kind::heading, "", "", {}, 0, si::one, "", "Forces"},
+             {Step::Kind::given, "", "m", {}, 1.2, si::one, "input", "ratio"},
+             {Step::Kind::equation, "4", "P_s", make_node(Op::multiply, {make_symbol("m", 1.2), make_number(2)}, 2.4),
+              2.4, si::N, "Paper, (4)", ""},
+             {Step::Kind::note, "", "", {}, 0, si::one, "", "a note"}};
+  r.comparisons = {{"force", "P_s", si::N, 1, 2, std::nan(""), "corrected: because", true}};
+  r.figures = {Plot{"sizes", "", "", {"x", si::m}, {"y", si::m}, {{"a", {1}, {2}, false, false}}, {}}, Drawing{}};
+  r.warnings = {"look out"};
+  r.errors = {{"deck.yaml", {12, 15}, "wrong", "line", 3}};
+  return r;
+}
+
+TEST(Json, HasTheShapeOfTheContractInItsOrder) {
+  const auto j = nlohmann::ordered_json::parse(to_json(sample(), SeriesFiles::named));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : j.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"taut", "title", "method", "status", "message", "values", "tables",
+                                            "checks", "steps", "series", "warnings", "errors"}));
+  EXPECT_EQ(j["taut"].dump(), R"({"version":"0.1.0","format":1})");
+  EXPECT_EQ(j["status"], "ok");
+  EXPECT_EQ(j["values"]["P_s"].dump(),
+            R"x({"value":0.3333333333333333,"unit":"N","symbol":"P_s","label":"force of the mast","source":"(4)"})x");
+  EXPECT_TRUE(j["values"]["A"]["value"].is_null());
+  EXPECT_EQ(j["tables"]["sweep"].dump(),
+            R"({"columns":[{"name":"x","unit":"m"},{"name":"note","unit":"1"}],"rows":[[1.5,"a"],[null,""]]})");
+  EXPECT_EQ(j["tables"]["comparison"]["rows"].dump(), R"([["force","P_s","N",1.0,2.0,null,"corrected: because"]])");
+  EXPECT_EQ(j["checks"][0]["name"], "D/d");
+  EXPECT_EQ(j["checks"][0]["passes"], true);
+  EXPECT_TRUE(j["checks"][1]["utilisation"].is_null()) << "1/0";
+  ASSERT_EQ(j["steps"].size(), 2U) << "headings and notes have no symbol";
+  EXPECT_EQ(j["steps"][0]["symbol"], "m");
+  EXPECT_EQ(
+      j["steps"][1].dump(),
+      R"x({"eq":"4","symbol":"P_s","formula":"m*2","numbers":"1.2*2","value":2.4,"unit":"N","source":"Paper, (4)"})x");
+  EXPECT_EQ(j["series"].dump(),
+            R"({"sizes":{"columns":[{"name":"x","unit":"m"},{"name":"a","unit":"m"}],"file":"sizes.csv"}})");
+  EXPECT_EQ(j["warnings"].dump(), R"(["look out"])");
+  EXPECT_EQ(j["errors"].dump(), R"([{"file":"deck.yaml","line":12,"column":15,"message":"wrong"}])");
+}
+
+TEST(Json, WithoutFilesTheSeriesNameNone) {
+  EXPECT_TRUE(nlohmann::json::parse(to_json(sample()))["series"]["sizes"]["file"].is_null());
+}
+
+TEST(Json, AnEmptyResultHasEveryKey) {
+  Result r;
+  r.status = Status::bad_deck;
+  const auto j = nlohmann::json::parse(to_json(r));
+  EXPECT_EQ(j["status"], "bad_deck");
+  EXPECT_EQ(j["values"].dump(), "{}");
+  EXPECT_EQ(j["tables"].dump(), "{}");
+  EXPECT_EQ(j["errors"].dump(), "[]");
+}
+
+TEST(Json, NumbersReadBackBitByBitAndOthersAreNull) {
+  for (const double x : {1.0 / 3.0, 0.1 + 0.2, 5e-324, -0.0, 1e22, std::numeric_limits<double>::max()}) {
+    Result r;
+    r.values = {{"x", x, si::one, "x", "", ""}};
+    const double back = nlohmann::json::parse(to_json(r))["values"]["x"]["value"].get<double>();
+    EXPECT_EQ(back, x);
+    EXPECT_EQ(std::signbit(back), std::signbit(x));
+  }
+  Result r;
+  r.values = {{"x", -std::numeric_limits<double>::infinity(), si::one, "x", "", ""}};
+  EXPECT_TRUE(nlohmann::json::parse(to_json(r))["values"]["x"]["value"].is_null());
+}
+
+TEST(Json, TextsThatAreNotUtf8DoNotStopIt) {
+  Result r;
+  r.title = "a\xFF\x01 \"b\"";
+  EXPECT_EQ(nlohmann::json::parse(to_json(r))["title"], "a\xEF\xBF\xBD\x01 \"b\"");
+}
+
+}  // namespace
+}  // namespace taut::io

@@ -1,0 +1,198 @@
+#include "taut/io/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "taut/io/read.hpp"
+#include "taut/units/display.hpp"
+#include "taut/units/names.hpp"
+
+namespace taut::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* number_pattern = "[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?";
+constexpr double nearly_infinite = 1.797e308;
+
+/// All names of the unit list that `fits` accepts, longest first, joined by |.
+template <class Fits>
+std::string names(Fits&& fits) {
+  std::vector<std::string> all;
+  for (const NameRow& r : name_rows()) {
+    if (fits(r)) all.emplace_back(r.name);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return fmt::format("{}", fmt::join(all, "|"));
+}
+
+/// A unit that fits: one name of its dimension, or any product of powers (whose dimension a schema can't check).
+std::string unit_pattern(const Unit& unit) {
+  const std::string any = fmt::format("({})", names([](const NameRow& r) { return r.name != "%"; }));
+  const std::string power = "(\\^-?[1-4]|\\*\\*-?[1-4]|[1-4]|¹|²|³|⁴)";
+  const std::string own = names([&](const NameRow& r) {
+    return r.dimension == unit.dimension && r.is_angle == unit.is_angle && (r.name != "%" || unit.is_angle);
+  });
+  if (unit.is_angle) return fmt::format("({})", own);
+  const std::string compound = fmt::format(
+      "(1/{0}{1}?|{0}{1}|{0}{1}?[ \t]*(\\*|·|/| )[ \t]*{0}{1}?([ \t]*(\\*|·|/| )[ \t]*{0}{1}?)*)", any, power);
+  return own.empty() ? compound : fmt::format("({}|{})", own, compound);
+}
+
+std::string words_of(const Field& f) {
+  std::string text = f.words;
+  if (!f.symbol.empty()) text += fmt::format("; {}", f.symbol);
+  if (f.unit.needs_text()) text += fmt::format(" [{}]", f.unit.shown);
+  const std::string range = range_text(f);
+  if (!range.empty()) text += fmt::format("; {}", range);
+  return text;
+}
+
+void add_range(Json& schema, const Range& range) {
+  if (std::isfinite(range.low)) schema[range.low_included ? "minimum" : "exclusiveMinimum"] = range.low;
+  if (std::isfinite(range.high)) schema[range.high_included ? "maximum" : "exclusiveMaximum"] = range.high;
+}
+
+Json one_number(const Field& f) {
+  Json choices = Json::array();
+  if (f.unit.needs_text()) {
+    choices.push_back({{"type", "string"}, {"pattern", quantity_pattern(f.unit)}});
+    // .inf is a number to whoever reads YAML
+    if (f.may_be_infinite) choices.push_back({{"type", "number"}, {"exclusiveMinimum", nearly_infinite}});
+  } else {
+    Json plain = {{"type", "number"}};
+    add_range(plain, f.range);
+    choices.push_back(std::move(plain));
+    choices.push_back({{"type", "string"}, {"pattern", fmt::format("^{}[ \t]*%$", number_pattern)}});
+  }
+  return choices.size() == 1 ? choices[0] : Json{{"anyOf", std::move(choices)}};
+}
+
+Json object(const Description& d, bool whole);
+
+Json of_kind(const Field& f, bool whole) {
+  switch (f.kind) {
+    case FieldKind::number:
+      return one_number(f);
+    case FieldKind::numbers: {
+      const Json one = one_number(f);
+      return {{"anyOf", {one, Json{{"type", "array"}, {"items", one}, {"minItems", 1}}}}};
+    }
+    case FieldKind::whole_number: {
+      Json whole_number = {{"type", "integer"}};
+      add_range(whole_number, f.range);
+      return whole_number;
+    }
+    case FieldKind::flag:
+      return {{"type", "boolean"}};
+    case FieldKind::text: {
+      Json text = {{"type", {"string", "number", "boolean"}}};
+      if (f.required) text["minLength"] = 1;
+      return text;
+    }
+    case FieldKind::choice:
+      return {{"enum", f.choices}};
+    case FieldKind::record:
+      return object(*f.record, whole);
+    case FieldKind::records:
+      // a list is never merged with an included one: its entries are always whole
+      return {{"type", "array"}, {"items", object(*f.record, true)}, {"minItems", 1}};
+  }
+  return {};
+}
+
+void add_default(Json& schema, const Description& d, const Field& f) {
+  const std::optional<double> number = default_number(d, f);
+  if (number && std::isfinite(*number)) {
+    if (f.kind == FieldKind::whole_number) {
+      schema["default"] = static_cast<int>(*number);
+    } else {
+      schema["default"] = f.unit.needs_text() ? Json(Display().quantity(*number, f.unit)) : Json(*number);
+    }
+  }
+  const std::string text = default_text(d, f);
+  if (text.empty()) return;
+  schema["default"] = f.kind == FieldKind::flag ? Json(text == "true") : Json(text);
+}
+
+/// `whole`: required keys have to be there.
+Json object(const Description& d, bool whole) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const Field& f : d.fields) {
+    Json schema = of_kind(f, whole);
+    const std::string words = words_of(f);
+    if (!words.empty()) schema["description"] = words;
+    add_default(schema, d, f);
+    properties[f.key] = std::move(schema);
+    if (f.required) required.push_back(f.key);
+  }
+  Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+  if (whole && !required.empty()) all["required"] = std::move(required);
+  return all;
+}
+
+Json display() {
+  Json kinds = Json::object();
+  for (const Unit& u : display_kinds()) {
+    kinds[std::string(u.kind)] = {{"type", "string"}, {"pattern", fmt::format("^{}$", unit_pattern(u))}};
+  }
+  return {{"type", "object"},
+          {"description", "units of print, by kind of quantity"},
+          {"properties", std::move(kinds)},
+          {"additionalProperties", false}};
+}
+
+Json top_level(const std::vector<SchemaMethod>& methods) {
+  Json names_of_methods = Json::array();
+  for (const SchemaMethod& m : methods) names_of_methods.push_back(m.name);
+  const Json path = {{"type", "string"}, {"minLength", 1}};
+  return {{"taut", {{"const", 1}, {"description", "format of the deck"}}},
+          {"title", {{"type", {"string", "number", "boolean"}}, {"description", "what the calculation is of"}}},
+          {"method", {{"enum", std::move(names_of_methods)}, {"description", "the published method"}}},
+          {"display", display()},
+          {"include",
+           {{"anyOf", {path, Json{{"type", "array"}, {"items", path}}}},
+            {"description", "decks whose values hold where this one says nothing"}}},
+          {"input", {{"type", "object"}, {"description", "the data of the method"}}}};
+}
+
+Json when(Json condition, Json consequence) { return {{"if", std::move(condition)}, {"then", std::move(consequence)}}; }
+
+}  // namespace
+
+std::string quantity_pattern(const Unit& unit) {
+  return fmt::format("^{}[ \t]*{}[ \t]*$", number_pattern, unit_pattern(unit));
+}
+
+std::string deck_schema(const std::vector<SchemaMethod>& methods) {
+  Json rules = Json::array();
+  const Json has_include = {{"required", {"include"}}};
+  Json whole = when({{"not", has_include}}, {{"required", {"taut", "method", "input"}}});
+  rules.push_back(std::move(whole));
+  Json definitions = Json::object();
+  for (const SchemaMethod& m : methods) {
+    definitions[m.name] = object(*m.input, true);
+    definitions[m.name]["title"] = m.title;
+    definitions[m.name + ".part"] = object(*m.input, false);
+    const Json is_method = {{"properties", {{"method", {{"const", m.name}}}}}, {"required", {"method"}}};
+    const auto input = [](const std::string& definition) {
+      return Json{{"properties", {{"input", {{"$ref", fmt::format("#/definitions/{}", definition)}}}}}};
+    };
+    rules.push_back(when({{"allOf", {is_method, Json{{"not", has_include}}}}}, input(m.name)));
+    rules.push_back(when({{"allOf", {is_method, has_include}}}, input(m.name + ".part")));
+  }
+  const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                       {"title", "taut deck"},
+                       {"type", "object"},
+                       {"properties", top_level(methods)},
+                       {"additionalProperties", false},
+                       {"allOf", std::move(rules)},
+                       {"definitions", std::move(definitions)}};
+  return schema.dump(1) + "\n";
+}
+
+}  // namespace taut::io

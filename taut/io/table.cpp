@@ -1,0 +1,100 @@
+#include "taut/io/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace taut::io {
+namespace {
+
+constexpr const char* line_end = "\r\n";
+
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string csv_cell(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
+  const double x = std::get<double>(cell);
+  return std::isnan(x) ? std::string{} : fmt::format("{}", x);
+}
+
+/// Names of columns have to differ from each other.
+std::string fresh(std::string name, std::set<std::string>& taken) {
+  const std::string stem = name;
+  for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", stem, i);
+  return name;
+}
+
+bool share_x(const std::vector<Curve>& curves) {
+  return std::all_of(curves.begin(), curves.end(), [&](const Curve& c) { return c.x == curves.front().x; });
+}
+
+double at_or_nothing(const std::vector<double>& all, std::size_t i) { return i < all.size() ? all[i] : std::nan(""); }
+
+}  // namespace
+
+std::string column_name(const std::string& label) {
+  std::string name;
+  for (char c : label) {
+    const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80U ||
+                      std::string_view("_-+*/.'").find(c) != std::string_view::npos;
+    if (kept) name += c;
+    if (!kept && !name.empty() && name.back() != '_') name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "value" : name;
+}
+
+std::string to_csv(const Table& t) {
+  std::string csv;
+  for (std::size_t i = 0; i < t.columns.size(); ++i) {
+    const Column& c = t.columns[i];
+    const bool plain = c.unit.symbol == "1";
+    if (i > 0) csv += ',';
+    csv += csv_text(plain ? c.name : fmt::format("{} [{}]", c.name, c.unit.symbol));
+  }
+  csv += line_end;
+  for (const auto& row : t.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) csv += ',';
+      csv += csv_cell(row[i]);
+    }
+    csv += line_end;
+  }
+  return csv;
+}
+
+Table series_table(const Plot& p) {
+  Table t;
+  t.name = p.name;
+  t.title = p.title;
+  std::set<std::string> taken;
+  if (p.curves.empty()) return t;
+  if (!share_x(p.curves)) {
+    t.columns.push_back({fresh("curve", taken), si::one});
+    t.columns.push_back({fresh(column_name(p.x.label), taken), p.x.unit});
+    t.columns.push_back({fresh(column_name(p.y.label), taken), p.y.unit});
+    for (const Curve& c : p.curves) {
+      for (std::size_t i = 0; i < c.x.size(); ++i) t.rows.push_back({c.label, c.x[i], at_or_nothing(c.y, i)});
+    }
+    return t;
+  }
+  t.columns.push_back({fresh(column_name(p.x.label), taken), p.x.unit});
+  for (const Curve& c : p.curves) {
+    t.columns.push_back({fresh(column_name(c.label.empty() ? p.y.label : c.label), taken), p.y.unit});
+  }
+  for (std::size_t i = 0; i < p.curves.front().x.size(); ++i) {
+    std::vector<Cell> row = {p.curves.front().x[i]};
+    for (const Curve& c : p.curves) row.emplace_back(at_or_nothing(c.y, i));
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+}  // namespace taut::io

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "taut/calc/result.hpp"
+
+namespace taut::io {
+
+/// A table as CSV (RFC 4180: CRLF, quotes where needed): a header with SI units, "boom_length [m]", then the rows.
+/// Numbers in as many digits as bring the same number back; no value is an empty cell.
+std::string to_csv(const Table& t);
+
+/// The numbers of a plot as a table of its name: the first column is x, then one column for each curve. When the
+/// curves do not share their x, one row for each point instead: curve, x, y.
+Table series_table(const Plot& p);
+
+/// A word as a column's name: "boom length" -> "boom_length".
+std::string column_name(const std::string& label);
+
+}  // namespace taut::io

@@ -1,0 +1,72 @@
+#include "taut/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace taut::io {
+namespace {
+
+TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
+  const Table t{"extension",
+                "Extension",
+                {{"boom_length", si::m}, {"case", si::one}, {"moment, luffing", si::N_m}},
+                {{9.0, std::string("rated, 8 falls"), 0.1}, {std::nan(""), std::string("say \"no\"\nnow"), 1e300}}};
+  EXPECT_EQ(to_csv(t),
+            "boom_length [m],case,\"moment, luffing [N m]\"\r\n"
+            "9,\"rated, 8 falls\",0.1\r\n"
+            ",\"say \"\"no\"\"\nnow\",1e+300\r\n");
+}
+
+TEST(TableCsv, NumbersReadBackBitByBit) {
+  for (const double x : {1.0 / 3.0, 0.1 + 0.2, 5e-324, -std::numeric_limits<double>::max(), 123456789.123456789}) {
+    const std::string csv = to_csv({"t", "", {{"x", si::one}}, {{x}}});
+    EXPECT_EQ(std::strtod(csv.c_str() + 3, nullptr), x) << csv;
+  }
+}
+
+TEST(Series, CurvesOverTheSameXStandBesideEachOther) {
+  const Plot p{"forces",
+               "Forces",
+               "",
+               {"boom length", si::m},
+               {"force", si::N},
+               {{"S1", {9, 10}, {1, 2}, false, false}, {"S1", {9, 10}, {3, std::nan("")}, true, false}},
+               {}};
+  const Table t = series_table(p);
+  ASSERT_EQ(t.columns.size(), 3U);
+  EXPECT_EQ(t.name, "forces");
+  EXPECT_EQ(t.columns[0].name, "boom_length");
+  EXPECT_EQ(t.columns[1].name, "S1");
+  EXPECT_EQ(t.columns[2].name, "S1_2") << "no two columns of one name";
+  ASSERT_EQ(t.rows.size(), 2U);
+  EXPECT_EQ(to_csv(t), "boom_length [m],S1 [N],S1_2 [N]\r\n9,1,3\r\n10,2,\r\n");
+}
+
+TEST(Series, CurvesOverDifferentXStandBelowEachOther) {
+  const Plot p{"grip",
+               "Grip",
+               "",
+               {"speed", si::m_per_s},
+               {"grip", si::one},
+               {{"a", {1, 2}, {5, 6}, false, false}, {"b", {3}, {7}, false, false}},
+               {}};
+  EXPECT_EQ(to_csv(series_table(p)), "curve,speed [m/s],grip\r\na,1,5\r\na,2,6\r\nb,3,7\r\n");
+}
+
+TEST(Series, ShortOrNoCurvesAreHarmless) {
+  EXPECT_EQ(to_csv(series_table({})), "\r\n");
+  const Plot p{"p", "", "", {"x", si::m}, {"y", si::m}, {{"", {1, 2}, {5}, false, false}}, {}};
+  EXPECT_EQ(to_csv(series_table(p)), "x [m],y [m]\r\n1,5\r\n2,\r\n");
+}
+
+TEST(Series, NamesColumnsByTheirLabels) {
+  EXPECT_EQ(column_name("boom length"), "boom_length");
+  EXPECT_EQ(column_name("S1, extension (last)"), "S1_extension_last");
+  EXPECT_EQ(column_name(""), "value");
+  EXPECT_EQ(column_name("µ_s"), "µ_s");
+}
+
+}  // namespace
+}  // namespace taut::io
