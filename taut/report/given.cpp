@@ -98,20 +98,20 @@ bool is_in_table(const Given& g, const std::vector<Table>& tables) {
 
 std::string given_html(const Result& r) {
   if (r.given.empty()) return {};
+  const Display display = display_of(r);
   const std::vector<Table> tables = record_tables(r.given);
   std::string rows;
   for (const Given& g : r.given) {
     if (is_in_table(g, tables)) continue;
     rows += fmt::format("<tr{}>", g.is_default ? " class=\"default\"" : "") + cell(symbol_html(g.symbol)) +
-            cell(prose_html(g.words)) + given_cells(g, r.display) +
-            cell(fmt::format("<code>{}</code>", escape(g.key))) + cell(g.is_default ? "default" : "given", "src") +
-            "</tr>\n";
+            cell(prose_html(g.words)) + given_cells(g, display) + cell(fmt::format("<code>{}</code>", escape(g.key))) +
+            cell(g.is_default ? "default" : "given", "src") + "</tr>\n";
   }
   std::string out = fmt::format(
       "<table><thead><tr><th></th><th>quantity</th><th class=\"num\">value</th><th></th><th>key in the deck</th>"
       "<th></th></tr></thead><tbody>\n{}</tbody></table>\n",
       rows);
-  for (const Table& t : tables) out += table_html(t, r.display);
+  for (const Table& t : tables) out += table_html(t, display);
   return out;
 }
 

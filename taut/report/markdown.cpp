@@ -80,10 +80,11 @@ std::string figures(const Result& r, bool plots) {
 }
 
 std::string comparisons(const Result& r) {
+  const Display display = display_of(r);
   if (r.comparisons.empty()) return {};
   std::vector<Row> rows;
   for (const Comparison& c : r.comparisons) {
-    const ShownUnit u = shown_unit(c.unit, r.display);
+    const ShownUnit u = shown_unit(c.unit, display);
     const auto number = [&](double x) { return number_shown(u.of(x)); };
     rows.push_back({code_cell(c.symbol), safe(c.quantity), number(c.printed) + (c.printed_unsafe ? " **unsafe**" : ""),
                     number(c.corrected), number(c.exact), unit_text(u), safe(c.build_by)});
@@ -92,9 +93,10 @@ std::string comparisons(const Result& r) {
 }
 
 std::string values(const Result& r) {
+  const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Value& v : r.values) {
-    const ShownUnit u = shown_unit(v.unit, r.display);
+    const ShownUnit u = shown_unit(v.unit, display);
     rows.push_back({code_cell(v.symbol), safe(v.label.empty() ? v.name : v.label), number_shown(u.of(v.value), 6),
                     unit_text(u), safe(v.source)});
   }
@@ -102,10 +104,11 @@ std::string values(const Result& r) {
 }
 
 std::string checks(const Result& r) {
+  const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Check& c : r.checks) {
-    rows.push_back({safe(c.name), quantity_shown(c.value, c.unit, r.display),
-                    (c.sense == Sense::at_most ? "≤ " : "≥ ") + quantity_shown(c.limit, c.unit, r.display),
+    rows.push_back({safe(c.name), quantity_shown(c.value, c.unit, display),
+                    (c.sense == Sense::at_most ? "≤ " : "≥ ") + quantity_shown(c.limit, c.unit, display),
                     utilisation_text(c.utilisation), fmt::format("**{}**", outcome_text(c)), safe(c.rule),
                     safe(c.trust)});
   }
@@ -113,10 +116,11 @@ std::string checks(const Result& r) {
 }
 
 std::string given(const Result& r) {
+  const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Given& g : r.given) {
     std::string value;
-    for (const double x : g.numbers) value += (value.empty() ? "" : ", ") + quantity_shown(x, g.unit, r.display, 6);
+    for (const double x : g.numbers) value += (value.empty() ? "" : ", ") + quantity_shown(x, g.unit, display, 6);
     if (g.numbers.empty()) value = safe(g.text);
     rows.push_back({code_cell(g.symbol), safe(g.words), value, code_cell(g.key), g.is_default ? "default" : "given"});
   }
@@ -150,8 +154,9 @@ std::string step(const Step& s, const Display& display) {
 }
 
 std::string steps(const Result& r) {
+  const Display display = display_of(r);
   std::string out;
-  for (const Step& s : r.steps) out += step(s, r.display);
+  for (const Step& s : r.steps) out += step(s, display);
   return out;
 }
 
@@ -182,9 +187,10 @@ std::string data_table(const Table& t, const Display& display) {
 }
 
 std::string tables(const Result& r) {
+  const Display display = display_of(r);
   std::string out;
   for (const Table& t : r.tables) {
-    if (!(t.name == "comparison" && !r.comparisons.empty()) && !t.columns.empty()) out += data_table(t, r.display);
+    if (!(t.name == "comparison" && !r.comparisons.empty()) && !t.columns.empty()) out += data_table(t, display);
   }
   return out;
 }

@@ -15,6 +15,7 @@ constexpr double leader_from = 30;          ///< a label farther than this from 
 
 struct Candidate {
   Box box;
+  Pixel anchor;
   double price = 0;
 };
 
@@ -54,33 +55,36 @@ double price_of(const Box& box, Pixel anchor, const std::vector<Obstacle>& obsta
   return price;
 }
 
-Box best_box(const Wanted& w, const std::vector<Obstacle>& obstacles, const std::vector<Box>& others, const Box& frame,
-             double font_size) {
+Candidate best_place(const Wanted& w, const std::vector<Obstacle>& obstacles, const std::vector<Box>& others,
+                     const Box& frame, double font_size) {
   const double wide = width(w.runs) * font_size;
   const double high = 1.25 * font_size;
   constexpr std::array<double, 7> distances{6, 12, 20, 32, 48, 70, 100};
   constexpr int directions = 16;
+  const double wanted = std::hypot(w.toward.x, w.toward.y);
   Candidate best;
   bool first = true;
-  const auto consider = [&](const Box& box, double extra) {
+  const auto consider = [&](const Box& box, Pixel anchor, double extra) {
     if (!first && extra >= best.price) return;
-    const double price = extra + price_of(box, w.anchor, obstacles, others, frame);
-    if (first || price < best.price) best = {box, price};
+    const double price = extra + price_of(box, anchor, obstacles, others, frame);
+    if (first || price < best.price) best = {box, anchor, price};
     first = false;
   };
-  if (w.may_cover) consider(box_at(w.anchor, wide, high), 0);
-  const double wanted = std::hypot(w.toward.x, w.toward.y);
-  for (const double d : distances) {
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / directions;
-      const double ux = std::cos(angle);
-      const double uy = std::sin(angle);
-      const double turned = wanted > 0 ? 1 - (ux * w.toward.x + uy * w.toward.y) / wanted : 0;
-      const double slanted = k % 4 == 0 ? 0 : 0.5;
-      consider(box_beside(w.anchor, ux, uy, d, wide, high), 0.9 * d + 9 * turned + slanted);
+  const auto around = [&](Pixel anchor, double extra) {
+    for (const double d : distances) {
+      for (int k = 0; k < directions; ++k) {
+        const double angle = 2 * std::numbers::pi * k / directions;
+        const Pixel u{std::cos(angle), std::sin(angle)};
+        const double turned = wanted > 0 ? 1 - (u.x * w.toward.x + u.y * w.toward.y) / wanted : 0;
+        const double slanted = k % 4 == 0 ? 0 : 0.5;
+        consider(box_beside(anchor, u.x, u.y, d, wide, high), anchor, extra + 0.9 * d + 9 * turned + slanted);
+      }
     }
-  }
-  return best.box;
+  };
+  if (w.may_cover) consider(box_at(w.anchor, wide, high), w.anchor, 0);
+  around(w.anchor, 0);
+  for (const Pixel a : w.other_anchors) around(a, 5);
+  return best;
 }
 
 }  // namespace
@@ -124,17 +128,26 @@ double length_inside(const Box& box, Pixel a, Pixel b) {
 std::vector<Placed> place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles,
                                  const Box& frame, double font_size) {
   std::vector<Box> boxes;
-  for (const Wanted& w : wanted) boxes.push_back(best_box(w, obstacles, boxes, frame, font_size));
-  for (std::size_t i = 0; i < wanted.size(); ++i) {  // the second look knows the later ones too
-    std::vector<Box> others = boxes;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    boxes[i] = best_box(wanted[i], obstacles, others, frame, font_size);
+  std::vector<Pixel> anchors;
+  for (const Wanted& w : wanted) {
+    const Candidate best = best_place(w, obstacles, boxes, frame, font_size);
+    boxes.push_back(best.box);
+    anchors.push_back(best.anchor);
+  }
+  for (int round = 0; round < 2; ++round) {  // a second look knows the later ones too
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      std::vector<Box> others = boxes;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const Candidate best = best_place(wanted[i], obstacles, others, frame, font_size);
+      boxes[i] = best.box;
+      anchors[i] = best.anchor;
+    }
   }
   std::vector<Placed> all;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const Pixel edge = nearest(boxes[i], wanted[i].anchor);
-    const double far = std::hypot(edge.x - wanted[i].anchor.x, edge.y - wanted[i].anchor.y);
-    all.push_back({wanted[i].runs, boxes[i], far > leader_from, edge, wanted[i].anchor});
+    const Pixel edge = nearest(boxes[i], anchors[i]);
+    const double far = std::hypot(edge.x - anchors[i].x, edge.y - anchors[i].y);
+    all.push_back({wanted[i].runs, boxes[i], far > leader_from, edge, anchors[i]});
   }
   return all;
 }

@@ -38,9 +38,10 @@ struct Obstacle {
   double weight = 1;
 };
 
-/// A label that needs a place near `anchor`.
+/// A label that needs a place near `anchor`, or, a little less well, near one of `other_anchors` (along a line).
 struct Wanted {
   Pixel anchor;
+  std::vector<Pixel> other_anchors;
   Runs runs;
   Pixel toward;            ///< direction it would like to stand in; zero: none
   bool may_cover = false;  ///< may stand right on its anchor

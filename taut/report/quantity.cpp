@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "taut/report/text.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::report {
 namespace {
@@ -67,29 +67,23 @@ std::string pretty(std::string text) {
 
 }  // namespace
 
-double ShownUnit::of(double si_value) const { return is_slope ? 100 * std::tan(si_value) : si_value / si; }
-
-ShownUnit shown_unit(const Unit& unit, const Display& display) {
-  const auto wanted = display.find(std::string(unit.kind));
-  std::vector<std::string> tries;
-  if (wanted != display.end()) tries.push_back(wanted->second);
-  tries.emplace_back(unit.shown);
-  for (const std::string& name : tries) {
-    if (name == "1" && !unit.needs_text()) return {};
-    if (name == "%" && unit.is_angle) return {name, 1, true};
-    const auto factor = unit_factor(name, unit);
-    if (factor && std::isfinite(*factor) && *factor > 0) return {name, *factor, false};
+Display display_of(const Result& r) {
+  std::map<std::string, std::string> units;
+  for (const auto& [kind, unit] : r.display) {
+    if (check_display(kind, unit)) units.emplace(kind, unit);
   }
-  return {std::string(unit.symbol), 1, false};
+  return Display(std::move(units));
 }
 
-std::string unit_text(const ShownUnit& unit) {
-  if (unit.name == "1") return {};
-  if (unit.name == "deg") return "°";
-  return with_powers(unit.name);
+ShownUnit shown_unit(const Unit& unit, const Display& display) { return {display, unit, display.unit(unit)}; }
+
+std::string unit_text(std::string_view name) {
+  if (name == "1") return {};
+  if (name == "deg") return "°";
+  return with_powers(name);
 }
 
-std::string plain_unit(const ShownUnit& unit) { return unit.name == "1" ? std::string{} : unit.name; }
+std::string unit_text(const ShownUnit& unit) { return unit_text(unit.name); }
 
 std::string number_shown(double x, int digits) {
   if (std::isnan(x)) return "–";
@@ -108,19 +102,18 @@ std::string number_plain(double x, int digits) {
   return mantissa + text.substr(e);
 }
 
-std::string quantity_shown(double si_value, const Unit& unit, const Display& display, int digits) {
+std::string quantity_shown(double stored, const Unit& unit, const Display& display, int digits) {
   const ShownUnit u = shown_unit(unit, display);
   const std::string name = unit_text(u);
-  const std::string number = number_shown(u.of(si_value), digits);
-  if (name.empty() || std::isnan(si_value)) return number;
+  const std::string number = number_shown(u.of(stored), digits);
+  if (name.empty() || std::isnan(stored)) return number;
   return name == "°" ? number + name : fmt::format("{} {}", number, name);
 }
 
-std::string quantity_plain(double si_value, const Unit& unit, const Display& display, int digits) {
+std::string quantity_plain(double stored, const Unit& unit, const Display& display, int digits) {
   const ShownUnit u = shown_unit(unit, display);
-  const std::string name = plain_unit(u);
-  const std::string number = number_plain(u.of(si_value), digits);
-  return name.empty() || std::isnan(si_value) ? number : fmt::format("{} {}", number, name);
+  const std::string number = number_plain(u.of(stored), digits);
+  return u.name.empty() || std::isnan(stored) ? number : fmt::format("{} {}", number, u.name);
 }
 
 std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits) {

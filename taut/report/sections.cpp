@@ -48,33 +48,36 @@ std::string caption_html(const std::string& title, const std::string& caption, c
 }
 
 std::string drawings_html(const Result& r) {
+  const Display display = display_of(r);
   std::string out;
   for (const Figure& f : r.figures) {
     const auto* d = std::get_if<Drawing>(&f);
     if (d == nullptr) continue;
-    out += fmt::format("<figure>{}{}</figure>\n", drawing_svg(*d, r.display),
+    out += fmt::format("<figure>{}{}</figure>\n", drawing_svg(*d, display),
                        caption_html(d->title, d->caption, scale_words(*d)));
   }
   return out;
 }
 
 std::string plots_html(const Result& r) {
+  const Display display = display_of(r);
   std::string out;
   for (const Figure& f : r.figures) {
     const auto* p = std::get_if<Plot>(&f);
     if (p == nullptr) continue;
     const std::string data = p->name.empty() ? "" : fmt::format("Data: {}.csv", p->name);
-    out += fmt::format("<figure>{}{}</figure>\n", plot_svg(*p, r.display), caption_html(p->title, p->caption, data));
+    out += fmt::format("<figure>{}{}</figure>\n", plot_svg(*p, display), caption_html(p->title, p->caption, data));
   }
   return out;
 }
 
 std::string comparisons_html(const Result& r) {
+  const Display display = display_of(r);
   if (r.comparisons.empty()) return {};
   const bool exact = has_exact(r);
   std::string rows;
   for (const Comparison& c : r.comparisons) {
-    const ShownUnit u = shown_unit(c.unit, r.display);
+    const ShownUnit u = shown_unit(c.unit, display);
     const auto shown = column_shown({u.of(c.printed), u.of(c.corrected), u.of(c.exact)});
     const std::string mark = c.printed_unsafe ? "<span class=\"badge bad\">printed value is unsafe</span> " : "";
     rows += fmt::format("<tr{}>", c.printed_unsafe ? " class=\"unsafe\"" : "") + cell(symbol_html(c.symbol)) +
@@ -83,16 +86,17 @@ std::string comparisons_html(const Result& r) {
             cell(mark + prose_html(c.build_by)) + "</tr>\n";
   }
   return fmt::format(
-      "<table><thead><tr><th></th><th>quantity</th><th class=\"num\">as printed</th><th class=\"num\">"
+      "<table><thead><tr><th></th><th>quantity</th><th class=\"num short\">as printed</th><th class=\"num\">"
       "corrected</th>{}<th></th><th>build by</th></tr></thead><tbody>\n{}</tbody></table>\n",
       exact ? "<th class=\"num\">exact</th>" : "", rows);
 }
 
 std::string values_html(const Result& r) {
+  const Display display = display_of(r);
   if (r.values.empty()) return {};
   std::string rows;
   for (const Value& v : r.values) {
-    const ShownUnit u = shown_unit(v.unit, r.display);
+    const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
             cell(escape(number_shown(u.of(v.value), 6)), "num") + cell(escape(unit_text(u)), "u") +
             cell(escape(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
@@ -120,10 +124,11 @@ std::string trust_html(const std::string& trust) {
 }
 
 std::string checks_html(const Result& r) {
+  const Display display = display_of(r);
   if (r.checks.empty()) return {};
   std::string rows;
   for (const Check& c : r.checks) {
-    const ShownUnit u = shown_unit(c.unit, r.display);
+    const ShownUnit u = shown_unit(c.unit, display);
     const std::string unit = escape(unit_text(u));
     const auto number = [&](double x) { return escape(number_shown(u.of(x))) + (unit.empty() ? "" : " " + unit); };
     rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(c.name)) +
@@ -140,10 +145,11 @@ std::string checks_html(const Result& r) {
 }
 
 std::string tables_html(const Result& r) {
+  const Display display = display_of(r);
   std::string out;
   for (const Table& t : r.tables) {
     if (t.name == "comparison" && !r.comparisons.empty()) continue;  // shown above, with its marks
-    if (!t.columns.empty()) out += table_html(t, r.display);
+    if (!t.columns.empty()) out += table_html(t, display);
   }
   return out;
 }

@@ -34,10 +34,10 @@ std::string flow(const std::string& head, const std::vector<Piece>& pieces) {
 std::string value_html(const Step& s, const Display& display) {
   const ShownUnit shown = shown_unit(s.unit, display);
   const std::string symbol(s.unit.symbol);
-  const bool same = shown.name == symbol || (shown.name == "1" && symbol == "1");
+  const bool same = shown.name.empty() || shown.name == symbol;
   const std::string last = fmt::format("<b>{}</b>", escape(quantity_shown(s.value, s.unit, display, 6)));
   if (same) return last;
-  const std::string si = unit_text({symbol, 1, false});
+  const std::string si = unit_text(symbol);
   return fmt::format("{} {} = {}",
                      number_mathml(s.value).find("msup") == std::string::npos
                          ? escape(number_shown(s.value, 6))
@@ -116,6 +116,7 @@ std::string source_without_number(const Step& s) {
 
 std::string steps_html(const Result& r) {
   if (r.steps.empty()) return {};
+  const Display display = display_of(r);
   std::string out = "<p class=\"hint\">Numbers are put in as SI values (N, m, Pa, kg, s; angles in radians).</p>\n";
   bool in_given = false;
   for (std::size_t i = 0; i < r.steps.size(); ++i) {
@@ -125,7 +126,7 @@ std::string steps_html(const Result& r) {
     if (given && in_given) out += "; ";
     if (!given && in_given) out += "</p>\n";
     in_given = given;
-    out += step_html(s, r.display);
+    out += step_html(s, display);
     if (out.size() > most_bytes && i + 1 < r.steps.size()) {
       if (in_given) out += "</p>\n";
       in_given = false;

@@ -19,7 +19,7 @@ constexpr double font_size = 12.5;
 constexpr double paper_width = 660;    ///< what a page takes in its full width
 constexpr double drawing_width = 520;  ///< for the machine itself, before arrows and labels
 constexpr double drawing_height = 380;
-constexpr double polygon_height = 260;
+constexpr double polygon_height = 310;
 constexpr double longest_arrow = 95;
 constexpr int longest_label = 64;
 
@@ -42,10 +42,20 @@ struct Canvas {
   std::set<Role> roles;
 };
 
-void want_label(Canvas& c, Pixel at, const std::string& text, Pixel toward, bool may_cover = false) {
+struct Place {
+  Pixel at;
+  Pixel toward;                   ///< where its text would like to stand from there
+  std::vector<Pixel> or_at = {};  ///< other places on the same line
+  bool may_cover = false;
+};
+
+void want_label(Canvas& c, const std::string& text, Place place) {
   if (text.empty()) return;
-  c.labels.push_back({at, label_runs(shortened(clean(text), longest_label)), toward, may_cover});
+  c.labels.push_back({place.at, std::move(place.or_at), label_runs(shortened(clean(text), longest_label)), place.toward,
+                      place.may_cover});
 }
+
+Pixel between(Pixel a, Pixel b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 
 void add_line(Canvas& c, const std::vector<Pixel>& points, double weight, bool closed = false) {
   for (std::size_t i = 0; i < points.size(); ++i) c.box.add(points[i]);
@@ -142,7 +152,7 @@ struct Drawer {
     const double dy = -s.fy * c.layout.fit.vertical;
     const double l = std::hypot(s.fx, dy);
     const double length = force * c.layout.force_scale;
-    if (!(l > 0) || !(length > 0.05)) return want_label(c, at, text, {});
+    if (!(l > 0) || !(length > 0.05)) return want_label(c, text, {at, {}});
     const Pixel d{s.fx / l * length, dy / l * length};
     const Pixel tail = s.towards ? Pixel{at.x - d.x, at.y - d.y} : at;
     const Pixel tip = s.towards ? at : Pixel{at.x + d.x, at.y + d.y};
@@ -154,10 +164,10 @@ struct Drawer {
     add_line(c, {tail, tip}, p.weight);
     // The free end has more room; a side of a polygon is named at its middle.
     const Pixel free_end = s.towards ? tail : tip;
-    const Pixel middle{(tail.x + tip.x) / 2, (tail.y + tip.y) / 2};
     const double sign = s.towards ? -1 : 1;
-    if (c.layout.is_polygon) return want_label(c, middle, text, {-d.y, d.x});
-    want_label(c, free_end, text, {sign * d.x, sign * d.y});
+    const auto along = [&](double t) { return between(tail, tip, t); };
+    if (c.layout.is_polygon) return want_label(c, text, {along(0.5), {-d.y, d.x}, {along(0.3), along(0.7)}});
+    want_label(c, text, {free_end, {sign * d.x, sign * d.y}, {along(0.5)}});
   }
 
   void operator()(const DimensionLine& s) const {
@@ -188,7 +198,7 @@ struct Drawer {
     const std::string text =
         s.text.empty() ? quantity_shown(l, c.layout.is_polygon ? si::N : si::m, c.display, 4) : s.text;
     const double side = s.offset < 0 ? -1 : 1;
-    want_label(c, {(a.x + b.x) / 2, (a.y + b.y) / 2}, text, {side * -ly, side * -lx});
+    want_label(c, text, {between(a, b, 0.5), {side * -ly, side * -lx}, {between(a, b, 0.3), between(a, b, 0.7)}});
   }
 
   void operator()(const AngleMark& s) const {
@@ -201,14 +211,14 @@ struct Drawer {
     add_line(c, arc, 1.2);
     const Pixel center = c.layout.fit.of(s.center);
     const Pixel middle = arc[arc.size() / 2];
-    want_label(c, middle, s.text, {middle.x - center.x, middle.y - center.y});
+    want_label(c, s.text, {middle, {middle.x - center.x, middle.y - center.y}});
   }
 
   void operator()(const Label& s) const {
     if (!is_finite(s.at)) return;
     const Pixel at = c.layout.fit.of(s.at);
     c.box.add(at);
-    want_label(c, at, s.text, {}, true);
+    want_label(c, s.text, {at, {}, {}, true});
   }
 };
 
@@ -279,11 +289,11 @@ double scale_bar(std::string& out, Pixel at, double pixels, const std::string& t
   }
   out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + pixels + 6, at.y + 4,
                      escape(text));
-  return pixels + 6 + 0.56 * font_size * length(text) + 22;
+  return pixels + 6 + 0.52 * font_size * length(text) + 20;
 }
 
 /// A round length of 30 to 90 pixels.
-double round_length(double scale, const ShownUnit& unit) { return nice_below(90 / scale / unit.si) * unit.si; }
+double round_length(double scale, const ShownUnit& unit) { return nice_below(90 / scale * unit.of(1)) / unit.of(1); }
 
 /// The row below: scale bars and legend.
 void draw_foot(Canvas& c, const Drawing& d) {
@@ -313,7 +323,7 @@ void draw_foot(Canvas& c, const Drawing& d) {
   if (named.size() < 2) named.clear();
   for (const Role r : named) {
     const std::string words(pen(r).words);
-    const double needed = 34 + 0.56 * font_size * length(words) + 14;
+    const double needed = 34 + 0.52 * font_size * length(words) + 12;
     room(needed);
     out += fmt::format("<path d=\"M{:.1f} {:.1f}h26\" fill=\"none\" {}/>", at.x, at.y, stroke_of(pen(r)));
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + 32, at.y + 4, words);
@@ -321,6 +331,15 @@ void draw_foot(Canvas& c, const Drawing& d) {
   }
   c.box.add(Pixel{right, at.y + 8});
   c.front += out;
+}
+
+/// The sides of a polygon are named from outside: between two of them a name could belong to either.
+void turn_outward(Canvas& c) {
+  const Pixel center{(c.box.left + c.box.right) / 2, (c.box.top + c.box.bottom) / 2};
+  for (Wanted& w : c.labels) {
+    const double outward = w.toward.x * (w.anchor.x - center.x) + w.toward.y * (w.anchor.y - center.y);
+    if (outward < 0) w.toward = {-w.toward.x, -w.toward.y};
+  }
 }
 
 }  // namespace
@@ -334,6 +353,7 @@ std::string drawing_svg(const Drawing& d, const Display& display) {
     Canvas c{display, layout_of(d, wide), {}, {}, {}, {}, {}, {}};
     for (const Shape& s : d.shapes) std::visit(Drawer{c}, s);
     if (c.box.empty()) c.box.add(Pixel{0, 0});
+    if (c.layout.is_polygon) turn_outward(c);
     const std::vector<Placed> labels = place_labels(c.labels, c.obstacles, c.box, font_size);
     for (const Placed& p : labels) c.box.add(p.box);
     draw_foot(c, d);

@@ -145,7 +145,7 @@ std::string tick_text(double v, const std::vector<double>& ticks) {
 Runs axis_title(const Axis& axis, const ShownUnit& unit) {
   Runs runs = label_runs(shortened(clean(axis.label), longest_label));
   const std::string name = unit_text(unit);
-  if (!name.empty()) runs.push_back({fmt::format(" in {}", unit.is_slope ? "%" : name), Run::Style::plain});
+  if (!name.empty()) runs.push_back({fmt::format(" in {}", name), Run::Style::plain});
   return runs;
 }
 
@@ -275,7 +275,11 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
           s.axes.left, y, s.axes.right, limit_colour);
       obstacles.push_back({{s.axes.left, y}, {s.axes.right, y}, 3});
       const double half = width(runs) * font_size / 2 + 8;
-      if (!m.label.empty()) labels.push_back({{s.axes.right - half, y}, runs, {0, -1}});
+      if (!m.label.empty())
+        labels.push_back({{s.axes.right - half, y},
+                          {{s.axes.left + half, y}, {(s.axes.left + s.axes.right) / 2, y}},
+                          runs,
+                          {0, -1}});
     } else {
       const Pixel p = s.pixel(m.x, m.y);
       if (!ok(p)) continue;
@@ -283,7 +287,7 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
           "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>\n", p.x, p.y,
           limit_colour);
       obstacles.push_back({{p.x - 5, p.y}, {p.x + 5, p.y}, 3});
-      if (!m.label.empty()) labels.push_back({p, runs, {0, -1}});
+      if (!m.label.empty()) labels.push_back({p, {}, runs, {0, -1}});
     }
   }
   const Box& a = s.axes;

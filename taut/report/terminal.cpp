@@ -69,10 +69,11 @@ std::string words(const std::string& text) { return shortened(clean(text), longe
 
 std::string checks(const Result& r, const TerminalOptions& o) {
   if (r.checks.empty()) return {};
+  const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Check& c : r.checks) {
-    rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, r.display),
-                    c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, r.display),
+    rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, display),
+                    c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display),
                     utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
   }
   std::string text = aligned(rows, {false, false, true, false, true, true, false});
@@ -91,11 +92,12 @@ std::string checks(const Result& r, const TerminalOptions& o) {
 
 std::string comparisons(const Result& r) {
   if (r.comparisons.empty()) return {};
+  const Display display = display_of(r);
   std::vector<Row> rows{{"", "as printed", "corrected", "exact", "", ""}};
   for (const Comparison& c : r.comparisons) {
-    const ShownUnit u = shown_unit(c.unit, r.display);
+    const ShownUnit u = shown_unit(c.unit, display);
     const auto number = [&](double x) { return std::isnan(x) ? std::string{} : number_plain(u.of(x)); };
-    rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), plain_unit(u),
+    rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), u.name,
                     c.printed_unsafe ? "printed value is unsafe" : ""});
   }
   if (!has_exact(r)) rows[0][3].clear();
@@ -104,10 +106,11 @@ std::string comparisons(const Result& r) {
 
 std::string values(const Result& r) {
   if (r.values.empty()) return {};
+  const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Value& v : r.values) {
-    const ShownUnit u = shown_unit(v.unit, r.display);
-    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), plain_unit(u), words(v.label)});
+    const ShownUnit u = shown_unit(v.unit, display);
+    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), u.name, words(v.label)});
   }
   return "\nResults\n" + aligned(rows, {false, true, false, false});
 }

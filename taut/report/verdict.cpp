@@ -46,10 +46,9 @@ Verdict computed(const Result& r) {
   if (!failed.empty()) return failing(r, std::move(failed));
   const auto top =
       std::max_element(r.checks.begin(), r.checks.end(), [](auto& a, auto& b) { return severity(a) < severity(b); });
-  const std::string all =
-      r.checks.size() == 1 ? "Passes its check" : fmt::format("Passes all {} checks", r.checks.size());
-  return {Mood::good, all,
-          fmt::format("{}: {}.", r.checks.size() == 1 ? "It is" : "Closest to its limit", named(*top))};
+  if (r.checks.size() == 1) return {Mood::good, "Passes its check", named(*top) + "."};
+  return {Mood::good, fmt::format("Passes all {} checks", r.checks.size()),
+          fmt::format("Closest to its limit: {}.", named(*top))};
 }
 
 }  // namespace
