@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/base/expects.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
@@ -48,8 +49,8 @@ double excess_of(const Input& in, const Case<double>& c, double sag) {
 
 Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
   const double target = target_of(in);
-  double least = INFINITY;
-  double most = -INFINITY;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
   int roots = 0;
   double low = smallest_share * in.span;
   double e_low = excess_of(in, c, low);
@@ -82,7 +83,7 @@ Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>
     return {};
   }
   FoundSag found;
-  if (const Outcome o = find_sag(in, plain, found); !o.ok()) return o;
+  if (Outcome o = find_sag(in, plain, found); !o.ok()) return o;
   const bool by_winch = in.mode == Mode::winch_pull;
   s.section("Sag");
   s.note(

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_search.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -81,47 +78,6 @@ Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
 
 template Outcome areas(const Input&, const Case<double>&, const Paper<double>&, Sheet<double>&, Output&);
 template Outcome areas(const Input&, const Case<Num>&, const Paper<Num>&, Sheet<Num>&, Output&);
-
-namespace {
-
-/// "16 mm", "16mm", "1960 MPa" of a rope's words; a text without unit or of another kind is left alone.
-bool read_size(const std::string& text, catalogue::RopeDescription& wanted) {
-  if (const auto d = parse_quantity(text, si::m)) return wanted.diameter = *d, true;
-  if (const auto grade = parse_quantity(text, si::Pa)) return wanted.grade = *grade, true;
-  return false;
-}
-
-catalogue::RopeDescription read_words(const std::string& text) {
-  std::istringstream words(text);
-  std::vector<std::string> all;
-  for (std::string word; words >> word;) all.push_back(word);
-  catalogue::RopeDescription wanted;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i + 1 < all.size() && read_size(all[i] + " " + all[i + 1], wanted)) {
-      ++i;
-    } else if (read_size(all[i], wanted)) {
-      continue;
-    } else if (const auto core = catalogue::parse_core(all[i])) {
-      wanted.core = *core;
-    } else if (const auto construction = catalogue::parse_construction(all[i])) {
-      wanted.construction = all[i];
-      if (!construction->core.empty()) wanted.core = construction->core;
-    } else {
-      wanted.standard += (wanted.standard.empty() ? "" : " ") + all[i];
-    }
-  }
-  return wanted;
-}
-
-}  // namespace
-
-catalogue::Found<catalogue::RopeRow> rope_named(const std::string& text) {
-  auto by_id = catalogue::find_rope(text);
-  if (by_id) return by_id;
-  const auto wanted = read_words(text);
-  if (wanted.construction.empty() || wanted.diameter <= 0) return by_id;
-  return catalogue::find_rope(wanted);
-}
 
 namespace {
 

@@ -31,18 +31,6 @@ Input choosing() {
   return in;
 }
 
-TEST(ClosedLoopSizing, RopesByIdAndByWords) {
-  for (const char* text : {"EN 12385-4|6x36-IWRC|16|1960", "6x36-IWRC 16 mm 1960 MPa", "6x36 IWRC 16mm 1960MPa",
-                           "EN 12385-4 1960 N/mm2 6x36-IWRC 1.6 cm"}) {
-    const auto rope = rope_named(text);
-    ASSERT_TRUE(rope) << text << ": " << rope.error().message;
-    EXPECT_DOUBLE_EQ(rope->diameter, 0.016);
-    EXPECT_DOUBLE_EQ(*rope->grade, 1960e6);
-  }
-  for (const char* text : {"", "string", "6x36-IWRC 16.5 mm 1960 MPa", "6x36-IWRC"})
-    EXPECT_FALSE(rope_named(text)) << text;
-}
-
 TEST(ClosedLoopSizing, ASmallSagCarriesNoRope) {
   Input in = sized();
   in.sag = 0.5;
