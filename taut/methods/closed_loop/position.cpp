@@ -126,6 +126,13 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
           local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large");
     });
   }
+  if (!(out.P_b > 0)) {
+    s.warn([&] {
+      return fmt::format(
+          "By (1) the upper branch carries nothing (P_b = {}), by the closed-form tier {}: close to lift-off.",
+          kN(out.P_b), kN(out.P_b_closed));
+    });
+  }
   const Peak peak = peaks_of(out).return_rope;
   if (out.T_up < peak.tension * (1 - remarked)) {
     s.warn([&] {

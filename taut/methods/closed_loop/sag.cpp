@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "taut/base/expects.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
 
 namespace taut::closed_loop {
@@ -97,7 +96,11 @@ Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>
     return s.named(by_winch ? "T_lA" : "T_lLB", si::N, q ? tension_of(in, *q) : Output::none) - target;
   };
   const auto f = s.root("", "f", si::m, gap, found.low, found.high);
-  expects(f.has_value(), "the bracket of the sag holds a root");
+  if (!f) {
+    return not_converged(
+        fmt::format("the sag is not found between {:.4g} m and {:.4g} m: the case is barely feasible there", found.low,
+                    found.high));
+  }
   c.f = *f;
   out.f = value(c.f);
   out.f_second = found.second;

@@ -110,16 +110,12 @@ bool pass(const Input& in, const catalogue::RopeRow& b, const catalogue::RopeRow
   return true;
 }
 
-TEST(ClosedLoopSizing, ChosenRopesAreTheSmallestThatPass) {
-  const Input in = choosing();
+/// The choice passes, and no thinner rope that the filter lets through would, beside the other one.
+void expect_smallest(const Input& in, const catalogue::RopeFilter& filter) {
   Ropes ropes;
   ASSERT_TRUE(ropes_of(in, ropes).ok());
   ASSERT_TRUE(ropes.return_rope && ropes.traction_rope);
   EXPECT_TRUE(pass(in, *ropes.return_rope, *ropes.traction_rope));
-  catalogue::RopeFilter filter;
-  filter.construction = "6x36";
-  filter.core = "IWRC";
-  filter.grade = 1960e6;
   for (const auto& row : catalogue::select_ropes(filter)) {
     if (row.diameter < ropes.return_rope->diameter) {
       EXPECT_FALSE(pass(in, row, *ropes.traction_rope)) << row.id;
@@ -130,12 +126,22 @@ TEST(ClosedLoopSizing, ChosenRopesAreTheSmallestThatPass) {
   }
 }
 
-TEST(ClosedLoopSizing, AFilterThatOnlyNamesWhatItWantsSearchesAll) {
+TEST(ClosedLoopSizing, ChosenRopesAreTheSmallestThatPass) {
+  catalogue::RopeFilter filter;
+  filter.construction = "6x36";
+  filter.core = "IWRC";
+  filter.grade = 1960e6;
+  expect_smallest(choosing(), filter);
+  Input steep = choosing();
+  steep.slope = -20 * degree;
+  steep.sag = 16;
+  expect_smallest(steep, filter);
+}
+
+TEST(ClosedLoopSizing, AnEmptyFilterSearchesTheWholeCatalogue) {
   Input in = choosing();
   in.choose_ropes = RopeFilter{};
-  Ropes ropes;
-  ASSERT_TRUE(ropes_of(in, ropes).ok());
-  EXPECT_TRUE(pass(in, *ropes.return_rope, *ropes.traction_rope));
+  expect_smallest(in, {});
 }
 
 TEST(ClosedLoopSizing, TooGreatALoadHasNoRope) {
