@@ -1,0 +1,4 @@
+# The example decks: `taut new` prints them, `taut explain` runs them.
+file(GLOB example_decks CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples/*.yaml)
+list(FILTER example_decks EXCLUDE REGEX "\\.part\\.yaml$")
+taut_embed(TARGET taut NAMESPACE taut::app::embedded NAME examples FILES ${example_decks})

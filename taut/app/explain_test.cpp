@@ -1,0 +1,28 @@
+#include "taut/app/explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "test/paths.hpp"
+
+namespace taut::app {
+namespace {
+
+TEST(Explain, TellsEquationsKeysValuesAndErrata) {
+  const std::string text = explain_text(*find_method("mast_section"));
+  for (const char* part : {"skyline_force", "required", "D_tube", "exp(", "Errata", "at least", "Shoshin"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(Explain, TheReferencePageIsWhatTheProgramSays) {
+  std::ifstream file(taut_test::source_dir() / "docs/guide/reference.md");
+  std::stringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), reference_guide()) << "run: build/bin/taut explain all --markdown > docs/guide/reference.md";
+}
+
+}  // namespace
+}  // namespace taut::app

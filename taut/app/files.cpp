@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <system_error>
+
+#include "taut/app/job.hpp"
+#include "taut/io/include.hpp"
+#include "taut/io/json.hpp"
+#include "taut/io/table.hpp"
+#include "taut/report/html.hpp"
+#include "taut/report/markdown.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+
+std::string read_standard_input() {
+  std::string text;
+  char block[65536];
+  while (text.size() <= io::largest_deck && std::cin.read(block, sizeof block).gcount() > 0) {
+    text.append(block, static_cast<std::size_t>(std::cin.gcount()));
+  }
+  return text;
+}
+
+/// Writes beside its place and moves it there whole.
+tl::expected<void, FileError> write(const fs::path& path, const std::string& text) {
+  const fs::path part = path.string() + ".part";
+  errno = 0;
+  {
+    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    if (!file) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), reason())});
+  }
+  std::error_code error;
+  fs::rename(part, path, error);
+  if (error) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), error.message())});
+  return {};
+}
+
+}  // namespace
+
+tl::expected<Job, FileError> read_job(const std::string& path) {
+  if (path == "-") return Job{read_standard_input(), "<stdin>", {}};
+  auto text = io::read_file(path);
+  if (!text) return tl::unexpected(FileError{fmt::format("can't read {}: {}", path, text.error())});
+  return Job{std::move(*text), path, {}};
+}
+
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return tl::unexpected(FileError{fmt::format("can't make the folder {}: {}", folder, error.message())});
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"result.json", io::to_json(result, io::SeriesFiles::named)},
+      {"report.html", report::to_html(result)},
+      {"report.md", report::to_markdown(result)}};
+  for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", io::to_csv(t));
+  for (const Figure& f : result.figures) {
+    if (const auto* plot = std::get_if<Plot>(&f))
+      files.emplace_back(plot->name + ".csv", io::to_csv(io::series_table(*plot)));
+  }
+  if (!result.comparisons.empty())
+    files.emplace_back("comparison.csv", io::to_csv(comparison_table(result.comparisons)));
+  std::vector<std::string> written;
+  for (const auto& [name, text] : files) {
+    const fs::path path = fs::path(folder) / name;
+    if (const auto done = write(path, text); !done) return tl::unexpected(done.error());
+    written.push_back(path.string());
+  }
+  return written;
+}
+
+}  // namespace taut::app

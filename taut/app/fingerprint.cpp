@@ -1,0 +1,19 @@
+#include "taut/app/fingerprint.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/uuid/detail/sha1.hpp>
+
+namespace taut::app {
+
+std::string fingerprint(std::string_view text) {
+  boost::uuids::detail::sha1 sha;
+  sha.process_bytes(text.data(), text.size());
+  boost::uuids::detail::sha1::digest_type digest{};
+  sha.get_digest(digest);
+  std::string hex;
+  for (const unsigned int word : digest) hex += fmt::format("{:08x}", word);
+  return hex;
+}
+
+}  // namespace taut::app

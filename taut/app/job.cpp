@@ -1,0 +1,74 @@
+#include "taut/app/job.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "taut/app/fingerprint.hpp"
+#include "taut/app/methods.hpp"
+#include "taut/io/deck.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A deck as far as it could be read; `calculate` is empty when there are mistakes.
+struct Prepared {
+  std::optional<io::Deck> deck;
+  Diagnostics mistakes;
+  std::function<Result()> calculate;
+};
+
+Prepared prepare(const Job& job) {
+  Prepared p;
+  p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
+  if (!p.deck) return p;
+  const MethodEntry* entry = find_method(p.deck->method);
+  if (entry != nullptr) p.calculate = entry->prepare(p.deck->input, p.mistakes);
+  if (!p.mistakes.empty()) p.calculate = {};
+  return p;
+}
+
+void collect(const io::Node& node, std::set<const io::Source*>& seen, std::string& text) {
+  if (node.spot.source && seen.insert(node.spot.source.get()).second) text += '\n' + node.spot.source->text;
+  for (const io::Node& item : node.items) collect(item, seen, text);
+  for (const io::Entry& entry : node.entries) collect(entry.value, seen, text);
+}
+
+/// Of everything that decides the numbers: the deck, what it includes, and what was set over it.
+std::string hash_of(const Job& job, const io::Deck& deck) {
+  std::string text = job.text;
+  for (const std::string& one : job.set) text += '\n' + one;
+  std::set<const io::Source*> seen;
+  collect(deck.input, seen, text);
+  return fingerprint(text);
+}
+
+Result bad_deck(const Prepared& p) {
+  Result r;
+  r.status = Status::bad_deck;
+  r.message =
+      p.mistakes.size() == 1 ? "the deck has a mistake" : fmt::format("the deck has {} mistakes", p.mistakes.size());
+  r.errors = p.mistakes;
+  return r;
+}
+
+}  // namespace
+
+Result run(const Job& job) {
+  const Prepared p = prepare(job);
+  Result r = p.calculate ? p.calculate() : bad_deck(p);
+  r.deck_name = job.name;
+  if (!p.deck) return r;
+  if (!p.deck->title.empty()) r.title = p.deck->title;
+  if (r.title.empty()) r.title = r.method_title;
+  r.method = p.deck->method;
+  r.display = p.deck->display.units();
+  r.deck_hash = hash_of(job, *p.deck);
+  return r;
+}
+
+Diagnostics check(const Job& job) { return prepare(job).mistakes; }
+
+}  // namespace taut::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+
+namespace taut::app {
+
+/// One calculation to do: a deck's text, what to call it in messages, and overrides from outside.
+struct Job {
+  std::string text;              ///< the deck
+  std::string name = "deck";     ///< its path, or "<stdin>": messages name it, and `include:` is looked for beside it
+  std::vector<std::string> set;  ///< "input.span=200 m": values put over those of the deck, in order
+};
+
+/// The one funnel of all doors: reads the deck, runs its method, returns everything a report needs.
+/// Mistakes of the deck come back as status bad_deck with `errors`, physical impossibilities as infeasible or
+/// not_converged. Throws ContractViolation for our own bugs only.
+Result run(const Job& job);
+
+/// Reads and checks the deck without calculating: the mistakes, empty when it is fine.
+Diagnostics check(const Job& job);
+
+/// Why a file could not be read or written: exit code 5.
+struct FileError {
+  std::string message;
+};
+
+/// A deck from disk, or from standard input when `path` is "-". Files above 16 MB are a mistake of the deck, not of the
+/// file: their text is cut behind that size and refused by `run` at once.
+tl::expected<Job, FileError> read_job(const std::string& path);
+
+/// Writes result.json, report.html, report.md and one CSV per table and plot into `folder`, which is made when missing.
+/// Each file is written beside its place and then moved, so that an interrupted run leaves no half files.
+/// Returns the paths written.
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
+
+}  // namespace taut::app

@@ -1,0 +1,71 @@
+#include "taut/app/methods.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "taut/app/embedded/examples.hpp"
+#include "taut/base/expects.hpp"
+#include "taut/io/read.hpp"
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/methods/mast_section/mast_section.hpp"
+
+namespace taut::app {
+namespace {
+
+std::string_view example_of(const std::string& method) {
+  for (const auto& [file, text] : embedded::examples) {
+    if (file == method + ".yaml") return text;
+  }
+  expects(false, "no example for " + method);
+  return {};
+}
+
+template <class Input, class Output>
+MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(const Input&),
+                  Result (*run)(const Input&)) {
+  MethodEntry e;
+  e.about = &about;
+  e.input = &Input::describe();
+  e.output = &Output::describe();
+  e.example = example_of(about.name);
+  const std::string what = "the input of " + about.name;
+  e.prepare = [complaints, run, what](const io::Node& node, Diagnostics& mistakes) -> std::function<Result()> {
+    const auto in = std::make_shared<Input>();
+    if (!io::read(node, Input::describe(), in.get(), what, mistakes)) return {};
+    const std::vector<Complaint> broken = complaints(*in);
+    io::place(node, broken, mistakes);
+    if (!broken.empty()) return {};
+    return [in, run] { return run(*in); };
+  };
+  return e;
+}
+
+}  // namespace
+
+const std::vector<MethodEntry>& methods() {
+  static const std::vector<MethodEntry> all = {
+      entry<mast_section::Input, mast_section::Output>(mast_section::about(), mast_section::complaints,
+                                                       mast_section::run),
+      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, closed_loop::run),
+      entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(), friction_drive::complaints,
+                                                           friction_drive::run),
+      entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run),
+  };
+  return all;
+}
+
+const MethodEntry* find_method(std::string_view name) {
+  const auto& all = methods();
+  const auto at = std::find_if(all.begin(), all.end(), [&](const MethodEntry& e) { return e.about->name == name; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const MethodEntry& e : methods()) names.push_back(e.about->name);
+  return names;
+}
+
+}  // namespace taut::app

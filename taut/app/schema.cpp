@@ -1,0 +1,14 @@
+#include "taut/app/schema.hpp"
+
+#include "taut/app/methods.hpp"
+#include "taut/io/schema.hpp"
+
+namespace taut::app {
+
+std::string schema_text() {
+  std::vector<io::SchemaMethod> all;
+  for (const MethodEntry& m : methods()) all.push_back({m.about->name, m.about->title, m.input});
+  return io::deck_schema(all);
+}
+
+}  // namespace taut::app
