@@ -1,0 +1,114 @@
+#include "cli/cli.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "cli/verbs.hpp"
+#include "taut/base/version.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// Files are moved into place only when whole, so an interrupt may end the program at once.
+extern "C" void end_interrupted(int) { _exit(interrupted); }
+
+void add_run(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("run", "Calculate a deck: values and checks on the screen, a report with -o");
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
+  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV");
+  verb->add_option("--set", options->set, "put a value over the deck's, as in --set 'input.span=200 m'")->take_all();
+  verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
+  verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+void add_check(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("check", "Read a deck and list its mistakes without calculating");
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
+  verb->add_option("--set", options->set, "put a value over the deck's")->take_all();
+  verb->add_flag("--json", options->json, "the mistakes as JSON on standard output");
+  verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->callback([options, &action] { action = [options] { return check(*options); }; });
+}
+
+void add_list(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("list", "List methods, ropes, sections, steels, rules or units");
+  auto what = std::make_shared<std::string>();
+  auto f = std::make_shared<app::ListFilter>();
+  verb->add_option("what", *what, "methods | ropes | sections | steels | rules | units")->required();
+  verb->add_option("--construction", f->construction, "ropes: 6x36, 6x19S, 18x7, ...");
+  verb->add_option("--core", f->core, "ropes: FC, IWRC, WSC");
+  verb->add_option("--grade", f->grade, "ropes: '1960 MPa'");
+  verb->add_option("--min-breaking-force", f->min_breaking_force, "ropes: '150 kN'");
+  verb->add_option("--min-diameter", f->min_diameter, "ropes: '12 mm'");
+  verb->add_option("--max-diameter", f->max_diameter, "ropes: '24 mm'");
+  verb->add_option("--min-area", f->min_area, "ropes, sections: '200 mm2'");
+  verb->add_option("--shape", f->shape, "sections: CHS, SHS, RHS");
+  verb->add_option("--forming", f->forming, "sections: hot, cold, seamless, welded");
+  verb->add_option("--max-height", f->max_height, "sections: largest outer side, '400 mm'");
+  verb->add_option("--min-section-modulus", f->min_section_modulus, "sections: elastic, '500 cm3'");
+  verb->add_option("--standard", f->standard, "beginning of the standard's name: EN, 'GOST 2688'");
+  verb->add_option("--name", f->name, "methods, steels, rules, units: part of the name");
+  verb->add_flag("--verified", f->verified_only, "only rows whose numbers were read in a public source");
+  verb->callback([what, f, &action] { action = [what, f] { return print_list(*what, *f); }; });
+}
+
+void add_texts(CLI::App& app, std::function<int()>& action) {
+  auto name = std::make_shared<std::string>();
+  auto* starter = app.add_subcommand("new", "Print a commented starter deck of a method");
+  starter->add_option("name", *name, "the method, see 'taut list methods'")->required();
+  starter->callback([name, &action] { action = [name] { return print_new(*name); }; });
+
+  auto markdown = std::make_shared<bool>(false);
+  auto* explain = app.add_subcommand("explain", "A method's formulas, source, range, deck keys, results and errata");
+  explain->add_option("method", *name, "the method, see 'taut list methods'; 'all' with --markdown")->required();
+  explain->add_flag("--markdown", *markdown, "the keys and results as Markdown tables");
+  explain->callback(
+      [name, markdown, &action] { action = [name, markdown] { return print_explain(*name, *markdown); }; });
+
+  auto* schema = app.add_subcommand("schema", "Print the JSON Schema (draft 7) of decks, for editors");
+  schema->callback([&action] { action = [] { return print_schema(); }; });
+}
+
+/// CLI11 has exit codes of its own; ours are 0 for help and version, 2 for a mistake.
+int parse_failure(const CLI::App& app, const CLI::ParseError& e) {
+  const int code = app.exit(e);
+  return code == 0 ? computed : usage_or_deck;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  signal(SIGINT, end_interrupted);
+  signal(SIGPIPE, SIG_IGN);
+  CLI::App app("taut: checked, explained calculations of rope-driven machines", "taut");
+  app.set_version_flag("--version", std::string("taut ") + std::string(version));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 computed; 1 our fault; 2 usage or deck; 3 physics or solver says no;\n"
+      "4 computed, and a check fails; 5 a file can't be read or written; 130 interrupted.");
+  std::function<int()> action;
+  add_run(app, action);
+  add_check(app, action);
+  add_list(app, action);
+  add_texts(app, action);
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::ParseError& e) {
+    return parse_failure(app, e);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "taut: internal error, please report it: {}\n", e.what());
+    return our_fault;
+  }
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,121 @@
+#include "cli/verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "taut/app/explain.hpp"
+#include "taut/app/job.hpp"
+#include "taut/app/methods.hpp"
+#include "taut/app/schema.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/io/json.hpp"
+#include "taut/report/terminal.hpp"
+
+namespace taut::cli {
+namespace {
+
+/// Prints to standard output; a full disk or a closed pipe is a file that can't be written.
+int print(const std::string& text, int code) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (written) return code;
+  fmt::print(stderr, "taut: can't write to standard output\n");
+  return file_trouble;
+}
+
+int file_failure(const app::FileError& error, const RunOptions& options) {
+  fmt::print(stderr, "taut: {}\n", error.message);
+  if (!options.json) return file_trouble;
+  Result r;
+  r.status = Status::bad_deck;
+  r.message = error.message;
+  r.errors.push_back({options.deck, {}, error.message, {}, 1});
+  return print(io::to_json(r), file_trouble);
+}
+
+const app::MethodEntry* named_method(const std::string& name) {
+  const app::MethodEntry* entry = app::find_method(name);
+  if (entry == nullptr) {
+    fmt::print(stderr, "taut: there is no method '{}'{}; see 'taut list methods'\n", name,
+               did_you_mean(name, app::method_names()));
+  }
+  return entry;
+}
+
+void print_mistakes(const Diagnostics& mistakes) {
+  fmt::print(stderr, "{}", to_text(mistakes));
+  if (mistakes.size() > 1) fmt::print(stderr, "{} mistakes\n", mistakes.size());
+}
+
+int write_report(const Result& result, const RunOptions& options) {
+  const auto written = app::write_files(result, options.folder);
+  if (!written) {
+    fmt::print(stderr, "taut: {}\n", written.error().message);
+    return file_trouble;
+  }
+  if (!options.quiet) fmt::print(stderr, "report: {}/report.html\n", options.folder);
+  return computed;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  auto job = app::read_job(options.deck);
+  if (!job) return file_failure(job.error(), options);
+  job->set = options.set;
+  const Result result = app::run(*job);
+  int code = exit_code(result);
+  if (result.status == Status::bad_deck) print_mistakes(result.errors);
+  if (options.json) {
+    code = print(io::to_json(result, options.folder.empty() ? io::SeriesFiles::none : io::SeriesFiles::named), code);
+  } else if (result.status != Status::bad_deck && !options.quiet) {
+    code = print(report::to_terminal(result), code);
+  }
+  if (result.status != Status::bad_deck && result.status != Status::ok && (options.json || options.quiet)) {
+    fmt::print(stderr, "taut: {}: {}\n", to_text(result.status), result.message);
+  }
+  if (options.folder.empty() || result.status == Status::bad_deck) return code;
+  const int written = write_report(result, options);
+  return written == computed ? code : written;
+}
+
+int check(const RunOptions& options) {
+  auto job = app::read_job(options.deck);
+  if (!job) return file_failure(job.error(), options);
+  job->set = options.set;
+  const Diagnostics mistakes = app::check(*job);
+  const int code = mistakes.empty() ? computed : usage_or_deck;
+  print_mistakes(mistakes);
+  if (options.json) {
+    Result r;
+    r.status = mistakes.empty() ? Status::ok : Status::bad_deck;
+    r.errors = mistakes;
+    return print(io::to_json(r), code);
+  }
+  if (mistakes.empty() && !options.quiet) return print(fmt::format("{}: no mistakes found\n", job->name), code);
+  return code;
+}
+
+int print_new(const std::string& method) {
+  const app::MethodEntry* entry = named_method(method);
+  return entry == nullptr ? static_cast<int>(usage_or_deck) : print(std::string(entry->example), computed);
+}
+
+int print_list(const std::string& what, const app::ListFilter& filter) {
+  const auto text = app::list_text(what, filter);
+  if (text) return print(*text, computed);
+  fmt::print(stderr, "taut: {}\n", text.error());
+  return usage_or_deck;
+}
+
+int print_explain(const std::string& method, bool markdown) {
+  if (markdown && method == "all") return print(app::reference_guide(), computed);
+  const app::MethodEntry* entry = named_method(method);
+  if (entry == nullptr) return usage_or_deck;
+  if (markdown) return print(app::reference_markdown(*entry), computed);
+  return print(app::explain_text(*entry), computed);
+}
+
+int print_schema() { return print(app::schema_text(), computed); }
+
+}  // namespace taut::cli

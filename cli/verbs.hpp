@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/app/listing.hpp"
+
+namespace taut::cli {
+
+enum ExitCode {
+  computed = 0,
+  our_fault = 1,
+  usage_or_deck = 2,
+  says_no = 3,
+  check_fails = 4,
+  file_trouble = 5,
+  interrupted = 130
+};
+
+struct RunOptions {
+  std::string deck;
+  std::string folder;  ///< empty: print only
+  std::vector<std::string> set;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.
+int run(const RunOptions& options);
+int check(const RunOptions& options);
+int print_new(const std::string& method);
+int print_list(const std::string& what, const app::ListFilter& filter);
+int print_explain(const std::string& method, bool markdown);
+int print_schema();
+
+}  // namespace taut::cli
