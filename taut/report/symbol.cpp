@@ -204,7 +204,6 @@ std::string symbol_mathml(std::string_view symbol) {
 
 std::string symbol_html(std::string_view symbol) {
   if (symbol.empty()) return {};
-  if (split_symbol(symbol).is_word) return fmt::format("<span class=\"word\">{}</span>", escape(symbol));
   return fmt::format("<math>{}</math>", symbol_mathml(symbol));
 }
 
