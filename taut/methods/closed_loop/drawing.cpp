@@ -78,10 +78,10 @@ Frame frame_of(const View& v, double rise, double lean) {
   return k;
 }
 
-/// Stretches a flat loop so that its sag can be seen; 1, 2, 3, ...
+/// Stretches a flat loop so that its sag can be seen: 1, 2, ... 5.
 double stretch_of(const View& v) {
   const double height = std::max(v.f1, v.f2) + std::abs(v.l * v.m);
-  return std::clamp(std::floor(0.25 * v.l / height), 1.0, 10.0);
+  return std::clamp(std::floor(0.16 * v.l / height), 1.0, 5.0);
 }
 
 void add_ground(Drawing& d, const View& v, const Frame& k) {
@@ -101,10 +101,11 @@ void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
   d.shapes.emplace_back(ForceArrow{k.L2, v.S_x, -v.S_y, "S", Role::force, false});
   if (v.W_c > 0) d.shapes.emplace_back(ForceArrow{k.L1, 0, -v.W_c, "W_c", Role::second_force, false});
   d.shapes.emplace_back(ForceArrow{k.U, o.P_v * std::tan(o.phi), -o.P_v, "N", Role::second_force, true});
-  pull(k.A_l, o.H_1, end_slope(k.A_l, k.L1, v.w_T, o.H_1, -1), -1, "T_lA", Role::force);
+  // The upper ends first: labels are placed in this order, and theirs belong above.
   pull(k.A_u, o.H_3, end_slope(k.A_u, k.U, v.w_b, o.H_3, -1), -1, "T_uA", Role::second_force);
-  pull(k.B_l, o.H_2, end_slope(k.L2, k.B_l, v.w_b, o.H_2, +1), +1, "T_lB", Role::force);
   pull(k.B_u, o.H_4, end_slope(k.U, k.B_u, v.w_b, o.H_4, +1), +1, "T_uB", Role::second_force);
+  pull(k.A_l, o.H_1, end_slope(k.A_l, k.L1, v.w_T, o.H_1, -1), -1, "T_lA", Role::force);
+  pull(k.B_l, o.H_2, end_slope(k.L2, k.B_l, v.w_b, o.H_2, +1), +1, "T_lB", Role::force);
 }
 
 void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, const Output& o) {
@@ -141,7 +142,7 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   if (v.two) d.shapes.emplace_back(Polyline{{k.L1, k.L2}, Role::rope});
   add_rope(d, k.A_l, k.L1, v.w_T, out.H_1, Role::second_rope);
   d.shapes.emplace_back(Polyline{{k.L1, k.U}, Role::body});
-  const double size = 0.006 * v.l;
+  const double size = 0.006 * v.l / std::sqrt(d.vertical_scale);
   d.shapes.emplace_back(Circle{k.U, size, Role::body, 0, 0, true});
   d.shapes.emplace_back(Circle{k.L1, size, Role::body, 0, 0, true});
   if (v.two) d.shapes.emplace_back(Circle{k.L2, size, Role::body, 0, 0, true});
