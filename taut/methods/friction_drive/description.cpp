@@ -31,18 +31,18 @@ void describe_paper(Outputs& d) {
   d.field(&Output::T_2, "T_2", "T_2", si::N, "slack branch under P_M").from("before (3)");
   d.field(&Output::slip_ratio, "slip_ratio", "slip_ratio", si::one, "(T_1 - c)/(T_2 - c) under P_M; slips above e")
       .from("(13)");
-  d.field(&Output::cutting_force_at_P_M, "cutting_force_at_P_M", "cutting_force_at_P_M", si::N,
+  d.field(&Output::cutting_force_at_P_M, "cutting_force_at_P_M", "P_p_at_P_M", si::N,
           "largest cutting force that a take-up holding P_M passes on");
 }
 
 void describe_no_slip(Outputs& d) {
   d.field(&Output::T_1_no_slip, "T_1_no_slip", "T_1_no_slip", si::N, "tight branch of the drive that does not slip");
   d.field(&Output::T_2_no_slip, "T_2_no_slip", "T_2_no_slip", si::N, "slack branch of the drive that does not slip");
-  d.field(&Output::takeup_no_slip, "takeup_no_slip", "takeup_no_slip", si::N,
+  d.field(&Output::takeup_no_slip, "takeup_no_slip", "W_no_slip", si::N,
           "pull on the idler of the drive that does not slip, idler loss left out");
-  d.field(&Output::takeup_with_idler_loss, "takeup_with_idler_loss", "takeup_with_idler_loss", si::N,
+  d.field(&Output::takeup_with_idler_loss, "takeup_with_idler_loss", "W_idler_loss", si::N,
           "the same with the idler loss of (14)");
-  d.field(&Output::takeup_15_16, "takeup_15_16", "takeup_15_16", si::N, "pull on the idler by (15), (16)");
+  d.field(&Output::takeup_15_16, "takeup_15_16", "W_15_16", si::N, "pull on the idler by (15), (16)");
   d.field(&Output::speed_of_lost_grip, "speed_of_lost_grip", "U_lost", si::m_per_s,
           "speed at which a screw take-up set to takeup_no_slip at rest has no grip left");
 }

@@ -38,9 +38,9 @@ Drawing drive_drawing(const Input& in, const Output& out) {
       "Friction drive",
       at.to_scale
           ? "Driving sheave left, idler right, in proportion to the wrap. Forces on the driving sheave are those of "
-            "the drive that does not slip."
+            "the drive that does not slip; W pulls the idler, P_p is the cut."
           : "Driving sheave left, idler right; this wrap needs a deflection sheave and is not drawn to scale. "
-            "Forces are those of the drive that does not slip.",
+            "Forces are those of the drive that does not slip; W pulls the idler, P_p is the cut.",
       {},
       si::m,
       1};
@@ -52,17 +52,17 @@ Drawing drive_drawing(const Input& in, const Output& out) {
   const Point slack_end = contact(L, r, 1), tight_end = contact(L, r, -1);
   d.shapes.push_back(Polyline{{slack, slack_end}, Role::rope, false, false});
   d.shapes.push_back(Polyline{{tight, tight_end}, Role::rope, false, false});
-  const auto along = [&](Point from, Point to, double force, const char* label) {
+  const auto along = [&](Point from, Point to, double force, const char* label, Role role) {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
-    d.shapes.push_back(ForceArrow{from, force * (to.x - from.x) / length, force * (to.y - from.y) / length, label,
-                                  Role::force, false});
+    d.shapes.push_back(
+        ForceArrow{from, force * (to.x - from.x) / length, force * (to.y - from.y) / length, label, role, false});
   };
-  along(slack, slack_end, out.T_2_no_slip, "T_2");
-  along(tight, tight_end, out.T_1_no_slip, "T_1");
+  along(slack, slack_end, out.T_2_no_slip, "T_2", Role::force);
+  along(tight, tight_end, out.T_1_no_slip, "T_1", Role::force);
   // The tight branch runs to the driving sheave; the cut holds it back.
-  const Point middle{tight.x + 0.72 * (tight_end.x - tight.x), tight.y + 0.72 * (tight_end.y - tight.y)};
-  d.shapes.push_back(ForceArrow{middle, in.cutting_force, 0, "P_p", Role::highlight, false});
-  d.shapes.push_back(ForceArrow{{L, 0}, out.takeup_no_slip, 0, "take-up", Role::second_force, false});
+  const Point middle{tight.x + 0.6 * (tight_end.x - tight.x), tight.y + 0.6 * (tight_end.y - tight.y)};
+  along(middle, tight_end, in.cutting_force, "P_p", Role::second_force);
+  d.shapes.push_back(ForceArrow{{L, 0}, out.takeup_no_slip, 0, "W", Role::second_force, false});
   d.shapes.push_back(AngleMark{{0, 0}, 0.5 * R, normal, 2 * pi - normal, "alpha"});
   d.shapes.push_back(Label{{-0.2 * R, 0}, "driving sheave"});
   d.shapes.push_back(Label{{L, -0.4 * r}, "idler"});

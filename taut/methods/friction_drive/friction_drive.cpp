@@ -66,8 +66,7 @@ T initial_tension(const Drive<T>& d, Sheet<T>& s, Output& out) {
   out.P_M_3_printed = value(printed_3);
   out.P_M_printed = value(printed_18);
   out.P_M = value(P_M);
-  out.takeup_15_16 =
-      value(s.eq("", "takeup_15_16", si::N, P_tight + P_slack - 2 * c, "pull on the idler by (15), (16)"));
+  out.takeup_15_16 = value(s.eq("", "W_15_16", si::N, P_tight + P_slack - 2 * c, "pull on the idler by (15), (16)"));
   return P_M;
 }
 
@@ -80,7 +79,7 @@ void slip_under_P_M(const Drive<T>& d, const T& P_M, Sheet<T>& s, Output& out) {
   const T T_2 = s.eq("", "T_2", si::N, P_M / e / (1 + 1 / e) + c);
   const T ratio = s.eq("", "slip_ratio", si::one, (T_1 - c) / (T_2 - c), "no-slip condition, from (13)");
   const T passed =
-      s.eq("", "cutting_force_at_P_M", si::N, P_M * (e - 1) / (e + 1), "take-up that holds P_M, at the limit of slip");
+      s.eq("", "P_p_at_P_M", si::N, P_M * (e - 1) / (e + 1), "take-up that holds P_M, at the limit of slip");
   s.check("no slip", ratio, Sense::at_most, e, si::one,
           "(T_1 - c)/(T_2 - c) <= exp(mu phi), Ryabukhin et al. 2022, (12), (13)", "derived");
   out.T_1 = value(T_1);
@@ -96,7 +95,7 @@ void drive_without_slip(const Input& in, const Drive<T>& d, Sheet<T>& s, Output&
   s.section("The drive that does not slip");
   const T T_2 = s.eq("", "T_2_no_slip", si::N, c + m * P_p / (e - 1), "no-slip condition with the reserve m");
   const T T_1 = s.eq("", "T_1_no_slip", si::N, T_2 + P_p, "balance of the driving sheave");
-  const T takeup = s.eq("", "takeup_no_slip", si::N, T_1 + T_2 - 2 * c, "pull on the idler");
+  const T takeup = s.eq("", "W_no_slip", si::N, T_1 + T_2 - 2 * c, "pull on the idler");
   out.T_2_no_slip = value(T_2);
   out.T_1_no_slip = value(T_1);
   out.takeup_no_slip = value(takeup);
@@ -104,7 +103,7 @@ void drive_without_slip(const Input& in, const Drive<T>& d, Sheet<T>& s, Output&
   if (value(e) - 1 > value(m) * (value(r) - 1)) {
     const T slack = s.eq("", "T_2_idler", si::N, (m * P_p + c * (e - 1)) / (e - 1 - m * (r - 1)), "the same with (14)");
     out.takeup_with_idler_loss =
-        value(s.eq("", "takeup_with_idler_loss", si::N, (r + 1) * slack + P_p - 2 * c, "pull on the idler with (14)"));
+        value(s.eq("", "W_idler_loss", si::N, (r + 1) * slack + P_p - 2 * c, "pull on the idler with (14)"));
   } else {
     s.note("The loss at the idler, with this reserve, takes more than the grip can give: no take-up is enough.");
   }
@@ -121,7 +120,7 @@ void machine(const Input& in, const Drive<T>& d, Sheet<T>& s, Output& out) {
   const T U = s.given(in.speed);
   const T P_T = s.named("P_T", si::N, out.P_T);
   s.section("Drive and rope");
-  const T takeup = s.named("takeup_no_slip", si::N, out.takeup_no_slip);
+  const T takeup = s.named("W_no_slip", si::N, out.takeup_no_slip);
   const T F_0 = s.eq("", "F_0", si::N, takeup / 2, "each branch at rest, idler pulled by takeup_no_slip");
   out.F_0 = value(F_0);
   out.power = value(s.eq("", "power", si::W, P_T * U, "at the limit of slip, (17)"));

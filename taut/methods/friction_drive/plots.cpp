@@ -44,10 +44,10 @@ Plot arc_plot(const Input& in, const Output& out) {
   const double no_limit = std::numeric_limits<double>::infinity();
   p.curves = {euler_curve("no slip, with the reserve m", in, out, out.T_2_no_slip, out.T_1_no_slip),
               euler_curve("(15), (16): at the limit", in, out, out.P_slack, no_limit),
-              euler_curve("Euler's bound from T_2 of P_M", in, out, out.T_2, no_limit)};
+              euler_curve("Euler's bound from the paper's T_2", in, out, out.T_2, no_limit)};
   p.curves[1].dashed = true;
   p.curves[2].dashed = true;
-  p.marks = {{0, out.T_1, "T_1 of P_M", true}};
+  p.marks = {{0, out.T_1, "paper's T_1", true}};
   return p;
 }
 
@@ -75,8 +75,8 @@ Plot friction_plot(const Input& in, const Output& out) {
 }
 
 Plot pull_plot(const Input& in, const Output& out) {
-  Curve no_slip{"takeup_no_slip", {}, {}, false, false}, with_loss{"with the idler loss", {}, {}, false, false};
-  Curve paper{"P_M of (18): slips", {}, {}, true, false};
+  Curve no_slip{"without slip", {}, {}, false, false}, with_loss{"with the idler loss", {}, {}, false, false};
+  Curve paper{"by (18): slips", {}, {}, true, false};
   const double low = least_friction(in), top = std::clamp(2 * in.friction, 0.5, 1.5);
   const double roof = 6 * out.takeup_no_slip;  // the curves go to infinity where the grip ends
   const auto below_roof = [&](double y) { return y >= 0 && y <= roof ? y : not_computed; };

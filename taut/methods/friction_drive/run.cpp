@@ -20,9 +20,9 @@ void add_comparisons(const Output& o, Result& r) {
   add("initial tension, (18)", "P_M", o.P_M_printed, o.P_M, "neither: both slip, see the pull on the idler");
   add("initial tension, (3)", "P_M", o.P_M_3_printed, o.P_M, "neither: both slip, see the pull on the idler");
   add("tight branch, (13)", "P_tight", o.P_tight_printed, o.P_tight, "corrected, for the limit of slip");
-  add("pull on the idler: (18) derived and without slip", "take-up", o.P_M, o.takeup_no_slip,
+  add("pull on the idler: (18) derived and without slip", "W", o.P_M, o.takeup_no_slip,
       "without slip; at least that, and the idler loss on top");
-  add("pull on the idler: (15), (16) and without slip", "take-up", o.takeup_15_16, o.takeup_no_slip,
+  add("pull on the idler: (15), (16) and without slip", "W", o.takeup_15_16, o.takeup_no_slip,
       "without slip; (15), (16) contain the idler loss and put the reserve on the centrifugal tension too");
 }
 

@@ -63,12 +63,11 @@ void section_rules(const Input& in, std::vector<Complaint>& all) {
   }
   if (!in.choose_section) return;
   const auto shapes = shapes_of(in);
-  const bool any = std::any_of(shapes.begin(), shapes.end(), [&](catalogue::SectionShape shape) {
-    return !catalogue::select_sections(filter_of(in, shape)).empty();
-  });
+  const bool any = std::any_of(shapes.begin(), shapes.end(),
+                               [&](catalogue::SectionShape shape) { return !candidates(in, shape).empty(); });
   if (!any)
-    all.push_back(
-        {"choose_section", "no section of the catalogue is like that: allow another standard, forming or trust"});
+    all.push_back({"choose_section",
+                   "no section of the catalogue is like that: allow another standard, forming, trust or slenderness"});
 }
 
 }  // namespace

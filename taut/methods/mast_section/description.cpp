@@ -55,7 +55,10 @@ const Description& ChooseSection::describe() {
                   {{"verified", LeastTrust::verified},
                    {"derived", LeastTrust::derived},
                    {"unverified", LeastTrust::unverified}},
-                  "how far the section's numbers have to be trusted");
+                  "how far the section's numbers have to be trusted")
+          .field(&ChooseSection::largest_slenderness, "largest_slenderness", "", si::one,
+                 "outer size over wall at most; thinner walls may buckle locally before they reach their yield")
+          .above(0);
   return d;
 }
 
@@ -100,63 +103,67 @@ const Description& Input::describe() {
   return d;
 }
 
+namespace {
+
+void describe_forces(Describe<Output>& d) {
+  d.field(&Output::x, "x", "x", si::m, "governing carriage position");
+  d.field(&Output::f_x, "f_x", "f_x", si::m, "sag of the skyline at the carriage").from("(11)");
+  d.field(&Output::alpha, "alpha", "alpha", si::rad, "angle of the span side below the horizontal").from("(10)");
+  d.field(&Output::wrap, "wrap", "epsilon", si::rad, "wrap angle of the rope on its block");
+  d.field(&Output::F_span_sky, "F_span_sky", "F_span_sky", si::N, "skyline force on the span side").from("(1)");
+  d.field(&Output::R_sky, "R_sky", "R_sky", si::N, "resultant on the skyline block").from("(4), (5)");
+  d.field(&Output::gamma_sky, "gamma_sky", "gamma_sky", si::rad, "angle of R_sky below the horizontal")
+      .from("(8), (9) corrected");
+  d.field(&Output::gamma_sky_printed, "gamma_sky_printed", "gamma_sky_printed", si::rad,
+          "the same by (9) as printed, wrong")
+      .from("(9)");
+  d.field(&Output::F_span_main, "F_span_main", "F_span_main", si::N, "mainline force on the span side").from("(1)");
+  d.field(&Output::R_main, "R_main", "R_main", si::N, "resultant on the mainline block").from("(4), (6)");
+  d.field(&Output::gamma_main, "gamma_main", "gamma_main", si::rad, "angle of R_main below the horizontal")
+      .from("(8), (9) corrected");
+  d.field(&Output::N, "N", "N", si::N, "axial force at the clamp, pressing down").from("figure 7");
+  d.field(&Output::M, "M", "M", si::N_m, "bending moment at the clamp, towards the span").from("figure 7");
+  d.field(&Output::Q, "Q", "Q", si::N, "shear at the clamp, towards the span").from("figure 7");
+}
+
+void describe_sizes(Describe<Output>& d) {
+  d.field(&Output::sigma_allow, "sigma_allow", "[sigma]", si::Pa, "allowable stress used");
+  d.field(&Output::b_square, "b_square", "b_square", si::m.in("mm"), "side of the solid square").from("(15), (16)");
+  d.field(&Output::B_hollow, "B_hollow", "B_hollow", si::m.in("mm"),
+          "outer side of the hollow square, twice the inner one")
+      .from("table, 4/3 and 6.40");
+  d.field(&Output::B_hollow_printed, "B_hollow_printed", "B_hollow_printed", si::m.in("mm"),
+          "the same with the table's 1.33 and 6.41")
+      .from("table");
+  d.field(&Output::D_tube, "D_tube", "D_tube", si::m.in("mm"), "outer diameter of the tube")
+      .from("table, 4/pi and 32/pi");
+  d.field(&Output::D_tube_printed, "D_tube_printed", "D_tube_printed", si::m.in("mm"),
+          "the same with the table's 1.27 and 10, too small")
+      .from("table");
+  d.field(&Output::t_tube, "t_tube", "t_tube", si::m.in("mm"), "wall of the tube D_tube");
+  d.field(&Output::N_payout, "N_payout", "N_payout", si::N, "axial force while the ropes are paid out under load")
+      .from("(2) corrected");
+  d.field(&Output::M_payout, "M_payout", "M_payout", si::N_m, "moment while the ropes are paid out under load")
+      .from("(3) corrected");
+  d.field(&Output::D_tube_payout, "D_tube_payout", "D_tube_payout", si::m.in("mm"),
+          "tube for the ropes paid out under load");
+  d.field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
+      .from("(12)-(14)");
+  d.field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa,
+          "allowable stress at that section's wall");
+  d.field(&Output::section_mass, "section_mass", "m", si::kg_per_m, "mass per metre of that section");
+}
+
+}  // namespace
+
 const Description& Output::describe() {
-  static const Description d =
-      Describe<Output>()
-          .field(&Output::x, "x", "x", si::m, "governing carriage position")
-          .field(&Output::f_x, "f_x", "f_x", si::m, "sag of the skyline at the carriage")
-          .from("(11)")
-          .field(&Output::alpha, "alpha", "alpha", si::rad, "angle of the span side below the horizontal")
-          .from("(10)")
-          .field(&Output::wrap, "wrap", "epsilon", si::rad, "wrap angle of the rope on its block")
-          .field(&Output::F_span_sky, "F_span_sky", "F_span_sky", si::N, "skyline force on the span side")
-          .from("(1)")
-          .field(&Output::R_sky, "R_sky", "R_sky", si::N, "resultant on the skyline block")
-          .from("(4), (5)")
-          .field(&Output::gamma_sky, "gamma_sky", "gamma_sky", si::rad, "angle of R_sky below the horizontal")
-          .from("(8), (9) corrected")
-          .field(&Output::gamma_sky_printed, "gamma_sky_printed", "gamma_sky_printed", si::rad,
-                 "the same by (9) as printed, wrong")
-          .from("(9)")
-          .field(&Output::F_span_main, "F_span_main", "F_span_main", si::N, "mainline force on the span side")
-          .from("(1)")
-          .field(&Output::R_main, "R_main", "R_main", si::N, "resultant on the mainline block")
-          .from("(4), (6)")
-          .field(&Output::gamma_main, "gamma_main", "gamma_main", si::rad, "angle of R_main below the horizontal")
-          .from("(8), (9) corrected")
-          .field(&Output::N, "N", "N", si::N, "axial force at the clamp, pressing down")
-          .from("figure 7")
-          .field(&Output::M, "M", "M", si::N_m, "bending moment at the clamp, towards the span")
-          .from("figure 7")
-          .field(&Output::Q, "Q", "Q", si::N, "shear at the clamp, towards the span")
-          .from("figure 7")
-          .field(&Output::sigma_allow, "sigma_allow", "[sigma]", si::Pa, "allowable stress used")
-          .field(&Output::b_square, "b_square", "b_square", si::m.in("mm"), "side of the solid square")
-          .from("(15), (16)")
-          .field(&Output::B_hollow, "B_hollow", "B_hollow", si::m.in("mm"),
-                 "outer side of the hollow square, twice the inner one")
-          .from("table, 4/3 and 6.40")
-          .field(&Output::B_hollow_printed, "B_hollow_printed", "B_hollow_printed", si::m.in("mm"),
-                 "the same with the table's 1.33 and 6.41")
-          .from("table")
-          .field(&Output::D_tube, "D_tube", "D_tube", si::m.in("mm"), "outer diameter of the tube")
-          .from("table, 4/pi and 32/pi")
-          .field(&Output::D_tube_printed, "D_tube_printed", "D_tube_printed", si::m.in("mm"),
-                 "the same with the table's 1.27 and 10, too small")
-          .from("table")
-          .field(&Output::t_tube, "t_tube", "t_tube", si::m.in("mm"), "wall of the tube D_tube")
-          .field(&Output::N_payout, "N_payout", "N_payout", si::N,
-                 "axial force while the ropes are paid out under load")
-          .from("(2) corrected")
-          .field(&Output::M_payout, "M_payout", "M_payout", si::N_m, "moment while the ropes are paid out under load")
-          .from("(3) corrected")
-          .field(&Output::D_tube_payout, "D_tube_payout", "D_tube_payout", si::m.in("mm"),
-                 "tube for the ropes paid out under load")
-          .field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
-          .from("(12)-(14)")
-          .field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa, "its allowable stress")
-          .field(&Output::section_mass, "section_mass", "m", si::kg_per_m, "its mass per metre");
-  return d;
+  static const Description description = [] {
+    Describe<Output> d;
+    describe_forces(d);
+    describe_sizes(d);
+    return Description(d);
+  }();
+  return description;
 }
 
 namespace {

@@ -39,20 +39,20 @@ void add_clamp(std::vector<Shape>& shapes, double width, double height, const Ou
   // The clamp holds the head back: its moment turns away from the span.
   shapes.push_back(
       Circle{{0, 0}, 3 * width, Role::second_force, 0.2 * std::numbers::pi, 0.8 * std::numbers::pi, false});
-  shapes.push_back(Label{{3.2 * width, 0.06 * height}, "M"});
+  shapes.push_back(Label{{2.6 * width, 2.2 * width}, "M"});
 }
 
 /// Forces on the head. Blocks at one height get one resultant, since both point the same way.
 void add_forces(std::vector<Shape>& shapes, const Input& in, const Output& out) {
   const double sky = in.skyline_block_height, main = mainline_height(in);
   const auto arrow = [&](double at, double R, double gamma, const char* label) {
-    shapes.push_back(ForceArrow{{0, at}, R * std::cos(gamma), -R * std::sin(gamma), label, Role::highlight, false});
+    shapes.push_back(ForceArrow{{0, at}, R * std::cos(gamma), -R * std::sin(gamma), label, Role::second_force, false});
   };
   const double F = out.F_span_sky;
   shapes.push_back(
       ForceArrow{{0, sky}, F * std::cos(out.alpha), -F * std::sin(out.alpha), "F_span_sky", Role::force, false});
   if (std::abs(sky - main) < 0.02 * sky) {
-    arrow(sky, out.R_sky + out.R_main, out.gamma_sky, "R_sky + R_main");
+    arrow(sky, out.R_sky + out.R_main, out.gamma_sky, "R");
     return;
   }
   arrow(sky, out.R_sky, out.gamma_sky, "R_sky");
@@ -67,7 +67,8 @@ Drawing mast_drawing(const Input& in, const Output& out) {
   const double radius = 0.03 * height + width / 2;
   Drawing d{"mast",
             "Mast, ropes and forces",
-            "Mast and tube diameter to scale (blocks are not); force arrows to one scale. At the clamp: what holds the "
+            "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum where both "
+            "blocks are at one height. At the clamp: what holds the "
             "mast.",
             {},
             si::m,
@@ -99,7 +100,7 @@ Drawing force_polygon(const Input& in, const Output& out) {
     const double fx = F_span * std::cos(out.alpha), fy = -F_span * std::sin(out.alpha);
     d.shapes.push_back(ForceArrow{from, fx, fy, span, Role::force, false});
     d.shapes.push_back(ForceArrow{{from.x + fx, from.y + fy}, 0, -T, drum, Role::force, false});
-    d.shapes.push_back(ForceArrow{from, fx, fy - T, R > 0 ? resultant : "", Role::highlight, false});
+    d.shapes.push_back(ForceArrow{from, fx, fy - T, R > 0 ? resultant : "", Role::second_force, false});
     return Point{from.x + fx, from.y + fy - T};
   };
   Point end = triangle({0, 0}, out.F_span_sky, in.skyline_force, out.R_sky, "F_span_sky", "T_sky", "R_sky");

@@ -47,6 +47,9 @@ struct ChooseSection {
   FormingChoice forming = FormingChoice::any;
   std::optional<std::string> standard;  ///< the beginning of its name: "EN 10210"
   LeastTrust least_trust = LeastTrust::unverified;
+  /// Outer size over wall. The lightest section by stress alone is a wide, thin one that buckles locally; up to 35
+  /// walls of S355 reach their yield (EN 1993-1-1 table 5.2, as recalled: class 3 of a box at 37, of a tube at 59).
+  double largest_slenderness = 35;
 
   static const Description& describe();
 };

@@ -130,8 +130,10 @@ std::optional<Assessment> find_sections(const Input& in, const std::vector<Clamp
   if (!in.section) chosen = lightest_of_all;
   if (in.choose_section && !chosen) {
     r.status = Status::infeasible;
-    r.message = fmt::format("{}; allow more kinds of section, a stronger steel, or lower the blocks or the rope forces",
-                            fmt::join(missing, "; "));
+    r.message = fmt::format(
+        "{}; allow more kinds of section, a larger slenderness or a stronger steel, or lower the blocks or the rope "
+        "forces",
+        fmt::join(missing, "; "));
   }
   r.warnings.insert(r.warnings.end(), missing.begin(), missing.end());
   if (!t.rows.empty()) r.tables.push_back(std::move(t));

@@ -103,7 +103,7 @@ TEST(MastSectionRun, UnverifiedSectionIsMarked) {
   Input in = yarder();
   in.skyline_force = 20e3;
   in.mainline_force = 10e3;
-  in.choose_section = ChooseSection{SectionKind::chs, FormingChoice::seamless, "GOST", LeastTrust::unverified};
+  in.choose_section = ChooseSection{SectionKind::chs, FormingChoice::seamless, "GOST", LeastTrust::unverified, 35};
   const Result r = run(in);
   ASSERT_EQ(r.checks.size(), 1u);
   EXPECT_TRUE(warns(r, "unverified row"));

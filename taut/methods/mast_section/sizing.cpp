@@ -76,6 +76,8 @@ std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& sec
   return a;
 }
 
+namespace {
+
 catalogue::SectionFilter filter_of(const Input& in, SectionShape shape) {
   const ChooseSection choice = in.choose_section.value_or(ChooseSection{});
   catalogue::SectionFilter filter;
@@ -85,6 +87,8 @@ catalogue::SectionFilter filter_of(const Input& in, SectionShape shape) {
   filter.min_trust = least_trust(choice.least_trust);
   return filter;
 }
+
+}  // namespace
 
 std::vector<SectionShape> shapes_of(const Input& in) {
   switch (in.choose_section.value_or(ChooseSection{}).shape) {
@@ -100,9 +104,16 @@ std::vector<SectionShape> shapes_of(const Input& in) {
   return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
 }
 
+std::vector<SectionRow> candidates(const Input& in, SectionShape shape) {
+  const double largest = in.choose_section.value_or(ChooseSection{}).largest_slenderness;
+  auto rows = catalogue::sections_by_mass(filter_of(in, shape));
+  std::erase_if(rows, [&](const SectionRow& row) { return row.height > largest * row.thickness * (1 + 1e-9); });
+  return rows;
+}
+
 std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
   const StressLimit limit = limit_of(in);
-  for (const SectionRow& row : catalogue::sections_by_mass(filter_of(in, shape))) {
+  for (const SectionRow& row : candidates(in, shape)) {
     auto a = assess(limit, row, forces);
     if (a && a->passes()) return a;
   }
@@ -112,7 +123,7 @@ std::optional<Assessment> lightest(const Input& in, SectionShape shape, const st
 std::optional<Assessment> strongest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
   std::optional<Assessment> best;
   const StressLimit limit = limit_of(in);
-  for (const SectionRow& row : catalogue::sections_by_mass(filter_of(in, shape))) {
+  for (const SectionRow& row : candidates(in, shape)) {
     auto a = assess(limit, row, forces);
     if (a && (!best || a->utilisation() < best->utilisation())) best = std::move(a);
   }

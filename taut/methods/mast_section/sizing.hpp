@@ -45,8 +45,8 @@ std::string trust_of(const StressLimit& limit);
 std::optional<Assessment> assess(const StressLimit& limit, const catalogue::SectionRow& section,
                                  const std::vector<ClampForces>& forces);
 
-/// What `choose_section` lets through, of one shape.
-catalogue::SectionFilter filter_of(const Input& in, catalogue::SectionShape shape);
+/// What `choose_section` lets through, of one shape, lightest first.
+std::vector<catalogue::SectionRow> candidates(const Input& in, catalogue::SectionShape shape);
 
 /// The shapes that `choose_section` lets through.
 std::vector<catalogue::SectionShape> shapes_of(const Input& in);

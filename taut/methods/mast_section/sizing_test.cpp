@@ -30,6 +30,7 @@ TEST(MastSectionSizing, LightestPassesAndNoLighterOneDoes) {
     EXPECT_TRUE(best->passes());
     for (const catalogue::SectionRow& row : catalogue::sections()) {
       if (row.shape != shape || row.mass_per_length >= best->section.mass_per_length) continue;
+      if (row.height / row.thickness > 35.001) continue;
       EXPECT_FALSE(assess(limit_of(in), row, loads)->passes()) << row.name;
     }
   }
@@ -60,7 +61,7 @@ TEST(MastSectionSizing, YieldIsThatOfTheWall) {
 TEST(MastSectionSizing, ChoiceIsKept) {
   Input in = mast();
   in.allowable_stress = 300e6;
-  in.choose_section = ChooseSection{SectionKind::rhs, FormingChoice::hot, "EN 10210", LeastTrust::verified};
+  in.choose_section = ChooseSection{SectionKind::rhs, FormingChoice::hot, "EN 10210", LeastTrust::verified, 35};
   EXPECT_EQ(shapes_of(in), std::vector{SectionShape::rhs});
   const auto best = lightest(in, SectionShape::rhs, loads);
   ASSERT_TRUE(best.has_value());
@@ -68,6 +69,18 @@ TEST(MastSectionSizing, ChoiceIsKept) {
   EXPECT_EQ(best->section.trust, catalogue::Trust::verified);
   in.choose_section->forming = FormingChoice::seamless;
   EXPECT_FALSE(lightest(in, SectionShape::rhs, loads).has_value());
+}
+
+TEST(MastSectionSizing, ThinWallsOnlyWhenAllowed) {
+  Input in = mast();
+  const auto stout = lightest(in, SectionShape::chs, loads);
+  in.choose_section = ChooseSection{};
+  in.choose_section->largest_slenderness = 200;
+  const auto thin = lightest(in, SectionShape::chs, loads);
+  ASSERT_TRUE(stout && thin);
+  EXPECT_LE(stout->section.height / stout->section.thickness, 35.001);
+  EXPECT_GT(thin->section.height / thin->section.thickness, 50);
+  EXPECT_LT(thin->section.mass_per_length, stout->section.mass_per_length);
 }
 
 TEST(MastSectionSizing, NoneWhenNonePasses) {
