@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -35,12 +36,34 @@ struct Record {
   std::function<std::vector<const void*>()> all;  ///< those that are there
 };
 
+/// Structs with names that the deck gives them: `points: {head: ..., tail: ...}`, in the deck's order.
+struct NamedRecords {
+  std::function<void*(const std::string& name)> create;
+  std::function<std::vector<std::pair<std::string, const void*>>()> all;
+};
+
+/// Three components of one quantity along x, y, z.
+using Triple = std::array<double, 3>;
+
 /// Where the value of a field lives in one particular struct.
 using Slot = std::variant<double*, std::optional<double>*, std::vector<double>*, int*, std::optional<int>*, bool*,
-                          std::string*, std::optional<std::string>*, Choice, Record>;
+                          std::string*, std::optional<std::string>*, Choice, Record, Triple*, std::optional<Triple>*,
+                          std::vector<std::string>*, NamedRecords>;
 
 /// What a field holds.
-enum class FieldKind { number, numbers, whole_number, flag, text, choice, record, records };
+enum class FieldKind {
+  number,
+  numbers,
+  whole_number,
+  flag,
+  text,
+  choice,
+  record,
+  records,
+  triple,
+  texts,
+  named_records
+};
 
 /// One line of the table that feeds deck reading, range errors, schema, web form, the report's "Given" and the docs.
 struct Field {
@@ -56,12 +79,22 @@ struct Field {
   bool is_list = false;  ///< a list of numbers (one number is a list of one), or of records
   std::vector<std::string> choices;
   const Description* record = nullptr;  ///< fields of a nested struct
+  std::string shorthand;  ///< nested structs: what is no map stands for this field of theirs, `head: [0 m, 0 m, 1 m]`
+  bool one_for_all = false;  ///< named structs: the shorthand may stand for the whole map, as one struct without a name
   std::function<Slot(void*)> slot;
+};
+
+/// A key that a deck may come to have and that taut does not compute yet: told as such, never read.
+struct LaterKey {
+  std::string key;
+  std::string words;  ///< what it waits for, "contacts come with the dynamics"
 };
 
 /// The fields of one struct and a way to make it with its defaults.
 struct Description {
   std::vector<Field> fields;
+  std::vector<std::vector<std::string>> exactly_one;  ///< groups of keys of which a struct gives one and only one
+  std::vector<LaterKey> later;
   std::function<std::shared_ptr<void>()> make_default;
 
   const Field* find(const std::string& key) const;
@@ -77,12 +110,12 @@ class Describe {
     description_.make_default = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
   }
 
-  /// A number, optional number, list of numbers, whole number, flag or text.
+  /// A number, optional number, list of numbers, three components, whole number, flag, text or list of texts.
   template <class Member>
   Describe& field(Member S::*member, std::string key, std::string symbol, const Unit& unit, std::string words) {
     Field f = make(std::move(key), std::move(symbol), unit, std::move(words));
     f.kind = kind_of_member<Member>();
-    f.is_list = f.kind == FieldKind::numbers;
+    f.is_list = f.kind == FieldKind::numbers || f.kind == FieldKind::texts;
     f.slot = [member](void* s) -> Slot { return &(static_cast<S*>(s)->*member); };
     return add(std::move(f));
   }
@@ -156,6 +189,38 @@ class Describe {
     return add(std::move(f));
   }
 
+  /// Structs that the deck names; R has a member `name`.
+  template <class R>
+  Describe& named_records(std::vector<R> S::*member, std::string key, std::string words) {
+    Field f = make(std::move(key), "", si::one, std::move(words));
+    f.kind = FieldKind::named_records;
+    f.record = &R::describe();
+    f.slot = [member](void* s) -> Slot {
+      std::vector<R>* r = &(static_cast<S*>(s)->*member);
+      return NamedRecords{[r](const std::string& name) -> void* {
+                            r->emplace_back().name = name;
+                            return &r->back();
+                          },
+                          [r] {
+                            std::vector<std::pair<std::string, const void*>> all;
+                            for (const R& one : *r) all.emplace_back(one.name, &one);
+                            return all;
+                          }};
+    };
+    return add(std::move(f));
+  }
+  /// Of these keys a struct gives one and only one.
+  Describe& exactly_one(std::vector<std::string> keys) {
+    return description_.exactly_one.push_back(std::move(keys)), *this;
+  }
+  Describe& later(std::string key, std::string words) {
+    return description_.later.push_back({std::move(key), std::move(words)}), *this;
+  }
+
+  /// Texts that a list of texts may have.
+  Describe& of(std::vector<std::string> choices) { return last().choices = std::move(choices), *this; }
+  Describe& shorthand(std::string key) { return last().shorthand = std::move(key), *this; }
+  Describe& one_for_all() { return last().one_for_all = true, *this; }
   Describe& required() { return last().required = true, *this; }
   Describe& may_be_infinite() { return last().may_be_infinite = true, *this; }
   Describe& above(double low) { return last().range.low = low, last().range.low_included = false, *this; }
@@ -177,6 +242,10 @@ class Describe {
       return FieldKind::whole_number;
     } else if constexpr (std::is_same_v<Member, bool>) {
       return FieldKind::flag;
+    } else if constexpr (std::is_same_v<Member, Triple> || std::is_same_v<Member, std::optional<Triple>>) {
+      return FieldKind::triple;
+    } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
+      return FieldKind::texts;
     } else {
       static_assert(std::is_same_v<Member, std::string> || std::is_same_v<Member, std::optional<std::string>>);
       return FieldKind::text;

@@ -19,6 +19,11 @@ Given given_head(const std::string& prefix, const Description& d, const Field& f
   g.unit = f.unit;
   const auto number = default_number(d, f);
   if (number) g.numbers = {*number};
+  if (f.kind == FieldKind::triple && !f.required) {
+    const auto object = d.make_default();
+    const Slot slot = f.slot(object.get());
+    if (const auto* triple = std::get_if<Triple*>(&slot)) g.numbers.assign((*triple)->begin(), (*triple)->end());
+  }
   g.text = default_text(d, f);
   return g;
 }
@@ -63,7 +68,17 @@ struct Filler {
     g.text = x.get();
     return true;
   }
+  bool operator()(const Triple* x) const {
+    g.numbers.assign(x->begin(), x->end());
+    return true;
+  }
+  bool operator()(const std::optional<Triple>* x) const { return x->has_value() && (*this)(&**x); }
+  bool operator()(const std::vector<std::string>* x) const {
+    g.text = fmt::format("{}", fmt::join(*x, ", "));
+    return !x->empty();
+  }
   bool operator()(const Record&) const { return false; }  // its own fields are listed instead
+  bool operator()(const NamedRecords&) const { return false; }
 };
 
 void collect(std::vector<Given>& all, const std::string& prefix, const Description& d, const void* object) {
@@ -74,6 +89,13 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
       for (std::size_t i = 0; i < present.size(); ++i) {
         const std::string at = f.is_list ? fmt::format("[{}]", i) : std::string{};
         collect(all, fmt::format("{}{}{}.", prefix, f.key, at), *f.record, present[i]);
+      }
+      continue;
+    }
+    if (const auto* named = std::get_if<NamedRecords>(&slot)) {
+      for (const auto& [name, one] : named->all()) {
+        const std::string at = name.empty() ? std::string{} : fmt::format(".{}", name);
+        collect(all, fmt::format("{}{}{}.", prefix, f.key, at), *f.record, one);
       }
       continue;
     }

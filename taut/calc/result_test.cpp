@@ -106,5 +106,39 @@ TEST(Result, ComparisonsBecomeATable) {
   EXPECT_EQ(t.rows[0].size(), t.columns.size());
 }
 
+struct Pin {
+  std::string name;
+  Triple at{1, 2, 3};
+  std::optional<Triple> axis;
+  std::vector<std::string> free;
+  static const Description& describe() {
+    static const Description d = Describe<Pin>()
+                                     .field(&Pin::at, "at", "", si::m, "place")
+                                     .field(&Pin::axis, "axis", "", si::one, "axis")
+                                     .field(&Pin::free, "free", "directions");
+    return d;
+  }
+};
+struct Pins {
+  std::vector<Pin> pins;
+  static const Description& describe() {
+    static const Description d = Describe<Pins>().named_records(&Pins::pins, "pins", "pins");
+    return d;
+  }
+};
+
+TEST(Result, GivenOfNamedStructsCarriesTheirNames) {
+  const Pins in{{{"head", {1, 2, 3}, {}, {}}, {"tail", {0, 0, 1}, Triple{0, 1, 0}, {"x", "z"}}}};
+  const auto all = given_of(Pins::describe(), &in);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].key, "pins.head.at");
+  EXPECT_TRUE(all[0].is_default);
+  EXPECT_EQ(all[1].key, "pins.tail.at");
+  EXPECT_EQ(all[1].numbers, (std::vector<double>{0, 0, 1}));
+  EXPECT_FALSE(all[1].is_default);
+  EXPECT_EQ(all[2].numbers, (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(all[3].text, "x, z");
+}
+
 }  // namespace
 }  // namespace taut

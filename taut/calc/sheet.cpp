@@ -15,6 +15,7 @@ bool holds(const Slot& slot, const double* x) {
   if (const auto* p = std::get_if<std::vector<double>*>(&slot)) {
     return !(*p)->empty() && x >= (*p)->data() && x < (*p)->data() + (*p)->size();
   }
+  if (const auto* p = std::get_if<Triple*>(&slot)) return x >= (*p)->data() && x < (*p)->data() + (*p)->size();
   return false;
 }
 
@@ -22,9 +23,12 @@ const Field* find_by_address(const Description& d, const void* object, const dou
   for (const Field& f : d.fields) {
     const Slot slot = f.slot(const_cast<void*>(object));  // only addresses are looked at
     if (holds(slot, x)) return &f;
-    const auto* record = std::get_if<Record>(&slot);
-    if (record == nullptr) continue;
-    for (const void* one : record->all()) {
+    std::vector<const void*> nested;
+    if (const auto* record = std::get_if<Record>(&slot)) nested = record->all();
+    if (const auto* named = std::get_if<NamedRecords>(&slot)) {
+      for (const auto& [name, one] : named->all()) nested.push_back(one);
+    }
+    for (const void* one : nested) {
       if (const Field* inner = find_by_address(*f.record, one, x)) return inner;
     }
   }

@@ -41,6 +41,22 @@ std::string_view kind_text(const Node& n) {
   return "nothing";
 }
 
+namespace {
+
+/// How much of the path, which begins with a key of this map, is the key: the longest that the map has, as names may
+/// have dots ("boom.top"); else up to the next dot or bracket.
+std::size_t key_width(const Node& map, std::string_view path) {
+  std::size_t width = 0;
+  for (const Entry& e : map.entries) {
+    const std::size_t n = e.key.size();
+    const bool ends = path.size() == n || (path.size() > n && (path[n] == '.' || path[n] == '['));
+    if (n > width && ends && path.substr(0, n) == e.key) width = n;
+  }
+  return width > 0 ? width : std::min(path.find_first_of(".["), path.size());
+}
+
+}  // namespace
+
 Found follow(const Node& root, std::string_view path) {
   const Node* node = &root;
   while (!path.empty()) {
@@ -56,7 +72,7 @@ Found follow(const Node& root, std::string_view path) {
       }
       path.remove_prefix(std::min(path.size(), close + 1));
     } else {
-      const std::size_t stop = std::min(path.find_first_of(".["), path.size());
+      const std::size_t stop = key_width(*node, path);
       next = node->find(path.substr(0, stop));
       path.remove_prefix(stop);
     }

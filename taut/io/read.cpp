@@ -65,6 +65,24 @@ class FieldReader {
   void operator()(std::optional<std::string>* x) const {
     if (is_text()) *x = entry_.value.text;
   }
+  void operator()(Triple* x) const {
+    if (const auto value = triple()) *x = *value;
+  }
+  void operator()(std::optional<Triple>* x) const {
+    if (const auto value = triple()) *x = *value;
+  }
+  void operator()(std::vector<std::string>* x) const {
+    x->clear();
+    const Node& n = entry_.value;
+    if (n.kind != Node::Kind::sequence) {
+      if (one_text(n)) x->push_back(n.text);
+      return;
+    }
+    for (const Node& item : n.items) {
+      if (enough(mistakes_)) return;
+      if (one_text(item)) x->push_back(item.text);
+    }
+  }
   void operator()(const Choice& choice) const {
     if (!is_scalar(entry_.value, fmt::format("one of {}", fmt::join(f_.choices, ", ")))) return;
     if (choice.set(entry_.value.text)) return;
@@ -77,6 +95,24 @@ class FieldReader {
       read_records(record);
     } else {
       read(in_record(entry_.value), *f_.record, record.create(), f_.key, mistakes_);
+    }
+  }
+  void operator()(const NamedRecords& named) const {
+    const Node& n = entry_.value;
+    if (f_.one_for_all && n.kind == Node::Kind::scalar) {
+      read(in_record(n), *f_.record, named.create({}), f_.key, mistakes_);
+      return;
+    }
+    if (n.kind != Node::Kind::map) {
+      wrong(n.spot, fmt::format("a map of names is expected ('name: ...' on each line), not {}", kind_text(n)));
+      return;
+    }
+    for (const Entry& e : n.entries) {
+      if (enough(mistakes_)) return;
+      if (e.key.empty()) add(mistakes_, e.key_spot, fmt::format("{}: the name is empty", f_.key));
+      Node value = in_record(e.value);
+      if (e.value.kind == Node::Kind::null) value.spot = e.key_spot;
+      read(value, *f_.record, named.create(e.key), fmt::format("{}.{}", f_.key, e.key), mistakes_);
     }
   }
 
@@ -100,6 +136,36 @@ class FieldReader {
     if (!f_.required || !entry_.value.text.empty()) return true;
     wrong(entry_.value.spot, "the text is empty");
     return false;
+  }
+
+  /// A text of a list; one of the choices when the field has some.
+  bool one_text(const Node& n) const {
+    if (!is_scalar(n, "a text")) return false;
+    const auto& choices = f_.choices;
+    if (choices.empty() || std::find(choices.begin(), choices.end(), n.text) != choices.end()) return true;
+    const std::string hint = did_you_mean(n.text, choices);
+    wrong(n.spot, fmt::format("{} is not a choice{}", in_quotes(n.text),
+                              hint.empty() ? fmt::format("; write {}", fmt::join(choices, ", ")) : hint));
+    return false;
+  }
+
+  std::optional<Triple> triple() const {
+    const Node& n = entry_.value;
+    if (n.kind != Node::Kind::sequence || n.items.size() != 3) {
+      const std::string have =
+          n.kind == Node::Kind::sequence ? fmt::format("{} of them", n.items.size()) : std::string(kind_text(n));
+      wrong(n.spot,
+            fmt::format("three components along x, y, z are expected, such as {}, not {}", example_value(f_), have));
+      return std::nullopt;
+    }
+    Triple all{};
+    bool good = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = number(n.items[i]);
+      good = good && value.has_value();
+      all[i] = value.value_or(0);
+    }
+    return good ? std::optional(all) : std::nullopt;
   }
 
   std::optional<double> number(const Node& n) const {
@@ -135,13 +201,16 @@ class FieldReader {
     return std::nullopt;
   }
 
-  /// The node of a record; when its key has no value, an empty map at the key, so that what is missing is told.
-  static Node in_record(const Node& n) {
-    if (n.kind != Node::Kind::null) return n;
-    Node empty;
-    empty.kind = Node::Kind::map;
-    empty.spot = n.spot;
-    return empty;
+  /// The node of a record; when its key has no value, an empty map at the key, so that what is missing is told; when
+  /// it stands for one field of the record, a map of that.
+  Node in_record(const Node& n) const {
+    const bool short_form = !f_.shorthand.empty() && n.kind != Node::Kind::map && n.kind != Node::Kind::null;
+    if (n.kind != Node::Kind::null && !short_form) return n;
+    Node map;
+    map.kind = Node::Kind::map;
+    map.spot = n.spot;
+    if (short_form) map.entries.push_back({f_.shorthand, n.spot, n});
+    return map;
   }
 
   void read_records(const Record& record) const {
@@ -160,7 +229,7 @@ class FieldReader {
 
   static std::string example_number(const Field& f) {
     const std::string text = example_value(f);
-    return text.front() == '[' ? text.substr(1, text.size() - 2) : text;
+    return text.front() == '[' ? text.substr(1, text.find_first_of(",]") - 1) : text;
   }
 
   const Field& f_;
@@ -173,6 +242,12 @@ void note_unknown_keys(const Node& map, const Description& d, std::string_view w
   for (const Entry& e : map.entries) {
     if (enough(mistakes)) return;
     if (d.find(e.key) != nullptr) continue;
+    const auto later =
+        std::find_if(d.later.begin(), d.later.end(), [&](const LaterKey& key) { return key.key == e.key; });
+    if (later != d.later.end()) {
+      add(mistakes, e.key_spot, fmt::format("{} of {} is not computed yet: {}", in_quotes(e.key), what, later->words));
+      continue;
+    }
     std::string hint = did_you_mean(e.key, keys);
     if (hint.empty() && !keys.empty() && keys.size() <= most_keys_listed) {
       hint = fmt::format("; it has {}", fmt::join(keys, ", "));
@@ -188,6 +263,26 @@ void note_missing_keys(const Node& map, const Description& d, std::string_view w
     const std::string write = example.empty() ? std::string{} : fmt::format("; write '{}: {}'", f.key, example);
     const std::string words = f.words.empty() ? std::string{} : fmt::format(" ({})", f.words);
     add(mistakes, map.spot, fmt::format("{} lacks '{}'{}{}", what, f.key, words, write));
+  }
+}
+
+void note_exclusive_keys(const Node& map, const Description& d, std::string_view what, Diagnostics& mistakes) {
+  for (const std::vector<std::string>& group : d.exactly_one) {
+    const Entry* first = nullptr;
+    for (const Entry& e : map.entries) {
+      if (std::find(group.begin(), group.end(), e.key) == group.end()) continue;
+      if (first != nullptr) {
+        add(mistakes, e.key_spot, fmt::format("{}: {} has '{}' already; give one of the two", e.key, what, first->key));
+      } else {
+        first = &e;
+      }
+    }
+    if (first != nullptr) continue;
+    const bool waits = std::any_of(map.entries.begin(), map.entries.end(), [&](const Entry& e) {
+      return std::any_of(d.later.begin(), d.later.end(), [&](const LaterKey& key) { return key.key == e.key; });
+    });
+    // a key that is told as not computed yet may be the one
+    if (!waits) add(mistakes, map.spot, fmt::format("{} needs one of {}", what, fmt::join(group, ", ")));
   }
 }
 
@@ -221,6 +316,7 @@ bool read(const Node& map, const Description& description, void* object, std::st
     if (entry != nullptr) std::visit(FieldReader(f, *entry, mistakes), f.slot(object));
   }
   note_missing_keys(map, description, what, mistakes);
+  note_exclusive_keys(map, description, what, mistakes);
   return mistakes.size() == before && before < most_mistakes;
 }
 
@@ -234,9 +330,11 @@ void place(const Node& input, const std::vector<Complaint>& complaints, Diagnost
 std::string example_value(const Field& f) {
   switch (f.kind) {
     case FieldKind::number:
-    case FieldKind::numbers: {
+    case FieldKind::numbers:
+    case FieldKind::triple: {
       const std::string number = short_number(example_in(f.unit, f.range));
       const std::string text = f.unit.needs_text() ? fmt::format("{} {}", number, f.unit.shown) : number;
+      if (f.kind == FieldKind::triple) return fmt::format("[{0}, {0}, {0}]", text);
       return f.kind == FieldKind::numbers ? fmt::format("[{}]", text) : text;
     }
     case FieldKind::whole_number:
@@ -245,9 +343,12 @@ std::string example_value(const Field& f) {
       return "true";
     case FieldKind::choice:
       return f.choices.empty() ? std::string{} : f.choices.front();
+    case FieldKind::texts:
+      return f.choices.empty() ? std::string{} : fmt::format("[{}]", f.choices.front());
     case FieldKind::text:
     case FieldKind::record:
     case FieldKind::records:
+    case FieldKind::named_records:
       return {};
   }
   return {};

@@ -126,6 +126,88 @@ TEST(Read, TellsEachMistakeAtItsPlaceWithWhatToDo) {
   }
 }
 
+struct ToldMachine {
+  bool good = false;
+  SampleMachine machine;
+  std::string text;
+};
+
+ToldMachine read_machine(const std::string& text) {
+  const auto d = parse(text, "deck.yaml");
+  if (!d) return {false, {}, to_text(d.error())};
+  ToldMachine told;
+  Diagnostics mistakes = d->mistakes;
+  told.good = read(d->root, SampleMachine::describe(), &told.machine, "machine", mistakes);
+  told.text = to_text(mistakes);
+  return told;
+}
+
+TEST(Read, NamedStructsVectorsAndShortForms) {
+  const ToldMachine t = read_machine(
+      "pins:\n"
+      "  head: [1 m, -2 m, 50 cm]\n"
+      "  boom.top: {at: [0 m, 0 m, 1 km], colour: blue, free: [x, z]}\n"
+      "path: [{over: head}, {anchor: boom.top, axis: [0, 1, 0]}]\n"
+      "motion: out\n");
+  ASSERT_TRUE(t.good) << t.text;
+  ASSERT_EQ(t.machine.pins.size(), 2U);
+  EXPECT_EQ(t.machine.pins[0].name, "head");
+  EXPECT_EQ(t.machine.pins[0].at, (Triple{1, -2, 0.5}));
+  EXPECT_EQ(t.machine.pins[0].colour, "red");
+  EXPECT_EQ(t.machine.pins[1].name, "boom.top");
+  EXPECT_EQ(t.machine.pins[1].free, (std::vector<std::string>{"x", "z"}));
+  EXPECT_EQ(t.machine.path[0].over, "head");
+  EXPECT_FALSE(t.machine.path[0].axis.has_value());
+  EXPECT_EQ(t.machine.path[1].axis, (Triple{0, 1, 0}));
+  ASSERT_EQ(t.machine.motion.size(), 1U);
+  EXPECT_EQ(t.machine.motion[0].name, "");
+  EXPECT_EQ(t.machine.motion[0].sense, "out");
+  const ToldMachine each = read_machine("motion: {head: in, foot: {sense: out}}\n");
+  ASSERT_TRUE(each.good) << each.text;
+  EXPECT_EQ(each.machine.motion[1].name, "foot");
+  EXPECT_EQ(each.machine.motion[1].sense, "out");
+}
+
+TEST(Read, TellsMistakesOfNamesVectorsAndShortForms) {
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"pins: {head: [1 m, 2 m]}",
+       "deck.yaml:1:14: error: at: three components along x, y, z are expected, such as [1 m, 1 m, 1 m], not 2 of "
+       "them"},
+      {"pins: {head: [1 m, 2 m, 3]}", "deck.yaml:1:25: error: at: a length needs its unit, such as '3 m'"},
+      {"pins: {head: [1 m, 2 m, 1001 m]}", "at: must be at most 1000 m, not 1001 m"},
+      {"pins: {head: 3 m}", "not a text"},
+      {"pins: {head: {}}", "pins.head lacks 'at' (place); write 'at: [1 m, 1 m, 1 m]'"},
+      {"pins: {head: }", "deck.yaml:1:8: error: pins.head lacks 'at'"},
+      {"pins: {head: {at: [0 m, 0 m, 0 m], coluor: red}}",
+       "'coluor' is not a field of pins.head; did you mean 'colour'?"},
+      {"pins: [[0 m, 0 m, 0 m]]", "pins: a map of names is expected ('name: ...' on each line), not a list"},
+      {"pins: {head: {at: [0 m, 0 m, 0 m], free: [x, rz]}}", "free: 'rz' is not a choice"},
+      {"path: [{axis: [0, 1, 0]}]", "path[0] needs one of over, anchor"},
+      {"path: [{over: a, anchor: b}]",
+       "deck.yaml:1:18: error: anchor: path[0] has 'over' already; give one of the two"},
+      {"path: [{spring: a}]", "deck.yaml:1:9: error: 'spring' of path[0] is not computed yet: springs come with"},
+      {"signals: {}", "'signals' of machine is not computed yet: signals come with the dynamics"},
+      {"motion: [out]", "motion: a map of names is expected"},
+  };
+  for (const auto& [text, expected] : rows) {
+    const ToldMachine t = read_machine(text);
+    EXPECT_FALSE(t.good) << text;
+    EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
+    EXPECT_EQ(t.text.find("error:"), t.text.rfind("error:")) << text << "\n-> " << t.text;
+  }
+}
+
+TEST(Read, PlacesComplaintsAtNamesWithDots) {
+  const auto d = parse("pins:\n  boom: [0 m, 0 m, 1 m]\n  boom.top: {at: [0 m, 0 m, 2 m]}\n", "deck.yaml");
+  ASSERT_TRUE(d);
+  Diagnostics mistakes;
+  place(d->root, {{"pins.boom.top.at", "m1"}, {"pins.boom[1]", "m2"}, {"pins.boom.tip", "m3"}}, mistakes);
+  ASSERT_EQ(mistakes.size(), 3U);
+  EXPECT_EQ(mistakes[0].place, (Place{3, 18}));
+  EXPECT_EQ(mistakes[1].place, (Place{2, 15}));
+  EXPECT_EQ(mistakes[2].place, (Place{2, 9}));
+}
+
 TEST(Read, TellsAllMistakesAtOnce) {
   const auto d = parse("span: 3\nfriction: 2\nrope: {diameter: 1 kN, x: 1}\n", "deck.yaml");
   ASSERT_TRUE(d);

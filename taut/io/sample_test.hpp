@@ -87,4 +87,67 @@ struct Sample {
   }
 };
 
+struct SamplePin {
+  std::string name;
+  Triple at{};
+  std::string colour = "red";
+  std::vector<std::string> free;
+
+  static const Description& describe() {
+    static const Description d = Describe<SamplePin>()
+                                     .field(&SamplePin::at, "at", "", si::m, "place")
+                                     .required()
+                                     .at_most(1000)
+                                     .field(&SamplePin::colour, "colour", "of its paint")
+                                     .field(&SamplePin::free, "free", "directions in which it moves")
+                                     .of({"x", "y", "z"});
+    return d;
+  }
+};
+
+struct SampleStop {
+  std::optional<std::string> over;
+  std::optional<std::string> anchor;
+  std::optional<Triple> axis;
+
+  static const Description& describe() {
+    static const Description d = Describe<SampleStop>()
+                                     .field(&SampleStop::over, "over", "a sheave")
+                                     .field(&SampleStop::anchor, "anchor", "a pin")
+                                     .field(&SampleStop::axis, "axis", "", si::one, "axis of the sheave")
+                                     .exactly_one({"over", "anchor"})
+                                     .later("spring", "springs come with the dynamics");
+    return d;
+  }
+};
+
+struct SampleSign {
+  std::string name;
+  std::string sense;
+
+  static const Description& describe() {
+    static const Description d = Describe<SampleSign>().field(&SampleSign::sense, "sense", "in or out").required();
+    return d;
+  }
+};
+
+/// Names, vectors, lists of texts, short forms, and keys of which one is given.
+struct SampleMachine {
+  std::vector<SamplePin> pins;
+  std::vector<SampleStop> path;
+  std::vector<SampleSign> motion;
+
+  static const Description& describe() {
+    static const Description d = Describe<SampleMachine>()
+                                     .named_records(&SampleMachine::pins, "pins", "pins of the machine")
+                                     .shorthand("at")
+                                     .record(&SampleMachine::path, "path", "stops of the rope")
+                                     .named_records(&SampleMachine::motion, "motion", "motion of the sheaves")
+                                     .shorthand("sense")
+                                     .one_for_all()
+                                     .later("signals", "signals come with the dynamics");
+    return d;
+  }
+};
+
 }  // namespace taut::io

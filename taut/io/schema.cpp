@@ -73,6 +73,15 @@ Json one_number(const Field& f) {
 
 Json object(const Description& d, bool whole);
 
+Json of_kind(const Field& f, bool whole);
+
+/// A nested struct, or what may stand for it.
+Json nested(const Field& f, bool whole) {
+  Json full = object(*f.record, whole);
+  if (f.shorthand.empty()) return full;
+  return {{"anyOf", {std::move(full), of_kind(*f.record->find(f.shorthand), whole)}}};
+}
+
 Json of_kind(const Field& f, bool whole) {
   switch (f.kind) {
     case FieldKind::number:
@@ -95,11 +104,21 @@ Json of_kind(const Field& f, bool whole) {
     }
     case FieldKind::choice:
       return {{"enum", f.choices}};
+    case FieldKind::triple:
+      return {{"type", "array"}, {"items", one_number(f)}, {"minItems", 3}, {"maxItems", 3}};
+    case FieldKind::texts: {
+      const Json text = f.choices.empty() ? Json{{"type", {"string", "number", "boolean"}}} : Json{{"enum", f.choices}};
+      return {{"anyOf", {text, Json{{"type", "array"}, {"items", text}}}}};
+    }
     case FieldKind::record:
-      return object(*f.record, whole);
+      return nested(f, whole);
     case FieldKind::records:
       // a list is never merged with an included one: its entries are always whole
-      return {{"type", "array"}, {"items", object(*f.record, true)}, {"minItems", 1}};
+      return {{"type", "array"}, {"items", nested(f, true)}, {"minItems", 1}};
+    case FieldKind::named_records: {
+      const Json map = {{"type", "object"}, {"additionalProperties", nested(f, whole)}};
+      return f.one_for_all ? Json{{"anyOf", {map, of_kind(*f.record->find(f.shorthand), whole)}}} : map;
+    }
   }
   return {};
 }
@@ -132,6 +151,12 @@ Json object(const Description& d, bool whole) {
   }
   Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
   if (whole && !required.empty()) all["required"] = std::move(required);
+  for (const std::vector<std::string>& group : d.exactly_one) {
+    if (!whole) continue;
+    Json one = Json::array();
+    for (const std::string& key : group) one.push_back({{"required", {key}}});
+    all["allOf"].push_back({{"oneOf", std::move(one)}});
+  }
   return all;
 }
 

@@ -46,6 +46,19 @@ TEST(Schema, AQuantitysPatternAgreesWithItsReader) {
   }
 }
 
+TEST(Schema, NamesVectorsShortFormsAndGroups) {
+  const auto j = nlohmann::json::parse(deck_schema({{"machine", "A machine", &SampleMachine::describe()}}));
+  const auto& machine = j["definitions"]["machine"]["properties"];
+  const auto& pin = machine["pins"]["additionalProperties"]["anyOf"];
+  EXPECT_EQ(pin[0]["properties"]["at"]["minItems"], 3);
+  EXPECT_EQ(pin[0]["required"].dump(), R"(["at"])");
+  EXPECT_EQ(pin[1]["maxItems"], 3);
+  EXPECT_EQ(pin[0]["properties"]["free"]["anyOf"][1]["items"].dump(), R"({"enum":["x","y","z"]})");
+  EXPECT_EQ(machine["path"]["items"]["allOf"][0].dump(),
+            R"({"oneOf":[{"required":["over"]},{"required":["anchor"]}]})");
+  EXPECT_EQ(machine["motion"]["anyOf"].size(), 2U);
+}
+
 TEST(Schema, SaysUnitsRangesAndDefaults) {
   const auto j = nlohmann::json::parse(deck_schema(methods));
   const auto& sample = j["definitions"]["sample"];
