@@ -86,7 +86,8 @@ std::string table_html(const Table& t, const Display& display) {
   return fmt::format(
       "<div class=\"wide\"><table class=\"{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
       "{}</tbody></table></div>\n{}",
-      t.columns.size() > 8 ? "dense" : "data", prose_html(t.title.empty() ? t.name : t.title), head, body, cut);
+      fmt::format("{}{}", t.columns.size() > 8 ? "dense" : "data", rows.size() <= 12 ? " small" : ""),
+      prose_html(t.title.empty() ? t.name : t.title), head, body, cut);
 }
 
 }  // namespace taut::report

@@ -99,7 +99,7 @@ std::string values_html(const Result& r) {
     const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
             cell(escape(number_shown(u.of(v.value), 6)), "num") + cell(escape(unit_text(u)), "u") +
-            cell(escape(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
+            cell(prose_html(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
   }
   return fmt::format(
       "<table><thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th><th>from</th></tr>"

@@ -49,7 +49,7 @@ std::string reference_html(const Step& s) {
   std::string out = "<div class=\"ref\">";
   if (!s.eq.empty()) out += fmt::format("<span class=\"eq\">({})</span>", escape(s.eq));
   const std::string source = source_without_number(s);
-  if (!source.empty()) out += fmt::format("<span class=\"src\">{}</span>", escape(source));
+  if (!source.empty()) out += fmt::format("<span class=\"src\">{}</span>", prose_html(source));
   return out + "</div>";
 }
 

@@ -104,7 +104,8 @@ Symbol split_symbol(std::string_view name) {
   const auto parts = split_at_underscores(name);
   const auto [letters, digits] = split_digits(parts[0]);
   const bool empty_part = std::any_of(parts.begin(), parts.end(), [](auto p) { return p.empty(); });
-  if (empty_part || !is_letters(letters)) {
+  const bool one_word = std::all_of(name.begin(), name.end(), is_word_char);
+  if (empty_part || !one_word || !is_letters(letters)) {
     s.base = clean(name);
     s.is_word = true;
     return s;
@@ -204,6 +205,7 @@ std::string symbol_mathml(std::string_view symbol) {
 
 std::string symbol_html(std::string_view symbol) {
   if (symbol.empty()) return {};
+  if (split_symbol(symbol).is_word) return fmt::format("<span class=\"word\">{}</span>", escape(symbol));
   return fmt::format("<math>{}</math>", symbol_mathml(symbol));
 }
 

@@ -38,7 +38,7 @@ Runs prose_runs(std::string_view text);
 /// symbol too.
 Runs label_runs(std::string_view text);
 
-/// <math>, for a cell of a table.
+/// For a cell of a table: <math>, or plain text for a word.
 std::string symbol_html(std::string_view symbol);
 /// The elements inside <math>.
 std::string symbol_mathml(std::string_view symbol);

@@ -29,7 +29,7 @@ TEST(Symbol, DigitsAtTheEndAreASubscript) {
 }
 
 TEST(Symbol, WordsStayWords) {
-  for (const char* word : {"branch_angle", "wrap", "no__gap", "_x", "x_", "6x36", ""}) {
+  for (const char* word : {"branch_angle", "T_1 of P_M", "P_M-1", "a b", "wrap", "no__gap", "_x", "x_", "6x36", ""}) {
     EXPECT_TRUE(split_symbol(word).is_word) << word;
   }
 }
@@ -54,6 +54,7 @@ TEST(Symbol, ALabelThatIsOneNameIsASymbol) {
   EXPECT_EQ(to_html(label_runs("h = 8 m")), "<i>h</i> = 8 m");
   EXPECT_EQ(to_html(label_runs("a tube")), "a tube");
   EXPECT_EQ(to_html(label_runs("drum")), "drum");
+  EXPECT_EQ(to_html(label_runs("T_1 of P_M")), "<i>T</i><sub>1</sub> of <i>P</i><sub><i>M</i></sub>");
 }
 
 TEST(Symbol, SvgLowersSubscriptsAndComesBack) {

@@ -110,7 +110,7 @@ std::string values(const Result& r) {
   std::vector<Row> rows;
   for (const Value& v : r.values) {
     const ShownUnit u = shown_unit(v.unit, display);
-    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), u.name, words(v.label)});
+    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), u.name, clean(v.label)});
   }
   return "\nResults\n" + aligned(rows, {false, true, false, false});
 }

@@ -1,0 +1,54 @@
+#include "taut/report/terminal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/golden/made_result.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::report;
+
+TEST(Terminal, PlainUnlessAskedForColour) {
+  const Result r = taut_test::made_result();
+  EXPECT_EQ(to_terminal(r).find('\x1b'), std::string::npos);
+  EXPECT_NE(to_terminal(r, {true, 100}).find("\x1b[1;31mfails\x1b[0m"), std::string::npos);
+}
+
+TEST(Terminal, ColourChangesNothingElse) {
+  const Result r = taut_test::made_result();
+  std::string coloured = to_terminal(r, {true, 100});
+  for (const std::string code : {"\x1b[1;31m", "\x1b[1;32m", "\x1b[0m"}) {
+    for (std::size_t at = coloured.find(code); at != std::string::npos; at = coloured.find(code))
+      coloured.erase(at, code.size());
+  }
+  EXPECT_EQ(coloured, to_terminal(r));
+}
+
+TEST(Terminal, TheDeckCannotSteerIt) {
+  Result r = taut_test::made_result();
+  r.title = "\x1b]0;owned\x07";
+  r.warnings = {"\x1b[2J\r\nfake line"};
+  r.checks[0].name = "\x1b[31mred";
+  r.values[0].label = "two\nlines";
+  const std::string text = to_terminal(r);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+  EXPECT_EQ(text.find("\nlines"), std::string::npos);
+}
+
+TEST(Terminal, SaysWhyThereIsNoAnswer) {
+  Result r;
+  r.status = Status::infeasible;
+  r.message = "no grip: raise the wrap angle";
+  EXPECT_NE(to_terminal(r).find("no grip"), std::string::npos);
+}
+
+TEST(Terminal, WordsWrapAtTheWidth) {
+  Result r;
+  r.warnings = {std::string(30, 'a') + " " + std::string(30, 'b') + " " + std::string(30, 'c')};
+  const std::string text = to_terminal(r, {false, 50});
+  EXPECT_NE(text.find("\n    " + std::string(30, 'b') + "\n"), std::string::npos) << text;
+}
+
+}  // namespace
