@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <string>
 
 namespace taut::io {
@@ -161,15 +161,14 @@ TEST(Document, IsNeverSlow) {
     std::string text = head;
     text.reserve(largest_deck + piece.size());
     while (text.size() + piece.size() <= largest_deck) text += piece;
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // of this process: others may keep the machine busy
     const auto d = parse(text, "d");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     EXPECT_TRUE(!d || !d->mistakes.empty()) << head << piece;
-    if (std::getenv("TAUT_SHOW_TIMES") != nullptr)
-      fmt::print("{:.2f} s {}{}\n", took.count(), head, piece.substr(0, 8));
+    if (std::getenv("TAUT_SHOW_TIMES") != nullptr) fmt::print("{:.2f} s {}{}\n", took, head, piece.substr(0, 8));
 #ifdef __OPTIMIZE__
 #ifndef __SANITIZE_ADDRESS__
-    EXPECT_LT(took.count(), 2.0) << head << piece;
+    EXPECT_LT(took, 2.0) << head << piece;
 #endif
 #endif
   }
