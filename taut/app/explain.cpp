@@ -36,6 +36,12 @@ std::string kind_text(const Field& f) {
       return "map";
     case FieldKind::records:
       return "list of maps";
+    case FieldKind::triple:
+      return fmt::format("[x, y, z], each {}", f.unit.needs_text() ? f.unit.shown : "number");
+    case FieldKind::texts:
+      return "text, one or a list";
+    case FieldKind::named_records:
+      return "map of names and maps";
   }
   return {};
 }
