@@ -1,0 +1,180 @@
+#include "taut/analysis/branch.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr int most_steps = 60;
+constexpr double settled = 1e-14;  ///< of the size, for tangent points
+constexpr double closes = 1e-10;
+
+Matrix3 cross_matrix(const Vector3& a) {
+  Matrix3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
+/// Projection across a unit vector: d(v/|v|)/dv times |v|.
+Matrix3 across(const Vector3& d) { return Matrix3::Identity() - d * d.transpose(); }
+
+Vector3 offset(const BranchEnd& end, const Vector3& direction) {
+  if (end.radius == 0) return Vector3::Zero();
+  return end.radius * direction.cross(end.axis).normalized();
+}
+
+Matrix3 offset_rate(const BranchEnd& end, const Vector3& direction) {
+  if (end.radius == 0) return Matrix3::Zero();
+  const Vector3 m = direction.cross(end.axis);
+  const double size = m.norm();
+  return -end.radius / size * across(m / size) * cross_matrix(end.axis);
+}
+
+/// Derivatives by the chord and the length, tangent points apart.
+struct SpanRates {
+  Matrix3 pull = Matrix3::Zero(), leaves = Matrix3::Zero(), arrives = Matrix3::Zero();
+  Vector3 pull_from_L = Vector3::Zero(), pull_to_L = Vector3::Zero();
+  Vector3 leaves_L = Vector3::Zero(), arrives_L = Vector3::Zero();
+};
+
+/// The weightless rope as a straight two-sided spring.
+void solve_straight(const rope::CatenaryRope& rope, Branch& b) {
+  const double c = b.chord.norm();
+  const Vector3 d = c > 0 ? Vector3(b.chord / c) : -up();
+  b.leaves = b.arrives = d;
+  b.T_from = b.T_to = rope.stiffness * (c / rope.length - 1);
+  b.pull_from = b.pull_to = b.T_from * d;
+  b.slack = b.T_from <= 0;
+}
+
+SpanRates straight_rates(const rope::CatenaryRope& rope, const Branch& b) {
+  const Vector3& d = b.leaves;
+  const double c = std::max(b.chord.norm(), 1e-9 * rope.length);
+  SpanRates r;
+  r.pull = rope.stiffness / rope.length * d * d.transpose() + b.T_from / c * across(d);
+  r.leaves = r.arrives = across(d) / c;
+  r.pull_from_L = r.pull_to_L = -rope.stiffness * c / (rope.length * rope.length) * d;
+  return r;
+}
+
+bool solve_sagging(const rope::CatenaryRope& rope, Branch& b, std::optional<rope::CatenaryForce> start,
+                   rope::NoCatenary& why) {
+  auto span = rope::solve_span(rope, b.chord, start);
+  if (!span) {
+    why = span.error();
+    return false;
+  }
+  b.span = *span;
+  b.pull_from = rope::force_on_start(b.span);
+  b.pull_to = -rope::force_on_end(b.span);
+  b.T_from = b.pull_from.norm();
+  b.T_to = b.pull_to.norm();
+  // no tension at an end: the rope hangs straight down in a loop, or ends at its lowest point
+  b.leaves = b.T_from > 0 ? Vector3(b.pull_from / b.T_from) : -up();
+  b.arrives = b.T_to > 0 ? Vector3(b.pull_to / b.T_to) : up();
+  return true;
+}
+
+SpanRates sagging_rates(const Branch& b) {
+  SpanRates r;
+  r.pull = rope::stiffness(b.span);
+  const rope::EndForceRates by_length = rope::length_rates(b.span);
+  r.pull_from_L = by_length.start;
+  r.pull_to_L = -by_length.end;
+  if (b.T_from > 0) {
+    const Matrix3 turn = across(b.leaves) / b.T_from;
+    r.leaves = turn * r.pull;
+    r.leaves_L = turn * r.pull_from_L;
+  }
+  if (b.T_to > 0) {
+    const Matrix3 turn = across(b.arrives) / b.T_to;
+    r.arrives = turn * r.pull;
+    r.arrives_L = turn * r.pull_to_L;
+  }
+  return r;
+}
+
+SpanRates span_rates(const rope::CatenaryRope& rope, const Branch& b) {
+  return rope.weight > 0 ? sagging_rates(b) : straight_rates(rope, b);
+}
+
+}  // namespace
+
+tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
+                                                    const BranchEnd& to, const model::BranchState& start) {
+  const Vector3 X = to.centre - from.centre;
+  const bool round = from.radius != 0 || to.radius != 0;
+  Branch b;
+  b.chord = X;
+  if (round && start.leaves != Vector3::Zero() && start.arrives != Vector3::Zero()) {
+    b.chord += offset(to, start.arrives) - offset(from, start.leaves);
+  }
+  const double size = X.norm() + std::abs(from.radius) + std::abs(to.radius);
+  auto force = start.force;
+  for (int step = 0; step < most_steps; ++step) {
+    rope::NoCatenary why{};
+    if (rope.weight == 0) {
+      solve_straight(rope, b);
+    } else if (!solve_sagging(rope, b, force, why)) {
+      return tl::unexpected(why);
+    }
+    force = b.span.force;
+    if (!round) break;
+    b.offset_from = offset(from, b.leaves);
+    b.offset_to = offset(to, b.arrives);
+    const Vector3 open = X + b.offset_to - b.offset_from - b.chord;
+    b.closure = open.norm();
+    if (b.closure <= settled * size) break;
+    if (!std::isfinite(b.closure)) return tl::unexpected(rope::NoCatenary::not_converged);
+    const SpanRates r = span_rates(rope, b);
+    const Matrix3 m =
+        Matrix3::Identity() - offset_rate(to, b.arrives) * r.arrives + offset_rate(from, b.leaves) * r.leaves;
+    b.chord += m.inverse() * open;
+  }
+  if (!(b.closure <= closes * size)) return tl::unexpected(rope::NoCatenary::not_converged);
+  b.closure += b.span.closure;
+  return b;
+}
+
+BranchRates rates(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to, const Branch& b) {
+  const SpanRates s = span_rates(rope, b);
+  BranchRates r;
+  r.pull_X = s.pull;
+  r.leaves_X = s.leaves;
+  r.arrives_X = s.arrives;
+  r.pull_from_L = s.pull_from_L;
+  r.pull_to_L = s.pull_to_L;
+  r.leaves_L = s.leaves_L;
+  r.arrives_L = s.arrives_L;
+  if (from.radius == 0 && to.radius == 0) return r;
+  // the chord follows its own tangent points: M dchord = dX + l dL
+  const Matrix3 N0 = offset_rate(from, b.leaves), N1 = offset_rate(to, b.arrives);
+  const Matrix3 chord_X = (Matrix3::Identity() - N1 * s.arrives + N0 * s.leaves).inverse();
+  const Vector3 chord_L = chord_X * (N1 * s.arrives_L - N0 * s.leaves_L);
+  r.pull_X = s.pull * chord_X;
+  r.leaves_X = s.leaves * chord_X;
+  r.arrives_X = s.arrives * chord_X;
+  r.pull_from_L += s.pull * chord_L;
+  r.pull_to_L += s.pull * chord_L;
+  r.leaves_L += s.leaves * chord_L;
+  r.arrives_L += s.arrives * chord_L;
+  r.offset_from_X = N0 * r.leaves_X;
+  r.offset_to_X = N1 * r.arrives_X;
+  r.offset_from_L = N0 * r.leaves_L;
+  r.offset_to_L = N1 * r.arrives_L;
+  return r;
+}
+
+Vector3 offset_change(const BranchEnd& end, const Vector3& direction, const Vector3& axis_change) {
+  if (end.radius == 0) return Vector3::Zero();
+  const Vector3 m = direction.cross(end.axis);
+  const double size = m.norm();
+  return end.radius / size * across(m / size) * direction.cross(axis_change);
+}
+
+}  // namespace taut::analysis

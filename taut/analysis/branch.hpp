@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+
+#include "taut/math/vector.hpp"
+#include "taut/model/state.hpp"
+#include "taut/rope/span.hpp"
+
+namespace taut::analysis {
+
+/// What a branch runs from or to: the circle of a round in the ground frame, or a point.
+struct BranchEnd {
+  Vector3 centre = Vector3::Zero();  ///< m
+  Vector3 axis = Vector3::UnitY();   ///< unit vector
+  double radius = 0;                 ///< m; negative where the rope turns left-handed about the axis
+};
+
+/// The free rope between two ends. A weightless rope is a straight spring that may push (its negative tension says how
+/// slack it is, and shares slack out along a rope); `slack` says that nothing of it reaches the machine.
+struct Branch {
+  Vector3 chord = Vector3::Zero();                                     ///< between the tangent points, m
+  Vector3 offset_from = Vector3::Zero(), offset_to = Vector3::Zero();  ///< centre to tangent point, m
+  Vector3 pull_from = Vector3::Zero(), pull_to = Vector3::Zero();      ///< tension at the ends, along the path, N
+  Vector3 leaves = Vector3::UnitX(), arrives = Vector3::UnitX();       ///< unit vectors along the path there
+  double T_from = 0, T_to = 0;                                         ///< N
+  bool slack = false;
+  double closure = 0;  ///< m
+  rope::Span span;     ///< of a rope with weight
+};
+
+/// Derivatives of a branch, by X, the vector from centre to centre (axes kept), and by the unstretched length L.
+/// The pulls at both ends have the same derivative by X: they differ by the rope's weight.
+struct BranchRates {
+  Matrix3 pull_X = Matrix3::Zero();
+  Matrix3 leaves_X = Matrix3::Zero(), arrives_X = Matrix3::Zero();
+  Matrix3 offset_from_X = Matrix3::Zero(), offset_to_X = Matrix3::Zero();
+  Vector3 pull_from_L = Vector3::Zero(), pull_to_L = Vector3::Zero();
+  Vector3 leaves_L = Vector3::Zero(), arrives_L = Vector3::Zero();
+  Vector3 offset_from_L = Vector3::Zero(), offset_to_L = Vector3::Zero();
+};
+
+/// The branch of `rope` between two ends. Where an end has a radius, the tangent point follows the direction of the
+/// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `start`: nearby.
+/// too_short as of a span; not_converged also where the rounds leave no line.
+tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
+                                                    const BranchEnd& to, const model::BranchState& start);
+
+BranchRates rates(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to, const Branch& branch);
+
+/// d(offset)/d(axis) times a small change of the axis, the rope's direction kept, m.
+Vector3 offset_change(const BranchEnd& end, const Vector3& direction, const Vector3& axis_change);
+
+}  // namespace taut::analysis

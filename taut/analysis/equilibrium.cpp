@@ -1,0 +1,165 @@
+#include "taut/analysis/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/lift.hpp"
+#include "taut/analysis/newton.hpp"
+#include "taut/analysis/reasons.hpp"
+#include "taut/analysis/tables.hpp"
+#include "taut/base/expects.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Flow = std::vector<std::vector<int>>;
+
+constexpr int relaxing_steps = 400;
+constexpr int most_changes = 40;  ///< of what touches what
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Flow flow_of(const model::Model& model, Motion motion) {
+  Flow flow;
+  const int sense = motion == Motion::hoist || motion == Motion::in ? 1 : -1;
+  for (const model::Reeving& rope : model.reevings) {
+    flow.emplace_back(rope.nodes.size(), motion == Motion::at_rest ? 0 : sense * rope.haul);
+  }
+  return flow;
+}
+
+bool has_losses(const model::Model& model) {
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.kind == model::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
+    }
+  }
+  return false;
+}
+
+Configuration configuration_of(const Layout& layout, const model::State& state) {
+  Configuration c;
+  c.bodies = state.bodies;
+  for (const Layout::Link& link : layout.links) c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
+  return c;
+}
+
+void keep(const Layout& layout, const Configuration& c, model::State& state) {
+  state.bodies = c.bodies;
+  for (std::size_t k = 0; k < layout.links.size(); ++k) {
+    state.branches[at(layout.links[k].reeving)][at(layout.links[k].from)] = c.links[k];
+  }
+}
+
+/// A machine solved with what touches now.
+struct Solved {
+  Outcome outcome;
+  Layout layout;
+  Configuration c;
+  Evaluation e;
+  int steps = 0;
+};
+
+Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+             const Flow& flow) {
+  Solved s;
+  s.layout = layout(model, state, options.prescribed, flow);
+  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  s.c = configuration_of(s.layout, state);
+  Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+  s.steps = it.steps;
+  if (it.converged) return s;
+  s.c = configuration_of(s.layout, state);
+  it = relax(system, s.c, s.e, relaxing_steps);
+  s.steps += it.steps;
+  if (it.converged) {
+    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+  }
+  if (!it.converged) s.outcome = reason(system, s.c, s.e, it);
+  return s;
+}
+
+/// Solved with what touches found out.
+Solved solve_touching(const model::Model& model, model::State& state, const EquilibriumOptions& options,
+                      const Flow& flow) {
+  int steps = 0;
+  for (int change = 0; change < most_changes; ++change) {
+    Solved s = solve(model, state, options, flow);
+    s.steps = steps += s.steps;
+    if (!s.outcome.ok()) return s;
+    keep(s.layout, s.c, state);
+    if (!change_touch({model, s.layout, 0}, s.c, s.e, state)) return s;
+  }
+  Solved s;
+  s.outcome = not_converged("the ropes lift off their supports and come back without end");
+  return s;
+}
+
+/// The tensions of both directions of motion beside the answer at rest.
+void add_band(const model::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
+  for (const Motion motion : {Motion::in, Motion::out}) {
+    EquilibriumOptions moving = options;
+    moving.motion = motion;
+    const EquilibriumResult other = equilibrium(model, moving, result.state);
+    if (!other.outcome.ok() || other.spans.size() != result.spans.size()) {
+      result.band = false;
+      continue;
+    }
+    for (std::size_t k = 0; k < result.spans.size(); ++k) {
+      SpanResult& span = result.spans[k];
+      const SpanResult& o = other.spans[k];
+      span.T_from_min = std::min(span.T_from_min, o.T_from);
+      span.T_from_max = std::max(span.T_from_max, o.T_from);
+      span.T_to_min = std::min(span.T_to_min, o.T_to);
+      span.T_to_max = std::max(span.T_to_max, o.T_to);
+    }
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+      ContactResult& contact = result.contacts[k];
+      const ContactResult& o = other.contacts[k];
+      contact.T_in_min = std::min(contact.T_in_min, o.T_in);
+      contact.T_in_max = std::max(contact.T_in_max, o.T_in);
+      contact.T_out_min = std::min(contact.T_out_min, o.T_out);
+      contact.T_out_max = std::max(contact.T_out_max, o.T_out);
+    }
+    for (std::size_t r = 0; r < result.ropes.size(); ++r) {
+      RopeResult& rope = result.ropes[r];
+      if (other.ropes[r].T_max <= rope.T_max) continue;
+      const double unstretched = rope.unstretched;
+      rope = other.ropes[r];
+      rope.unstretched = unstretched;
+    }
+  }
+}
+
+}  // namespace
+
+EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
+                              const std::optional<model::State>& start) {
+  EquilibriumResult result;
+  result.state = start ? *start : model::initial_state(model);
+  const Flow flow = options.flow.empty() ? flow_of(model, options.motion) : options.flow;
+  const Solved s = solve_touching(model, result.state, options, flow);
+  result.outcome = s.outcome;
+  result.closure.iterations = s.steps;
+  if (!s.outcome.ok()) return result;
+  fill_tables({model, s.layout, options.prescribed ? options.prescribed->x : 0}, s.c, s.e, result.state, result);
+  const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
+  if (band && has_losses(model)) {
+    result.band = true;
+    add_band(model, options, result);
+  }
+  return result;
+}
+
+model::Model installed(const model::Model& model, const EquilibriumResult& result) {
+  expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
+  model::Model frozen = model;
+  for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
+    frozen.reevings[r].given = model::Given::length;
+    frozen.reevings[r].value = result.ropes[r].unstretched;
+  }
+  return frozen;
+}
+
+}  // namespace taut::analysis

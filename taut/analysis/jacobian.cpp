@@ -1,0 +1,252 @@
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "taut/analysis/system.hpp"
+
+namespace taut::analysis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr int most_columns = 13;  // six freedoms at each end, and the length
+
+/// How one branch follows the unknowns that move it, column by column.
+struct Columns {
+  int count = 0;
+  std::array<int, most_columns> unknown{};
+  std::array<Vector3, most_columns> pull_from, pull_to, leaves, arrives;
+  std::array<Vector3, most_columns> arm_from, arm_to;  ///< tangent point seen from its body's origin
+  int reeving = 0, from_body = model::ground, to_body = model::ground;
+};
+
+struct Assembly {
+  const System& system;
+  const Configuration& c;
+  const Evaluation& e;
+  Eigen::MatrixXd& J;
+  std::vector<Columns> columns;
+};
+
+void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r, const BranchEnd& end, bool start,
+                        Columns& columns) {
+  const Layout& layout = a.system.layout;
+  const int body = start ? columns.from_body : columns.to_body;
+  if (body == model::ground) return;
+  const Vector3 arm = end.centre - a.c.bodies[at(body)].position;
+  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
+    const model::Freedom& way = layout.dofs[at(i)].way;
+    const int k = columns.count++;
+    columns.unknown[at(k)] = i;
+    const Vector3 turn = way.about.cross(arm);
+    const Vector3 shift = offset_change(end, start ? b.leaves : b.arrives, way.about.cross(end.axis));
+    const Vector3 X = (start ? -1 : 1) * (way.along + turn + shift);
+    columns.pull_from[at(k)] = columns.pull_to[at(k)] = r.pull_X * X;
+    columns.leaves[at(k)] = r.leaves_X * X;
+    columns.arrives[at(k)] = r.arrives_X * X;
+    columns.arm_from[at(k)] = r.offset_from_X * X;
+    columns.arm_to[at(k)] = r.offset_to_X * X;
+    (start ? columns.arm_from : columns.arm_to)[at(k)] += turn + shift;
+  }
+}
+
+Columns columns_of(const Assembly& a, int link_index) {
+  const Layout::Link& link = a.system.layout.links[at(link_index)];
+  const model::Reeving& rope = a.system.model.reevings[at(link.reeving)];
+  const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+  const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
+  const Branch& b = a.e.branches[at(link_index)];
+  const BranchRates r = rates(rope_of(rope, a.c.links[at(link_index)].length), start, end, b);
+  Columns columns;
+  columns.reeving = link.reeving;
+  columns.from_body = from.at.body;
+  columns.to_body = to.at.body;
+  add_columns_of_end(a, b, r, start, true, columns);
+  add_columns_of_end(a, b, r, end, false, columns);
+  const std::size_t k = at(columns.count++);
+  columns.unknown[k] = link.unknown;
+  columns.pull_from[k] = r.pull_from_L;
+  columns.pull_to[k] = r.pull_to_L;
+  columns.leaves[k] = r.leaves_L;
+  columns.arrives[k] = r.arrives_L;
+  columns.arm_from[k] = r.offset_from_L;
+  columns.arm_to[k] = r.offset_to_L;
+  return columns;
+}
+
+/// Rows of a body's freedoms from a force F with arm and their derivatives.
+void add_force_rows(Assembly& a, int body, const Vector3& F, const Vector3& arm, const Columns& columns, bool start,
+                    double factor) {
+  if (body == model::ground) return;
+  const Layout& layout = a.system.layout;
+  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
+    const model::Freedom& way = layout.dofs[at(i)].way;
+    const bool turns = way.about != Vector3::Zero();
+    for (std::size_t k = 0; k < at(columns.count); ++k) {
+      const Vector3& dF = start ? columns.pull_from[k] : columns.pull_to[k];
+      double value = dF.dot(way.along);
+      if (turns) {
+        const Vector3& darm = start ? columns.arm_from[k] : columns.arm_to[k];
+        value += way.about.dot(darm.cross(F) + arm.cross(dF));
+      }
+      a.J(i, columns.unknown[k]) += factor * value;
+    }
+  }
+}
+
+void add_ropes(Assembly& a) {
+  for (std::size_t k = 0; k < a.columns.size(); ++k) {
+    const Branch& b = a.e.branches[k];
+    if (b.slack) continue;
+    const Layout::Link& link = a.system.layout.links[k];
+    const model::Reeving& rope = a.system.model.reevings[at(link.reeving)];
+    const Columns& columns = a.columns[k];
+    const auto arm = [&](int node, int body, const Vector3& offset) -> Vector3 {
+      if (body == model::ground) return Vector3::Zero();
+      return end_at(rope.nodes[at(node)], a.c.bodies).centre + offset - a.c.bodies[at(body)].position;
+    };
+    add_force_rows(a, columns.from_body, b.pull_from, arm(link.from, columns.from_body, b.offset_from), columns, true,
+                   rope.copies);
+    add_force_rows(a, columns.to_body, b.pull_to, arm(link.to, columns.to_body, b.offset_to), columns, false,
+                   -rope.copies);
+  }
+}
+
+/// A dead force turns with nothing; its arm does.
+void add_dead_force(Assembly& a, int body, const Vector3& arm, const Vector3& F) {
+  const Layout& layout = a.system.layout;
+  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
+    const Vector3& row = layout.dofs[at(i)].way.about;
+    if (row == Vector3::Zero()) continue;
+    for (int j = layout.first_dof[at(body)]; j < layout.first_dof[at(body) + 1]; ++j) {
+      a.J(i, j) += row.dot(layout.dofs[at(j)].way.about.cross(arm).cross(F));
+    }
+  }
+}
+
+void add_dead_forces(Assembly& a) {
+  const model::Model& model = a.system.model;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const model::Body& body = model.bodies[b];
+    add_dead_force(a, static_cast<int>(b), a.c.bodies[b].orientation * body.centre, -body.mass * model.gravity * up());
+  }
+  for (const model::Load& load : model.loads) {
+    if (load.at.body == model::ground) continue;
+    add_dead_force(a, load.at.body, a.c.bodies[at(load.at.body)].orientation * load.at.at, load.force);
+  }
+}
+
+/// Adds the derivative of factor_in T_in + factor_out T_out + factor_wrap wrap at a turn to a row.
+void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_out, double factor_wrap) {
+  const Layout::Turn& t = a.system.layout.turns[at(turn)];
+  const Bend& bend = a.e.bends[at(turn)];
+  const Columns &in = a.columns[at(t.before)], &out = a.columns[at(t.after)];
+  const Vector3 &d_in = a.e.branches[at(t.before)].arrives, &d_out = a.e.branches[at(t.after)].leaves;
+  for (std::size_t k = 0; k < at(in.count); ++k) {
+    a.J(row, in.unknown[k]) += factor_in * d_in.dot(in.pull_to[k]) + factor_wrap * bend.by_in.dot(in.arrives[k]);
+  }
+  for (std::size_t k = 0; k < at(out.count); ++k) {
+    a.J(row, out.unknown[k]) += factor_out * d_out.dot(out.pull_from[k]) + factor_wrap * bend.by_out.dot(out.leaves[k]);
+  }
+}
+
+void add_arc(Assembly& a, int turn, int row) {
+  const Layout::Turn& t = a.system.layout.turns[at(turn)];
+  const model::Reeving& rope = a.system.model.reevings[at(t.reeving)];
+  const double radius = rope.nodes[at(t.node)].radius;
+  if (radius == 0) return;
+  const double length = arc(a.system, a.e, turn);
+  const double T = (a.e.branches[at(t.before)].T_to + a.e.branches[at(t.after)].T_from) / 2;
+  const double stretch = 1 + T / rope.stiffness;
+  const double by_tension = -length / stretch / rope.stiffness / 2;
+  add_turn(a, turn, row, by_tension, by_tension, radius / stretch);
+}
+
+void add_contact(Assembly& a, int turn) {
+  const Layout::Turn& t = a.system.layout.turns[at(turn)];
+  const model::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
+  const Loss lost = loss(node.law, a.e.bends[at(turn)].wrap);
+  const double in = std::exp(t.flow * lost.log / 2), out = 1 / in;
+  const double T_in = a.e.branches[at(t.before)].T_to, T_out = a.e.branches[at(t.after)].T_from;
+  add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * t.flow * lost.by_wrap);
+}
+
+/// The end tension of a rope as a row.
+void add_tension(Assembly& a, int link, bool start, int row) {
+  const Columns& columns = a.columns[at(link)];
+  const Branch& b = a.e.branches[at(link)];
+  for (std::size_t k = 0; k < at(columns.count); ++k) {
+    a.J(row, columns.unknown[k]) += start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]);
+  }
+}
+
+void add_laws(Assembly& a) {
+  const Layout& layout = a.system.layout;
+  for (std::size_t r = 0; r < layout.ropes.size(); ++r) {
+    const Layout::Rope& rope = layout.ropes[r];
+    const model::Reeving& reeving = a.system.model.reevings[r];
+    const int last = rope.first_turn + rope.turn_count;
+    for (int t = rope.first_turn; t < last; ++t) {
+      const Layout::Turn& turn = layout.turns[at(t)];
+      if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
+      if (reeving.nodes[at(turn.node)].kind == model::NodeKind::contact) {
+        add_contact(a, t);
+        continue;
+      }
+      for (int k = rope.first; k < turn.after; ++k) a.J(turn.row, layout.links[at(k)].unknown) += 1;
+      for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
+    }
+    if (rope.row == layout.coordinate_row) continue;
+    if (reeving.given == model::Given::length) {
+      for (int k = rope.first; k < rope.first + rope.count; ++k) a.J(rope.row, layout.links[at(k)].unknown) += 1;
+      for (int t = rope.first_turn; t < last; ++t) add_arc(a, t, rope.row);
+    } else {
+      const bool start = reeving.given == model::Given::tension_at_start;
+      add_tension(a, start ? rope.first : rope.first + rope.count - 1, start, rope.row);
+    }
+  }
+}
+
+void add_coordinate(Assembly& a) {
+  const Layout& layout = a.system.layout;
+  if (layout.coordinate_row < 0) return;
+  const int body = layout.coordinate_body;
+  const int first = layout.first_dof[at(body)], last = layout.first_dof[at(body) + 1];
+  for (int i = first; i < last; ++i) a.J(layout.coordinate_row, i) = layout.dofs[at(i)].way.along.x();
+  if (layout.hold < 0) return;
+  const Layout::Turn& t = layout.turns[at(layout.hold_turn)];
+  const Columns &in = a.columns[at(t.before)], &out = a.columns[at(t.after)];
+  const Vector3 along = track(a.system, a.e);
+  const double size = (a.e.branches[at(t.before)].arrives + a.e.branches[at(t.after)].leaves).norm();
+  const model::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
+  const Vector3 arm = end_at(node, a.c.bodies).centre - a.c.bodies[at(body)].position;
+  const auto add = [&](int unknown, const Vector3& d, const Vector3& darm) {
+    const Vector3 turn = a.c.hold / size * (d - along * along.dot(d));
+    for (int i = first; i < last; ++i) {
+      const model::Freedom& way = layout.dofs[at(i)].way;
+      a.J(i, unknown) += turn.dot(way.along) + way.about.dot(arm.cross(turn) + a.c.hold * darm.cross(along));
+    }
+  };
+  for (std::size_t k = 0; k < at(in.count); ++k) add(in.unknown[k], in.arrives[k], Vector3::Zero());
+  for (std::size_t k = 0; k < at(out.count); ++k) add(out.unknown[k], out.leaves[k], Vector3::Zero());
+  for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[at(j)].way.about.cross(arm));
+  for (int i = first; i < last; ++i) {
+    const model::Freedom& way = layout.dofs[at(i)].way;
+    a.J(i, layout.hold) = along.dot(way.along) + way.about.dot(arm.cross(along));
+  }
+}
+
+}  // namespace
+
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J) {
+  J.setZero(system.layout.size, system.layout.size);
+  Assembly a{system, c, e, J, {}};
+  a.columns.reserve(system.layout.links.size());
+  for (int k = 0; k < static_cast<int>(system.layout.links.size()); ++k) a.columns.push_back(columns_of(a, k));
+  add_ropes(a);
+  add_dead_forces(a);
+  add_laws(a);
+  add_coordinate(a);
+}
+
+}  // namespace taut::analysis

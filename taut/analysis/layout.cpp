@@ -1,0 +1,100 @@
+#include "taut/analysis/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using model::NodeKind;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+int count(std::size_t n) { return static_cast<int>(n); }
+
+void check(const model::Reeving& rope) {
+  expects(rope.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
+  expects(rope.weight > 0 || std::isfinite(rope.stiffness), "a rope without weight stretches");
+  expects(!rope.closed || rope.nodes.front().kind == NodeKind::drive, "a closed rope begins at its drive");
+  expects(!rope.closed || rope.given == model::Given::length, "a closed rope is given by its length");
+}
+
+void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vector<bool>& touched,
+              const std::vector<int>& flow) {
+  check(rope);
+  std::vector<int> nodes;
+  for (int k = 0; k < count(rope.nodes.size()); ++k) {
+    if (touched[at(k)]) nodes.push_back(k);
+  }
+  const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
+  Layout::Rope r{count(l.links.size()), links, count(l.turns.size()), 0, 0};
+  for (int k = 0; k < links; ++k) {
+    l.links.push_back({index, nodes[at(k)], nodes[at((k + 1) % count(nodes.size()))], l.size + k});
+  }
+  int row = l.size;
+  for (int k = rope.closed ? 0 : 1; k < links; ++k) {
+    const int node = nodes[at(k)];
+    const NodeKind kind = rope.nodes[at(node)].kind;
+    expects(kind != NodeKind::anchor && (kind == NodeKind::drive) == (rope.closed && k == 0),
+            "anchors stand at the ends of a rope, its drive at the start of a closed one");
+    const int before = k > 0 ? r.first + k - 1 : r.first + links - 1;
+    const int runs = kind == NodeKind::contact && !flow.empty() ? flow[at(node)] : 0;
+    l.turns.push_back({index, node, before, r.first + k, kind == NodeKind::drive ? -1 : row++, runs});
+  }
+  r.turn_count = count(l.turns.size()) - r.first_turn;
+  r.row = row;
+  l.size += links;
+  l.ropes.push_back(r);
+}
+
+void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribed) {
+  const model::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
+  const auto turn = std::find_if(l.turns.begin(), l.turns.end(), [&](const Layout::Turn& t) {
+    return t.reeving == carriage.reeving && t.node == carriage.node;
+  });
+  expects(turn != l.turns.end(), "a carriage rides on its rope");
+  l.coordinate_body = carriage.body;
+  if (carriage.mainline >= 0) {
+    l.coordinate_row = l.ropes.at(at(carriage.mainline)).row;
+  } else if (model.reevings[at(turn->reeving)].nodes[at(turn->node)].kind == NodeKind::clamp) {
+    l.coordinate_row = turn->row;
+  } else {
+    l.hold_turn = count(static_cast<std::size_t>(turn - l.turns.begin()));
+    l.hold = l.coordinate_row = l.size++;
+  }
+}
+
+/// The scales of force and length.
+void measure(Layout& l, const model::Model& model, const model::State& state) {
+  for (const model::Body& body : model.bodies) l.heaviest = std::max(l.heaviest, body.mass * model.gravity);
+  for (const model::Load& load : model.loads) l.heaviest = std::max(l.heaviest, load.force.norm());
+  for (const Layout::Link& link : l.links) {
+    const model::Reeving& rope = model.reevings[at(link.reeving)];
+    const Vector3 chord =
+        model::in_ground(state, rope.nodes[at(link.to)].at) - model::in_ground(state, rope.nodes[at(link.from)].at);
+    l.length = std::max(l.length, chord.norm());
+    l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
+  }
+}
+
+}  // namespace
+
+Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
+              const std::vector<std::vector<int>>& flow) {
+  Layout l;
+  for (int b = 0; b < count(model.bodies.size()); ++b) {
+    l.first_dof.push_back(count(l.dofs.size()));
+    for (const model::Freedom& way : model.bodies[at(b)].free) l.dofs.push_back({b, way});
+  }
+  l.first_dof.push_back(count(l.dofs.size()));
+  l.size = count(l.dofs.size());
+  for (int r = 0; r < count(model.reevings.size()); ++r) {
+    add_rope(l, model.reevings[at(r)], r, state.touched[at(r)], flow.empty() ? std::vector<int>{} : flow[at(r)]);
+  }
+  if (prescribed) prescribe(l, model, *prescribed);
+  measure(l, model, state);
+  return l;
+}
+
+}  // namespace taut::analysis

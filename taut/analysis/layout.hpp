@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "taut/analysis/equilibrium.hpp"
+
+namespace taut::analysis {
+
+/// Which unknown and which equation is where. Unknowns: the freedoms of the bodies, the unstretched length of each
+/// branch, the hold of a prescribed carriage. Equations: the balance of each freedom, then for each rope the law of
+/// each contact or the place of each clamp and what is given of the rope, last the prescribed coordinate.
+struct Layout {
+  struct Dof {
+    int body = 0;
+    model::Freedom way;
+  };
+  /// A branch between two touched nodes; its length is unknown `unknown`.
+  struct Link {
+    int reeving = 0, from = 0, to = 0, unknown = 0;
+  };
+  /// A touched node between two links. `row` < 0: a drive, which takes what comes.
+  struct Turn {
+    int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
+  };
+  /// A whole rope: links first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
+  struct Rope {
+    int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
+  };
+
+  std::vector<Dof> dofs;       ///< unknown and row i
+  std::vector<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
+  std::vector<Link> links;
+  std::vector<Turn> turns;
+  std::vector<Rope> ropes;
+  int size = 0;
+  int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
+  int coordinate_body = model::ground;
+  int hold = -1;        ///< unknown; -1: none
+  int hold_turn = -1;   ///< the turn along whose track it pulls
+  double heaviest = 0;  ///< of weights and loads, N: a scale
+  double length = 0;    ///< of the machine, m: a scale
+};
+
+/// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.
+Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
+              const std::vector<std::vector<int>>& flow);
+
+}  // namespace taut::analysis

@@ -1,0 +1,161 @@
+#include "taut/analysis/newton.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace taut::analysis {
+namespace {
+
+constexpr double least_part = 1.0 / 1024;
+constexpr double singular_below = 1e-14;
+constexpr double longest_turn = 0.5;     // rad per step
+constexpr double longest_move = 0.5;     // of the machine's length per step
+constexpr double shortest_branch = 0.4;  // of its length before the step
+
+/// The scaled linear system of one point.
+class Linear {
+ public:
+  Linear(const System& system, Eigen::Index n) : columns_(n), rows_(n) {
+    columns_.setConstant(system.layout.length);
+    for (std::size_t i = 0; i < system.layout.dofs.size(); ++i) {
+      if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
+    }
+    if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
+  }
+
+  void factor(const Eigen::MatrixXd& J) {
+    scaled_ = J * columns_.asDiagonal();
+    for (Eigen::Index i = 0; i < rows_.size(); ++i) {
+      const double size = scaled_.row(i).cwiseAbs().maxCoeff();
+      rows_[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
+      scaled_.row(i) *= rows_[i];
+    }
+    lu_.compute(scaled_);
+    singular_ = !(lu_.rcond() > singular_below);
+    if (singular_) {
+      orthogonal_.setThreshold(1e-12);
+      orthogonal_.compute(scaled_);
+    }
+  }
+
+  /// The scaled step -J^-1 r, of least length where J is singular.
+  Eigen::VectorXd solve(const Eigen::VectorXd& r) const {
+    const Eigen::VectorXd right = -rows_.cwiseProduct(r);
+    return singular_ ? Eigen::VectorXd(orthogonal_.solve(right)) : Eigen::VectorXd(lu_.solve(right));
+  }
+
+  Eigen::VectorXd unscaled(const Eigen::VectorXd& step) const { return columns_.cwiseProduct(step); }
+  bool singular() const { return singular_; }
+
+ private:
+  Eigen::VectorXd columns_, rows_;
+  Eigen::MatrixXd scaled_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
+  bool singular_ = false;
+};
+
+/// The largest part of a step, at most 1, that keeps branches from vanishing and bodies from flying away.
+double longest_part(const System& s, const Configuration& c, const Eigen::VectorXd& step) {
+  double part = 1;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+    const double most = turns ? longest_turn : longest_move * s.layout.length;
+    part = std::min(part, most / std::max(most, std::abs(step[static_cast<Eigen::Index>(i)])));
+  }
+  for (std::size_t k = 0; k < c.links.size(); ++k) {
+    const double change = step[s.layout.links[k].unknown];
+    if (change < 0) part = std::min(part, (1 - shortest_branch) * c.links[k].length / -change);
+  }
+  return part;
+}
+
+bool settled(const System& s, const Evaluation& e, double tolerance) {
+  const Misfit m = misfit(s, e);
+  return m.force <= tolerance * e.largest_force && m.length <= tolerance * s.layout.length;
+}
+
+}  // namespace
+
+Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  Eigen::MatrixXd J;
+  Configuration tried = c;
+  Evaluation there;
+  for (; it.steps < most_steps; ++it.steps) {
+    if (settled(s, e, tolerance)) {
+      it.converged = true;
+      return it;
+    }
+    jacobian(s, c, e, J);
+    linear.factor(J);
+    it.singular = linear.singular();
+    const Eigen::VectorXd step = linear.solve(e.residual);
+    if (!step.allFinite()) return it;
+    const Eigen::VectorXd change = linear.unscaled(step);
+    const double size = step.norm();
+    bool accepted = false;
+    for (double part = longest_part(s, c, change); part > least_part; part /= 2) {
+      move(s, c, change, part, tried);
+      it.stopped = evaluate(s, tried, there);
+      if (it.stopped || !there.residual.allFinite()) continue;
+      const double next = linear.solve(there.residual).norm();
+      if (next <= (1 - part / 4) * size || settled(s, there, tolerance)) {
+        accepted = true;
+        break;
+      }
+    }
+    if (!accepted) return it;
+    std::swap(c, tried);
+    std::swap(e, there);
+  }
+  it.converged = settled(s, e, tolerance);
+  return it;
+}
+
+Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  Eigen::MatrixXd J;
+  Configuration tried = c;
+  Evaluation there;
+  double drag = e.largest_force / s.layout.length;
+  double now = misfit(s, e).force;
+  for (; it.steps < most_steps; ++it.steps) {
+    if (settled(s, e, 1e-4)) {
+      it.converged = true;
+      return it;
+    }
+    jacobian(s, c, e, J);
+    for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+      const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+      const auto k = static_cast<Eigen::Index>(i);
+      J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
+    }
+    linear.factor(J);
+    const Eigen::VectorXd change = linear.unscaled(linear.solve(e.residual));
+    if (!change.allFinite()) return it;
+    move(s, c, change, longest_part(s, c, change), tried);
+    it.stopped = evaluate(s, tried, there);
+    if (it.stopped || !there.residual.allFinite()) {
+      drag *= 8;
+      if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
+      continue;
+    }
+    std::swap(c, tried);
+    std::swap(e, there);
+    const double before = now;
+    now = misfit(s, e).force;
+    drag *= std::clamp(now / before, 0.2, 2.0);
+  }
+  return it;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,24 @@
+#pragma once
+#include "taut/analysis/system.hpp"
+
+namespace taut::analysis {
+
+/// How an iteration ended.
+struct Iteration {
+  bool converged = false;
+  int steps = 0;
+  std::optional<NoBranch> stopped;  ///< the branch that had no solution at the last point tried
+  bool singular = false;            ///< something is not held: a step without end
+};
+
+/// Damped Newton with the natural monotonicity test: a step is accepted when the next one, by the old derivatives,
+/// would be shorter. It does not depend on how equations are scaled: Deuflhard, Newton Methods for Nonlinear Problems
+/// (2004), sec. 3.3. `tolerance`: as in EquilibriumOptions. On return c and e are the last accepted point.
+Iteration newton(const System& system, Configuration& c, Evaluation& e, double tolerance, int most_steps);
+
+/// The overdamped fall of the bodies to a stable equilibrium, by implicit steps that grow as the forces settle
+/// (pseudo-transient continuation: Kelley, Keyes, SIAM J. Numer. Anal. 35 (1998) 508): from a start where ropes are
+/// slack or far from their places. It ends near equilibrium, for `newton` to finish.
+Iteration relax(const System& system, Configuration& c, Evaluation& e, int most_steps);
+
+}  // namespace taut::analysis

@@ -1,0 +1,107 @@
+#include "taut/analysis/reasons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::analysis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// "along x", "about (0, 0.6, 0.8)".
+std::string direction(const model::Freedom& way) {
+  const bool turns = way.about != Vector3::Zero();
+  const Vector3& d = turns ? way.about : way.along;
+  const char* names = "xyz";
+  const std::string_view word = turns ? "about" : "along";
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(std::abs(d[i]) - 1) < 1e-12) return fmt::format("{} {}", word, names[i]);
+  }
+  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", word, d.x(), d.y(), d.z());
+}
+
+std::string branch_words(const System& s, int link_index) {
+  const Layout::Link& link = s.layout.links[at(link_index)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(link.from)].name,
+                     rope.nodes[at(link.to)].name);
+}
+
+Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
+  const Layout::Link& link = s.layout.links[at(no.link)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const Vector3 chord =
+      end_at(rope.nodes[at(link.to)], c.bodies).centre - end_at(rope.nodes[at(link.from)], c.bodies).centre;
+  if (no.why == rope::NoCatenary::too_short) {
+    return infeasible(fmt::format(
+        "{} does not reach: {:.6g} m of a rope that does not stretch over {:.6g} m; give it more length or a stiffness",
+        branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
+  }
+  const double radii = rope.nodes[at(link.to)].radius + rope.nodes[at(link.from)].radius;
+  if (radii > 0 && chord.norm() <= radii) {
+    return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
+                                  branch_words(s, no.link), chord.norm(), radii));
+  }
+  return not_converged(fmt::format("{} did not converge", branch_words(s, no.link)));
+}
+
+/// The ropes that carry nothing, as words; empty if none.
+std::string slack_ropes(const System& s, const Evaluation& e) {
+  std::string words;
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const Layout::Rope& rope = s.layout.ropes[r];
+    bool slack = true;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) slack = slack && e.branches[at(k)].slack;
+    if (slack) words += fmt::format("{}'{}'", words.empty() ? "" : ", ", s.model.reevings[r].name);
+  }
+  return words;
+}
+
+/// The freedom whose balance is worst, -1 without any.
+int worst_freedom(const System& s, const Evaluation& e) {
+  int worst = -1;
+  double most = -1;
+  for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
+    const bool turns = s.layout.dofs[at(i)].way.about != Vector3::Zero();
+    const double size = std::abs(e.residual[i]) / (turns ? s.layout.length : 1);
+    if (size > most) {
+      most = size;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
+  if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
+  const int worst = worst_freedom(s, e);
+  const std::string slack = slack_ropes(s, e);
+  const Misfit m = misfit(s, e);
+  if (worst < 0) {
+    return not_converged(
+        fmt::format("the ropes did not settle: {:.3g} N and {:.3g} m are open after the last step; are the given "
+                    "lengths and tensions possible on these paths?",
+                    m.force, m.length));
+  }
+  const Layout::Dof& dof = s.layout.dofs[at(worst)];
+  const std::string& body = s.model.bodies[at(dof.body)].name;
+  const double open = e.residual[worst];
+  const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
+  if (!slack.empty()) {
+    return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",
+                                  open, unit, body, direction(dof.way), slack));
+  }
+  if (iteration.singular) {
+    return infeasible(
+        fmt::format("body '{}' is not held {}: {:.6g} {} stay open; add a rope, or take that freedom away", body,
+                    direction(dof.way), open, unit));
+  }
+  return not_converged(
+      fmt::format("no equilibrium found: {:.6g} {} stay open on body '{}' {}", open, unit, body, direction(dof.way)));
+}
+
+}  // namespace taut::analysis

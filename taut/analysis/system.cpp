@@ -1,0 +1,195 @@
+#include "taut/analysis/system.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace taut::analysis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+const model::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
+
+const model::Node& node_of(const System& s, const Layout::Turn& t) {
+  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+}
+
+/// Adds a force that acts at `place` to the balance of the freedoms of a body.
+void add_force(const System& s, const Configuration& c, int body, const Vector3& place, const Vector3& force,
+               Eigen::VectorXd& residual) {
+  if (body == model::ground) return;
+  const Vector3 arm = place - c.bodies[at(body)].position;
+  for (int i = s.layout.first_dof[at(body)]; i < s.layout.first_dof[at(body) + 1]; ++i) {
+    const model::Freedom& way = s.layout.dofs[at(i)].way;
+    residual[i] += force.dot(way.along) + way.about.dot(arm.cross(force));
+  }
+}
+
+void add_dead_forces(const System& s, const Configuration& c, Eigen::VectorXd& residual) {
+  for (std::size_t b = 0; b < s.model.bodies.size(); ++b) {
+    const model::Body& body = s.model.bodies[b];
+    if (body.free.empty()) continue;
+    const model::Pose& pose = c.bodies[b];
+    add_force(s, c, static_cast<int>(b), pose.position + pose.orientation * body.centre,
+              -body.mass * s.model.gravity * up(), residual);
+  }
+  for (const model::Load& load : s.model.loads) {
+    if (load.at.body == model::ground) continue;
+    const model::Pose& pose = c.bodies[at(load.at.body)];
+    add_force(s, c, load.at.body, pose.position + pose.orientation * load.at.at, load.force, residual);
+  }
+}
+
+void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Branch& b = e.branches[k];
+    if (b.slack) continue;
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = reeving_of(s, link.reeving);
+    const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+    e.largest_force = std::max({e.largest_force, rope.copies * std::abs(b.T_from), rope.copies * std::abs(b.T_to)});
+    add_force(s, c, from.at.body, end_at(from, c.bodies).centre + b.offset_from, rope.copies * b.pull_from, e.residual);
+    add_force(s, c, to.at.body, end_at(to, c.bodies).centre + b.offset_to, -rope.copies * b.pull_to, e.residual);
+  }
+}
+
+/// Laws of the contacts, places of the clamps, given quantities.
+void add_laws(const System& s, const Configuration& c, Evaluation& e) {
+  for (const Layout::Rope& rope : s.layout.ropes) {
+    const model::Reeving& reeving = reeving_of(s, s.layout.links[at(rope.first)].reeving);
+    double length = 0;
+    int link = rope.first;
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
+      const Layout::Turn& turn = s.layout.turns[at(t)];
+      for (; link < turn.after; ++link) length += c.links[at(link)].length;
+      const model::Node& node = node_of(s, turn);
+      const double T_in = e.branches[at(turn.before)].T_to, T_out = e.branches[at(turn.after)].T_from;
+      if (node.kind == model::NodeKind::clamp) {
+        e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
+      } else if (turn.row >= 0) {
+        const double g = turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
+        e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
+      }
+      length += arc(s, e, t);
+    }
+    for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
+    switch (reeving.given) {
+      case model::Given::length:
+        e.residual[rope.row] = length - reeving.value * (1 + reeving.thermal_strain);
+        break;
+      case model::Given::tension_at_start:
+        e.residual[rope.row] = e.branches[at(rope.first)].T_from - reeving.value;
+        break;
+      case model::Given::tension_at_end:
+        e.residual[rope.row] = e.branches[at(rope.first + rope.count - 1)].T_to - reeving.value;
+        break;
+    }
+  }
+}
+
+/// The prescribed coordinate, and the force that holds the carriage there.
+void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
+  if (s.layout.coordinate_row < 0) return;
+  const int body = s.layout.coordinate_body;
+  e.residual[s.layout.coordinate_row] = c.bodies[at(body)].position.x() - s.coordinate;
+  if (s.layout.hold < 0) return;
+  const model::Node& node = node_of(s, s.layout.turns[at(s.layout.hold_turn)]);
+  add_force(s, c, body, end_at(node, c.bodies).centre, c.hold * track(s, e), e.residual);
+}
+
+}  // namespace
+
+rope::CatenaryRope rope_of(const model::Reeving& reeving, double length) {
+  return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};
+}
+
+BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies) {
+  BranchEnd end{node.at.at, node.axis, node.side < 0 ? -node.radius : node.radius};
+  if (node.at.body != model::ground) {
+    const model::Pose& pose = bodies[at(node.at.body)];
+    end.centre = pose.position + pose.orientation * node.at.at;
+    end.axis = pose.orientation * node.axis;
+  }
+  return end;
+}
+
+double arc(const System& s, const Evaluation& e, int turn) {
+  const Layout::Turn& t = s.layout.turns[at(turn)];
+  const double T = (e.branches[at(t.before)].T_to + e.branches[at(t.after)].T_from) / 2;
+  const double strain = T / reeving_of(s, t.reeving).stiffness;
+  return node_of(s, t).radius * e.bends[at(turn)].wrap / (1 + strain);
+}
+
+Vector3 track(const System& s, const Evaluation& e) {
+  const Layout::Turn& t = s.layout.turns[at(s.layout.hold_turn)];
+  return (e.branches[at(t.before)].arrives + e.branches[at(t.after)].leaves).normalized();
+}
+
+std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& e) {
+  e.branches.resize(s.layout.links.size());
+  e.bends.resize(s.layout.turns.size());
+  e.residual.setZero(s.layout.size);
+  e.largest_force = s.layout.heaviest;
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = reeving_of(s, link.reeving);
+    auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[at(link.from)], c.bodies),
+                               end_at(rope.nodes[at(link.to)], c.bodies), c.links[k]);
+    if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
+    e.branches[k] = *branch;
+    c.links[k].leaves = branch->leaves;
+    c.links[k].arrives = branch->arrives;
+    if (rope.weight > 0) c.links[k].force = branch->span.force;
+  }
+  for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
+    const Layout::Turn& turn = s.layout.turns[t];
+    const model::Node& node = node_of(s, turn);
+    e.bends[t] =
+        bend(node, end_at(node, c.bodies), e.branches[at(turn.before)].arrives, e.branches[at(turn.after)].leaves);
+  }
+  add_dead_forces(s, c, e.residual);
+  add_ropes(s, c, e);
+  add_laws(s, c, e);
+  add_coordinate(s, c, e);
+  return std::nullopt;
+}
+
+void move(const System& s, const Configuration& c, const Eigen::VectorXd& step, double part, Configuration& moved) {
+  moved = c;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const Layout::Dof& dof = s.layout.dofs[i];
+    const double by = part * step[static_cast<Eigen::Index>(i)];
+    model::Pose& pose = moved.bodies[at(dof.body)];
+    pose.position += by * dof.way.along;
+    if (dof.way.about == Vector3::Zero()) continue;
+    pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;
+  }
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    moved.links[k].length += part * step[s.layout.links[k].unknown];
+  }
+  if (s.layout.hold >= 0) moved.hold += part * step[s.layout.hold];
+}
+
+Misfit misfit(const System& s, const Evaluation& e) {
+  Misfit m;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool moment = s.layout.dofs[i].way.about != Vector3::Zero();
+    m.force = std::max(m.force, std::abs(e.residual[static_cast<Eigen::Index>(i)]) / (moment ? s.layout.length : 1));
+  }
+  const auto length = [&](int row) { m.length = std::max(m.length, std::abs(e.residual[row])); };
+  const auto force = [&](int row) { m.force = std::max(m.force, std::abs(e.residual[row])); };
+  for (const Layout::Turn& turn : s.layout.turns) {
+    if (turn.row < 0) continue;
+    node_of(s, turn).kind == model::NodeKind::clamp ? length(turn.row) : force(turn.row);
+  }
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const int row = s.layout.ropes[r].row;
+    s.model.reevings[r].given == model::Given::length || row == s.layout.coordinate_row ? length(row) : force(row);
+  }
+  if (s.layout.hold >= 0) length(s.layout.coordinate_row);
+  for (const Branch& b : e.branches) m.length = std::max(m.length, b.closure);
+  return m;
+}
+
+}  // namespace taut::analysis

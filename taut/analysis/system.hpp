@@ -1,0 +1,68 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "taut/analysis/bend.hpp"
+#include "taut/analysis/branch.hpp"
+#include "taut/analysis/layout.hpp"
+
+namespace taut::analysis {
+
+/// The unknowns' values.
+struct Configuration {
+  std::vector<model::Pose> bodies;
+  std::vector<model::BranchState> links;  ///< by Layout::links
+  double hold = 0;                        ///< N along the track
+};
+
+/// Everything that follows from a configuration, and how far it is from equilibrium.
+struct Evaluation {
+  std::vector<Branch> branches;  ///< by Layout::links
+  std::vector<Bend> bends;       ///< by Layout::turns
+  Eigen::VectorXd residual;      ///< N, N m, m
+  double largest_force = 0;      ///< N, a scale
+};
+
+/// Which branch has no solution, and why.
+struct NoBranch {
+  int link = 0;
+  rope::NoCatenary why = rope::NoCatenary::not_converged;
+};
+
+/// The equations of equilibrium of a laid-out machine.
+struct System {
+  const model::Model& model;
+  const Layout& layout;
+  double coordinate = 0;  ///< what the carriage's x is prescribed to be, m
+};
+
+/// Fills `e`; a branch without solution stops it.
+std::optional<NoBranch> evaluate(const System& system, Configuration& c, Evaluation& e);
+
+/// d(residual)/d(unknowns), exact. Rotations: by a small turn about the freedom's axis.
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J);
+
+/// `c` moved by `part` of the step.
+void move(const System& system, const Configuration& c, const Eigen::VectorXd& step, double part, Configuration& moved);
+
+/// The worst of each kind.
+struct Misfit {
+  double force = 0;   ///< balances (moments over the machine's length), contact laws, given tensions, N
+  double length = 0;  ///< given lengths and coordinates, ends of spans, m
+};
+Misfit misfit(const System& system, const Evaluation& e);
+
+/// A branch's rope as it is: warmer, shorter.
+rope::CatenaryRope rope_of(const model::Reeving& reeving, double length);
+
+/// The end of a branch in the ground frame.
+BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies);
+
+/// Length of the arc at a turn, unstretched, m.
+double arc(const System& system, const Evaluation& e, int turn);
+
+/// Unit vector along the track of the carriage that is held.
+Vector3 track(const System& system, const Evaluation& e);
+
+}  // namespace taut::analysis

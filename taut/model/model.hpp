@@ -1,0 +1,133 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/math/vector.hpp"
+
+namespace taut::model {
+
+/// A compiled machine: plain values and indices, checked by the compiler of descriptions, never changed by an analysis.
+/// SI and radians, right-handed axes, z up. Names serve tables and messages; everything is found by index.
+
+/// Not a body: fixed to the ground frame.
+inline constexpr int ground = -1;
+
+/// A point of a body, or of the ground.
+struct Place {
+  int body = ground;
+  Vector3 at = Vector3::Zero();  ///< in the body's frame (ground: in the ground frame), m
+};
+
+/// One way in which a body may move, as unit velocities in the ground frame: along x is {(1,0,0), 0}; a hinge at the
+/// body's origin about y is {0, (0,1,0)}; a slide in any direction {unit vector, 0}. The body's origin is the centre of
+/// its rotations. Two rotations about different axes are taken one after the other in small steps, each about its axis
+/// in the ground frame: give one, or all three.
+struct Freedom {
+  Vector3 along = Vector3::Zero();
+  Vector3 about = Vector3::Zero();
+};
+
+struct Body {
+  std::string name;
+  Vector3 position = Vector3::Zero();         ///< of its origin at the start, m; kept along what is not free
+  Matrix3 orientation = Matrix3::Identity();  ///< body to ground at the start
+  std::vector<Freedom> free;                  ///< none: fixed
+  double mass = 0;                            ///< kg, >= 0; its weight acts at `centre`
+  Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
+};
+
+/// A dead force on a body (keeps its direction in the ground frame).
+struct Load {
+  Place at;                         ///< on a body
+  Vector3 force = Vector3::Zero();  ///< N
+};
+
+/// What happens to the rope at a node of its path.
+enum class NodeKind {
+  anchor,   ///< an end of the rope: a pin (radius 0) or a drum (pitch radius of the layer, axis, side)
+  contact,  ///< the rope runs over it: a sheave, a saddle that does not turn, the wheels of a rolling carriage
+  clamp,    ///< the rope is held there: `length_before` of it lies before; a clamped carriage, a locked capstan
+  drive     ///< of a closed rope: a sheave with whatever torque it needs; just one per closed rope
+};
+
+/// Loss of tension at a contact, with the flow in the sense of growing tension: T_out = r T_in,
+/// ln r = min(friction * wrap, -ln efficiency). Grip and bearing in series, without spin inertia. A saddle: efficiency
+/// 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope can't slip. A rolling carriage:
+/// efficiency 0 and its rolling friction. Without any loss: efficiency 1.
+struct ContactLaw {
+  double friction = std::numeric_limits<double>::infinity();  ///< of the rope on the groove, >= 0
+  double efficiency = 1;                                      ///< of the turning sheave, 0 <= efficiency <= 1
+};
+
+struct Node {
+  std::string name;  ///< of the point, sheave, drum, carriage: as the deck says it
+  NodeKind kind = NodeKind::anchor;
+  Place at;                         ///< the point; of a round its centre
+  double radius = 0;                ///< at the rope's centre, m; 0: a point
+  Vector3 axis = Vector3::UnitY();  ///< unit vector in the body's frame; used when radius > 0
+  int side = 1;                     ///< +1: along its path the rope turns right-handed about `axis`; -1: left-handed
+  int turns = 0;   ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; below 0 the rope has left the sheave
+  ContactLaw law;  ///< of a contact
+  Vector3 support = Vector3::Zero();  ///< 0: holds the rope either way (a sheave with a guard, a carriage). Else the
+                                      ///< unit vector from the support to the rope, in the ground frame (a saddle: 0,
+                                      ///< 0, 1): the rope may lift off that way
+  bool may_lift = false;              ///< lifting: true: the rope leaves the support; false: reported as pulling it up
+  /// Of a clamp: unstretched length from the start of the rope (closed: from where it arrives at its drive), at the
+  /// rope's reference temperature, m.
+  double length_before = 0;
+};
+
+/// What is known of a rope besides its path.
+enum class Given {
+  length,            ///< `value`: unstretched length at the rope's reference temperature, m, arcs on contacts counted;
+                     ///< at a drum it starts where the rope leaves the drum
+  tension_at_start,  ///< `value`: N; the length follows
+  tension_at_end     ///< `value`: N
+};
+
+/// One rope on its path, in the order of which "in" and "out" speak. Parallel parts are already written out: a tackle
+/// of n falls is n branches with a contact at each turn.
+struct Reeving {
+  std::string name;
+  std::vector<Node> nodes;  ///< open: first and last are anchors, none between; closed: the first is the drive, then
+                            ///< contacts and clamps, and the rope runs from the last back to the first
+  bool closed = false;
+  Given given = Given::length;  ///< a closed rope: length
+  double value = 0;
+  double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0
+  double stiffness = 0;       ///< EA, N, > 0; infinite is allowed for a rope with weight
+  double breaking_force = 0;  ///< N; 0: not known, no safety factor
+  double thermal_strain = 0;  ///< expansion times temperature above the reference
+  int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often
+  int haul = -1;              ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
+};
+
+/// A carriage that a load path moves along its line.
+struct Carriage {
+  std::string name;
+  int body = 0;
+  int reeving = 0, node = 0;  ///< the rope it rides on, and where: a contact (rolling) or a clamp
+  int mainline = -1;          ///< the reeving whose length sets its place; -1: none. A rolling carriage without one is
+                              ///< held by a force along its track, a clamped one by where it is clamped
+};
+
+/// The ground under the line: a polyline, x growing.
+struct GroundPoint {
+  double x = 0, z = 0;  ///< m
+};
+
+struct Model {
+  double gravity = 9.80665;  ///< m/s^2, along -z
+  std::vector<Body> bodies;
+  std::vector<Load> loads;
+  std::vector<Reeving> reevings;
+  std::vector<Carriage> carriages;
+  std::vector<GroundPoint> terrain;
+};
+
+/// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.
+int branch_count(const Reeving& reeving);
+
+}  // namespace taut::model

@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "taut/math/vector.hpp"
+#include "taut/model/model.hpp"
+#include "taut/rope/catenary.hpp"
+
+namespace taut::model {
+
+struct Pose {
+  Vector3 position = Vector3::Zero();         ///< of the body's origin, m
+  Matrix3 orientation = Matrix3::Identity();  ///< body to ground
+};
+
+/// The free rope from one node to the next one that it touches.
+struct BranchState {
+  double length = 0;  ///< unstretched, at the rope's temperature, m; 0 where the node before is not touched
+  Vector3 leaves = Vector3::Zero(), arrives = Vector3::Zero();  ///< unit vectors along the path at its ends; 0: unknown
+  std::optional<rope::CatenaryForce> force;                     ///< at its middle; none: unknown
+};
+
+/// Where a machine is: a value, to be copied, kept and started from.
+struct State {
+  std::vector<Pose> bodies;                        ///< as in the model
+  std::vector<std::vector<BranchState>> branches;  ///< [reeving][branch], branch k from node k on
+  std::vector<std::vector<bool>> touched;          ///< [reeving][node]: false where the rope has lifted off
+};
+
+/// As described: bodies where they are given, each rope straight from node to node, its given length shared out in
+/// proportion.
+State initial_state(const Model& model);
+
+/// A place in the ground frame, m.
+Vector3 in_ground(const State& state, const Place& place);
+
+}  // namespace taut::model
