@@ -13,6 +13,9 @@
 namespace taut::closed_loop {
 namespace {
 
+/// N m2: the bracket of (10) times a length.
+constexpr Unit moment_by_length{dimension(1, 3, -2), "N m^2", "kN m^2", false, "moment by length"};
+
 Outcome too_shallow(const Case<double>& c, double n) {
   return infeasible(fmt::format(
       "sag too small: with a sag of {:.3g} m at midspan no rope carries even its own weight with a safety factor of "
@@ -43,39 +46,40 @@ Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
   const T n = s.given(*in.safety_factor);
   const T sigma = s.given(*in.wire_strength);
   const T k = s.given(in.weight_per_area);
-  const T cos2 = c.cos_a * c.cos_a;
+  const T cos2 = square(c.cos_a);
   const T bend = c.f * c.sin_2a;
   const T P_b = s.eq("4", "P_b0", si::N, c.eta * (p.P - 2.0 * p.K * c.f * c.cos_a / c.l) / (1.0 + c.eta));
   if (!(value(P_b) > 0)) return nothing_to_carry();
-  const T at_B = c.downhill ? bend : -bend;  // B is the upper support downhill, A uphill
-  const T at_A = -at_B;
+  // B is the upper support downhill, A uphill
+  const auto toward_A = [&](double times) { return c.downhill ? c.l - times * bend : c.l + times * bend; };
+  const auto toward_B = [&](double times) { return c.downhill ? c.l + times * bend : c.l - times * bend; };
   const T strength = 8.0 * sigma * c.f * cos2;
   const T own = k * c.l * n;
   const T eta = min(c.eta, T(1.0));  // out-haul: the upper branch itself is the tighter one
   const T below_8 = s.eq("8", "D_8", si::N_per_m, strength - own * (c.l + 2.0 * bend));
-  const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * (c.l + 3.0 * at_A));
-  const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * (c.l + 2.0 * at_B));
+  const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * toward_A(3));
+  const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * toward_B(2));
   if (!(value(below_8) > 0 && value(below_10) > 0 && value(below_b) > 0)) {
     return too_shallow(words_of(c), *in.safety_factor);
   }
   const T F_bp = s.eq("8", "F_return_paper", si::m2, 2.0 * P_b * n * c.cos_a * (c.l + bend) / below_8);
-  const T F_b = s.eq("8*", "F_return", si::m2, 2.0 * P_b * n * c.cos_a * (c.l + at_B) / below_b);
-  const T load = 4.0 * (p.P - P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2;
-  const T F_Tp =
-      s.eq("10", "F_traction_paper", si::m2, n * (c.l + at_A) * (load + k * F_bp * c.l * c.l) / (c.l * below_10));
+  const T F_b = s.eq("8*", "F_return", si::m2, 2.0 * P_b * n * c.cos_a * toward_B(1) / below_b);
+  const T load = s.eq("10", "B_10", si::N_m, 4.0 * (p.P - P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2);
+  const T l_A = s.eq("10", "l_A", si::m, toward_A(1));
+  const T F_Tp = s.eq("10", "F_traction_paper", si::m2, n * l_A * (load + k * F_bp * square(c.l)) / (c.l * below_10));
   // alpha_s carries the sign of the roller's push along the slope.
-  const T push = c.downhill ? P_b * c.sin_a : -(P_b * c.sin_a);
-  const T F_T =
-      s.eq("10*", "F_traction", si::m2,
-           n * ((c.l + at_A) * (load + k * F_b * c.l * c.l) - 16.0 * c.l * c.f * cos2 * push) / (c.l * below_10));
+  const T push =
+      s.eq("10*", "R_10", si::N, c.downhill ? P_b * c.sin_a : -(P_b * c.sin_a), "roller's push along the slope");
+  const T above =
+      s.eq("10*", "A_10", moment_by_length, l_A * (load + k * F_b * square(c.l)) - 16.0 * c.l * c.f * cos2 * push);
+  const T F_T = s.eq("10*", "F_traction", si::m2, n * above / (c.l * below_10));
   out.F_return_paper = value(F_bp);
   out.F_return = value(F_b);
   out.F_traction_paper = value(F_Tp);
   out.F_traction = value(F_T);
   s.note(
       "These areas are a first estimate: they leave out rope weight in P_b and take the end slope to first order. "
-      "Verify "
-      "the ropes chosen with their own weight (choose_ropes, return_rope, traction_rope).");
+      "Verify the ropes chosen with their own weight (choose_ropes, return_rope, traction_rope).");
   return {};
 }
 
