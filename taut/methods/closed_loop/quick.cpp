@@ -177,7 +177,7 @@ Outcome quick_tensions(const Case<T>& c, const Case<double>& plain, Sheet<T>& s,
         p.passes);
   });
   write_forces(c, p, s, q);
-  if (const Outcome o = judge(plain, p); !o.ok()) return o;
+  if (Outcome o = judge(plain, p); !o.ok()) return o;
   write_ends(c, s, q);
   return {};
 }

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <iterator>
 
-#include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_search.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -88,47 +86,6 @@ template Outcome areas(const Input&, const Case<Num>&, const Paper<Num>&, Sheet<
 
 namespace {
 
-/// "16 mm", "16mm", "1960 MPa" of a rope's words; a text without unit or of another kind is left alone.
-bool read_size(const std::string& text, catalogue::RopeDescription& wanted) {
-  if (const auto d = parse_quantity(text, si::m)) return wanted.diameter = *d, true;
-  if (const auto grade = parse_quantity(text, si::Pa)) return wanted.grade = *grade, true;
-  return false;
-}
-
-catalogue::RopeDescription read_words(const std::string& text) {
-  std::istringstream words(text);
-  std::vector<std::string> all;
-  for (std::string word; words >> word;) all.push_back(word);
-  catalogue::RopeDescription wanted;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i + 1 < all.size() && read_size(all[i] + " " + all[i + 1], wanted)) {
-      ++i;
-    } else if (read_size(all[i], wanted)) {
-      continue;
-    } else if (const auto core = catalogue::parse_core(all[i])) {
-      wanted.core = *core;
-    } else if (const auto construction = catalogue::parse_construction(all[i])) {
-      wanted.construction = all[i];
-      if (!construction->core.empty()) wanted.core = construction->core;
-    } else {
-      wanted.standard += (wanted.standard.empty() ? "" : " ") + all[i];
-    }
-  }
-  return wanted;
-}
-
-}  // namespace
-
-catalogue::Found<catalogue::RopeRow> rope_named(const std::string& text) {
-  auto by_id = catalogue::find_rope(text);
-  if (by_id) return by_id;
-  const auto wanted = read_words(text);
-  if (wanted.construction.empty() || wanted.diameter <= 0) return by_id;
-  return catalogue::find_rope(wanted);
-}
-
-namespace {
-
 const Peak& higher(const Peak& a, const Peak& b) { return b.tension > a.tension ? b : a; }
 
 void raise(Peak& peak, double tension, double x, const char* where) {
@@ -156,6 +113,7 @@ Peaks peaks_of(const Output& out) {
 namespace {
 
 using Candidates = std::vector<catalogue::RopeRow>;
+using Verify = std::function<Outcome(const Ropes&, Peaks&)>;
 
 Candidates candidates_of(const RopeFilter& filter) {
   catalogue::RopeFilter wanted;
@@ -163,6 +121,14 @@ Candidates candidates_of(const RopeFilter& filter) {
   wanted.core = filter.core.value_or("");
   wanted.grade = filter.grade;
   return catalogue::ropes_by(catalogue::RopeOrder::diameter, wanted);
+}
+
+/// The rows that withstand `force`, in the order of `all`.
+Candidates stronger_than(double force, const Candidates& all) {
+  Candidates some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const catalogue::RopeRow& row) { return row.breaking_force >= force; });
+  return some;
 }
 
 Ropes pair_of(const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
@@ -177,8 +143,7 @@ struct Trial {
   bool passes() const { return outcome.ok() && return_passes && traction_passes; }
 };
 
-Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double n,
-               const std::function<Outcome(const Ropes&, Peaks&)>& verify) {
+Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double n, const Verify& verify) {
   Peaks peaks;
   Trial trial;
   trial.outcome = verify(pair_of(b, t), peaks);
@@ -187,38 +152,52 @@ Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double 
   return trial;
 }
 
-Outcome none_strong_enough(const char* role, double n, const catalogue::RopeRow& last) {
+Outcome none_strong_enough(const char* role, double n, const Candidates& all) {
+  const auto strongest = std::max_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.breaking_force < b.breaking_force; });
   return infeasible(
       fmt::format("no rope of the catalogue that fits the filter is strong enough as the {} rope with a safety factor "
-                  "of {:.3g} (the "
-                  "thickest is {}); widen the filter, deepen the sag, or lessen the gathering force",
-                  role, n, last.id));
+                  "of {:.3g} (the strongest, {}, breaks at {:.4g} kN); widen the filter, deepen the sag, or lessen the "
+                  "gathering force",
+                  role, n, strongest->id, strongest->breaking_force / 1000));
+}
+
+/// Peaks with both ropes as light as the lightest candidate: no pair has smaller ones.
+Outcome least_peaks(const Candidates& all, const Verify& verify, Peaks& least) {
+  const auto lightest = std::min_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.mass_per_length < b.mass_per_length; });
+  return verify(pair_of(*lightest, *lightest), least);
 }
 
 }  // namespace
 
-Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(const Ropes&, Peaks&)>& verify,
-               Ropes& chosen) {
+Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Ropes& chosen) {
   const Candidates all = candidates_of(filter);
   if (all.empty()) return infeasible("no rope of the catalogue fits choose_ropes: drop construction, core or grade");
+  Peaks least;
+  if (Outcome o = least_peaks(all, verify, least); !o.ok()) return o;
+  const Candidates returns = stronger_than(n * least.return_rope.tension, all);
+  const Candidates tractions = stronger_than(n * least.traction_rope.tension, all);
+  if (returns.empty()) return none_strong_enough("return", n, all);
+  if (tractions.empty()) return none_strong_enough("traction", n, all);
   std::size_t b = 0;
   std::size_t t = 0;
   for (;;) {
-    const Trial trial = try_pair(all[b], all[t], n, verify);
+    Trial trial = try_pair(returns[b], tractions[t], n, verify);
     if (!trial.outcome.ok()) return trial.outcome;
     if (trial.passes()) break;
-    if (!trial.return_passes && ++b == all.size()) return none_strong_enough("return", n, all.back());
-    if (!trial.traction_passes && ++t == all.size()) return none_strong_enough("traction", n, all.back());
+    if (!trial.return_passes && ++b == returns.size()) return none_strong_enough("return", n, all);
+    if (!trial.traction_passes && ++t == tractions.size()) return none_strong_enough("traction", n, all);
   }
   // A row further up is not always heavier (fibre core, other standard): look back for a smaller one beside the
   // partner.
   for (std::size_t i = 0; i < b; ++i) {
-    if (try_pair(all[i], all[t], n, verify).passes()) b = i;
+    if (try_pair(returns[i], tractions[t], n, verify).passes()) b = i;
   }
   for (std::size_t i = 0; i < t; ++i) {
-    if (try_pair(all[b], all[i], n, verify).passes()) t = i;
+    if (try_pair(returns[b], tractions[i], n, verify).passes()) t = i;
   }
-  chosen = pair_of(all[b], all[t]);
+  chosen = pair_of(returns[b], tractions[t]);
   return {};
 }
 

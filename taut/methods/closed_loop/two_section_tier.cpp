@@ -187,7 +187,7 @@ Outcome two_section_tensions(const Case<T>& c, const Case<double>& plain, const 
   out.at = t->at;
   out.delta_f = w.delta_f;
   write_forces(c, *t, w, s, out.q);
-  if (const Outcome o = judge(plain, *t); !o.ok()) return o;
+  if (Outcome o = judge(plain, *t); !o.ok()) return o;
   write_ends(c, w, s, out.q, out.T_12);
   return {};
 }
