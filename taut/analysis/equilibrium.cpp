@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
@@ -69,14 +70,16 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   s.steps = it.steps;
   if (it.converged) return s;
-  s.c = configuration_of(s.layout, state);
-  it = relax(system, s.c, s.e, relaxing_steps);
-  s.steps += it.steps;
-  if (it.converged) {
+  for (const double growth : {std::numeric_limits<double>::infinity(), 30.0, 3.0}) {
+    s.c = configuration_of(s.layout, state);
+    it = relax(system, s.c, s.e, relaxing_steps, growth);
+    s.steps += it.steps;
+    if (!it.converged) continue;
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
     s.steps += it.steps;
+    if (it.converged) return s;
   }
-  if (!it.converged) s.outcome = reason(system, s.c, s.e, it);
+  s.outcome = reason(system, s.c, s.e, it);
   return s;
 }
 
