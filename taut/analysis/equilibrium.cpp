@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
@@ -70,16 +69,14 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   s.steps = it.steps;
   if (it.converged) return s;
-  for (const double growth : {std::numeric_limits<double>::infinity(), 30.0, 3.0}) {
-    s.c = configuration_of(s.layout, state);
-    it = relax(system, s.c, s.e, relaxing_steps, growth);
-    s.steps += it.steps;
-    if (!it.converged) continue;
+  s.c = configuration_of(s.layout, state);
+  it = relax(system, s.c, s.e, relaxing_steps);
+  s.steps += it.steps;
+  if (it.converged) {
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
     s.steps += it.steps;
-    if (it.converged) return s;
   }
-  s.outcome = reason(system, s.c, s.e, it);
+  if (!it.converged) s.outcome = reason(system, s.c, s.e, it);
   return s;
 }
 

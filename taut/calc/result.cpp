@@ -66,7 +66,7 @@ struct Filler {
   }
   bool operator()(const Choice& x) const {
     g.text = x.get();
-    return true;
+    return !g.text.empty();
   }
   bool operator()(const Triple* x) const {
     g.numbers.assign(x->begin(), x->end());

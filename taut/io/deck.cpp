@@ -14,7 +14,8 @@
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut", "title", "method", "display", "include", "input"};
+const std::vector<std::string> deck_keys = {"taut",    "title", "method",  "display",
+                                            "include", "input", "machine", "analyses"};
 
 void read_format(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("taut");
@@ -37,7 +38,7 @@ std::string read_method(const Node& root, const std::vector<std::string>& method
   const Node* n = root.find("method");
   const std::string choices = fmt::format("{}", fmt::join(methods, ", "));
   if (n == nullptr) {
-    add(mistakes, root.spot, fmt::format("the deck lacks 'method', one of {}", choices));
+    add(mistakes, root.spot, fmt::format("the deck lacks 'method', one of {}, or a 'machine'", choices));
     return {};
   }
   if (n->kind != Node::Kind::scalar) {
@@ -96,6 +97,19 @@ Node read_input(const Node& root, bool has_method, Diagnostics& mistakes) {
   return e->value.kind == Node::Kind::null ? empty : e->value;
 }
 
+/// The keys of a machine's deck as the one map that is read.
+Node read_machine(const Node& root, Diagnostics& mistakes) {
+  Node both;
+  both.kind = Node::Kind::map;
+  both.spot = root.spot;
+  for (const Entry& e : root.entries) {
+    if (e.key == "machine" || e.key == "analyses") both.entries.push_back(e);
+    if (e.key != "method" && e.key != "input") continue;
+    add(mistakes, e.key_spot, fmt::format("'{}' belongs to a published method; this deck has a machine", e.key));
+  }
+  return both;
+}
+
 }  // namespace
 
 Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes) {
@@ -116,8 +130,17 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   }
   read_format(root, mistakes);
   deck.title = read_title(root, mistakes);
-  deck.method = read_method(root, methods, mistakes);
   deck.display = read_display(root, mistakes);
+  deck.is_machine =
+      root.find("machine") != nullptr || (root.find("analyses") != nullptr && root.find("method") == nullptr);
+  if (deck.is_machine) {
+    deck.input = read_machine(root, mistakes);
+    return deck;
+  }
+  if (const Entry* e = root.find_entry("analyses")) {
+    add(mistakes, e->key_spot, "'analyses' belong to a machine; a published method has its 'input' alone");
+  }
+  deck.method = read_method(root, methods, mistakes);
   deck.input = read_input(root, !deck.method.empty(), mistakes);
   return deck;
 }

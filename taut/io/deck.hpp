@@ -13,15 +13,17 @@ namespace taut::io {
 /// What stands around the input of a deck.
 struct Deck {
   std::string title;
-  std::string method;  ///< one of the methods; empty when the deck names none of them
+  std::string method;       ///< one of the methods; empty when the deck names none of them
+  bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
-  Node input;  ///< always a map; empty at the deck's place when `input` is missing
+  Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
+               ///< with the keys `machine` and `analyses` alone
 };
 
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, and the keys
-/// `taut`, `title`, `method`, `display`, `input`. All mistakes are added to `mistakes`; when nothing can be read at all
-/// (not YAML) the result is empty. A deck with mistakes may still be read further, to find more of them; it must not
-/// be run.
+/// `taut`, `title`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to `mistakes`; when
+/// nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read further, to find
+/// more of them; it must not be run.
 ///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
 ///         a name without a folder)
 ///   set: "input.cases[0].falls=6" and so on, in order

@@ -45,6 +45,18 @@ TEST(Deck, ReadsItsHead) {
   EXPECT_DOUBLE_EQ(t.sample.span, 1);
 }
 
+TEST(Deck, AMachineComesWithItsAnalyses) {
+  const Told t = read_all("taut: 1\nmachine: {gravity: 1}\nanalyses: []\n");
+  ASSERT_TRUE(t.deck);
+  EXPECT_TRUE(t.deck->is_machine);
+  ASSERT_EQ(t.deck->input.entries.size(), 2U);
+  EXPECT_EQ(follow(t.deck->input, "machine.gravity").node->text, "1");
+  for (const char* text : {"taut: 1\nmachine: {}\nmethod: closed_loop\n", "taut: 1\nmachine: {}\ninput: {}\n"}) {
+    EXPECT_NE(read_all(text).text.find("belongs to a published method; this deck has a machine"), std::string::npos);
+  }
+  EXPECT_NE(read_all("analyses: []\n" + good).text.find("'analyses' belong to a machine"), std::string::npos);
+}
+
 TEST(Deck, TellsWhatIsWrongAroundTheInput) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"method: closed_loop\ninput: {}\n", "deck.yaml:1:1: error: the deck lacks 'taut: 1'"},

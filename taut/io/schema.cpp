@@ -187,18 +187,41 @@ Json top_level(const std::vector<SchemaMethod>& methods) {
 
 Json when(Json condition, Json consequence) { return {{"if", std::move(condition)}, {"then", std::move(consequence)}}; }
 
+/// The keys of a machine's deck: whole when nothing is included, and never beside those of a method.
+void add_machine(const Description& machine, Json& top, Json& definitions, Json& rules) {
+  const Json has_include = {{"required", {"include"}}};
+  for (const bool whole : {true, false}) {
+    const Json keys = object(machine, whole)["properties"];
+    Json properties = Json::object();
+    for (const auto& [key, schema] : keys.items()) {
+      const std::string name = whole ? key : key + ".part";
+      definitions[name] = schema;
+      properties[key] = {{"$ref", fmt::format("#/definitions/{}", name)}};
+      top[key] = Json::object();
+    }
+    rules.push_back(when(whole ? Json{{"not", has_include}} : has_include, {{"properties", std::move(properties)}}));
+  }
+  const Json both = {{"anyOf", {Json{{"required", {"method"}}}, Json{{"required", {"input"}}}}}};
+  rules.push_back(when({{"required", {"machine"}}}, {{"not", both}}));
+}
+
 }  // namespace
 
 std::string quantity_pattern(const Unit& unit) {
   return fmt::format("^{}[ \t]*{}[ \t]*$", number_pattern, unit_pattern(unit));
 }
 
-std::string deck_schema(const std::vector<SchemaMethod>& methods) {
+std::string deck_schema(const std::vector<SchemaMethod>& methods, const Description* machine) {
   Json rules = Json::array();
   const Json has_include = {{"required", {"include"}}};
-  Json whole = when({{"not", has_include}}, {{"required", {"taut", "method", "input"}}});
-  rules.push_back(std::move(whole));
   Json definitions = Json::object();
+  Json top = top_level(methods);
+  Json whole = {{"required", {"taut", "method", "input"}}};
+  if (machine != nullptr) {
+    whole = {{"anyOf", {whole, Json{{"required", {"taut", "machine"}}}}}};
+    add_machine(*machine, top, definitions, rules);
+  }
+  rules.push_back(when({{"not", has_include}}, std::move(whole)));
   for (const SchemaMethod& m : methods) {
     definitions[m.name] = object(*m.input, true);
     definitions[m.name]["title"] = m.title;
@@ -213,7 +236,7 @@ std::string deck_schema(const std::vector<SchemaMethod>& methods) {
   const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                        {"title", "taut deck"},
                        {"type", "object"},
-                       {"properties", top_level(methods)},
+                       {"properties", std::move(top)},
                        {"additionalProperties", false},
                        {"allOf", std::move(rules)},
                        {"definitions", std::move(definitions)}};

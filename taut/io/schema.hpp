@@ -18,7 +18,8 @@ struct SchemaMethod {
 /// or a percentage. A deck with `include` needs none of the required keys: they may stand in the included one. What a
 /// schema can't say (the range of a quantity) stands in the descriptions. Every deck that taut reads without a mistake
 /// is valid, except that a number in quotes is not.
-std::string deck_schema(const std::vector<SchemaMethod>& methods);
+/// `machine`: fields of the keys `machine` and `analyses`, which a deck may have instead of `method` and `input`.
+std::string deck_schema(const std::vector<SchemaMethod>& methods, const Description* machine = nullptr);
 
 /// Regular expression (ECMA 262) of a quantity of this unit; exposed for tests.
 std::string quantity_pattern(const Unit& unit);

@@ -47,6 +47,8 @@ inline constexpr Unit m_per_N{dimension(-1, 0, 2), "m/N", "mm/kN", false, "compl
 inline constexpr Unit per_s{dimension(0, 0, -1), "1/s", "1/s", false, "frequency"};
 inline constexpr Unit kg_m2{dimension(1, 2, 0), "kg m^2", "kg m^2", false, "inertia"};
 inline constexpr Unit N_s_per_m{dimension(1, 0, -1), "N s/m", "N s/m", false, "damping"};
+inline constexpr Unit K{dimension(0, 0, 0, 1), "K", "K", false, "temperature"};
+inline constexpr Unit per_K{dimension(0, 0, 0, -1), "1/K", "1/K", false, "thermal expansion"};
 }  // namespace si
 
 }  // namespace taut

@@ -1,0 +1,373 @@
+#include "taut/model/compile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/model/links.hpp"
+#include "taut/model/path.hpp"
+#include "taut/model/rope_of.hpp"
+
+namespace taut::model {
+namespace {
+
+using description::Haul;
+
+Vector3 axis_of(const std::string& letter) {
+  return letter == "x" ? Vector3::UnitX() : letter == "y" ? Vector3::UnitY() : Vector3::UnitZ();
+}
+
+/// Index of the first of that name; -1 when there is none.
+template <class Named>
+int index_of(const std::vector<Named>& all, const std::string& name) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  return at == all.end() ? -1 : static_cast<int>(at - all.begin());
+}
+
+template <class Named>
+std::string hint_for(const std::vector<Named>& all, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  const std::string hint = did_you_mean(name, names);
+  return hint.empty() && !names.empty() && names.size() <= 12 ? fmt::format("; there is {}", fmt::join(names, ", "))
+                                                              : hint;
+}
+
+class Compiler {
+ public:
+  explicit Compiler(const Machine& machine)
+      : machine_(machine), links_(machine, complaints_), ropes_(ropes_of(machine, complaints_)) {}
+
+  tl::expected<Model, std::vector<Complaint>> run() {
+    model_.gravity = machine_.gravity;
+    add_bodies();
+    add_carriage_bodies();
+    check_axes();
+    for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
+    for (const auto& guy : machine_.guys) add_guy(guy);
+    check_names();
+    for (std::size_t i = 0; i < machine_.carriages.size(); ++i) add_carriage(i);
+    if (complaints_.empty()) place_carriages();
+    if (complaints_.empty()) finish_nodes();
+    add_loads();
+    add_take_ups();
+    add_terrain();
+    if (model_.reevings.empty()) complain("", "the machine has no rope: say 'reevings' or 'guys'");
+    if (!complaints_.empty()) return tl::unexpected(complaints_);
+    return std::move(model_);
+  }
+
+ private:
+  void complain(std::string path, std::string message) { complaints_.push_back({std::move(path), std::move(message)}); }
+
+  Vector3 start_of(const Place& place) const {
+    return place.body == ground ? place.at : model_.bodies[static_cast<std::size_t>(place.body)].position + place.at;
+  }
+
+  void add_bodies() {
+    for (const auto& given : machine_.bodies) {
+      const std::string path = fmt::format("bodies.{}", given.name);
+      Body body;
+      body.name = given.name;
+      body.position = vector_of(given.at);
+      body.mass = given.mass;
+      body.centre = vector_of(given.centre);
+      std::size_t rotations = 0;
+      for (auto way = given.free.begin(); way != given.free.end(); ++way) {
+        if (std::find(given.free.begin(), way, *way) != way) {
+          complain(path + ".free", fmt::format("'{}' stands there twice", *way));
+          continue;
+        }
+        const bool turns = way->front() == 'r';
+        rotations += turns ? 1 : 0;
+        body.free.push_back(turns ? Freedom{Vector3::Zero(), axis_of(way->substr(1))}
+                                  : Freedom{axis_of(*way), Vector3::Zero()});
+      }
+      if (rotations == 2) complain(path + ".free", "one rotation or all three; two depend on their order");
+      if (given.guide) {
+        const Vector3 guide = vector_of(*given.guide);
+        if (guide.norm() == 0) complain(path + ".guide", "the direction is zero");
+        if (rotations < body.free.size()) complain(path + ".guide", "a body on a guide has none of x, y, z in 'free'");
+        if (guide.norm() > 0) body.free.push_back({guide.normalized(), Vector3::Zero()});
+      }
+      model_.bodies.push_back(std::move(body));
+    }
+  }
+
+  void add_carriage_bodies() {
+    for (const auto& given : machine_.carriages) {
+      Body body;
+      body.name = given.name;
+      body.mass = given.mass;
+      if (given.at) body.position = vector_of(*given.at);
+      for (const char* way : {"x", "y", "z"}) body.free.push_back({axis_of(way), Vector3::Zero()});
+      model_.bodies.push_back(std::move(body));
+    }
+  }
+
+  void check_axes() {
+    const auto check = [&](const char* list, const auto& all) {
+      for (const auto& one : all) {
+        if (vector_of(one.axis).norm() == 0) complain(fmt::format("{}.{}.axis", list, one.name), "the axis is zero");
+      }
+    };
+    check("sheaves", machine_.sheaves);
+    check("supports", machine_.supports);
+    check("drums", machine_.drums);
+  }
+
+  const RopeData* rope(const std::string& name, const std::string& path) {
+    const int i = index_of(ropes_, name);
+    if (i >= 0) return &ropes_[static_cast<std::size_t>(i)];
+    complain(path, fmt::format("there is no rope '{}'{}", name, hint_for(ropes_, name)));
+    return nullptr;
+  }
+
+  static void set_rope(Reeving& reeving, const RopeData& rope, double gravity) {
+    reeving.weight = rope.mass * gravity;
+    reeving.stiffness = rope.stiffness;
+    reeving.breaking_force = rope.breaking_force;
+    reeving.thermal_strain = rope.thermal_strain;
+  }
+
+  /// The pull of the drum at the first or last element of a path.
+  std::optional<double> pull_of(const description::PathElement& e) const {
+    if (!e.drum) return std::nullopt;
+    const int i = index_of(machine_.drums, *e.drum);
+    if (i < 0) return std::nullopt;
+    const auto& drive = machine_.drums[static_cast<std::size_t>(i)].drive;
+    return drive ? drive->pull : std::nullopt;
+  }
+
+  void set_given(Reeving& reeving, const description::Reeving& given, const std::string& path) {
+    std::vector<std::string> said;
+    const auto take = [&](const std::optional<double>& value, Given what, const char* words) {
+      if (!value) return;
+      reeving.given = what;
+      reeving.value = *value;
+      said.emplace_back(words);
+    };
+    take(given.length, Given::length, "length");
+    take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
+    take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
+    if (!given.path.empty()) {
+      take(pull_of(given.path.front()), Given::tension_at_start, "the pull of its first drum");
+      take(pull_of(given.path.back()), Given::tension_at_end, "the pull of its last drum");
+    }
+    if (said.empty()) complain(path, "needs one of length, tension_at_start, tension_at_end (or a drum with a pull)");
+    if (said.size() > 1) complain(path, fmt::format("is told {}; give one of them", fmt::join(said, " and ")));
+  }
+
+  static int haul_of(const description::Reeving& given, const Reeving& reeving) {
+    if (given.haul != Haul::automatic) return given.haul == Haul::to_end ? 1 : -1;
+    if (given.path.front().drum) return -1;
+    if (given.path.back().drum) return 1;
+    return reeving.given == Given::tension_at_end ? 1 : -1;
+  }
+
+  void add_reeving(const description::Reeving& given, std::size_t i) {
+    const std::string path = fmt::format("reevings[{}]", i);
+    Reeving reeving;
+    reeving.name = given.name.value_or(given.rope);
+    reeving.copies = given.copies;
+    const RopeData* data = rope(given.rope, path + ".rope");
+    if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
+    set_given(reeving, given, path);
+    if (!given.path.empty()) reeving.haul = haul_of(given, reeving);
+    stops_.push_back(stops_of(machine_, links_, given, data == nullptr ? 0 : data->diameter, path, complaints_));
+    model_.reevings.push_back(std::move(reeving));
+  }
+
+  void add_guy(const description::Guy& given) {
+    const std::string path = fmt::format("guys.{}", given.name);
+    const std::vector<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
+    Reeving reeving;
+    reeving.name = given.name;
+    if (const RopeData* data = rope(given.rope, path + ".rope")) set_rope(reeving, *data, machine_.gravity);
+    if (given.install) {
+      const bool top = given.install->at == description::InstallAt::top;
+      reeving.given = top ? Given::tension_at_start : Given::tension_at_end;
+      reeving.value = given.install->tension;
+    } else {
+      reeving.value = given.length.value_or(0);
+    }
+    std::vector<Stop> stops;
+    for (const auto& [key, name] : {std::pair{"from", given.from}, std::pair{"to", given.to}}) {
+      const Target* t = links_.find(name, ends, fmt::format("{}.{}", path, key), complaints_);
+      if (t == nullptr) continue;
+      Stop stop;
+      stop.node.name = name;
+      stop.node.at = t->place;
+      stops.push_back(std::move(stop));
+    }
+    stops_.push_back(std::move(stops));
+    model_.reevings.push_back(std::move(reeving));
+  }
+
+  void check_names() {
+    for (std::size_t i = 0; i < model_.reevings.size(); ++i) {
+      const int first = index_of(model_.reevings, model_.reevings[i].name);
+      if (static_cast<std::size_t>(first) == i) continue;
+      const bool is_guy = i >= machine_.reevings.size();
+      complain(is_guy ? fmt::format("guys.{}", model_.reevings[i].name) : fmt::format("reevings[{}]", i),
+               fmt::format("another rope is called '{}' too; give this one a 'name'", model_.reevings[i].name));
+    }
+  }
+
+  int reeving_named(const std::string& name, const std::string& path) {
+    const int i = index_of(model_.reevings, name);
+    if (i < 0) complain(path, fmt::format("there is no reeving '{}'{}", name, hint_for(model_.reevings, name)));
+    return i;
+  }
+
+  void add_carriage(std::size_t i) {
+    const description::Carriage& given = machine_.carriages[i];
+    const std::string path = fmt::format("carriages.{}", given.name);
+    Carriage car;
+    car.name = given.name;
+    car.body = static_cast<int>(machine_.bodies.size() + i);
+    car.reeving = reeving_named(given.rides, path + ".rides");
+    const bool clamped = given.hold == description::Hold::clamped;
+    if (given.length_before && !clamped)
+      complain(path + ".length_before", "belongs to a carriage with 'hold: clamped'");
+    if (given.mainline) car.mainline = reeving_named(*given.mainline, path + ".mainline");
+    int times = 0;
+    for (std::size_t r = 0; r < stops_.size(); ++r) {
+      for (std::size_t n = 0; n < stops_[r].size(); ++n) {
+        if (stops_[r][n].carriage != static_cast<int>(i)) continue;
+        if (static_cast<int>(r) != car.reeving && car.reeving >= 0) {
+          complain(path, fmt::format("rides on '{}', but the path of '{}' goes through it", given.rides,
+                                     model_.reevings[r].name));
+        }
+        car.node = static_cast<int>(n);
+        ++times;
+      }
+    }
+    if (times != 1) {
+      complain(path, fmt::format("the path of the rope it rides on goes {}: write '{{through: {}}}' in it once",
+                                 times == 0 ? "past it" : "through it more than once", given.name));
+    }
+    if (car.mainline >= 0 && !pulls(car)) {
+      complain(path + ".mainline", fmt::format("the path of '{}' does not end at '{}'", *given.mainline, given.name));
+    }
+    model_.carriages.push_back(std::move(car));
+  }
+
+  /// Whether the mainline is anchored to the carriage.
+  bool pulls(const Carriage& car) const {
+    const auto& stops = stops_[static_cast<std::size_t>(car.mainline)];
+    return !stops.empty() && (stops.front().node.at.body == car.body || stops.back().node.at.body == car.body);
+  }
+
+  /// Carriages whose place the deck does not say start on the straight line between their neighbours.
+  void place_carriages() {
+    for (std::size_t i = 0; i < machine_.carriages.size(); ++i) {
+      if (machine_.carriages[i].at) continue;
+      const Carriage& car = model_.carriages[i];
+      const auto& stops = stops_[static_cast<std::size_t>(car.reeving)];
+      const auto node = static_cast<std::size_t>(car.node);
+      std::size_t before = node, after = node;
+      while (before > 0 && stops[before].carriage >= 0) --before;
+      while (after + 1 < stops.size() && stops[after].carriage >= 0) ++after;
+      const Vector3 from = start_of(stops[before].node.at);
+      const Vector3 to = start_of(stops[after].node.at);
+      const double share = static_cast<double>(node - before) / static_cast<double>(after - before);
+      model_.bodies[static_cast<std::size_t>(car.body)].position = from + share * (to - from);
+    }
+  }
+
+  void finish_nodes() {
+    for (std::size_t r = 0; r < stops_.size(); ++r) {
+      std::vector<Stop>& stops = stops_[r];
+      std::vector<Vector3> places;
+      for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
+      check_distances(r, places);
+      if (!complaints_.empty()) continue;
+      set_sides(stops, places);
+      set_clamps(stops, places, model_.reevings[r]);
+      for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
+    }
+  }
+
+  void check_distances(std::size_t r, const std::vector<Vector3>& places) {
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      if ((places[k] - places[k - 1]).norm() > 0) continue;
+      complain(r < machine_.reevings.size() ? fmt::format("reevings[{}].path", r)
+                                            : fmt::format("guys.{}", model_.reevings[r].name),
+               fmt::format("'{}' and '{}' are at the same place", stops_[r][k - 1].node.name, stops_[r][k].node.name));
+    }
+  }
+
+  /// Clamps without a length stand at their share of the way.
+  static void set_clamps(std::vector<Stop>& stops, const std::vector<Vector3>& places, const Reeving& reeving) {
+    double total = 0;
+    std::vector<double> way = {0};
+    for (std::size_t k = 1; k < places.size(); ++k) way.push_back(total += (places[k] - places[k - 1]).norm());
+    const double length = reeving.given == Given::length ? reeving.value : total;
+    for (std::size_t k = 0; k < stops.size(); ++k) {
+      Node& node = stops[k].node;
+      if (node.kind == NodeKind::clamp && node.length_before == 0) node.length_before = length * way[k] / total;
+    }
+  }
+
+  void add_loads() {
+    for (std::size_t i = 0; i < machine_.loads.size(); ++i) {
+      const description::Load& given = machine_.loads[i];
+      const std::string path = fmt::format("loads[{}].at", i);
+      const Target* t = links_.find(given.at, {Thing::body, Thing::carriage, Thing::point, Thing::sheave, Thing::drum},
+                                    path, complaints_);
+      if (t == nullptr) continue;
+      if (t->place.body == ground) {
+        complain(path, fmt::format("'{}' is fixed to the ground: a load there moves nothing; name a body", given.at));
+        continue;
+      }
+      const Vector3 force =
+          given.force ? vector_of(*given.force) : Vector3(-given.mass.value_or(0) * machine_.gravity * up());
+      model_.loads.push_back({t->place, force});
+    }
+  }
+
+  void add_take_ups() {
+    for (std::size_t i = 0; i < machine_.take_up.size(); ++i) {
+      const description::TakeUp& given = machine_.take_up[i];
+      const std::string path = fmt::format("take_up[{}]", i);
+      const Target* t = links_.find(given.body, {Thing::body, Thing::carriage}, path + ".body", complaints_);
+      const Vector3 along = vector_of(given.along);
+      if (along.norm() == 0) complain(path + ".along", "the direction is zero");
+      if (t == nullptr || along.norm() == 0) continue;
+      const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
+      model_.loads.push_back({t->place, pull * along.normalized()});
+    }
+  }
+
+  void add_terrain() {
+    if (!machine_.terrain) return;
+    const auto& [file, x, z] = *machine_.terrain;
+    if (x.size() != z.size()) complain("terrain.z", fmt::format("{} heights for {} places", z.size(), x.size()));
+    if (!file && std::min(x.size(), z.size()) < 2)
+      complain("terrain", "needs a 'file', or two places 'x' with their 'z'");
+    for (std::size_t i = 0; i < std::min(x.size(), z.size()); ++i) {
+      if (i > 0 && x[i] <= x[i - 1]) {
+        complain(file ? "terrain.file" : fmt::format("terrain.x[{}]", i), "x has to grow from place to place");
+        return;
+      }
+      model_.terrain.push_back({x[i], z[i]});
+    }
+  }
+
+  const Machine& machine_;
+  std::vector<Complaint> complaints_;
+  Links links_;
+  std::vector<RopeData> ropes_;
+  std::vector<std::vector<Stop>> stops_;
+  Model model_;
+};
+
+}  // namespace
+
+tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) { return Compiler(machine).run(); }
+
+}  // namespace taut::model

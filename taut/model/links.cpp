@@ -1,0 +1,100 @@
+#include "taut/model/links.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::model {
+namespace {
+
+std::string_view words(Thing thing) {
+  switch (thing) {
+    case Thing::point:
+      return "point";
+    case Thing::body:
+      return "body";
+    case Thing::carriage:
+      return "carriage";
+    case Thing::sheave:
+      return "sheave or support";
+    case Thing::drum:
+      return "drum";
+  }
+  return "";
+}
+
+bool among(const std::vector<Thing>& kinds, Thing thing) {
+  return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
+}
+
+}  // namespace
+
+Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
+  std::vector<std::string> bodies;
+  for (const auto& body : machine.bodies) bodies.push_back(body.name);
+  const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
+    Place place{ground, vector_of(one.at)};
+    if (one.body) {
+      const auto at = std::find(bodies.begin(), bodies.end(), *one.body);
+      if (at == bodies.end()) {
+        complaints.push_back({fmt::format("{}.{}.body", list, one.name),
+                              fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, bodies))});
+      } else {
+        place.body = static_cast<int>(at - bodies.begin());
+      }
+    }
+    all_.push_back({thing, one.name, index, place});
+  };
+  int index = 0;
+  for (const auto& point : machine.points) add(Thing::point, "points", point, index++);
+  index = 0;
+  for (const auto& name : bodies) all_.push_back({Thing::body, name, index, {index, Vector3::Zero()}}), ++index;
+  const int first_carriage = index;
+  index = 0;
+  for (const auto& car : machine.carriages) {
+    all_.push_back({Thing::carriage, car.name, index, {first_carriage + index, Vector3::Zero()}});
+    ++index;
+  }
+  index = 0;
+  for (const auto& sheave : machine.sheaves) add(Thing::sheave, "sheaves", sheave, index++);
+  for (const auto& support : machine.supports) {
+    const auto twin = std::find_if(machine.sheaves.begin(), machine.sheaves.end(),
+                                   [&](const auto& sheave) { return sheave.name == support.name; });
+    if (twin != machine.sheaves.end()) {
+      complaints.push_back({fmt::format("supports.{}", support.name), "there is a sheave of this name already"});
+    }
+    add(Thing::sheave, "supports", support, index++);
+  }
+  index = 0;
+  for (const auto& drum : machine.drums) add(Thing::drum, "drums", drum, index++);
+}
+
+const Target* Links::find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
+                          std::vector<Complaint>& complaints) const {
+  for (const Thing kind : kinds) {
+    const auto at =
+        std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.thing == kind && t.name == name; });
+    if (at != all_.end()) return &*at;
+  }
+  std::vector<std::string_view> wanted;
+  for (const Thing kind : kinds) wanted.push_back(words(kind));
+  const std::string kinds_text = fmt::format("{}", fmt::join(wanted, ", "));
+  const auto other = std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.name == name; });
+  if (other != all_.end()) {
+    complaints.push_back(
+        {path, fmt::format("'{}' is a {}; here a {} is named", name, words(other->thing), kinds_text)});
+    return nullptr;
+  }
+  std::vector<std::string> names;
+  for (const Target& t : all_) {
+    if (among(kinds, t.thing)) names.push_back(t.name);
+  }
+  std::string hint = did_you_mean(name, names);
+  if (hint.empty() && !names.empty() && names.size() <= 12) hint = fmt::format("; there is {}", fmt::join(names, ", "));
+  complaints.push_back({path, fmt::format("there is no {} '{}'{}", kinds_text, name, hint)});
+  return nullptr;
+}
+
+}  // namespace taut::model

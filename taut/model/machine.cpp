@@ -1,0 +1,269 @@
+#include "taut/model/machine.hpp"
+
+namespace taut::model {
+
+const Description& Machine::describe() {
+  static const Description d =
+      Describe<Machine>()
+          .field(&Machine::gravity, "gravity", "g", si::m_per_s2, "acceleration of free fall, along -z")
+          .at_least(0)
+          .field(&Machine::temperature, "temperature", "", si::K, "of all ropes, such as 15 degC")
+          .at_least(0)
+          .named_records(&Machine::points, "points", "points of the ground or of a body")
+          .shorthand("at")
+          .named_records(&Machine::ropes, "ropes", "properties of ropes")
+          .shorthand("rope")
+          .named_records(&Machine::bodies, "bodies", "rigid bodies")
+          .named_records(&Machine::sheaves, "sheaves", "sheaves and saddles")
+          .named_records(&Machine::supports, "supports", "supports of a standing line: saddles")
+          .named_records(&Machine::drums, "drums", "winch drums")
+          .named_records(&Machine::carriages, "carriages", "carriages on a rope")
+          .record(&Machine::reevings, "reevings", "which rope runs where")
+          .record(&Machine::loads, "loads", "dead loads")
+          .record(&Machine::take_up, "take_up", "weights and screws that keep ropes tight")
+          .named_records(&Machine::guys, "guys", "ropes from anchor to anchor, put up by tension or length")
+          .record(&Machine::terrain, "terrain", "ground under the line")
+          .later("beams", "elastic masts; until then a mast is a rigid body on a hinge")
+          .later("rope_loads", "forces along a rope between two sheaves")
+          .later("contacts", "contacts between bodies come with the dynamics")
+          .later("faces", "faces for contacts come with the dynamics")
+          .later("markers", "markers for contacts come with the dynamics; 'points' name places on bodies")
+          .later("actuators", "actuators come with the dynamics")
+          .later("signals", "signals come with the dynamics")
+          .later("events", "events come with the dynamics")
+          .later("observe", "observed quantities come with the dynamics; the tables hold all of a static answer")
+          .later("tensioners", "lengths changed by a signal come with the dynamics")
+          .later("start", "the state a motion starts from comes with the dynamics");
+  return d;
+}
+
+}  // namespace taut::model
+
+namespace taut::model::description {
+
+const Description& Point::describe() {
+  static const Description d =
+      Describe<Point>()
+          .field(&Point::at, "at", "", si::m, "place in the frame of its body, or the ground's")
+          .required()
+          .field(&Point::body, "body", "the body it belongs to; without it the ground");
+  return d;
+}
+
+const Description& Rope::describe() {
+  static const Description d =
+      Describe<Rope>()
+          .field(&Rope::rope, "rope", "id in the catalogue of ropes, as 'taut list ropes' shows it")
+          .field(&Rope::mass, "mass", "m", si::kg_per_m, "mass per unstretched metre")
+          .at_least(0)
+          .field(&Rope::stiffness, "stiffness", "EA", si::N.in("MN"), "axial stiffness")
+          .above(0)
+          .may_be_infinite()
+          .field(&Rope::breaking_force, "breaking_force", "F_min", si::N, "minimum breaking force")
+          .above(0)
+          .field(&Rope::diameter, "diameter", "d", si::m.in("mm"), "nominal diameter")
+          .above(0)
+          .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
+          .field(&Rope::reference_temperature, "reference_temperature", "", si::K, "at which its lengths are given")
+          .at_least(0)
+          .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one, "statics does not depend on it")
+          .at_least(0)
+          .field(&Rope::damping_time, "damping_time", "beta", si::s, "statics does not depend on it")
+          .at_least(0);
+  return d;
+}
+
+const Description& Body::describe() {
+  static const Description d =
+      Describe<Body>()
+          .field(&Body::mass, "mass", "m", si::kg, "mass; its weight acts at the centre")
+          .at_least(0)
+          .field(&Body::at, "at", "", si::m, "place of its origin; where it is free, a first guess")
+          .field(&Body::centre, "centre", "", si::m, "centre of mass, seen from the origin")
+          .field(&Body::free, "free", "how it may move; nothing: fixed")
+          .of({"x", "y", "z", "rx", "ry", "rz"})
+          .field(&Body::guide, "guide", "", si::one, "direction of the slide on which alone it moves")
+          .field(&Body::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
+          .at_least(0)
+          .later("motion", "driven bodies come with the dynamics");
+  return d;
+}
+
+const Description& Round::describe() {
+  static const Description d =
+      Describe<Round>()
+          .field(&Round::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .required()
+          .field(&Round::body, "body", "the body it sits on; without it the ground")
+          .field(&Round::diameter, "diameter", "D", si::m.in("mm"), "pitch diameter, at the rope's centre; 0: a point")
+          .at_least(0)
+          .field(&Round::axis, "axis", "", si::one, "direction of its axis, in the frame of its body")
+          .choice(&Round::law, "law", {{"sheave", RoundLaw::sheave}, {"saddle", RoundLaw::saddle}},
+                  "a sheave turns (usual among sheaves), a saddle does not (usual among supports)")
+          .field(&Round::friction, "friction", "mu", si::one, "of the rope in the groove; a sheave without it grips")
+          .at_least(0)
+          .field(&Round::efficiency, "efficiency", "eta", si::one, "of a turning sheave")
+          .above(0)
+          .at_most(1)
+          .choice(&Round::uplift, "uplift",
+                  {{"hold", Uplift::hold}, {"report", Uplift::report}, {"lift", Uplift::lift}},
+                  "when the rope pulls upwards: hold it (usual for a sheave), report it (usual for a saddle), or let "
+                  "it lift off")
+          .field(&Round::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
+          .at_least(0)
+          .later("motor", "driven sheaves wait for closed loops")
+          .later("torque", "driven sheaves wait for closed loops");
+  return d;
+}
+
+const Description& Drive::describe() {
+  static const Description d =
+      Describe<Drive>()
+          .field(&Drive::pull, "pull", "T", si::N, "tension of the rope where it leaves the drum")
+          .above(0)
+          .field(&Drive::brake, "brake", "'set': the drum holds its rope, as it does without")
+          .later("speed", "driven drums come with the dynamics; statics takes a 'pull' or a length")
+          .later("torque", "driven drums come with the dynamics; statics takes a 'pull' or a length");
+  return d;
+}
+
+const Description& Drum::describe() {
+  static const Description d =
+      Describe<Drum>()
+          .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .required()
+          .field(&Drum::body, "body", "the body it sits on; without it the ground")
+          .field(&Drum::axis, "axis", "", si::one, "direction of its axis")
+          .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "of the bare drum; 0: a point")
+          .at_least(0)
+          .field(&Drum::layer, "layer", "k", si::one, "the layer that the rope leaves")
+          .at_least(1)
+          .record(&Drum::drive, "drive", "what drives it; nothing: it holds its rope")
+          .later("layers", "layers by the length on the drum; give the 'layer' that the rope leaves")
+          .later("wound_at", "layers by the length on the drum; give the 'layer' that the rope leaves")
+          .later("length_on_drum", "layers by the length on the drum; give the 'layer' that the rope leaves")
+          .later("inertia", "drums that turn come with the dynamics");
+  return d;
+}
+
+const Description& Carriage::describe() {
+  static const Description d =
+      Describe<Carriage>()
+          .field(&Carriage::mass, "mass", "m", si::kg, "mass")
+          .at_least(0)
+          .field(&Carriage::rides, "rides", "the reeving it rides on")
+          .required()
+          .choice(&Carriage::hold, "hold", {{"rolling", Hold::rolling}, {"clamped", Hold::clamped}},
+                  "rolling on the rope, or clamped to it")
+          .field(&Carriage::mainline, "mainline", "the reeving whose length sets its place in a load path")
+          .field(&Carriage::friction, "friction", "mu", si::one, "of rolling on the rope")
+          .at_least(0)
+          .field(&Carriage::length_before, "length_before", "L", si::m,
+                 "clamped: unstretched rope between the reeving's start and the clamp")
+          .above(0)
+          .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
+          .later("rollers", "carriages of several rollers")
+          .later("wheelbase", "carriages of several rollers");
+  return d;
+}
+
+const Description& PathElement::describe() {
+  static const Description d =
+      Describe<PathElement>()
+          .field(&PathElement::anchor, "anchor", "the rope is fixed to this point, body, carriage or sheave's centre")
+          .field(&PathElement::over, "over", "it runs over this sheave or support")
+          .field(&PathElement::through, "through", "it carries this carriage")
+          .field(&PathElement::drum, "drum", "it is wound on this drum")
+          .field(&PathElement::parts, "parts", "n", si::one, "parts of the rope between two sheaves of a tackle")
+          .at_least(1)
+          .at_most(64)
+          .field(&PathElement::between, "between", "the two sheaves of the tackle, 'over' and another one")
+          .choice(&PathElement::side, "side", {{"left", Side::left}, {"right", Side::right}},
+                  "where the sheave or drum lies beside the path, looking along its axis; without it the shorter way")
+          .exactly_one({"anchor", "over", "through", "drum"});
+  return d;
+}
+
+const Description& Reeving::describe() {
+  static const Description d =
+      Describe<Reeving>()
+          .field(&Reeving::rope, "rope", "one of the ropes")
+          .required()
+          .field(&Reeving::name, "name", "for tables and links; without it the name of the rope")
+          .record(&Reeving::path, "path", "from end to end")
+          .required()
+          .field(&Reeving::length, "length", "L", si::m, "unstretched length of the rope from end to end")
+          .above(0)
+          .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N, "instead of the length")
+          .above(0)
+          .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N, "instead of the length")
+          .above(0)
+          .field(&Reeving::copies, "copies", "n", si::one, "equal ropes beside each other")
+          .at_least(1)
+          .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
+                  "which way it runs when hoisting or hauling in; without it to its drum or given tension, else to its "
+                  "start")
+          .later("closed", "endless ropes");
+  return d;
+}
+
+const Description& Load::describe() {
+  static const Description d = Describe<Load>()
+                                   .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
+                                   .required()
+                                   .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
+                                   .at_least(0)
+                                   .field(&Load::force, "force", "F", si::N, "in the ground frame")
+                                   .exactly_one({"mass", "force"});
+  return d;
+}
+
+const Description& TakeUp::describe() {
+  static const Description d =
+      Describe<TakeUp>()
+          .field(&TakeUp::body, "body", "the body that it pulls")
+          .required()
+          .field(&TakeUp::weight, "weight", "m", si::kg, "a counterweight of this mass on a rope without loss")
+          .at_least(0)
+          .field(&TakeUp::screw, "screw", "F", si::N, "a force")
+          .at_least(0)
+          .field(&TakeUp::along, "along", "", si::one, "direction of its pull, in the ground frame")
+          .exactly_one({"weight", "screw"});
+  return d;
+}
+
+const Description& Install::describe() {
+  static const Description d =
+      Describe<Install>()
+          .field(&Install::tension, "tension", "T", si::N, "when it is put up, machine unloaded")
+          .required()
+          .above(0)
+          .choice(&Install::at, "at", {{"top", InstallAt::top}, {"anchor", InstallAt::anchor}},
+                  "where: at its 'from' (top) or its 'to' (anchor)");
+  return d;
+}
+
+const Description& Guy::describe() {
+  static const Description d = Describe<Guy>()
+                                   .field(&Guy::rope, "rope", "one of the ropes")
+                                   .required()
+                                   .field(&Guy::from, "from", "upper end: a point, body, carriage or sheave's centre")
+                                   .required()
+                                   .field(&Guy::to, "to", "lower end, its anchor")
+                                   .required()
+                                   .record(&Guy::install, "install", "tension when it is put up")
+                                   .field(&Guy::length, "length", "L", si::m, "unstretched length")
+                                   .above(0)
+                                   .exactly_one({"install", "length"});
+  return d;
+}
+
+const Description& Terrain::describe() {
+  static const Description d = Describe<Terrain>()
+                                   .field(&Terrain::file, "file", "CSV with the columns x and z in metres, x growing")
+                                   .field(&Terrain::x, "x", "x", si::m, "places along the line, growing")
+                                   .field(&Terrain::z, "z", "z", si::m, "height of the ground there");
+  return d;
+}
+
+}  // namespace taut::model::description

@@ -1,0 +1,192 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+
+/// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
+/// up. Nothing is checked here that needs more than one field; `compile` does that (compile.hpp).
+namespace taut::model::description {
+
+/// A point of the ground frame, or of a body.
+struct Point {
+  std::string name;
+  std::optional<std::string> body;
+  Triple at{};
+  static const Description& describe();
+};
+
+/// A rope's properties: a row of the catalogue, or figures; figures go before the catalogue's.
+struct Rope {
+  std::string name;
+  std::optional<std::string> rope;              ///< id in the catalogue
+  std::optional<double> mass;                   ///< kg/m, per unstretched metre
+  std::optional<double> stiffness;              ///< EA, N
+  std::optional<double> breaking_force;         ///< N
+  std::optional<double> diameter;               ///< m
+  double expansion = 1.2e-5;                    ///< 1/K
+  std::optional<double> reference_temperature;  ///< K, at which lengths are given
+  std::optional<double> damping_ratio;          ///< for dynamics
+  std::optional<double> damping_time;           ///< s, for dynamics
+  static const Description& describe();
+};
+
+struct Body {
+  std::string name;
+  double mass = 0;                ///< kg
+  Triple at{};                    ///< of its origin, m
+  Triple centre{};                ///< of mass, seen from the origin, m
+  std::vector<std::string> free;  ///< of x y z rx ry rz
+  std::optional<Triple> guide;    ///< direction of the one slide it moves on
+  std::optional<double> inertia;  ///< kg m2, for dynamics
+  static const Description& describe();
+};
+
+/// `usual`: a sheave among `sheaves`, a saddle among `supports`.
+enum class RoundLaw { usual, sheave, saddle };
+/// `usual`: a saddle reports, a sheave holds.
+enum class Uplift { usual, hold, report, lift };
+
+/// A sheave, or a saddle that does not turn.
+struct Round {
+  std::string name;
+  std::optional<std::string> body;
+  Triple at{};          ///< centre, m
+  double diameter = 0;  ///< pitch, at the rope's centre, m; 0: a point
+  Triple axis{0, 1, 0};
+  RoundLaw law = RoundLaw::usual;
+  std::optional<double> friction;  ///< of the rope on it; a sheave without it grips whatever comes
+  double efficiency = 1;           ///< of a turning sheave
+  Uplift uplift = Uplift::usual;   ///< what happens when the rope pulls it upwards
+  std::optional<double> inertia;   ///< kg m2, for dynamics
+  static const Description& describe();
+};
+
+/// What drives a drum. In statics a drum holds its rope's length, or its pull where that is given.
+struct Drive {
+  std::optional<double> pull;  ///< N
+  std::optional<std::string> brake;
+  static const Description& describe();
+};
+
+struct Drum {
+  std::string name;
+  std::optional<std::string> body;
+  Triple at{};
+  Triple axis{0, 1, 0};
+  double core_diameter = 0;  ///< m
+  int layer = 1;
+  std::optional<Drive> drive;
+  static const Description& describe();
+};
+
+enum class Hold { rolling, clamped };
+
+struct Carriage {
+  std::string name;
+  double mass = 0;
+  std::string rides;  ///< a reeving
+  Hold hold = Hold::rolling;
+  std::optional<std::string> mainline;  ///< the reeving whose length sets its place
+  double friction = 0;                  ///< of rolling, on the rope
+  std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
+  std::optional<Triple> at;             ///< where to look for it first; default: between its neighbours
+  static const Description& describe();
+};
+
+enum class Side { automatic, left, right };
+
+/// One stop of a rope's path.
+struct PathElement {
+  std::optional<std::string> anchor;
+  std::optional<std::string> over;
+  std::optional<std::string> through;
+  std::optional<std::string> drum;
+  int parts = 1;
+  std::vector<std::string> between;
+  Side side = Side::automatic;
+  static const Description& describe();
+};
+
+enum class Haul { automatic, to_start, to_end };
+
+struct Reeving {
+  std::optional<std::string> name;  ///< default: its rope's
+  std::string rope;
+  std::vector<PathElement> path;
+  std::optional<double> length;
+  std::optional<double> tension_at_start;
+  std::optional<double> tension_at_end;
+  int copies = 1;
+  Haul haul = Haul::automatic;
+  static const Description& describe();
+};
+
+/// A dead load at a point of a body.
+struct Load {
+  std::string at;
+  std::optional<double> mass;
+  std::optional<Triple> force;
+  static const Description& describe();
+};
+
+/// A force that keeps a rope tight: a weight over a deflection, or a screw.
+struct TakeUp {
+  std::string body;
+  std::optional<double> weight;  ///< kg
+  std::optional<double> screw;   ///< N
+  Triple along{1, 0, 0};
+  static const Description& describe();
+};
+
+/// How a guy is put up: on the unloaded machine, its bodies held where they are given. Then its length is frozen.
+enum class InstallAt { top, anchor };
+struct Install {
+  double tension = 0;  ///< N
+  InstallAt at = InstallAt::top;
+  static const Description& describe();
+};
+
+struct Guy {
+  std::string name;
+  std::string rope;
+  std::string from;
+  std::string to;
+  std::optional<Install> install;
+  std::optional<double> length;
+  static const Description& describe();
+};
+
+/// Ground under the line: a CSV file with the columns x and z, or both written out.
+struct Terrain {
+  std::optional<std::string> file;
+  std::vector<double> x;
+  std::vector<double> z;
+  static const Description& describe();
+};
+
+}  // namespace taut::model::description
+
+namespace taut::model {
+
+struct Machine {
+  double gravity = 9.80665;           ///< m/s2
+  std::optional<double> temperature;  ///< K
+  std::vector<description::Point> points;
+  std::vector<description::Rope> ropes;
+  std::vector<description::Body> bodies;
+  std::vector<description::Round> sheaves;
+  std::vector<description::Round> supports;
+  std::vector<description::Drum> drums;
+  std::vector<description::Carriage> carriages;
+  std::vector<description::Reeving> reevings;
+  std::vector<description::Load> loads;
+  std::vector<description::TakeUp> take_up;
+  std::vector<description::Guy> guys;
+  std::optional<description::Terrain> terrain;
+  static const Description& describe();
+};
+
+}  // namespace taut::model

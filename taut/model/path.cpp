@@ -1,0 +1,219 @@
+#include "taut/model/path.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace taut::model {
+namespace {
+
+using description::PathElement;
+using description::Round;
+using description::RoundLaw;
+using description::Side;
+using description::Uplift;
+
+/// Below this sine of the bend a path runs straight through or straight back.
+constexpr double straight = 1e-6;
+
+Vector3 unit_axis(const Triple& axis) {
+  const Vector3 v = vector_of(axis);
+  return v.norm() > 0 ? v.normalized() : Vector3::UnitY();
+}
+
+bool is_over(const PathElement& e, const std::string& name) { return e.over && *e.over == name; }
+
+Stop round_stop(const Machine& machine, const Target& target, Side side) {
+  const auto sheaves = machine.sheaves.size();
+  const auto index = static_cast<std::size_t>(target.index);
+  const Round& round = index < sheaves ? machine.sheaves[index] : machine.supports[index - sheaves];
+  Stop stop;
+  stop.saddle = round.law == RoundLaw::saddle || (round.law == RoundLaw::usual && index >= sheaves);
+  stop.side = side;
+  Node& node = stop.node;
+  node.name = round.name;
+  node.kind = NodeKind::contact;
+  node.at = target.place;
+  node.radius = round.diameter / 2;
+  node.axis = unit_axis(round.axis);
+  if (stop.saddle) {
+    const double mu = round.friction.value_or(0);
+    node.law = {mu, mu > 0 ? 0.0 : 1.0};
+  } else {
+    node.law = {round.friction.value_or(std::numeric_limits<double>::infinity()), round.efficiency};
+  }
+  const bool upright_axis = std::abs(node.axis.z()) > M_SQRT1_2;
+  Uplift uplift = round.uplift;
+  if (uplift == Uplift::usual) uplift = stop.saddle && !upright_axis ? Uplift::report : Uplift::hold;
+  if (uplift != Uplift::hold) node.support = up();
+  node.may_lift = uplift == Uplift::lift;
+  return stop;
+}
+
+class PathReader {
+ public:
+  PathReader(const Machine& machine, const Links& links, double diameter, std::vector<Complaint>& complaints)
+      : machine_(machine), links_(links), diameter_(diameter), complaints_(complaints) {}
+
+  void add(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+    const PathElement& e = path[i];
+    const bool is_end = i == 0 || i + 1 == path.size();
+    if (e.anchor || e.drum) {
+      if (!is_end) complain(at, "a rope is fixed at its ends only; here it runs on");
+      e.anchor ? anchor(*e.anchor, at + ".anchor") : drum(e, at + ".drum");
+    } else if (is_end) {
+      complain(at, "a rope's first and last element is an 'anchor' or a 'drum'");
+    } else if (e.through) {
+      carriage(*e.through, at + ".through");
+    } else if (e.over) {
+      over(path, i, at);
+    }
+    if (!e.over && e.parts != 1) complain(at + ".parts", "belongs to an element with 'over'");
+    if (!e.between.empty() && (!e.over || e.parts == 1)) complain(at + ".between", "belongs to 'over' with 'parts'");
+  }
+
+  std::vector<Stop> stops;
+
+ private:
+  void complain(const std::string& path, std::string message) { complaints_.push_back({path, std::move(message)}); }
+
+  void anchor(const std::string& name, const std::string& path) {
+    const Target* t = links_.find(name, {Thing::point, Thing::body, Thing::carriage, Thing::sheave}, path, complaints_);
+    if (t == nullptr) return;
+    Stop stop;
+    stop.node.name = name;
+    stop.node.at = t->place;
+    stops.push_back(std::move(stop));
+  }
+
+  void drum(const PathElement& e, const std::string& path) {
+    const Target* t = links_.find(*e.drum, {Thing::drum}, path, complaints_);
+    if (t == nullptr) return;
+    const description::Drum& drum = machine_.drums[static_cast<std::size_t>(t->index)];
+    Stop stop;
+    stop.side = e.side;
+    stop.node.name = drum.name;
+    stop.node.at = t->place;
+    stop.node.axis = unit_axis(drum.axis);
+    stop.node.radius = drum.core_diameter / 2 + (drum.layer - 0.5) * diameter_;
+    stops.push_back(std::move(stop));
+  }
+
+  void carriage(const std::string& name, const std::string& path) {
+    const Target* t = links_.find(name, {Thing::carriage}, path, complaints_);
+    if (t == nullptr) return;
+    const description::Carriage& car = machine_.carriages[static_cast<std::size_t>(t->index)];
+    Stop stop;
+    stop.carriage = t->index;
+    stop.node.name = name;
+    stop.node.at = t->place;
+    if (car.hold == description::Hold::clamped) {
+      stop.node.kind = NodeKind::clamp;
+      stop.node.length_before = car.length_before.value_or(0);
+    } else {
+      stop.node.kind = NodeKind::contact;
+      // a carriage without rolling friction has equal tensions on both sides
+      stop.node.law = car.friction > 0 ? ContactLaw{car.friction, 0} : ContactLaw{};
+    }
+    stops.push_back(std::move(stop));
+  }
+
+  /// The other sheave of a tackle.
+  std::optional<std::string> partner(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+    const PathElement& e = path[i];
+    if (e.between.empty()) {
+      if (path[i - 1].over) return path[i - 1].over;
+      if (path[i + 1].over) return path[i + 1].over;
+      if (e.parts == 2) return e.over;  // one turn: no other sheave is needed
+      complain(at + ".parts", "no sheave is beside this one in the path; say 'between: [A, B]'");
+      return std::nullopt;
+    }
+    const bool fits =
+        e.between.size() == 2 && e.between[0] != e.between[1] && (e.between[0] == *e.over || e.between[1] == *e.over);
+    if (fits) return e.between[0] == *e.over ? e.between[1] : e.between[0];
+    complain(at + ".between", fmt::format("two sheaves are expected, '{}' and another one", *e.over));
+    return std::nullopt;
+  }
+
+  void over(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+    const PathElement& e = path[i];
+    const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
+    if (own == nullptr) return;
+    if (e.parts == 1) {
+      stops.push_back(round_stop(machine_, *own, e.side));
+      return;
+    }
+    const auto name = partner(path, i, at);
+    if (!name) return;
+    const Target* other = links_.find(*name, {Thing::sheave}, at + ".between", complaints_);
+    if (other == nullptr) return;
+    const bool between = !e.between.empty();
+    const int turns = between && !is_over(path[i - 1], *name) ? e.parts : e.parts - 1;
+    for (int k = 0; k < turns; ++k) stops.push_back(round_stop(machine_, k % 2 == 0 ? *own : *other, e.side));
+  }
+
+  const Machine& machine_;
+  const Links& links_;
+  double diameter_;
+  std::vector<Complaint>& complaints_;
+};
+
+/// +1 where the tangent point lies above the centre of a rope in direction `d`.
+int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= 0 ? 1 : -1; }
+
+/// The side of a contact by the bend of its path; 0 where the path runs straight back.
+int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const Vector3& after) {
+  const Vector3& axis = stop.node.axis;
+  const Vector3 in = (at - before).normalized();
+  const Vector3 out = (after - at).normalized();
+  if (stop.saddle && std::abs(axis.z()) <= M_SQRT1_2) return upper_side((after - before).normalized(), axis);
+  const double bend = in.cross(out).dot(axis);
+  // a rope that comes back beside itself, nearer than the sheave is wide, does not say which way round it went
+  const double width = 2 * stop.node.radius / std::min((at - before).norm(), (after - at).norm());
+  if (in.dot(out) < 0 && std::abs(bend) <= std::max(straight, width)) return 0;
+  if (std::abs(bend) > straight) return bend > 0 ? 1 : -1;
+  return upper_side(in, axis);
+}
+
+}  // namespace
+
+std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
+                           double diameter, const std::string& path, std::vector<Complaint>& complaints) {
+  PathReader reader(machine, links, diameter, complaints);
+  if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
+  for (std::size_t i = 0; i < reeving.path.size(); ++i) {
+    reader.add(reeving.path, i, fmt::format("{}.path[{}]", path, i));
+  }
+  return std::move(reader.stops);
+}
+
+void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places) {
+  std::vector<bool> open(stops.size(), false);
+  const auto last = stops.size() - 1;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    Node& node = stops[i].node;
+    if (stops[i].side != Side::automatic) {
+      // looking along the axis, what lies to the left of the path turns it left: left-handed about the axis
+      node.side = stops[i].side == Side::left ? -1 : 1;
+    } else if (i == 0 || i == last) {
+      const Vector3 d = i == 0 ? places[1] - places[0] : places[last] - places[last - 1];
+      node.side = upper_side(d, node.axis);
+    } else {
+      const int side = bend_side(stops[i], places[i - 1], places[i], places[i + 1]);
+      node.side = side == 0 ? 1 : side;
+      open[i] = side == 0;
+    }
+  }
+  const auto follow = [&](std::size_t i, std::size_t from) {
+    if (!open[i] || open[from] || stops[from].node.radius <= 0 || stops[from].node.kind != NodeKind::contact) return;
+    const double same = stops[from].node.axis.dot(stops[i].node.axis);
+    stops[i].node.side = same >= 0 ? stops[from].node.side : -stops[from].node.side;
+    open[i] = false;
+  };
+  for (std::size_t i = 1; i < last; ++i) follow(i, i - 1);
+  for (std::size_t i = last; i-- > 1;) follow(i, i + 1);
+}
+
+}  // namespace taut::model

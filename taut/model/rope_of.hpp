@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/model/machine.hpp"
+
+namespace taut::model {
+
+/// What the engine needs of a rope, from the catalogue's row and the deck's own figures.
+struct RopeData {
+  std::string name;
+  double mass = 0;            ///< kg/m
+  double stiffness = 0;       ///< EA, N
+  double breaking_force = 0;  ///< N; 0: not known
+  double diameter = 0;        ///< m; 0: not known
+  double thermal_strain = 0;  ///< at the machine's temperature
+};
+
+/// Complains at "ropes.NAME" of a rope that the catalogue lacks, or whose mass or stiffness nobody says.
+std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints);
+
+}  // namespace taut::model
