@@ -1,0 +1,20 @@
+// Any text as a deck, all the way: what can be read is calculated with the real methods, and written as JSON and HTML.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "taut/app/job.hpp"
+#include "taut/io/json.hpp"
+#include "taut/report/html.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  // no file is opened: an include would make the outcome depend on the disk
+  if (text.find("include") != std::string_view::npos || text.find("file") != std::string_view::npos) return 0;
+  const taut::Result r = taut::app::run({std::string(text), "deck.yaml", {}});
+  if (r.status == taut::Status::bad_deck && r.errors.empty()) std::abort();
+  if (r.status != taut::Status::ok && r.message.empty()) std::abort();
+  if (taut::report::to_html(r).empty()) std::abort();
+  return 0;
+}

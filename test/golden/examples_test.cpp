@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "taut/app/job.hpp"
+#include "taut/app/methods.hpp"
+#include "taut/report/markdown.hpp"
+#include "taut/report/terminal.hpp"
+#include "test/golden/golden.hpp"
+
+namespace {
+
+using namespace taut;
+using taut_test::golden;
+using taut_test::normalised;
+
+class ExampleReport : public testing::TestWithParam<std::string> {};
+
+TEST_P(ExampleReport, IsTheStoredOne) {
+  const app::MethodEntry* method = app::find_method(GetParam());
+  ASSERT_NE(method, nullptr);
+  const Result r = app::run(app::Job{std::string(method->example), GetParam() + ".yaml", {}});
+  const std::string page = normalised(report::to_markdown(r));
+  EXPECT_TRUE(page == golden(GetParam() + ".md", page))
+      << "the report changed: write it with TAUT_WRITE_GOLDEN=1, look";
+  const std::string screen = normalised(report::to_terminal(r));
+  EXPECT_TRUE(screen == golden(GetParam() + ".txt", screen))
+      << "the summary changed: write it with TAUT_WRITE_GOLDEN=1";
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ExampleReport,
+                         testing::Values("mast_section", "closed_loop", "friction_drive", "boom_ropes"),
+                         [](const auto& one) { return one.param; });
+
+}  // namespace
