@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "taut/app/job.hpp"
+#include "test/paths.hpp"
 
 namespace taut::app {
 namespace {
@@ -28,6 +32,41 @@ TEST(Methods, EachHasSourceScopeLimitsErrataAndAnExampleThatRuns) {
     EXPECT_FALSE(r.steps.empty());
     EXPECT_FALSE(r.figures.empty());
     EXPECT_FALSE(r.comparisons.empty());
+  }
+}
+
+/// "Suite.Name" of every GoogleTest test and rapidcheck property below a folder.
+std::set<std::string> tests_below(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
+    if (file.path().extension() != ".cpp") continue;
+    std::ifstream in(file.path());
+    for (std::string line; std::getline(in, line);) {
+      std::string rest;
+      for (const char* macro : {"TEST(", "RC_GTEST_PROP("}) {
+        if (line.rfind(macro, 0) == 0) rest = line.substr(std::string(macro).size());
+      }
+      const std::size_t comma = rest.find(", ");
+      if (comma == std::string::npos) continue;
+      names.insert(rest.substr(0, comma) + "." +
+                   rest.substr(comma + 2, rest.find_first_of(",)", comma + 2) - comma - 2));
+    }
+  }
+  return names;
+}
+
+TEST(Methods, EveryErratumNamesATestThatExistsAndStandsInTheDocs) {
+  std::set<std::string> tests = tests_below(taut_test::source_dir() / "test/cases");
+  tests.merge(tests_below(taut_test::source_dir() / "taut/methods"));
+  for (const MethodEntry& m : methods()) {
+    std::ifstream file(taut_test::source_dir() / "docs/methods" / (m.about->name + ".md"));
+    std::stringstream page;
+    page << file.rdbuf();
+    for (const Erratum& e : m.about->errata) {
+      EXPECT_TRUE(tests.contains(e.test)) << m.about->name << " " << e.where << ": there is no test " << e.test;
+      EXPECT_NE(page.str().find(e.test), std::string::npos)
+          << "docs/methods/" << m.about->name << ".md lacks " << e.test;
+    }
   }
 }
 
