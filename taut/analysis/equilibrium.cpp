@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
@@ -15,6 +16,7 @@ namespace {
 using Flow = std::vector<std::vector<int>>;
 
 constexpr int relaxing_steps = 400;
+constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;  ///< of what touches what
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -51,6 +53,23 @@ void keep(const Layout& layout, const Configuration& c, model::State& state) {
   }
 }
 
+/// The configuration of `state`, with every branch that has no shape there (a loose loop on a sheave) drawn taut.
+Configuration usable_start(const System& system, const model::State& state) {
+  Configuration c = configuration_of(system.layout, state);
+  Evaluation e;
+  for (std::size_t tries = 0; tries <= c.links.size(); ++tries) {
+    const auto no = evaluate(system, c, e);
+    if (!no) break;
+    const Layout::Link& link = system.layout.links[at(no->link)];
+    const model::Reeving& rope = system.model.reevings[at(link.reeving)];
+    if (std::isinf(rope.stiffness)) break;
+    c.links[at(no->link)] = {};
+    c.links[at(no->link)].length =
+        drawn_taut * model::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+  }
+  return c;
+}
+
 /// A machine solved with what touches now.
 struct Solved {
   Outcome outcome;
@@ -65,18 +84,23 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   Solved s;
   s.layout = layout(model, state, options.prescribed, flow);
   const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
-  s.c = configuration_of(s.layout, state);
+  const Configuration start = usable_start(system, state);
+  s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   s.steps = it.steps;
   if (it.converged) return s;
-  s.c = configuration_of(s.layout, state);
-  it = relax(system, s.c, s.e, relaxing_steps);
-  s.steps += it.steps;
-  if (it.converged) {
+  const bool singular = it.singular;
+  for (const double growth : {std::numeric_limits<double>::infinity(), 30.0, 3.0}) {
+    s.c = start;
+    it = relax(system, s.c, s.e, relaxing_steps, growth);
+    s.steps += it.steps;
+    if (!it.converged) continue;
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
     s.steps += it.steps;
+    if (it.converged) return s;
   }
-  if (!it.converged) s.outcome = reason(system, s.c, s.e, it);
+  it.singular = singular;  // a drag hides it
+  s.outcome = reason(system, s.c, s.e, it);
   return s;
 }
 

@@ -25,8 +25,10 @@ struct EquilibriumOptions {
   std::vector<std::vector<int>> flow;
   bool band = true;  ///< at rest: also solve both directions
   std::optional<Prescribed> prescribed;
-  double tolerance = 1e-10;  ///< of every residual: forces by the largest force, lengths by the rope's length
-  int iterations = 60;       ///< of one Newton solve
+  /// Of every residual: forces by the largest force (not below 4e-15 EA, what rounding leaves), lengths by the longest
+  /// span.
+  double tolerance = 1e-10;
+  int iterations = 60;  ///< of one Newton solve
 };
 
 /// One branch. Tensions at its ends and the components there: H along the horizontal of the branch, V upwards (positive

@@ -75,7 +75,9 @@ void measure(Layout& l, const model::Model& model, const model::State& state) {
         model::in_ground(state, rope.nodes[at(link.to)].at) - model::in_ground(state, rope.nodes[at(link.from)].at);
     l.length = std::max(l.length, chord.norm());
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
+    if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
   }
+  if (l.length == 0) l.length = 1;
 }
 
 }  // namespace

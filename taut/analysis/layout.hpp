@@ -38,6 +38,7 @@ struct Layout {
   int hold_turn = -1;   ///< the turn along whose track it pulls
   double heaviest = 0;  ///< of weights and loads, N: a scale
   double length = 0;    ///< of the machine, m: a scale
+  double stiffest = 0;  ///< largest finite EA of a rope, N
 };
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,18 +12,16 @@ namespace taut_test {
 using taut::Vector3;
 namespace model = taut::model;
 
-inline model::Node anchor(const std::string& name, const Vector3& at) {
+inline const Vector3 origin{0, 0, 0};
+
+inline model::Node anchor_on(const std::string& name, int body, const Vector3& at = origin) {
   model::Node node;
   node.name = name;
-  node.at.at = at;
+  node.at = {body, at};
   return node;
 }
 
-inline model::Node anchor_on(const std::string& name, int body, const Vector3& at = Vector3::Zero()) {
-  model::Node node = anchor(name, at);
-  node.at.body = body;
-  return node;
-}
+inline model::Node anchor(const std::string& name, const Vector3& at) { return anchor_on(name, model::ground, at); }
 
 /// A point over which the rope runs without loss.
 inline model::Node over(const std::string& name, const Vector3& at, int body = model::ground) {
@@ -71,6 +70,60 @@ inline model::Body body(const std::string& name, const Vector3& at, double mass,
     b.free.push_back(way);
   }
   return b;
+}
+
+/// A skyline over two saddles, uphill; `length` 316 m is slack, 313 m taut.
+inline model::Model three_spans(double length, double friction) {
+  model::Model m;
+  m.reevings.push_back(reeve("skyline",
+                             {anchor("tail", {0, 0, 10}), saddle("s1", {90, 0, 40}, friction),
+                              saddle("s2", {200, 5, 70}, friction), anchor("head", {300, 0, 80})},
+                             length, 20, 26e6));
+  return m;
+}
+
+/// The same with a carriage in the middle span, held by a mainline from the head (true) or by nothing but its track.
+inline model::Model with_carriage(bool mainline, double friction = 0.1, double mass = 2000) {
+  model::Model m = three_spans(318, friction);
+  m.bodies.push_back(body("car", {145, 2, 45}, mass, "xyz"));
+  m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 2, over("car", Vector3::Zero(), 0));
+  m.carriages.push_back({"car", 0, 0, 2, mainline ? 1 : -1});
+  if (mainline)
+    m.reevings.push_back(reeve("mainline", {anchor("winch", {300, 0, 82}), anchor_on("car", 0)}, 158, 5, 5e6));
+  return m;
+}
+
+/// A block of `mass` on vertical falls of a rope from a winch beside them.
+inline model::Model tackle(int falls, double efficiency, double mass, double weight = 0) {
+  model::Model m;
+  const double radius = 0.25;
+  m.bodies.push_back(body("block", {0, 0, 5}, mass, "xz"));
+  std::vector<model::Node> nodes{anchor("winch", {-10, 0, 0})};
+  for (int i = 0; i < falls; ++i) {
+    const bool head = i % 2 == 0;
+    nodes.push_back(head ? sheave("head", {0, 0, 18}, radius, 1, efficiency)
+                         : sheave("block", Vector3::Zero(), radius, 1, efficiency, 0));
+  }
+  nodes.push_back(falls % 2 == 0 ? anchor("becket", {-radius, 0, 18}) : anchor_on("becket", 0, {radius, 0, 0}));
+  m.reevings.push_back(reeve("hoist", nodes, 20.6 + 13 * falls + 0.5, weight, 1e7));
+  return m;
+}
+
+/// A boom on a hinge, held by a luffing rope; its hoist rope runs from a drum over a skew sheave at the tip to a hook.
+inline model::Model boom() {
+  model::Model m;
+  model::Body b = body("boom", {0, 0, 0}, 1000, "Y");
+  b.orientation << std::cos(0.8), 0, -std::sin(0.8), 0, 1, 0, std::sin(0.8), 0, std::cos(0.8);
+  b.centre = {5, 0, 0};
+  m.bodies.push_back(b);
+  m.bodies.push_back(body("hook", {7, 0, 2}, 500, "xyz"));
+  m.reevings.push_back(reeve("luffing", {anchor("gantry", {-5, 0.5, 6}), anchor_on("tip", 0, {10, 0, 0})}, 14, 8, 5e6));
+  model::Node tip = sheave("tip", {10, 0.1, 0.2}, 0.3, 1, 0.95, 0);
+  tip.axis = Vector3(0.1, 1, 0.05).normalized();
+  model::Node drum = anchor("winch", {-1, 0, 0});
+  drum.radius = 0.2;
+  m.reevings.push_back(reeve("hoist", {drum, tip, anchor_on("hook", 1)}, 17, 8, 5e6));
+  return m;
 }
 
 }  // namespace taut_test

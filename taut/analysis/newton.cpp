@@ -10,9 +10,10 @@ namespace {
 
 constexpr double least_part = 1.0 / 1024;
 constexpr double singular_below = 1e-14;
-constexpr double longest_turn = 0.5;     // rad per step
-constexpr double longest_move = 0.5;     // of the machine's length per step
-constexpr double shortest_branch = 0.4;  // of its length before the step
+constexpr double longest_turn = 0.5;       // rad per step
+constexpr double longest_move = 0.5;       // of the machine's length per step
+constexpr double shortest_branch = 0.4;    // of its length before the step
+constexpr double rounding_strain = 4e-15;  // what the rounding of coordinates leaves of a balance
 
 /// The scaled linear system of one point.
 class Linear {
@@ -74,7 +75,29 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
 
 bool settled(const System& s, const Evaluation& e, double tolerance) {
   const Misfit m = misfit(s, e);
-  return m.force <= tolerance * e.largest_force && m.length <= tolerance * s.layout.length;
+  const double rounding = rounding_strain * s.layout.stiffest;
+  return m.force <= std::max(tolerance * e.largest_force, rounding) && m.length <= tolerance * s.layout.length;
+}
+
+/// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
+/// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
+/// on the side of its fixed end have lost.
+void add_drag(const System& s, double drag, Eigen::MatrixXd& J) {
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+    const auto k = static_cast<Eigen::Index>(i);
+    J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
+  }
+  for (const Layout::Turn& t : s.layout.turns) {
+    const model::Reeving& reeving = s.model.reevings[static_cast<std::size_t>(t.reeving)];
+    if (reeving.nodes[static_cast<std::size_t>(t.node)].kind != model::NodeKind::contact) continue;
+    const Layout::Rope& rope = s.layout.ropes[static_cast<std::size_t>(t.reeving)];
+    const bool fixed_at_end = reeving.given == model::Given::tension_at_start;
+    const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
+    for (int k = first; k < last; ++k) {
+      J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -drag : drag;
+    }
+  }
 }
 
 }  // namespace
@@ -118,7 +141,7 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   return it;
 }
 
-Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps) {
+Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps, double most_growth) {
   Iteration it;
   it.stopped = evaluate(s, c, e);
   if (it.stopped) return it;
@@ -134,26 +157,23 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
       return it;
     }
     jacobian(s, c, e, J);
-    for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
-      const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
-      const auto k = static_cast<Eigen::Index>(i);
-      J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
-    }
+    add_drag(s, drag, J);
     linear.factor(J);
     const Eigen::VectorXd change = linear.unscaled(linear.solve(e.residual));
     if (!change.allFinite()) return it;
     move(s, c, change, longest_part(s, c, change), tried);
     it.stopped = evaluate(s, tried, there);
-    if (it.stopped || !there.residual.allFinite()) {
+    const bool fails = it.stopped || !there.residual.allFinite();
+    const double then = fails ? 0 : misfit(s, there).force;
+    if (fails || !(then <= most_growth * now)) {
       drag *= 8;
       if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
       continue;
     }
     std::swap(c, tried);
     std::swap(e, there);
-    const double before = now;
-    now = misfit(s, e).force;
-    drag *= std::clamp(now / before, 0.2, 2.0);
+    drag *= std::clamp(then / now, 0.2, 2.0);
+    now = then;
   }
   return it;
 }

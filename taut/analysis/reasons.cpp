@@ -10,6 +10,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+constexpr double vanishing = 1e-2;  // of the machine's length
+
 /// "along x", "about (0, 0.6, 0.8)".
 std::string direction(const model::Freedom& way) {
   const bool turns = way.about != Vector3::Zero();
@@ -74,6 +76,17 @@ int worst_freedom(const System& s, const Evaluation& e) {
   return worst;
 }
 
+/// The branch that all but vanished beside a body that rolls on the rope, -1 without one.
+int vanished(const System& s, const Configuration& c) {
+  for (const Layout::Turn& t : s.layout.turns) {
+    if (s.model.reevings[at(t.reeving)].nodes[at(t.node)].at.body == model::ground) continue;
+    for (const int link : {t.before, t.after}) {
+      if (c.links[at(link)].length < vanishing * s.layout.length) return link;
+    }
+  }
+  return -1;
+}
+
 }  // namespace
 
 Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
@@ -91,6 +104,12 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
   const std::string& body = s.model.bodies[at(dof.body)].name;
   const double open = e.residual[worst];
   const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
+  if (const int link = vanished(s, c); link >= 0) {
+    return infeasible(
+        fmt::format("{} shrinks to nothing: what rolls there runs against its neighbour; hold it by a "
+                    "mainline, or clamp it",
+                    branch_words(s, link)));
+  }
   if (!slack.empty()) {
     return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",
                                   open, unit, body, direction(dof.way), slack));

@@ -27,9 +27,12 @@ struct State {
   std::vector<std::vector<bool>> touched;          ///< [reeving][node]: false where the rope has lifted off
 };
 
-/// As described: bodies where they are given, each rope straight from node to node, its given length shared out in
-/// proportion.
+/// As described: bodies where they are given, each rope straight from round to round; what its given length leaves
+/// beside the arcs is shared out in proportion.
 State initial_state(const Model& model);
+
+/// The straight line from one node to the next, tangent to both, m. Of the centres where there is none.
+double straight_length(const State& state, const Node& from, const Node& to);
 
 /// A place in the ground frame, m.
 Vector3 in_ground(const State& state, const Place& place);
