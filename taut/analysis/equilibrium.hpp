@@ -13,7 +13,8 @@ namespace taut::analysis {
 /// flows by its `haul`; lower and out the other way. at_rest: no loss, and beside it the band between the two.
 enum class Motion { at_rest, hoist, lower, in, out };
 
-/// A coordinate of a body that is given instead of what its carriage's `mainline` says.
+/// Where a carriage is to be. Its mainline's length (or given tension) follows from that; without mainline, the place
+/// of its clamp; rolling without mainline, a force along its track, which the result gives as `hold`.
 struct Prescribed {
   int carriage = 0;  ///< index in the model
   double x = 0;      ///< of its body's origin, m

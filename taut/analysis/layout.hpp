@@ -36,8 +36,8 @@ struct Layout {
   int coordinate_body = model::ground;
   int hold = -1;        ///< unknown; -1: none
   int hold_turn = -1;   ///< the turn along whose track it pulls
-  double heaviest = 0;  ///< of weights and loads, N: a scale
-  double length = 0;    ///< of the machine, m: a scale
+  double heaviest = 0;  ///< largest weight or load, N: a scale
+  double length = 0;    ///< longest span, m: a scale
   double stiffest = 0;  ///< largest finite EA of a rope, N
 };
 
