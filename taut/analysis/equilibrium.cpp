@@ -1,5 +1,7 @@
 #include "taut/analysis/equilibrium.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -120,6 +122,35 @@ Solved solve_touching(const model::Model& model, model::State& state, const Equi
   return s;
 }
 
+/// Whether a carriage prescribed by its mainline stands where the mainline would have to push: found out by a hold
+/// along the track in the mainline's place. Empty where that is not the reason.
+std::string pushes(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
+  if (!options.prescribed) return {};
+  const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
+  if (carriage.mainline < 0) return {};
+  const model::Reeving& mainline = model.reevings[at(carriage.mainline)];
+  model::Model without = model;
+  Flow flow_without = flow;
+  without.reevings.erase(without.reevings.begin() + carriage.mainline);
+  flow_without.erase(flow_without.begin() + carriage.mainline);
+  model::Carriage& rolls = without.carriages[at(options.prescribed->carriage)];
+  rolls.mainline = -1;
+  rolls.reeving -= carriage.reeving > carriage.mainline ? 1 : 0;
+  const model::State start = model::initial_state(without);
+  const Solved s = solve(without, start, options, flow_without);
+  if (!s.outcome.ok() || s.layout.hold < 0) return {};
+  const Vector3 hold = s.c.hold * track({without, s.layout, 0}, s.e);
+  const Vector3 place = s.c.bodies[at(carriage.body)].position;
+  const bool ends_there = mainline.nodes.back().at.body == carriage.body;
+  const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
+  const Vector3 pull = model::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
+  if (hold.dot(pull) > 0) return {};
+  return fmt::format(
+      "'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline can't push: choose "
+      "another x, or pull from the other side",
+      carriage.name, options.prescribed->x, mainline.name, hold.norm());
+}
+
 /// The tensions of both directions of motion beside the answer at rest.
 void add_band(const model::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
   for (const Motion motion : {Motion::in, Motion::out}) {
@@ -166,7 +197,11 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   const Solved s = solve_touching(model, result.state, options, flow);
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
-  if (!s.outcome.ok()) return result;
+  if (!s.outcome.ok()) {
+    const std::string why = pushes(model, options, flow);
+    if (!why.empty()) result.outcome = taut::infeasible(why);
+    return result;
+  }
   fill_tables({model, s.layout, options.prescribed ? options.prescribed->x : 0}, s.c, s.e, result.state, result);
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
   if (band && has_losses(model)) {

@@ -13,7 +13,7 @@ constexpr double singular_below = 1e-14;
 constexpr double longest_turn = 0.5;       // rad per step
 constexpr double longest_move = 0.5;       // of the machine's length per step
 constexpr double shortest_branch = 0.4;    // of its length before the step
-constexpr double rounding_strain = 4e-15;  // what the rounding of coordinates leaves of a balance
+constexpr double rounding_strain = 4e-15;  // of EA: what rounded coordinates leave of a balance
 
 /// The scaled linear system of one point.
 class Linear {

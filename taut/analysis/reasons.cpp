@@ -10,7 +10,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double vanishing = 1e-2;  // of the machine's length
+constexpr double vanishing = 1e-2;  // of the longest span
 
 /// "along x", "about (0, 0.6, 0.8)".
 std::string direction(const model::Freedom& way) {
