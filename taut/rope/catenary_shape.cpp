@@ -43,7 +43,7 @@ double length_to(const CatenaryRope& rope, const CatenaryForce& f, double x) {
     (error > 0 ? low : high) = s;
     const double step = error / (f.H / rope.stiffness + f.H / p.tension());
     double next = s + step;
-    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    if (next < low || next > high) next = (low + high) / 2;
     if (std::abs(next - s) <= 1e-15 * rope.length) return next;
     s = next;
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_iterations = 200;
 constexpr int most_halvings = 60;
-constexpr double short_step = 1e-4;      ///< relative; from here on the last steps, in extended precision
+constexpr double short_step = 1e-6;      ///< relative; from here on the last steps, in extended precision
 constexpr double settled = 1e-15;        ///< relative step that is left undone
 constexpr double rounding = 1e-12;       ///< relative step that need not be halved when it gains nothing
 constexpr double closes = 1e-10;         ///< of the span's size: more is refused

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/closed_loop/position.hpp"
 
 namespace taut::closed_loop {
@@ -99,7 +100,7 @@ void check_rope(const std::optional<std::string>& rope, bool has_weight, const s
     all.push_back({key, fmt::format("give either {0}_rope or {0}_weight, not both", role)});
   }
   if (!rope) return;
-  const auto row = rope_named(*rope);
+  const auto row = catalogue::find_rope_in_words(*rope);
   if (!row) all.push_back({key, catalogue::to_text(row.error())});
 }
 
@@ -163,7 +164,7 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
     return solve_position(in, {x, *in.return_weight, *in.traction_weight}, s, out);
   }
   Ropes ropes;
-  if (const Outcome o = ropes_of(in, ropes); !o.ok()) return o;
+  if (Outcome o = ropes_of(in, ropes); !o.ok()) return o;
   const std::size_t at = in.position.size() > 1 ? worst_of(sweep(in, ropes)) : 0;
   return solve_position(in, setting_of(in, ropes, at), s, out);
 }

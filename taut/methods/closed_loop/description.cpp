@@ -55,7 +55,7 @@ void describe_load(Describe<Input>& d) {
           "weight of the traction rope per metre of rope")
       .above(0);
   d.field(&Input::return_rope, "return_rope",
-          "return rope of the catalogue, by id or in words: \"6x36-IWRC 16 mm 1960 MPa\"; in place of return_weight");
+          "return rope of the catalogue, by id or in words, 6x36-IWRC 16 mm 1960 MPa; in place of return_weight");
   d.field(&Input::traction_rope, "traction_rope",
           "traction rope of the catalogue, by id or in words; in place of traction_weight");
   d.field(&Input::tail_efficiency, "tail_efficiency", "eta", si::one, "efficiency of one sheave at B")
@@ -116,7 +116,7 @@ void describe_sizing(Describe<Input>& d) {
 const Description& RopeFilter::describe() {
   static const Description d =
       Describe<RopeFilter>()
-          .field(&RopeFilter::construction, "construction", "construction, \"6x36\", \"6x19\"; any when left out")
+          .field(&RopeFilter::construction, "construction", "construction, such as 6x36; any when left out")
           .field(&RopeFilter::core, "core", "core, FC, IWRC or WSC; any when left out")
           .field(&RopeFilter::grade, "grade", "R", si::Pa, "nominal wire strength; any when left out")
           .above(0);

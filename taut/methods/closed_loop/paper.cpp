@@ -28,15 +28,18 @@ void load_of_upper_branch(const Case<T>& c, Sheet<T>& s, Paper<T>& p) {
 
 template <class T>
 void midspan_ends(const Case<T>& c, Sheet<T>& s, Paper<T>& p) {
-  const T cos2 = c.cos_a * c.cos_a;
+  const T cos2 = square(c.cos_a);
   p.T_up = s.eq("7", "T_up", si::N,
                 (c.q_b * c.l * (c.l + 2.0 * c.f * c.sin_2a) + 2.0 * p.P_b * (c.l + c.f * c.sin_2a) * c.cos_a) /
                     (8.0 * c.f * cos2));
   // Uphill A is the upper support: the signs of (9) follow it.
-  const T tilt = c.downhill ? -(c.f * c.sin_2a) : c.f * c.sin_2a;
-  const T load = 4.0 * (p.P - p.P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2;
-  const T weight = c.l * c.l * (c.q_b * (c.l + tilt) + c.q_T * (c.l + 3.0 * tilt));
-  p.T_lA = s.eq("9*", "T_lA_paper", si::N, ((c.l + tilt) * load + weight) / (16.0 * c.l * c.f * cos2));
+  const auto toward_A = [&](double times) {
+    const T rise = times * c.f * c.sin_2a;
+    return c.downhill ? c.l - rise : c.l + rise;
+  };
+  const T load = s.eq("9*", "B_9", si::N_m, 4.0 * (p.P - p.P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2);
+  const T weight = s.eq("9*", "Q_9", si::N, c.q_b * toward_A(1) + c.q_T * toward_A(3));
+  p.T_lA = s.eq("9*", "T_lA_paper", si::N, (toward_A(1) * load + square(c.l) * weight) / (16.0 * c.l * c.f * cos2));
 }
 
 /// The same first order in the end slope for any x: T = H/cos(alpha) + the slope's share of the end reaction.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "taut/base/expects.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
 #include "taut/methods/closed_loop/sag.hpp"
 #include "taut/methods/closed_loop/two_section.hpp"
@@ -71,7 +72,7 @@ Outcome one_section(const Case<T>& c, const Case<double>& plain, Sheet<T>& s, Pa
   keep(p, out);
   out.P_b_no_weight = value(p.P_b_no_weight);
   Quick<T> q{};
-  const Outcome o = quick_tensions(c, plain, s, q);
+  Outcome o = quick_tensions(c, plain, s, q);
   keep_forces(q, out);
   if (o.ok()) keep_tensions(q, out);
   return o;
@@ -93,10 +94,10 @@ Outcome two_sections(const Input& in, const Case<T>& c, const Case<double>& plai
     });
   }
   SectionForces<T> f{};
-  if (const Outcome o = corrected_system(c, plain, rule, s, p, f.delta_f); !o.ok()) return o;
+  if (Outcome o = corrected_system(c, plain, rule, s, p, f.delta_f); !o.ok()) return o;
   keep(p, out);
   out.delta_f = value(f.delta_f);
-  const Outcome o = two_section_tensions(c, plain, rule, s, f);
+  Outcome o = two_section_tensions(c, plain, rule, s, f);
   keep_forces(f.q, out);
   out.x_1 = f.at.x1;
   out.x_2 = f.at.x2;
@@ -123,6 +124,13 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
           "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). Taking the roller force as vertical alone makes "
           "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by the closed-form tier.",
           local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large");
+    });
+  }
+  if (!(out.P_b > 0)) {
+    s.warn([&] {
+      return fmt::format(
+          "By (1) the upper branch carries nothing (P_b = {}), by the closed-form tier {}: close to lift-off.",
+          kN(out.P_b), kN(out.P_b_closed));
     });
   }
   const Peak peak = peaks_of(out).return_rope;
@@ -190,10 +198,10 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
                        out.P / tonne_force, value(c.S) / tonne_force);
   });
   if (!(out.P > 0)) return no_vertical_load(c, p);
-  if (const Outcome o = set_sag(in, plain, s, c, out); !o.ok()) return o;
+  if (Outcome o = set_sag(in, plain, s, c, out); !o.ok()) return o;
   plain.f = out.f;
   const bool single = in.carriage == Carriage::single;
-  const Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
+  Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
   if (!o.ok()) return o;
   warn_of_input(in, s);
   warn_of_paper(c, out, s);
@@ -242,7 +250,7 @@ std::size_t worst_of(const std::vector<Row>& rows) {
 namespace {
 
 catalogue::RopeRow known_rope(const std::string& text) {
-  const auto row = rope_named(text);
+  const auto row = catalogue::find_rope_in_words(text);
   expects(row.has_value(), "complaints() has refused unknown ropes");
   return *row;
 }

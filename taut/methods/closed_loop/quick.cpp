@@ -92,7 +92,7 @@ void write_forces(const Case<T>& c, const Pass& before, Sheet<T>& s, Quick<T>& q
   }
   const T s_l = s.eq("", "s_l", si::one, right + c.w_b * c.y / (2.0 * H_2), tier);
   const T s_u = s.eq("", "s_u", si::one, right + c.w_b * c.y / (2.0 * H_4), tier);
-  const T rho = s.eq("", "rho", si::one, c.eta * sqrt(1.0 + s_l * s_l) / sqrt(1.0 + s_u * s_u), tier);
+  const T rho = s.eq("", "rho", si::one, c.eta * sqrt(1.0 + square(s_l)) / sqrt(1.0 + square(s_u)), tier);
   const T E = s.eq("", "E", si::one, c.x * c.y / (c.f * c.l), tier);
   const T W_u = s.eq("", "W_u", si::N, c.w_b * c.l / 2.0, tier);
   const T W_l = s.eq("", "W_l", si::N, (c.w_T * c.x + c.w_b * c.y) / 2.0, tier);
@@ -104,7 +104,7 @@ void write_forces(const Case<T>& c, const Pass& before, Sheet<T>& s, Quick<T>& q
   const bool free = c.roller == Roller::free;
   q.H_3 = free ? s.eq("", "H_3", si::N, q.H_4 + q.P_v * q.m_x, tier) : q.H_4;
   q.H_1 = s.eq("", "H_1", si::N, free ? q.H_2 + c.S * c.sin_g - q.P_v * q.m_x : q.H_2 + c.S * c.sin_g, tier);
-  q.N = s.eq("", "N", si::N, free ? q.P_v * sqrt(1.0 + q.m_x * q.m_x) : q.P_v, tier);
+  q.N = s.eq("", "N", si::N, free ? q.P_v * sqrt(1.0 + square(q.m_x)) : q.P_v, tier);
   q.P_b = free ? s.eq("", "P_b_closed", si::N, q.P_v * (1.0 + c.m * q.m_x), tier) : q.P_v;
 }
 
@@ -112,7 +112,7 @@ void write_forces(const Case<T>& c, const Pass& before, Sheet<T>& s, Quick<T>& q
 template <class T>
 T end_tension(Sheet<T>& s, const char* symbol, const T& H, const T& slope) {
   using std::sqrt;
-  return s.eq("", symbol, si::N, H * sqrt(1.0 + slope * slope), tier);
+  return s.eq("", symbol, si::N, H * sqrt(1.0 + square(slope)), tier);
 }
 
 template <class T>
@@ -177,7 +177,7 @@ Outcome quick_tensions(const Case<T>& c, const Case<double>& plain, Sheet<T>& s,
         p.passes);
   });
   write_forces(c, p, s, q);
-  if (const Outcome o = judge(plain, p); !o.ok()) return o;
+  if (Outcome o = judge(plain, p); !o.ok()) return o;
   write_ends(c, s, q);
   return {};
 }

@@ -146,11 +146,11 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
   const auto failed = static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); }));
   if (rows.size() > 1) {
-    r.assumptions.push_back(
+    r.assumptions.emplace_back(
         "The values belong to the position with the largest tension at a rope end; the table lists all positions.");
   }
   if (rows.size() > 1 && in.mode == Mode::sag) {
-    r.assumptions.push_back(
+    r.assumptions.emplace_back(
         "Every position has the sag of the deck: the winch slackens or tightens the loop as it moves.");
   }
   if (failed > 0 && failed < rows.size()) {
@@ -158,7 +158,7 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
                                      failed, rows.size()));
   }
   if (in.carriage == Carriage::two_section) {
-    r.assumptions.push_back(
+    r.assumptions.emplace_back(
         "Two-section carriage: the roller rides with section 1, which is clamped to the lower branch; section 2 "
         "carries the "
         "gathering force.");
@@ -198,7 +198,7 @@ Result run(const Input& in) {
   add_checks(in, ropes, rows, r);
   add_comparisons(in, out, r);
   r.figures = {loop_drawing(in, out), force_polygon(in, out), tension_plot(in, ropes, rows)};
-  if (in.carriage == Carriage::single) r.figures.push_back(error_plot(in, ropes, out));
+  if (in.carriage == Carriage::single) r.figures.emplace_back(error_plot(in, ropes, out));
   return r;
 }
 

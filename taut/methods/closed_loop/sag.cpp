@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "taut/base/expects.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
 
 namespace taut::closed_loop {
@@ -48,8 +48,8 @@ double excess_of(const Input& in, const Case<double>& c, double sag) {
 
 Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
   const double target = target_of(in);
-  double least = INFINITY;
-  double most = -INFINITY;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
   int roots = 0;
   double low = smallest_share * in.span;
   double e_low = excess_of(in, c, low);
@@ -82,7 +82,7 @@ Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>
     return {};
   }
   FoundSag found;
-  if (const Outcome o = find_sag(in, plain, found); !o.ok()) return o;
+  if (Outcome o = find_sag(in, plain, found); !o.ok()) return o;
   const bool by_winch = in.mode == Mode::winch_pull;
   s.section("Sag");
   s.note(
@@ -96,7 +96,11 @@ Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>
     return s.named(by_winch ? "T_lA" : "T_lLB", si::N, q ? tension_of(in, *q) : Output::none) - target;
   };
   const auto f = s.root("", "f", si::m, gap, found.low, found.high);
-  expects(f.has_value(), "the bracket of the sag holds a root");
+  if (!f) {
+    return not_converged(
+        fmt::format("the sag is not found between {:.4g} m and {:.4g} m: the case is barely feasible there", found.low,
+                    found.high));
+  }
   c.f = *f;
   out.f = value(c.f);
   out.f_second = found.second;

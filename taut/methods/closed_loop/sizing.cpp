@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <iterator>
 
-#include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_search.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::closed_loop {
 namespace {
+
+/// N m2: the bracket of (10) times a length.
+constexpr Unit moment_by_length{dimension(1, 3, -2), "N m^2", "kN m^2", false, "moment by length"};
 
 Outcome too_shallow(const Case<double>& c, double n) {
   return infeasible(fmt::format(
@@ -43,85 +44,45 @@ Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
   const T n = s.given(*in.safety_factor);
   const T sigma = s.given(*in.wire_strength);
   const T k = s.given(in.weight_per_area);
-  const T cos2 = c.cos_a * c.cos_a;
+  const T cos2 = square(c.cos_a);
   const T bend = c.f * c.sin_2a;
   const T P_b = s.eq("4", "P_b0", si::N, c.eta * (p.P - 2.0 * p.K * c.f * c.cos_a / c.l) / (1.0 + c.eta));
   if (!(value(P_b) > 0)) return nothing_to_carry();
-  const T at_B = c.downhill ? bend : -bend;  // B is the upper support downhill, A uphill
-  const T at_A = -at_B;
+  // B is the upper support downhill, A uphill
+  const auto toward_A = [&](double times) { return c.downhill ? c.l - times * bend : c.l + times * bend; };
+  const auto toward_B = [&](double times) { return c.downhill ? c.l + times * bend : c.l - times * bend; };
   const T strength = 8.0 * sigma * c.f * cos2;
   const T own = k * c.l * n;
   const T eta = min(c.eta, T(1.0));  // out-haul: the upper branch itself is the tighter one
   const T below_8 = s.eq("8", "D_8", si::N_per_m, strength - own * (c.l + 2.0 * bend));
-  const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * (c.l + 3.0 * at_A));
-  const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * (c.l + 2.0 * at_B));
+  const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * toward_A(3));
+  const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * toward_B(2));
   if (!(value(below_8) > 0 && value(below_10) > 0 && value(below_b) > 0)) {
     return too_shallow(words_of(c), *in.safety_factor);
   }
   const T F_bp = s.eq("8", "F_return_paper", si::m2, 2.0 * P_b * n * c.cos_a * (c.l + bend) / below_8);
-  const T F_b = s.eq("8*", "F_return", si::m2, 2.0 * P_b * n * c.cos_a * (c.l + at_B) / below_b);
-  const T load = 4.0 * (p.P - P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2;
-  const T F_Tp =
-      s.eq("10", "F_traction_paper", si::m2, n * (c.l + at_A) * (load + k * F_bp * c.l * c.l) / (c.l * below_10));
+  const T F_b = s.eq("8*", "F_return", si::m2, 2.0 * P_b * n * c.cos_a * toward_B(1) / below_b);
+  const T load = s.eq("10", "B_10", si::N_m, 4.0 * (p.P - P_b) * c.l * c.cos_a + 8.0 * p.K * c.f * cos2);
+  const T l_A = s.eq("10", "l_A", si::m, toward_A(1));
+  const T F_Tp = s.eq("10", "F_traction_paper", si::m2, n * l_A * (load + k * F_bp * square(c.l)) / (c.l * below_10));
   // alpha_s carries the sign of the roller's push along the slope.
-  const T push = c.downhill ? P_b * c.sin_a : -(P_b * c.sin_a);
-  const T F_T =
-      s.eq("10*", "F_traction", si::m2,
-           n * ((c.l + at_A) * (load + k * F_b * c.l * c.l) - 16.0 * c.l * c.f * cos2 * push) / (c.l * below_10));
+  const T push =
+      s.eq("10*", "R_10", si::N, c.downhill ? P_b * c.sin_a : -(P_b * c.sin_a), "roller's push along the slope");
+  const T above =
+      s.eq("10*", "A_10", moment_by_length, l_A * (load + k * F_b * square(c.l)) - 16.0 * c.l * c.f * cos2 * push);
+  const T F_T = s.eq("10*", "F_traction", si::m2, n * above / (c.l * below_10));
   out.F_return_paper = value(F_bp);
   out.F_return = value(F_b);
   out.F_traction_paper = value(F_Tp);
   out.F_traction = value(F_T);
   s.note(
       "These areas are a first estimate: they leave out rope weight in P_b and take the end slope to first order. "
-      "Verify "
-      "the ropes chosen with their own weight (choose_ropes, return_rope, traction_rope).");
+      "Verify the ropes chosen with their own weight (choose_ropes, return_rope, traction_rope).");
   return {};
 }
 
 template Outcome areas(const Input&, const Case<double>&, const Paper<double>&, Sheet<double>&, Output&);
 template Outcome areas(const Input&, const Case<Num>&, const Paper<Num>&, Sheet<Num>&, Output&);
-
-namespace {
-
-/// "16 mm", "16mm", "1960 MPa" of a rope's words; a text without unit or of another kind is left alone.
-bool read_size(const std::string& text, catalogue::RopeDescription& wanted) {
-  if (const auto d = parse_quantity(text, si::m)) return wanted.diameter = *d, true;
-  if (const auto grade = parse_quantity(text, si::Pa)) return wanted.grade = *grade, true;
-  return false;
-}
-
-catalogue::RopeDescription read_words(const std::string& text) {
-  std::istringstream words(text);
-  std::vector<std::string> all;
-  for (std::string word; words >> word;) all.push_back(word);
-  catalogue::RopeDescription wanted;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i + 1 < all.size() && read_size(all[i] + " " + all[i + 1], wanted)) {
-      ++i;
-    } else if (read_size(all[i], wanted)) {
-      continue;
-    } else if (const auto core = catalogue::parse_core(all[i])) {
-      wanted.core = *core;
-    } else if (const auto construction = catalogue::parse_construction(all[i])) {
-      wanted.construction = all[i];
-      if (!construction->core.empty()) wanted.core = construction->core;
-    } else {
-      wanted.standard += (wanted.standard.empty() ? "" : " ") + all[i];
-    }
-  }
-  return wanted;
-}
-
-}  // namespace
-
-catalogue::Found<catalogue::RopeRow> rope_named(const std::string& text) {
-  auto by_id = catalogue::find_rope(text);
-  if (by_id) return by_id;
-  const auto wanted = read_words(text);
-  if (wanted.construction.empty() || wanted.diameter <= 0) return by_id;
-  return catalogue::find_rope(wanted);
-}
 
 namespace {
 
@@ -152,6 +113,7 @@ Peaks peaks_of(const Output& out) {
 namespace {
 
 using Candidates = std::vector<catalogue::RopeRow>;
+using Verify = std::function<Outcome(const Ropes&, Peaks&)>;
 
 Candidates candidates_of(const RopeFilter& filter) {
   catalogue::RopeFilter wanted;
@@ -159,6 +121,14 @@ Candidates candidates_of(const RopeFilter& filter) {
   wanted.core = filter.core.value_or("");
   wanted.grade = filter.grade;
   return catalogue::ropes_by(catalogue::RopeOrder::diameter, wanted);
+}
+
+/// The rows that withstand `force`, in the order of `all`.
+Candidates stronger_than(double force, const Candidates& all) {
+  Candidates some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const catalogue::RopeRow& row) { return row.breaking_force >= force; });
+  return some;
 }
 
 Ropes pair_of(const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
@@ -173,8 +143,7 @@ struct Trial {
   bool passes() const { return outcome.ok() && return_passes && traction_passes; }
 };
 
-Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double n,
-               const std::function<Outcome(const Ropes&, Peaks&)>& verify) {
+Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double n, const Verify& verify) {
   Peaks peaks;
   Trial trial;
   trial.outcome = verify(pair_of(b, t), peaks);
@@ -183,38 +152,52 @@ Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double 
   return trial;
 }
 
-Outcome none_strong_enough(const char* role, double n, const catalogue::RopeRow& last) {
+Outcome none_strong_enough(const char* role, double n, const Candidates& all) {
+  const auto strongest = std::max_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.breaking_force < b.breaking_force; });
   return infeasible(
       fmt::format("no rope of the catalogue that fits the filter is strong enough as the {} rope with a safety factor "
-                  "of {:.3g} (the "
-                  "thickest is {}); widen the filter, deepen the sag, or lessen the gathering force",
-                  role, n, last.id));
+                  "of {:.3g} (the strongest, {}, breaks at {:.4g} kN); widen the filter, deepen the sag, or lessen the "
+                  "gathering force",
+                  role, n, strongest->id, strongest->breaking_force / 1000));
+}
+
+/// Peaks with both ropes as light as the lightest candidate: no pair has smaller ones.
+Outcome least_peaks(const Candidates& all, const Verify& verify, Peaks& least) {
+  const auto lightest = std::min_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.mass_per_length < b.mass_per_length; });
+  return verify(pair_of(*lightest, *lightest), least);
 }
 
 }  // namespace
 
-Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(const Ropes&, Peaks&)>& verify,
-               Ropes& chosen) {
+Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Ropes& chosen) {
   const Candidates all = candidates_of(filter);
   if (all.empty()) return infeasible("no rope of the catalogue fits choose_ropes: drop construction, core or grade");
+  Peaks least;
+  if (Outcome o = least_peaks(all, verify, least); !o.ok()) return o;
+  const Candidates returns = stronger_than(n * least.return_rope.tension, all);
+  const Candidates tractions = stronger_than(n * least.traction_rope.tension, all);
+  if (returns.empty()) return none_strong_enough("return", n, all);
+  if (tractions.empty()) return none_strong_enough("traction", n, all);
   std::size_t b = 0;
   std::size_t t = 0;
   for (;;) {
-    const Trial trial = try_pair(all[b], all[t], n, verify);
+    Trial trial = try_pair(returns[b], tractions[t], n, verify);
     if (!trial.outcome.ok()) return trial.outcome;
     if (trial.passes()) break;
-    if (!trial.return_passes && ++b == all.size()) return none_strong_enough("return", n, all.back());
-    if (!trial.traction_passes && ++t == all.size()) return none_strong_enough("traction", n, all.back());
+    if (!trial.return_passes && ++b == returns.size()) return none_strong_enough("return", n, all);
+    if (!trial.traction_passes && ++t == tractions.size()) return none_strong_enough("traction", n, all);
   }
   // A row further up is not always heavier (fibre core, other standard): look back for a smaller one beside the
   // partner.
   for (std::size_t i = 0; i < b; ++i) {
-    if (try_pair(all[i], all[t], n, verify).passes()) b = i;
+    if (try_pair(returns[i], tractions[t], n, verify).passes()) b = i;
   }
   for (std::size_t i = 0; i < t; ++i) {
-    if (try_pair(all[b], all[i], n, verify).passes()) t = i;
+    if (try_pair(returns[b], tractions[i], n, verify).passes()) t = i;
   }
-  chosen = pair_of(all[b], all[t]);
+  chosen = pair_of(returns[b], tractions[t]);
   return {};
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "taut/catalogue/lookup.hpp"
 #include "taut/catalogue/rope.hpp"
 #include "taut/methods/closed_loop/paper.hpp"
 
@@ -25,9 +24,6 @@ struct Ropes {
   std::optional<catalogue::RopeRow> return_rope;
   std::optional<catalogue::RopeRow> traction_rope;
 };
-
-/// A rope by its id, or by words: "6x36-IWRC 16 mm 1960 MPa" in any order; spaces and case don't count.
-catalogue::Found<catalogue::RopeRow> rope_named(const std::string& text);
 
 /// Largest tensions of the two ropes over the whole deck with given weights; where they stand.
 struct Peak {

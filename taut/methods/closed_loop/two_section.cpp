@@ -223,7 +223,7 @@ Outcome corrected_system(const Case<T>& c, const Case<double>& plain, const Sect
   p.P_b = s.eq("14*", "P_b", si::N, (c.eta * T_20 - upper * c.w_b * c.l) / (2.0 * upper + 2.0 * c.eta * lower * share));
   p.T_b = s.eq("11*", "T_B1", si::N, upper * (2.0 * p.P_b + c.w_b * c.l));
   const T T_B2 = s.eq("12*", "T_B2", si::N, T_20 - 2.0 * lower * share * p.P_b);
-  const T cos_1 = s.eq("16*", "cos_alpha_1", si::one, 1.0 / sqrt(1.0 + w.t1 * w.t1));
+  const T cos_1 = s.eq("16*", "cos_alpha_1", si::one, 1.0 / sqrt(1.0 + square(w.t1)));
   const T P1 = s.eq("3*", "P_1", si::N, c.S * (c.cos_g + c.sin_g * w.t1));
   const T K1 = s.eq("2*", "K_1", si::N, c.S * c.sin_g / cos_1);
   s.eq("12*", "H_2", si::N, T_B2 * c.cos_a);

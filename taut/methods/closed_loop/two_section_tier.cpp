@@ -110,7 +110,7 @@ Outcome judge(const Case<double>& c, const State& t) {
 template <class T>
 T tension(Sheet<T>& s, const char* symbol, const T& H, const T& slope) {
   using std::sqrt;
-  return s.eq("", symbol, si::N, H * sqrt(1.0 + slope * slope), tier);
+  return s.eq("", symbol, si::N, H * sqrt(1.0 + square(slope)), tier);
 }
 
 /// The places of the sections as named quantities.
@@ -147,7 +147,7 @@ void write_forces(const Case<T>& c, const State& t, const Named<T>& w, Sheet<T>&
   q.H_4 = s.eq("", "H_4", si::N, w.x1 * w.y1 / (w.f1 * c.l) * (a_u * q.P_v + c.w_b * c.l / 2.0), tier);
   q.H_3 = free ? s.eq("", "H_3", si::N, q.H_4 + q.P_v * q.m_x, tier) : q.H_4;
   q.H_1 = s.eq("", "H_1", si::N, free ? q.H_2 + c.S * c.sin_g - q.P_v * q.m_x : q.H_2 + c.S * c.sin_g, tier);
-  q.N = s.eq("", "N", si::N, free ? q.P_v * sqrt(1.0 + q.m_x * q.m_x) : q.P_v, tier);
+  q.N = s.eq("", "N", si::N, free ? q.P_v * sqrt(1.0 + square(q.m_x)) : q.P_v, tier);
   q.P_b = s.eq("", "P_b_closed", si::N, free ? q.P_v * (1.0 + c.m * q.m_x) : q.P_v, tier);
 }
 
@@ -187,7 +187,7 @@ Outcome two_section_tensions(const Case<T>& c, const Case<double>& plain, const 
   out.at = t->at;
   out.delta_f = w.delta_f;
   write_forces(c, *t, w, s, out.q);
-  if (const Outcome o = judge(plain, *t); !o.ok()) return o;
+  if (Outcome o = judge(plain, *t); !o.ok()) return o;
   write_ends(c, w, s, out.q, out.T_12);
   return {};
 }

@@ -44,17 +44,17 @@ Drawing drive_drawing(const Input& in, const Output& out) {
       {},
       si::m,
       1};
-  d.shapes.push_back(Circle{{0, 0}, R, Role::body, 0, 0, false});
-  d.shapes.push_back(Circle{{L, 0}, r, Role::body, 0, 0, false});
-  d.shapes.push_back(Circle{{0, 0}, R, Role::rope, normal, 2 * pi - normal, false});
-  d.shapes.push_back(Circle{{L, 0}, r, Role::rope, -normal, normal, false});
+  d.shapes.emplace_back(Circle{{0, 0}, R, Role::body, 0, 0, false});
+  d.shapes.emplace_back(Circle{{L, 0}, r, Role::body, 0, 0, false});
+  d.shapes.emplace_back(Circle{{0, 0}, R, Role::rope, normal, 2 * pi - normal, false});
+  d.shapes.emplace_back(Circle{{L, 0}, r, Role::rope, -normal, normal, false});
   const Point slack = contact(0, R, 1), tight = contact(0, R, -1);
   const Point slack_end = contact(L, r, 1), tight_end = contact(L, r, -1);
-  d.shapes.push_back(Polyline{{slack, slack_end}, Role::rope, false, false});
-  d.shapes.push_back(Polyline{{tight, tight_end}, Role::rope, false, false});
+  d.shapes.emplace_back(Polyline{{slack, slack_end}, Role::rope, false, false});
+  d.shapes.emplace_back(Polyline{{tight, tight_end}, Role::rope, false, false});
   const auto along = [&](Point from, Point to, double force, const char* label, Role role) {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
-    d.shapes.push_back(
+    d.shapes.emplace_back(
         ForceArrow{from, force * (to.x - from.x) / length, force * (to.y - from.y) / length, label, role, false});
   };
   along(slack, slack_end, out.T_2_no_slip, "T_2", Role::force);
@@ -62,11 +62,11 @@ Drawing drive_drawing(const Input& in, const Output& out) {
   // The tight branch runs to the driving sheave; the cut holds it back.
   const Point middle{tight.x + 0.6 * (tight_end.x - tight.x), tight.y + 0.6 * (tight_end.y - tight.y)};
   along(middle, tight_end, in.cutting_force, "P_p", Role::second_force);
-  d.shapes.push_back(ForceArrow{{L, 0}, out.takeup_no_slip, 0, "W", Role::second_force, false});
-  d.shapes.push_back(AngleMark{{0, 0}, 0.5 * R, normal, 2 * pi - normal, "alpha"});
-  d.shapes.push_back(Label{{-0.2 * R, 0}, "driving sheave"});
-  d.shapes.push_back(Label{{L, -0.4 * r}, "idler"});
-  if (in.sheave_radius) d.shapes.push_back(DimensionLine{{0, 0}, {0, R}, 0, "R"});
+  d.shapes.emplace_back(ForceArrow{{L, 0}, out.takeup_no_slip, 0, "W", Role::second_force, false});
+  d.shapes.emplace_back(AngleMark{{0, 0}, 0.5 * R, normal, 2 * pi - normal, "alpha"});
+  d.shapes.emplace_back(Label{{-0.2 * R, 0}, "driving sheave"});
+  d.shapes.emplace_back(Label{{L, -0.4 * r}, "idler"});
+  if (in.sheave_radius) d.shapes.emplace_back(DimensionLine{{0, 0}, {0, R}, 0, "R"});
   return d;
 }
 

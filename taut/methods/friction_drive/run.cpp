@@ -93,8 +93,7 @@ void add_warnings(const Input& in, const Output& o, Result& r) {
 
 void add_assumptions(Result& r) {
   r.assumptions = {
-      "The idler is pulled by a constant force (weight): the centrifugal tension adds c to both branches and leaves "
-      "their grip alone.",
+      "The idler is pulled by a constant force (weight); c adds to both branches and leaves their grip alone.",
       "The tight branch is the one that the driving sheave draws in; the cut holds it back.",
       "Friction is the same along the arc; the rope has no bending stiffness, its weight on the sheave is left out.",
       "The cutting force is constant: starts and a bundle's fluctuation are left out.",

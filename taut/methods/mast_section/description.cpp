@@ -194,19 +194,17 @@ const Method& about() {
       "mast_section",
       "Mast section of a tractor-mounted cable yarder",
       "A. O. Shoshin, A. V. Dorozhko, V. Shtollmann, S. V. Yarmolik: Method for determining the parameters of the "
-      "tower "
-      "section of a cable yarding based on a tractor. Proceedings of BSTU, issue 1, 2022, no. 1 (252), pp. 155-164 (in "
+      "tower section of a cable yarding based on a tractor. Proceedings of BSTU, issue 1, 2022, no. 1 (252), pp. "
+      "155-164 (in "
       "Russian)",
       "Shoshin et al. 2022",
       "Smallest solid square, hollow square or tube of a mast that is clamped at its foot and carries the blocks of "
       "skyline and mainline, by stress under axial force and bending. Leaves out guylines, buckling, local buckling, "
-      "own "
-      "weight, wind, dynamics and fatigue.",
+      "own weight, wind, dynamics and fatigue.",
       {"branch angle from -60 to 85 deg below the horizontal", "block friction from 0 to 0.5; the paper: 0.10 to 0.16",
        "the drum side of each rope runs straight down the mast", "both ropes leave the mast in one vertical plane",
        "elastic material, section constant over the height",
-       "alpha of (10) points from the block to the carriage: right "
-       "for a taut mainline; a heavy skyline leaves the mast a little steeper"},
+       "alpha of (10) points from the block to the carriage; a heavy skyline leaves the mast a little steeper"},
       errata()};
   return m;
 }

@@ -24,32 +24,33 @@ double drawn_length(double height, double block, double alpha) {
 /// One rope: up from the drum, over the block, out into the span.
 void add_rope(std::vector<Shape>& shapes, double block, double radius, double length, double alpha, Role role) {
   const Point leaves{radius * std::sin(alpha), block + radius * std::cos(alpha)};
-  shapes.push_back(Circle{{0, block}, radius, Role::body, 0, 0, false});
-  shapes.push_back(Polyline{{{-radius, 0}, {-radius, block}}, role, false, false});
-  shapes.push_back(Circle{{0, block}, radius, role, right_angle - alpha, 2 * right_angle, false});
-  shapes.push_back(Polyline{
+  shapes.emplace_back(Circle{{0, block}, radius, Role::body, 0, 0, false});
+  shapes.emplace_back(Polyline{{{-radius, 0}, {-radius, block}}, role, false, false});
+  shapes.emplace_back(Circle{{0, block}, radius, role, right_angle - alpha, 2 * right_angle, false});
+  shapes.emplace_back(Polyline{
       {leaves, {leaves.x + length * std::cos(alpha), leaves.y - length * std::sin(alpha)}}, role, false, false});
 }
 
 void add_clamp(std::vector<Shape>& shapes, double width, double height, const Output& out) {
-  shapes.push_back(Polyline{{{-0.35 * height, 0}, {0.9 * height, 0}}, Role::ground, false, false});
-  shapes.push_back(box(-2 * width, -0.04 * height, 2 * width, 0, Role::ground));
-  shapes.push_back(ForceArrow{{0, -0.04 * height}, 0, out.N, "N", Role::second_force, true});
-  shapes.push_back(ForceArrow{{-2 * width, -0.02 * height}, -out.Q, 0, "Q", Role::second_force, false});
+  shapes.emplace_back(Polyline{{{-0.35 * height, 0}, {0.9 * height, 0}}, Role::ground, false, false});
+  shapes.emplace_back(box(-2 * width, -0.04 * height, 2 * width, 0, Role::ground));
+  shapes.emplace_back(ForceArrow{{0, -0.04 * height}, 0, out.N, "N", Role::second_force, true});
+  shapes.emplace_back(ForceArrow{{-2 * width, -0.02 * height}, -out.Q, 0, "Q", Role::second_force, false});
   // The clamp holds the head back: its moment turns away from the span.
-  shapes.push_back(
+  shapes.emplace_back(
       Circle{{0, 0}, 3 * width, Role::second_force, 0.2 * std::numbers::pi, 0.8 * std::numbers::pi, false});
-  shapes.push_back(Label{{2.6 * width, 2.2 * width}, "M"});
+  shapes.emplace_back(Label{{2.6 * width, 2.2 * width}, "M"});
 }
 
 /// Forces on the head. Blocks at one height get one resultant, since both point the same way.
 void add_forces(std::vector<Shape>& shapes, const Input& in, const Output& out) {
   const double sky = in.skyline_block_height, main = mainline_height(in);
   const auto arrow = [&](double at, double R, double gamma, const char* label) {
-    shapes.push_back(ForceArrow{{0, at}, R * std::cos(gamma), -R * std::sin(gamma), label, Role::second_force, false});
+    shapes.emplace_back(
+        ForceArrow{{0, at}, R * std::cos(gamma), -R * std::sin(gamma), label, Role::second_force, false});
   };
   const double F = out.F_span_sky;
-  shapes.push_back(
+  shapes.emplace_back(
       ForceArrow{{0, sky}, F * std::cos(out.alpha), -F * std::sin(out.alpha), "F_span_sky", Role::force, false});
   if (std::abs(sky - main) < 0.02 * sky) {
     arrow(sky, out.R_sky + out.R_main, out.gamma_sky, "R");
@@ -73,17 +74,18 @@ Drawing mast_drawing(const Input& in, const Output& out) {
             {},
             si::m,
             1};
-  d.shapes.push_back(box(-width / 2, 0, width / 2, height, Role::structure));
+  d.shapes.emplace_back(box(-width / 2, 0, width / 2, height, Role::structure));
   add_clamp(d.shapes, width, height, out);
   add_rope(d.shapes, main, std::abs(sky - main) < 0.02 * sky ? 0.7 * radius : radius,
            drawn_length(height, main, out.alpha), out.alpha, Role::second_rope);
   add_rope(d.shapes, sky, radius, drawn_length(height, sky, out.alpha), out.alpha, Role::rope);
   add_forces(d.shapes, in, out);
-  d.shapes.push_back(Polyline{{{0, sky}, {0.5 * height, sky}}, Role::axis, false, false});
-  d.shapes.push_back(AngleMark{{0, sky}, 0.42 * height, std::min(0.0, -out.alpha), std::max(0.0, -out.alpha), "alpha"});
-  d.shapes.push_back(AngleMark{{0, sky}, 0.2 * height, -out.gamma_sky, 0, "gamma"});
-  d.shapes.push_back(DimensionLine{{-0.2 * height, 0}, {-0.2 * height, sky}, 0, "h_sky"});
-  if (sky != main) d.shapes.push_back(DimensionLine{{-0.3 * height, 0}, {-0.3 * height, main}, 0, "h_main"});
+  d.shapes.emplace_back(Polyline{{{0, sky}, {0.5 * height, sky}}, Role::axis, false, false});
+  d.shapes.emplace_back(
+      AngleMark{{0, sky}, 0.42 * height, std::min(0.0, -out.alpha), std::max(0.0, -out.alpha), "alpha"});
+  d.shapes.emplace_back(AngleMark{{0, sky}, 0.2 * height, -out.gamma_sky, 0, "gamma"});
+  d.shapes.emplace_back(DimensionLine{{-0.2 * height, 0}, {-0.2 * height, sky}, 0, "h_sky"});
+  if (sky != main) d.shapes.emplace_back(DimensionLine{{-0.3 * height, 0}, {-0.3 * height, main}, 0, "h_main"});
   return d;
 }
 
@@ -98,17 +100,17 @@ Drawing force_polygon(const Input& in, const Output& out) {
   const auto triangle = [&](Point from, double F_span, double T, double R, const char* span, const char* drum,
                             const char* resultant) {
     const double fx = F_span * std::cos(out.alpha), fy = -F_span * std::sin(out.alpha);
-    d.shapes.push_back(ForceArrow{from, fx, fy, span, Role::force, false});
-    d.shapes.push_back(ForceArrow{{from.x + fx, from.y + fy}, 0, -T, drum, Role::force, false});
-    d.shapes.push_back(ForceArrow{from, fx, fy - T, R > 0 ? resultant : "", Role::second_force, false});
+    d.shapes.emplace_back(ForceArrow{from, fx, fy, span, Role::force, false});
+    d.shapes.emplace_back(ForceArrow{{from.x + fx, from.y + fy}, 0, -T, drum, Role::force, false});
+    d.shapes.emplace_back(ForceArrow{from, fx, fy - T, R > 0 ? resultant : "", Role::second_force, false});
     return Point{from.x + fx, from.y + fy - T};
   };
   Point end = triangle({0, 0}, out.F_span_sky, in.skyline_force, out.R_sky, "F_span_sky", "T_sky", "R_sky");
   if (in.mainline_force > 0) {
     end = triangle(end, out.F_span_main, in.mainline_force, out.R_main, "F_span_main", "T_main", "R_main");
   }
-  d.shapes.push_back(ForceArrow{{0, end.y}, out.Q, 0, "Q", Role::second_force, false});
-  d.shapes.push_back(ForceArrow{{0, 0}, 0, -out.N, "N", Role::second_force, false});
+  d.shapes.emplace_back(ForceArrow{{0, end.y}, out.Q, 0, "Q", Role::second_force, false});
+  d.shapes.emplace_back(ForceArrow{{0, 0}, 0, -out.N, "N", Role::second_force, false});
   return d;
 }
 

@@ -243,7 +243,8 @@ Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out)
   out.sigma_allow = value(m.sigma);
   const T alpha = branch_angle(in, index, s, out);
   out.alpha = value(alpha);
-  if (!(out.alpha >= least_branch_angle && out.alpha <= largest_branch_angle)) return out_of_range(in, alpha, out);
+  const bool in_range = out.alpha >= least_branch_angle && out.alpha <= largest_branch_angle;
+  if (!in_range) return out_of_range(in, alpha, out);
   const T epsilon = wrap_angle(in, m, alpha, s);
   out.wrap = value(epsilon);
   const Loads<T> at = loads(m, alpha, epsilon, s, out);
