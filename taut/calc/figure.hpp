@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -73,6 +74,8 @@ struct Drawing {
   std::vector<Shape> shapes;
   Unit unit = si::m;          ///< what the coordinates are
   double vertical_scale = 1;  ///< y stretched by this for legibility; said under the drawing when it is not 1
+  /// What a role means here ("skyline", "resultant"), in place of the legend's general word for it.
+  std::vector<std::pair<Role, std::string>> legend = {};
 };
 
 struct Axis {

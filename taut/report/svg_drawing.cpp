@@ -295,6 +295,13 @@ double scale_bar(std::string& out, Pixel at, double pixels, const std::string& t
 /// A round length of 30 to 90 pixels.
 double round_length(double scale, const ShownUnit& unit) { return nice_below(90 / scale * unit.of(1)) / unit.of(1); }
 
+std::string legend_words(const Drawing& d, Role role) {
+  for (const auto& [r, words] : d.legend) {
+    if (r == role) return words;
+  }
+  return std::string(pen(role).words);
+}
+
 /// The row below: scale bars and legend.
 void draw_foot(Canvas& c, const Drawing& d) {
   constexpr double row = 20;
@@ -318,11 +325,11 @@ void draw_foot(Canvas& c, const Drawing& d) {
   }
   std::vector<Role> named;
   for (const Role r : c.roles) {
-    if (!pen(r).words.empty()) named.push_back(r);
+    if (!legend_words(d, r).empty()) named.push_back(r);
   }
   if (named.size() < 2) named.clear();
   for (const Role r : named) {
-    const std::string words(pen(r).words);
+    const std::string words = escape(legend_words(d, r));
     const double needed = 34 + 0.52 * font_size * length(words) + 12;
     room(needed);
     out += fmt::format("<path d=\"M{:.1f} {:.1f}h26\" fill=\"none\" {}/>", at.x, at.y, stroke_of(pen(r)));

@@ -137,6 +137,7 @@ Drawing balance(const std::string& name, const std::string& title, const std::ve
   d.title = title;
   d.caption = "Along the boom, outward to the right; each force starts where the one above it ends, the last at zero.";
   d.unit = si::N;
+  d.legend = {{Role::force, "outward"}, {Role::second_force, "inward"}, {Role::hidden, ""}};
   double reach = 0;
   double x = 0;
   for (const Part& p : parts) reach = std::max(reach, std::abs(x += p.force));

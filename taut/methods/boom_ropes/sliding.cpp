@@ -12,7 +12,7 @@ namespace {
 
 using std::abs, std::cos, std::max, std::min, std::sin;
 
-constexpr std::string_view model = "quasi-static model (see the method's page)";
+constexpr std::string_view model = "sliding model";
 
 /// Everything at one position that does not depend on the unknowns.
 template <class T>

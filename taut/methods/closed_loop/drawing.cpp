@@ -130,6 +130,7 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   d.name = "loop";
   d.title = "The loop in its span";
   d.vertical_scale = stretch_of(v);
+  d.legend = {{Role::rope, "return rope"}, {Role::second_rope, "traction rope"}};
   const bool told = in.branch_distance > 0;
   const double c = told ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
   const double alpha = std::atan(v.m);

@@ -73,7 +73,11 @@ Drawing mast_drawing(const Input& in, const Output& out) {
             "mast.",
             {},
             si::m,
-            1};
+            1,
+            {{Role::rope, "skyline"},
+             {Role::second_rope, "mainline"},
+             {Role::force, "rope force"},
+             {Role::second_force, "resultant, reaction"}}};
   d.shapes.emplace_back(box(-width / 2, 0, width / 2, height, Role::structure));
   add_clamp(d.shapes, width, height, out);
   add_rope(d.shapes, main, std::abs(sky - main) < 0.02 * sky ? 0.7 * radius : radius,
@@ -96,7 +100,8 @@ Drawing force_polygon(const Input& in, const Output& out) {
             "and N down.",
             {},
             si::N,
-            1};
+            1,
+            {{Role::force, "rope force"}, {Role::second_force, "resultant"}}};
   const auto triangle = [&](Point from, double F_span, double T, double R, const char* span, const char* drum,
                             const char* resultant) {
     const double fx = F_span * std::cos(out.alpha), fy = -F_span * std::sin(out.alpha);
