@@ -21,7 +21,8 @@ TEST(Explain, TheReferencePageIsWhatTheProgramSays) {
   std::ifstream file(taut_test::source_dir() / "docs/guide/reference.md");
   std::stringstream page;
   page << file.rdbuf();
-  EXPECT_TRUE(page.str() == reference_guide()) << "the page is stale; run: build/bin/taut explain all --markdown > docs/guide/reference.md";
+  EXPECT_TRUE(page.str() == reference_guide())
+      << "the page is stale; run: build/bin/taut explain all --markdown > docs/guide/reference.md";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "taut/app/fingerprint.hpp"
+#include "taut/app/machine_run.hpp"
 #include "taut/app/methods.hpp"
 #include "taut/io/deck.hpp"
 
@@ -24,6 +25,7 @@ Prepared prepare(const Job& job) {
   Prepared p;
   p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
   if (!p.deck) return p;
+  if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes);
   const MethodEntry* entry = find_method(p.deck->method);
   if (entry != nullptr) p.calculate = entry->prepare(p.deck->input, p.mistakes);
   if (!p.mistakes.empty()) p.calculate = {};
@@ -63,7 +65,7 @@ Result run(const Job& job) {
   if (!p.deck) return r;
   if (!p.deck->title.empty()) r.title = p.deck->title;
   if (r.title.empty()) r.title = r.method_title;
-  r.method = p.deck->method;
+  r.method = p.deck->is_machine ? "machine" : p.deck->method;
   r.display = p.deck->display.units();
   r.deck_hash = hash_of(job, *p.deck);
   return r;

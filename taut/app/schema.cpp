@@ -1,5 +1,6 @@
 #include "taut/app/schema.hpp"
 
+#include "taut/app/machine_deck.hpp"
 #include "taut/app/methods.hpp"
 #include "taut/io/schema.hpp"
 
@@ -8,7 +9,7 @@ namespace taut::app {
 std::string schema_text() {
   std::vector<io::SchemaMethod> all;
   for (const MethodEntry& m : methods()) all.push_back({m.about->name, m.about->title, m.input});
-  return io::deck_schema(all);
+  return io::deck_schema(all, &MachineDeck::describe());
 }
 
 }  // namespace taut::app

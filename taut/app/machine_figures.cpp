@@ -1,0 +1,228 @@
+#include "taut/app/machine_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "taut/app/machine_tables.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::EquilibriumResult;
+
+constexpr int points_per_span = 32;
+/// Machines narrower than this part of their length need no plan.
+constexpr double least_width = 1e-3;
+
+/// A view: which coordinate goes to the right, which one up.
+struct View {
+  int right = 0;
+  int above = 2;
+  Point point(const Vector3& v) const { return {v[right], v[above]}; }
+};
+
+struct Box {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 high = -low;
+  void add(const Vector3& v) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  Vector3 size() const { return high - low; }
+};
+
+std::vector<Vector3> line_of(const analysis::SpanResult& s) {
+  if (s.slack || s.shape.rope.weight <= 0 || !(s.shape.rope.length > 0)) return {s.start, s.end};
+  std::vector<Vector3> line;
+  for (int i = 0; i <= points_per_span; ++i) {
+    line.push_back(s.start + rope::point_at(s.shape, s.shape.rope.length * i / points_per_span));
+  }
+  return line;
+}
+
+Box box_of(const EquilibriumResult& e) {
+  Box box;
+  for (const auto& s : e.spans) {
+    for (const Vector3& v : line_of(s)) box.add(v);
+  }
+  return box;
+}
+
+/// What holds the ropes somewhere: all forces of one name at one place.
+struct Held {
+  Vector3 at = Vector3::Zero();
+  double radius = 0;
+  Vector3 force = Vector3::Zero();
+  bool moves = false;
+};
+
+std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResult& e) {
+  std::map<std::string, Held> all;
+  const auto add = [&](int reeving, int n, const Vector3& force) {
+    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
+    const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    Held& h = all[node.name];
+    h.at = model::in_ground(e.state, node.at);
+    h.radius = std::max(h.radius, node.radius);
+    h.force += force * rope.copies;
+    h.moves = node.at.body != model::ground && !m.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+  };
+  const auto is_anchor = [&](int reeving, int n) {
+    return m.reevings[static_cast<std::size_t>(reeving)].nodes[static_cast<std::size_t>(n)].kind ==
+           model::NodeKind::anchor;
+  };
+  for (const auto& s : e.spans) {
+    if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
+    if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, pull_on_end(s));
+  }
+  for (const auto& c : e.contacts) add(c.reeving, c.node, c.force);
+  return all;
+}
+
+void draw_ground(Drawing& d, const model::Model& m, const View& view, const Box& box) {
+  if (view.above != 2 || view.right != 0 || m.terrain.empty()) return;
+  const double margin = 0.03 * box.size().x();
+  Polyline ground;
+  ground.role = Role::ground;
+  for (const auto& p : m.terrain) {
+    if (p.x >= box.low.x() - margin && p.x <= box.high.x() + margin) ground.points.push_back({p.x, p.z});
+  }
+  if (ground.points.size() > 1) d.shapes.emplace_back(std::move(ground));
+}
+
+void draw_ropes(Drawing& d, const EquilibriumResult& e, const View& view) {
+  for (const auto& s : e.spans) {
+    Polyline line;
+    line.role = s.reeving == 0 ? Role::rope : Role::second_rope;
+    for (const Vector3& v : line_of(s)) line.points.push_back(view.point(v));
+    d.shapes.emplace_back(std::move(line));
+  }
+}
+
+void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
+  for (const auto& [name, h] : held_of(m, e)) {
+    const bool round = h.radius > 0 && view.above == 2;
+    d.shapes.emplace_back(Circle{view.point(h.at), round ? h.radius : size / 300, Role::body, 0, 0, !round});
+    d.shapes.emplace_back(Label{view.point(h.at), name});
+    if (h.moves) continue;  // its ropes are in balance with its weight
+    const Point f = view.point(h.force);
+    d.shapes.emplace_back(ForceArrow{view.point(h.at), f.x, f.y, "F", Role::force, false});
+  }
+}
+
+void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    if (m.bodies[i].free.empty()) continue;
+    Vector3 force = -m.bodies[i].mass * m.gravity * up();
+    for (const model::Load& load : m.loads) {
+      if (load.at.body == static_cast<int>(i)) force += load.force;
+    }
+    const Point f = view.point(force);
+    if (std::hypot(f.x, f.y) <= 0) continue;
+    const Point at = view.point(e.state.bodies[i].position);
+    d.shapes.emplace_back(ForceArrow{at, f.x, f.y, "W", Role::second_force, false});
+  }
+}
+
+Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View& view, const std::string& words) {
+  const Box box = box_of(e);
+  const bool plan = view.above != 2;
+  Drawing d;
+  d.name = plan ? "plan" : "machine";
+  d.title = plan ? "Plan" : "Side view";
+  d.caption =
+      fmt::format("{}. F: force of the ropes on what holds them; W: weight and loads of a body that moves.", words);
+  draw_ground(d, m, view, box);
+  draw_ropes(d, e, view);
+  draw_holders(d, m, e, view, box.size().norm());
+  draw_weights(d, m, e, view);
+  return d;
+}
+
+void add_drawings(const model::Model& m, const EquilibriumResult& e, const std::string& words, Result& r) {
+  const Vector3 size = box_of(e).size();
+  // seen across its longer horizontal side
+  const bool along_y = size.y() > size.x();
+  r.figures.emplace_back(drawing_of(m, e, {along_y ? 1 : 0, 2}, words));
+  const double width = std::min(size.x(), size.y());
+  if (width > least_width * std::max(size.x(), size.y())) r.figures.emplace_back(drawing_of(m, e, {0, 1}, words));
+}
+
+Plot plot(const LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
+  Plot p;
+  p.name = name + run.ending;
+  p.title = fmt::format("{}, {}", title, run.words);
+  p.x = {"x of the carriage", si::m};
+  p.y = y;
+  return p;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+template <class Of>
+Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dashed = false) {
+  Curve c;
+  c.label = label;
+  c.dashed = dashed;
+  for (const auto& point : run.result.points) {
+    c.x.push_back(point.x);
+    c.y.push_back(point.at.outcome.ok() ? of(point) : none);
+  }
+  return c;
+}
+
+void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
+  Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {"tension", si::N});
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
+  }
+  r.figures.emplace_back(std::move(tensions));
+  Plot way = plot(run, "load_path_height", "Way of the carriage", {"height", si::m});
+  way.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.z; }));
+  if (!m.terrain.empty()) {
+    way.curves.push_back(curve(
+        run, "ground", [&](const auto& p) { return analysis::ground_height(m.terrain, p.x); }, true));
+    Plot clearance = plot(run, "load_path_clearance", "Clearance of the carriage", {"clearance", si::m});
+    clearance.curves.push_back(curve(run, "clearance", [](const auto& p) { return p.clearance; }));
+    clearance.marks.push_back({0, 0, "ground", true});
+    r.figures.emplace_back(std::move(way));
+    r.figures.emplace_back(std::move(clearance));
+    return;
+  }
+  r.figures.emplace_back(std::move(way));
+}
+
+double largest_tension(const analysis::LoadPathPoint& p) {
+  double T = 0;
+  for (const auto& rope : p.at.ropes) T = std::max(T, rope.T_max);
+  return T;
+}
+
+}  // namespace
+
+void add_figures(const MachineRun& run, Result& r) {
+  const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
+                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+  if (first != run.equilibria.end()) {
+    add_drawings(run.model, first->result, "Equilibrium, " + first->words, r);
+  }
+  for (const LoadPathRun& path : run.paths) {
+    const analysis::LoadPathPoint* worst = nullptr;
+    for (const auto& point : path.result.points) {
+      if (!point.at.outcome.ok()) continue;
+      if (worst == nullptr || largest_tension(point) > largest_tension(*worst)) worst = &point;
+    }
+    if (worst == nullptr) continue;
+    if (first == run.equilibria.end() && &path == &run.paths.front()) {
+      add_drawings(run.model, worst->at,
+                   fmt::format("Load path, {}, where the tension is largest, x = {:.4g} m", path.words, worst->x), r);
+    }
+    add_plots(run.model, path, r);
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,209 @@
+#include "taut/app/machine_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "taut/app/machine_figures.hpp"
+#include "taut/app/machine_steps.hpp"
+#include "taut/app/machine_tables.hpp"
+#include "taut/app/terrain.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/io/include.hpp"
+#include "taut/io/read.hpp"
+#include "taut/model/compile.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& mistakes) {
+  if (!machine.terrain || !machine.terrain->file) return;
+  const io::Node& node = *io::follow(input, "machine.terrain.file").node;
+  auto& terrain = *machine.terrain;
+  if (!terrain.x.empty() || !terrain.z.empty()) {
+    io::add(mistakes, node.spot, "terrain: either a 'file' or 'x' and 'z'");
+    return;
+  }
+  const fs::path deck = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
+  const fs::path path = deck.parent_path() / *terrain.file;
+  const auto text = io::read_file(path.string());
+  if (!text) {
+    io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
+  } else {
+    read_terrain(*text, path.string(), terrain, mistakes);
+  }
+}
+
+/// What the analyses of a deck ask for, with names resolved.
+class Requests {
+ public:
+  Requests(const MachineDeck& deck, const model::Model& model) : deck_(deck), model_(model) {}
+
+  MachineRun resolve() {
+    MachineRun run;
+    run.model = model_;
+    std::vector<AnalysisRequest> all = deck_.analyses;
+    if (all.empty()) all.push_back({EquilibriumRequest{}, {}});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string path = fmt::format("analyses[{}]", i);
+      if (all[i].equilibrium) add(run, *all[i].equilibrium, path + ".equilibrium");
+      if (all[i].load_path) add(run, *all[i].load_path, path + ".load_path");
+    }
+    check_clamps(run);
+    return run;
+  }
+
+  std::vector<Complaint> complaints;
+
+ private:
+  int carriage(const std::string& name, const std::string& path) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < model_.carriages.size(); ++i) {
+      if (model_.carriages[i].name == name) return static_cast<int>(i);
+      names.push_back(model_.carriages[i].name);
+    }
+    complaints.push_back({path, fmt::format("there is no carriage '{}'{}", name, did_you_mean(name, names))});
+    return -1;
+  }
+
+  /// Ending of the tables' names: the deck's own, or the number from the second on.
+  template <class Run>
+  std::string ending(const std::vector<Run>& before, const std::optional<std::string>& name, const std::string& path) {
+    std::string text = name ? "_" + *name : before.empty() ? std::string{} : fmt::format("_{}", before.size() + 1);
+    const bool known = std::any_of(before.begin(), before.end(), [&](const Run& run) { return run.ending == text; });
+    if (known) complaints.push_back({path + ".name", "another analysis of this kind has the same name"});
+    return text;
+  }
+
+  static std::string words_of(const std::vector<MotionRequest>& motion) {
+    std::string words;
+    for (const MotionRequest& one : motion) {
+      words += fmt::format("{}{}{}", words.empty() ? "" : ", ", one.name.empty() ? "" : one.name + " ",
+                           one.sense == "at_rest" ? "at rest" : one.sense);
+    }
+    return words.empty() ? "at rest" : words;
+  }
+
+  void add(MachineRun& run, const EquilibriumRequest& request, const std::string& path) {
+    EquilibriumRun one;
+    one.ending = ending(run.equilibria, request.name, path);
+    one.words = words_of(request.motion);
+    one.options = options_of(request.motion, model_, path + ".motion", complaints);
+    if (request.carriage.has_value() != request.x.has_value()) {
+      complaints.push_back({path, "'carriage' and 'x' belong together"});
+    } else if (request.carriage) {
+      const int car = carriage(*request.carriage, path + ".carriage");
+      if (car >= 0) one.options.prescribed = analysis::Prescribed{car, *request.x};
+    }
+    run.equilibria.push_back(std::move(one));
+  }
+
+  void add(MachineRun& run, const LoadPathRequest& request, const std::string& path) {
+    LoadPathRun one;
+    one.ending = ending(run.paths, request.name, path);
+    one.words = words_of(request.motion);
+    one.options.equilibrium = options_of(request.motion, model_, path + ".motion", complaints);
+    one.options.equilibrium.band = false;
+    one.options.carriage = carriage(request.carriage, path + ".carriage");
+    one.options.from = request.from;
+    one.options.to = request.to;
+    one.options.steps = request.steps;
+    if (request.from == request.to) complaints.push_back({path + ".to", "is the same place as 'from'"});
+    run.paths.push_back(std::move(one));
+  }
+
+  /// A clamped carriage needs to know where it is clamped.
+  void check_clamps(const MachineRun& run) {
+    for (std::size_t i = 0; i < deck_.machine.carriages.size(); ++i) {
+      const auto& given = deck_.machine.carriages[i];
+      if (given.hold != model::description::Hold::clamped || given.length_before) continue;
+      const bool placed = std::all_of(run.equilibria.begin(), run.equilibria.end(), [&](const EquilibriumRun& one) {
+        return one.options.prescribed && one.options.prescribed->carriage == static_cast<int>(i);
+      });
+      if (placed) continue;
+      complaints.push_back({fmt::format("machine.carriages.{}", given.name),
+                            "is clamped somewhere: give 'length_before', or 'carriage' and 'x' in the equilibrium"});
+    }
+  }
+
+  const MachineDeck& deck_;
+  const model::Model& model_;
+};
+
+/// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys, each of them
+/// then keeps its length.
+Outcome install_guys(const model::Machine& machine, model::Model& model) {
+  const std::size_t first = machine.reevings.size();
+  model::Model bare;
+  bare.gravity = model.gravity;
+  bare.bodies = model.bodies;
+  for (model::Body& body : bare.bodies) body.free.clear();
+  bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
+  if (bare.reevings.empty()) return {};
+  analysis::EquilibriumOptions options;
+  options.band = false;
+  const auto result = analysis::equilibrium(bare, options);
+  if (!result.outcome.ok()) {
+    return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
+  }
+  const model::Model done = analysis::installed(bare, result);
+  std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
+  return {};
+}
+
+void note_failure(Result& r, const Outcome& outcome, const std::string& what) {
+  if (outcome.ok() || r.status != Status::ok) return;
+  r.status = outcome.status;
+  r.message = fmt::format("{}: {}", what, outcome.message);
+}
+
+Result compute(const MachineDeck& deck, MachineRun run) {
+  Result r;
+  r.method_title = "Machine";
+  r.given = given_of(MachineDeck::describe(), &deck);
+  r.assumptions = assumptions_of(deck);
+  note_failure(r, install_guys(deck.machine, run.model), "installation");
+  if (r.status != Status::ok) return r;
+  for (EquilibriumRun& one : run.equilibria) {
+    one.result = analysis::equilibrium(run.model, one.options);
+    note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
+  }
+  for (LoadPathRun& one : run.paths) {
+    one.result = analysis::load_path(run.model, one.options);
+    note_failure(r, one.result.outcome, fmt::format("load path, {}", one.words));
+  }
+  add_tables(run, r);
+  add_values(run, r);
+  add_steps(deck, run, r);
+  add_figures(run, r);
+  return r;
+}
+
+}  // namespace
+
+std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes) {
+  const auto deck = std::make_shared<MachineDeck>();
+  const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
+  const std::size_t before = mistakes.size();
+  load_terrain(input, deck->machine, mistakes);
+  if (!readable || mistakes.size() > before) return {};
+  auto model = model::compile(deck->machine);
+  if (!model) {
+    for (Complaint& c : model.error()) c.path = c.path.empty() ? "machine" : "machine." + c.path;
+    io::place(input, model.error(), mistakes);
+    return {};
+  }
+  Requests requests(*deck, *model);
+  const auto run = std::make_shared<MachineRun>(requests.resolve());
+  if (!requests.complaints.empty()) {
+    io::place(input, requests.complaints, mistakes);
+    return {};
+  }
+  return [deck, run] { return compute(*deck, *run); };
+}
+
+}  // namespace taut::app

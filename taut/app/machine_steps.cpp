@@ -1,0 +1,124 @@
+#include "taut/app/machine_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "taut/app/machine_tables.hpp"
+#include "taut/calc/sheet.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::EquilibriumResult;
+using analysis::SpanResult;
+
+/// An answer and what to call it.
+struct State {
+  const EquilibriumResult* result = nullptr;
+  std::string words;
+};
+
+State governing(const MachineRun& run) {
+  State worst;
+  double T_max = -1;
+  const auto look = [&](const EquilibriumResult& e, const std::string& words) {
+    if (!e.outcome.ok()) return;
+    for (const auto& rope : e.ropes) {
+      if (rope.T_max <= T_max) continue;
+      T_max = rope.T_max;
+      worst = {&e, words};
+    }
+  };
+  for (const EquilibriumRun& one : run.equilibria) look(one.result, "equilibrium, " + one.words);
+  for (const LoadPathRun& one : run.paths) {
+    for (const auto& point : one.result.points) {
+      look(point.at, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x));
+    }
+  }
+  return worst;
+}
+
+/// The elastic catenary of one span from its start on.
+void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& span) {
+  const std::string catenary = "Irvine 1981, elastic catenary";
+  const Num L = s.named("L", si::m, span.unstretched);
+  const Num EA = s.named("EA", si::N, rope.stiffness);
+  const Num H = s.named("H", si::N, span.H);
+  const Num V_0 = s.named("V_0", si::N, span.V_from);
+  const Num w = s.named("w", si::N_per_m, rope.weight / (1 + rope.thermal_strain));
+  const Num V_1 = s.eq("", "V_1", si::N, V_0 + w * L, catenary);
+  const Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
+  const Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
+  if (rope.weight > 0 && span.H > 0 && std::isfinite(rope.stiffness)) {
+    s.eq("", "x", si::m, H * L / EA + H / w * (asinh(V_1 / H) - asinh(V_0 / H)), catenary);
+    s.eq("", "z", si::m, (V_0 * L + w * square(L) / 2) / EA + (T_1 - T_0) / w, catenary);
+  }
+  if (rope.breaking_force > 0) {
+    const Num F_min = s.named("F_min", si::N, rope.breaking_force);
+    s.eq("", "S", si::one, F_min / max(T_0, T_1), "breaking force over the largest tension");
+  }
+}
+
+/// How well a written law has to give the tension back that the solver found; a contact that is not at its law's limit
+/// (at rest, or lifted) is not written.
+constexpr double same_tension = 1e-6;
+
+/// The factor by which a contact at its limit raises the tension.
+double limit_of(const model::Node& node, double wrap) {
+  const double bearing = node.law.efficiency > 0 ? 1 / node.law.efficiency : HUGE_VAL;
+  return std::min(bearing, std::exp(node.law.friction * wrap));
+}
+
+bool at_limit(const model::Node& node, const analysis::ContactResult& c) {
+  const double low = std::min(c.T_in, c.T_out);
+  const double high = std::max(c.T_in, c.T_out);
+  const double limit = limit_of(node, c.wrap);
+  return node.kind == model::NodeKind::contact && low > 0 && limit > 1 &&
+         std::abs(high - low * limit) <= same_tension * high;
+}
+
+/// The tension law at such a contact, from the smaller tension to the larger one.
+void write_contact(Sheet<Num>& s, const model::Node& node, const analysis::ContactResult& c) {
+  const bool grows = c.T_out >= c.T_in;
+  const Num low = s.named(grows ? "T_in" : "T_out", si::N, grows ? c.T_in : c.T_out);
+  const std::string high = grows ? "T_out" : "T_in";
+  if (node.law.efficiency > 0 && limit_of(node, c.wrap) >= 1 / node.law.efficiency) {
+    const Num eta = s.named("eta", si::one, node.law.efficiency);
+    s.eq("", high, si::N, low / eta, fmt::format("{}: efficiency of the sheave", node.name));
+  } else {
+    const Num mu = s.named("mu", si::one, node.law.friction);
+    const Num theta = s.named("theta", si::rad, c.wrap);
+    s.eq("", high, si::N, low * exp(mu * theta), fmt::format("{}: Euler-Eytelwein", node.name));
+  }
+}
+
+}  // namespace
+
+void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
+  const State state = governing(run);
+  if (state.result == nullptr) return;
+  const EquilibriumResult& e = *state.result;
+  const auto worst =
+      std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
+  const SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
+  const model::Reeving& rope = run.model.reevings[static_cast<std::size_t>(span.reeving)];
+  const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
+  Sheet<Num> s("statics", MachineDeck::describe(), &deck);
+  s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
+                        name(span.to), state.words));
+  write_span(s, rope, span);
+  std::set<std::string> written;
+  for (const auto& c : e.contacts) {
+    const model::Reeving& own = run.model.reevings[static_cast<std::size_t>(c.reeving)];
+    const model::Node& node = own.nodes[static_cast<std::size_t>(c.node)];
+    if (!at_limit(node, c) || !written.insert(node.name).second) continue;
+    if (written.size() == 1) s.section(fmt::format("Losses where a rope runs over something ({})", state.words));
+    write_contact(s, node, c);
+  }
+  s.move_to(r);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,283 @@
+#include "taut/app/machine_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace taut::app {
+namespace {
+
+using analysis::ContactState;
+using analysis::EquilibriumResult;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+const model::Reeving& rope(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
+const std::string& node(const model::Model& m, int r, int n) {
+  return rope(m, r).nodes[static_cast<std::size_t>(n)].name;
+}
+
+void add_band(std::vector<Column>& columns, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    columns.push_back({std::string(name) + "_min", si::N});
+    columns.push_back({std::string(name) + "_max", si::N});
+  }
+}
+
+Table spans(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"spans",
+          "Spans",
+          {{"rope", si::one},
+           {"from", si::one},
+           {"to", si::one},
+           {"T_from", si::N},
+           {"T_to", si::N},
+           {"H", si::N},
+           {"V_from", si::N},
+           {"V_to", si::N},
+           {"chord", si::m},
+           {"unstretched", si::m},
+           {"stretched", si::m},
+           {"sag", si::m}},
+          {}};
+  if (e.band) add_band(t.columns, {"T_from", "T_to"});
+  for (const auto& s : e.spans) {
+    std::vector<Cell> row = {rope(m, s.reeving).name,
+                             node(m, s.reeving, s.from),
+                             node(m, s.reeving, s.to),
+                             s.T_from,
+                             s.T_to,
+                             s.H,
+                             s.V_from,
+                             s.V_to,
+                             s.chord,
+                             s.unstretched,
+                             s.stretched,
+                             s.sag};
+    if (e.band) row.insert(row.end(), {s.T_from_min, s.T_from_max, s.T_to_min, s.T_to_max});
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+Table sheaves(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"sheaves",
+          "Sheaves, supports and carriages on their ropes",
+          {{"name", si::one},
+           {"T_in", si::N},
+           {"T_out", si::N},
+           {"wrap", si::rad},
+           {"Fx", si::N},
+           {"Fy", si::N},
+           {"Fz", si::N},
+           {"resultant", si::N},
+           {"state", si::one},
+           {"rope", si::one}},
+          {}};
+  if (e.band) add_band(t.columns, {"T_in", "T_out"});
+  for (const auto& c : e.contacts) {
+    std::vector<Cell> row = {node(m, c.reeving, c.node),
+                             c.T_in,
+                             c.T_out,
+                             c.wrap,
+                             c.force.x(),
+                             c.force.y(),
+                             c.force.z(),
+                             c.force.norm(),
+                             std::string(to_text(c.state)),
+                             rope(m, c.reeving).name};
+    if (e.band) row.insert(row.end(), {c.T_in_min, c.T_in_max, c.T_out_min, c.T_out_max});
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+/// Rotations about the fixed axes x, then y, then z.
+Vector3 angles_of(const Matrix3& r) {
+  const double ry = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
+  return {std::atan2(r(2, 1), r(2, 2)), ry, std::atan2(r(1, 0), r(0, 0))};
+}
+
+Table bodies(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"bodies",
+          "Bodies: places, rotations about x, then y, then z, and the force of what holds them",
+          {{"name", si::one},
+           {"x", si::m},
+           {"y", si::m},
+           {"z", si::m},
+           {"rx", si::rad},
+           {"ry", si::rad},
+           {"rz", si::rad},
+           {"Rx", si::N},
+           {"Ry", si::N},
+           {"Rz", si::N}},
+          {}};
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    const auto& [position, orientation] = e.state.bodies[i];
+    const Vector3 turn = angles_of(orientation);
+    const Vector3& hold = e.reactions[i];
+    t.rows.push_back({m.bodies[i].name, position.x(), position.y(), position.z(), turn.x(), turn.y(), turn.z(),
+                      hold.x(), hold.y(), hold.z()});
+  }
+  return t;
+}
+
+Table anchors(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"anchors",
+          "Ends of the ropes: force of the rope on what holds it",
+          {{"name", si::one}, {"rope", si::one}, {"T", si::N}, {"Fx", si::N}, {"Fy", si::N}, {"Fz", si::N}},
+          {}};
+  const auto add = [&](const analysis::SpanResult& s, int n, double T, const Vector3& f) {
+    if (rope(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != model::NodeKind::anchor) return;
+    t.rows.push_back({node(m, s.reeving, n), rope(m, s.reeving).name, T, f.x(), f.y(), f.z()});
+  };
+  for (const auto& s : e.spans) {
+    add(s, s.from, s.T_from, pull_on_start(s));
+    add(s, s.to, s.T_to, pull_on_end(s));
+  }
+  return t;
+}
+
+/// Where a rope's largest tension is.
+std::string place_of(const model::Model& m, const EquilibriumResult& e, const analysis::RopeResult& r) {
+  const auto& s = e.spans[static_cast<std::size_t>(r.span)];
+  return node(m, s.reeving, r.at_end ? s.to : s.from);
+}
+
+Table ropes(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"ropes",
+          "Ropes",
+          {{"name", si::one}, {"unstretched", si::m}, {"T_max", si::N}, {"where", si::one}, {"safety_factor", si::one}},
+          {}};
+  for (std::size_t i = 0; i < e.ropes.size(); ++i) {
+    const auto& r = e.ropes[i];
+    t.rows.push_back(
+        {m.reevings[i].name, r.unstretched, r.T_max, place_of(m, e, r), r.safety_factor > 0 ? r.safety_factor : none});
+  }
+  return t;
+}
+
+Table closure(const EquilibriumResult& e) {
+  return {"closure",
+          "How well the answer closes, worst of all",
+          {{"rope_closure", si::m.in("mm")},
+           {"force_residual", si::N.in("N")},
+           {"balance", si::N.in("N")},
+           {"iterations", si::one}},
+          {{e.closure.rope, e.closure.force, e.closure.balance, static_cast<double>(e.closure.iterations)}}};
+}
+
+/// Columns of a load path: tensions at both ends of each rope, its largest one, and what each contact gets.
+Table load_path(const model::Model& m, const LoadPathRun& run) {
+  Table t{"load_path", fmt::format("Load path, {}", run.words), {{"x", si::m}, {"z", si::m}, {"clearance", si::m}}, {}};
+  for (const model::Reeving& r : m.reevings) {
+    t.columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
+    t.columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
+    t.columns.push_back({fmt::format("{}.T_max", r.name), si::N});
+  }
+  for (const model::Reeving& r : m.reevings) {
+    for (std::size_t n = 1; n + 1 < r.nodes.size(); ++n) {
+      const std::string name = fmt::format("{}.{}", r.name, r.nodes[n].name);
+      const auto same = [&](const model::Node& other) { return other.name == r.nodes[n].name; };
+      const auto nth = std::count_if(r.nodes.begin(), r.nodes.begin() + static_cast<std::ptrdiff_t>(n), same);
+      const std::string which = nth == 0 ? name : fmt::format("{}[{}]", name, nth + 1);
+      t.columns.push_back({which + ".T_in", si::N});
+      t.columns.push_back({which + ".T_out", si::N});
+      t.columns.push_back({which + ".wrap", si::rad});
+      t.columns.push_back({which + ".Fx", si::N});
+      t.columns.push_back({which + ".Fz", si::N});
+    }
+  }
+  t.columns.push_back({"closure", si::m.in("mm")});
+  for (const auto& point : run.result.points) {
+    std::vector<Cell> row = {point.x};
+    if (!point.at.outcome.ok()) {
+      row.resize(t.columns.size(), none);
+      t.rows.push_back(std::move(row));
+      continue;
+    }
+    row.insert(row.end(), {point.z, point.clearance});
+    for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+      const auto of_rope = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
+      const auto first = std::find_if(point.at.spans.begin(), point.at.spans.end(), of_rope);
+      const auto last = std::find_if(point.at.spans.rbegin(), point.at.spans.rend(), of_rope);
+      row.insert(row.end(), {first->T_from, last->T_to, point.at.ropes[i].T_max});
+    }
+    for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+      for (std::size_t n = 1; n + 1 < m.reevings[i].nodes.size(); ++n) {
+        const auto c = std::find_if(point.at.contacts.begin(), point.at.contacts.end(), [&](const auto& one) {
+          return one.reeving == static_cast<int>(i) && one.node == static_cast<int>(n);
+        });
+        if (c == point.at.contacts.end()) {
+          row.insert(row.end(), {none, none, none, none, none});
+        } else {
+          row.insert(row.end(), {c->T_in, c->T_out, c->wrap, c->force.x(), c->force.z()});
+        }
+      }
+    }
+    row.emplace_back(point.at.closure.rope);
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+}  // namespace
+
+Vector3 pull_on_start(const analysis::SpanResult& span) {
+  Vector3 along = span.end - span.start;
+  along.z() = 0;
+  if (along.norm() > 0) along.normalize();
+  return span.H * along + span.V_from * up();
+}
+
+Vector3 pull_on_end(const analysis::SpanResult& span) {
+  Vector3 along = span.end - span.start;
+  along.z() = 0;
+  if (along.norm() > 0) along.normalize();
+  return -span.H * along - span.V_to * up();
+}
+
+std::string_view to_text(ContactState state) {
+  switch (state) {
+    case ContactState::turning:
+      return "turning";
+    case ContactState::slipping:
+      return "slipping";
+    case ContactState::stuck:
+      return "stuck";
+    case ContactState::held:
+      return "held";
+    case ContactState::pulled:
+      return "pulled";
+    case ContactState::lifted:
+      return "lifted";
+  }
+  return "";
+}
+
+void add_tables(const MachineRun& run, Result& r) {
+  const auto add = [&](Table t, const std::string& ending, const std::string& words) {
+    t.name += ending;
+    if (run.equilibria.size() > 1) t.title += fmt::format(" ({})", words);
+    r.tables.push_back(std::move(t));
+  };
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    add(spans(run.model, one.result), one.ending, one.words);
+    add(sheaves(run.model, one.result), one.ending, one.words);
+    add(bodies(run.model, one.result), one.ending, one.words);
+    add(anchors(run.model, one.result), one.ending, one.words);
+    add(ropes(run.model, one.result), one.ending, one.words);
+    add(closure(one.result), one.ending, one.words);
+  }
+  for (const LoadPathRun& one : run.paths) {
+    Table t = load_path(run.model, one);
+    t.name += one.ending;
+    r.tables.push_back(std::move(t));
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/app/machine_run.hpp"
+
+namespace taut::app {
+
+/// The tables of a static answer: spans, sheaves, bodies, anchors, ropes, closure for each equilibrium, and load_path
+/// for each load path. Tensions by the order of the path; forces are those of the ropes on what holds them, one copy.
+void add_tables(const MachineRun& run, Result& r);
+
+/// The worst cases over all analyses: T_max, and for each rope NAME.T_max and, its breaking force known,
+/// NAME.safety_factor with a check; clearance_min; of the first equilibrium the places of free bodies and the
+/// unstretched lengths. Warnings of supports that are pulled upwards and ropes that hang loose.
+void add_values(const MachineRun& run, Result& r);
+
+/// What the calculation takes for granted, the carriages' models by name.
+std::vector<std::string> assumptions_of(const MachineDeck& deck);
+
+/// Force of a span's rope on what holds its start and its end, N.
+Vector3 pull_on_start(const analysis::SpanResult& span);
+Vector3 pull_on_end(const analysis::SpanResult& span);
+
+std::string_view to_text(analysis::ContactState state);
+
+}  // namespace taut::app

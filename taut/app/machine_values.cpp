@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "taut/app/machine_tables.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::ContactState;
+using analysis::EquilibriumResult;
+
+/// Every equilibrium of a run that there is, with words for where it comes from.
+std::vector<std::pair<const EquilibriumResult*, std::string>> all_of(const MachineRun& run) {
+  std::vector<std::pair<const EquilibriumResult*, std::string>> all;
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (one.result.outcome.ok()) all.emplace_back(&one.result, one.words);
+  }
+  for (const LoadPathRun& one : run.paths) {
+    for (const auto& point : one.result.points) {
+      if (point.at.outcome.ok()) all.emplace_back(&point.at, fmt::format("load path at x = {:.6g} m", point.x));
+    }
+  }
+  return all;
+}
+
+void add_tensions(const MachineRun& run, Result& r) {
+  const auto all = all_of(run);
+  double worst = 0;
+  std::string where;
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const model::Reeving& rope = run.model.reevings[i];
+    double T_max = 0;
+    std::string when;
+    for (const auto& [e, words] : all) {
+      if (e->ropes[i].T_max <= T_max) continue;
+      T_max = e->ropes[i].T_max;
+      when = words;
+    }
+    if (T_max >= worst) {
+      worst = T_max;
+      where = fmt::format("{}, {}", rope.name, when);
+    }
+    const std::string symbol = fmt::format("{}.T_max", rope.name);
+    r.values.push_back({symbol, T_max, si::N, symbol, fmt::format("largest tension of {} ({})", rope.name, when), {}});
+    if (rope.breaking_force <= 0 || T_max <= 0) continue;
+    r.values.push_back({fmt::format("{}.safety_factor", rope.name),
+                        rope.breaking_force / T_max,
+                        si::one,
+                        fmt::format("{}.S", rope.name),
+                        fmt::format("breaking force over the largest tension of {}", rope.name),
+                        {}});
+    r.checks.push_back(make_check(symbol, T_max, Sense::at_most, rope.breaking_force, si::N,
+                                  "minimum breaking force of the rope", "user"));
+  }
+  r.values.insert(r.values.begin(), {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({})", where), {}});
+}
+
+void add_clearance(const MachineRun& run, Result& r) {
+  double least = std::numeric_limits<double>::infinity();
+  double at = 0;
+  for (const LoadPathRun& one : run.paths) {
+    for (const auto& point : one.result.points) {
+      if (!point.at.outcome.ok() || !(point.clearance < least)) continue;
+      least = point.clearance;
+      at = point.x;
+    }
+  }
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    for (const model::Carriage& car : run.model.carriages) {
+      const Vector3& p = one.result.state.bodies[static_cast<std::size_t>(car.body)].position;
+      const double clearance = p.z() - analysis::ground_height(run.model.terrain, p.x());
+      if (!(clearance < least)) continue;
+      least = clearance;
+      at = p.x();
+    }
+  }
+  if (!std::isfinite(least)) return;
+  r.values.push_back({"clearance_min",
+                      least,
+                      si::m,
+                      "c_min",
+                      fmt::format("least height of a carriage over the ground, at x = {:.6g} m", at),
+                      {}});
+  if (least < 0)
+    r.warnings.push_back(fmt::format("a carriage is {:.4g} m below the ground at x = {:.6g} m", -least, at));
+}
+
+void add_places(const MachineRun& run, Result& r) {
+  const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
+                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+  if (first == run.equilibria.end()) return;
+  for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
+    const model::Body& body = run.model.bodies[i];
+    if (body.free.empty()) continue;
+    const Vector3& p = first->result.state.bodies[i].position;
+    const auto add = [&](const char* axis, double value) {
+      const std::string name = fmt::format("{}.{}", body.name, axis);
+      r.values.push_back({name, value, si::m, name, fmt::format("place of {} ({})", body.name, first->words), {}});
+    };
+    add("x", p.x());
+    add("y", p.y());
+    add("z", p.z());
+  }
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const std::string name = fmt::format("{}.unstretched", run.model.reevings[i].name);
+    r.values.push_back({name,
+                        first->result.ropes[i].unstretched,
+                        si::m,
+                        name,
+                        fmt::format("unstretched length of {} ({})", run.model.reevings[i].name, first->words),
+                        {}});
+  }
+}
+
+/// Tensions at both ends of each rope, of every equilibrium.
+void add_ends(const MachineRun& run, Result& r) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+      const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
+      const auto first = std::find_if(one.result.spans.begin(), one.result.spans.end(), own);
+      const auto last = std::find_if(one.result.spans.rbegin(), one.result.spans.rend(), own);
+      const auto add = [&](const char* end, int n, double T) {
+        const model::Reeving& rope = run.model.reevings[i];
+        const std::string name = fmt::format("{}.{}{}", rope.name, end, one.ending);
+        r.values.push_back({name,
+                            T,
+                            si::N,
+                            name,
+                            fmt::format("tension of {} at {} ({})", rope.name,
+                                        rope.nodes[static_cast<std::size_t>(n)].name, one.words),
+                            {}});
+      };
+      add("T_start", first->from, first->T_from);
+      add("T_end", last->to, last->T_to);
+    }
+  }
+}
+
+void add_warnings(const MachineRun& run, Result& r) {
+  std::set<std::string> told;
+  for (const auto& [e, words] : all_of(run)) {
+    for (const auto& c : e->contacts) {
+      const auto& node =
+          run.model.reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
+      if (c.state != ContactState::pulled && c.state != ContactState::lifted) continue;
+      const bool pulled = c.state == ContactState::pulled;
+      if (!told.insert(node.name + (pulled ? " pulled" : " lifted")).second) continue;
+      r.warnings.push_back(
+          pulled ? fmt::format("{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support "
+                               "higher, slacken the rope, or say 'uplift: hold' where a guard holds it",
+                               words, node.name, c.force.z() / 1e3)
+                 : fmt::format("{}: the rope has lifted off '{}'", words, node.name));
+    }
+    for (const auto& s : e->spans) {
+      if (!s.slack) continue;
+      const auto& rope = run.model.reevings[static_cast<std::size_t>(s.reeving)];
+      const std::string name =
+          fmt::format("{} between {} and {}", rope.name, rope.nodes[static_cast<std::size_t>(s.from)].name,
+                      rope.nodes[static_cast<std::size_t>(s.to)].name);
+      if (told.insert(name).second) r.warnings.push_back(fmt::format("{}: {} is slack", words, name));
+    }
+  }
+}
+
+}  // namespace
+
+void add_values(const MachineRun& run, Result& r) {
+  if (all_of(run).empty()) return;
+  add_tensions(run, r);
+  add_clearance(run, r);
+  add_places(run, r);
+  add_ends(run, r);
+  add_warnings(run, r);
+}
+
+std::vector<std::string> assumptions_of(const MachineDeck& deck) {
+  const model::Machine& m = deck.machine;
+  std::vector<std::string> all = {
+      "Ropes are elastic catenaries between tangent points, without bending stiffness; weight per unstretched length; "
+      "the "
+      "rope's weight on a sheave counts as length, not as load.",
+      "Statics: losses act against the motion that the analysis names; at rest without loss, with the band between "
+      "both "
+      "directions where friction decides."};
+  for (const auto& car : m.carriages) {
+    std::string held =
+        car.mainline ? fmt::format("held by {}", *car.mainline) : "held along its track where a place is prescribed";
+    all.push_back(
+        car.hold == model::description::Hold::clamped
+            ? fmt::format("Carriage {}: clamped to {}; tensions before and behind it differ.", car.name, car.rides)
+            : fmt::format("Carriage {}: rolls on {} with {} tensions on both sides, {}; a point, its rollers' "
+                          "radius and distance not counted.",
+                          car.name, car.rides, car.friction > 0 ? "friction between the" : "equal", held));
+  }
+  for (const auto& drum : m.drums) {
+    const bool thin = std::any_of(m.reevings.begin(), m.reevings.end(), [&](const auto& r) {
+      const bool on = std::any_of(r.path.begin(), r.path.end(), [&](const auto& e) { return e.drum == drum.name; });
+      const auto rope =
+          std::find_if(m.ropes.begin(), m.ropes.end(), [&](const auto& one) { return one.name == r.rope; });
+      return on && rope != m.ropes.end() && !rope->diameter && !rope->rope;
+    });
+    if (thin)
+      all.push_back(
+          fmt::format("Drum {}: its rope's diameter is not known; the rope lies on the core's radius.", drum.name));
+  }
+  if (!m.guys.empty()) {
+    all.emplace_back(
+        "Guys are put up on the unloaded machine with its bodies held where they are given; then their "
+        "lengths are kept. A mast is a rigid body.");
+  }
+  return all;
+}
+
+}  // namespace taut::app
