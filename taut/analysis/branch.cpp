@@ -82,10 +82,16 @@ bool solve_sagging(const rope::CatenaryRope& rope, Branch& b, std::optional<rope
 
 SpanRates sagging_rates(const Branch& b) {
   SpanRates r;
-  r.pull = rope::stiffness(b.span);
-  const rope::EndForceRates by_length = rope::length_rates(b.span);
-  r.pull_from_L = by_length.start;
-  r.pull_to_L = -by_length.end;
+  const rope::CatenaryStiffness k = rope::stiffness(b.span.rope, b.span.force);
+  const Vector3& along = b.span.along;
+  const Vector3 side(-along.y(), along.x(), 0);
+  r.pull = k.dH_dx * along * along.transpose() + k.out_of_plane * side * side.transpose();
+  r.pull.col(2) += k.dH_dz * along;
+  r.pull.row(2) += k.dH_dz * along.transpose();
+  r.pull(2, 2) += k.dV_dz;
+  const Vector3 by_length = k.dH_dlength * along + k.dV_dlength * up();
+  r.pull_from_L = by_length - b.span.rope.weight / 2 * up();
+  r.pull_to_L = by_length + b.span.rope.weight / 2 * up();
   if (b.T_from > 0) {
     const Matrix3 turn = across(b.leaves) / b.T_from;
     r.leaves = turn * r.pull;

@@ -86,9 +86,13 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   Solved s;
   s.layout = layout(model, state, options.prescribed, flow);
   const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
-  const Configuration start = usable_start(system, state);
+  Configuration start = configuration_of(s.layout, state);
   s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+  if (it.stopped && it.steps == 0) {
+    s.c = start = usable_start(system, state);
+    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+  }
   s.steps = it.steps;
   if (it.converged) return s;
   const bool singular = it.singular;

@@ -1,5 +1,4 @@
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 
 #include "taut/analysis/system.hpp"
@@ -9,23 +8,14 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int most_columns = 13;  // six freedoms at each end, and the length
-
-/// How one branch follows the unknowns that move it, column by column.
-struct Columns {
-  int count = 0;
-  std::array<int, most_columns> unknown{};
-  std::array<Vector3, most_columns> pull_from, pull_to, leaves, arrives;
-  std::array<Vector3, most_columns> arm_from, arm_to;  ///< tangent point seen from its body's origin
-  int reeving = 0, from_body = model::ground, to_body = model::ground;
-};
+using Columns = BranchColumns;
 
 struct Assembly {
   const System& system;
   const Configuration& c;
   const Evaluation& e;
   Eigen::MatrixXd& J;
-  std::vector<Columns> columns;
+  std::vector<Columns>& columns;
 };
 
 void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r, const BranchEnd& end, bool start,
@@ -50,15 +40,14 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
   }
 }
 
-Columns columns_of(const Assembly& a, int link_index) {
+void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   const Layout::Link& link = a.system.layout.links[at(link_index)];
   const model::Reeving& rope = a.system.model.reevings[at(link.reeving)];
   const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[at(link_index)];
   const BranchRates r = rates(rope_of(rope, a.c.links[at(link_index)].length), start, end, b);
-  Columns columns;
-  columns.reeving = link.reeving;
+  columns.count = 0;
   columns.from_body = from.at.body;
   columns.to_body = to.at.body;
   add_columns_of_end(a, b, r, start, true, columns);
@@ -71,7 +60,6 @@ Columns columns_of(const Assembly& a, int link_index) {
   columns.arrives[k] = r.arrives_L;
   columns.arm_from[k] = r.offset_from_L;
   columns.arm_to[k] = r.offset_to_L;
-  return columns;
 }
 
 /// Rows of a body's freedoms from a force F with arm and their derivatives.
@@ -238,11 +226,12 @@ void add_coordinate(Assembly& a) {
 
 }  // namespace
 
-void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J) {
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
+              std::vector<BranchColumns>& columns) {
   J.setZero(system.layout.size, system.layout.size);
-  Assembly a{system, c, e, J, {}};
-  a.columns.reserve(system.layout.links.size());
-  for (int k = 0; k < static_cast<int>(system.layout.links.size()); ++k) a.columns.push_back(columns_of(a, k));
+  columns.resize(system.layout.links.size());
+  Assembly a{system, c, e, J, columns};
+  for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[at(k)]);
   add_ropes(a);
   add_dead_forces(a);
   add_laws(a);

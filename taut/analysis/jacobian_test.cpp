@@ -25,12 +25,13 @@ double worst_derivative(const model::Model& m, std::optional<analysis::Prescribe
   analysis::Evaluation e;
   EXPECT_FALSE(analysis::evaluate(system, c, e));
   Eigen::MatrixXd J;
-  analysis::jacobian(system, c, e, J);
+  std::vector<analysis::BranchColumns> columns;
+  analysis::jacobian(system, c, e, J, columns);
   double worst = 0;
   for (Eigen::Index j = 0; j < layout.size; ++j) {
     analysis::Configuration ahead, back;
     analysis::Evaluation e_ahead, e_back;
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(layout.size, j);
+    const analysis::Change unit = analysis::change_of(system, c, e, columns, Eigen::VectorXd::Unit(layout.size, j));
     analysis::move(system, c, unit, step, ahead);
     analysis::move(system, c, unit, -step, back);
     EXPECT_FALSE(analysis::evaluate(system, ahead, e_ahead));

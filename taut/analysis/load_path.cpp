@@ -20,20 +20,56 @@ double ground_height(const std::vector<model::GroundPoint>& terrain, double x) {
   return left->z + (right->z - left->z) * (x - left->x) / (right->x - left->x);
 }
 
+namespace {
+
+/// A start for the next of equal steps: the parabola through the last three states, or what there is of it. Branch
+/// lengths stay positive; what touches and how bodies are turned stays as it was last.
+std::optional<model::State> ahead(const std::vector<LoadPathPoint>& points) {
+  const std::size_t n = points.size();
+  if (n == 0 || !points[n - 1].at.outcome.ok()) return std::nullopt;
+  model::State next = points[n - 1].at.state;
+  if (n < 2 || !points[n - 2].at.outcome.ok()) return next;
+  const bool curved = n >= 3 && points[n - 3].at.outcome.ok();
+  const model::State &last = points[n - 1].at.state, &before = points[n - 2].at.state;
+  const model::State& first = curved ? points[n - 3].at.state : before;
+  if (last.touched != before.touched || last.touched != first.touched) return next;
+  const auto extrapolate = [&](const auto& a, const auto& b, const auto& c) {
+    return curved ? 3 * a - 3 * b + c : 2 * a - b;
+  };
+  for (std::size_t b = 0; b < next.bodies.size(); ++b) {
+    next.bodies[b].position =
+        curved ? Vector3(3 * (last.bodies[b].position - before.bodies[b].position) + first.bodies[b].position)
+               : Vector3(2 * last.bodies[b].position - before.bodies[b].position);
+  }
+  for (std::size_t r = 0; r < next.branches.size(); ++r) {
+    for (std::size_t k = 0; k < next.branches[r].size(); ++k) {
+      const model::BranchState &a = last.branches[r][k], &b = before.branches[r][k], &c = first.branches[r][k];
+      model::BranchState& branch = next.branches[r][k];
+      branch.length = extrapolate(a.length, b.length, c.length);
+      if (branch.length < a.length / 4) return last;
+      if (!a.force || !b.force || !c.force) continue;
+      branch.force = rope::CatenaryForce{extrapolate(a.force->H, b.force->H, c.force->H),
+                                         extrapolate(a.force->V, b.force->V, c.force->V)};
+      if (branch.force->H <= 0) branch.force = a.force;
+    }
+  }
+  return next;
+}
+
+}  // namespace
+
 LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
   const model::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));
   LoadPath path;
   path.points.reserve(static_cast<std::size_t>(options.steps) + 1);
-  std::optional<model::State> start;
   for (int i = 0; i <= options.steps; ++i) {
     LoadPathPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     EquilibriumOptions here = options.equilibrium;
     here.prescribed = Prescribed{options.carriage, point.x};
-    point.at = equilibrium(model, here, start);
+    point.at = equilibrium(model, here, ahead(path.points));
     if (point.at.outcome.ok()) {
-      start = point.at.state;
       point.z = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position.z();
       point.clearance = point.z - ground_height(model.terrain, point.x);
     } else if (path.outcome.ok()) {

@@ -34,7 +34,8 @@ class Linear {
       scaled_.row(i) *= rows_[i];
     }
     lu_.compute(scaled_);
-    singular_ = !(lu_.rcond() > singular_below);
+    const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
+    singular_ = !(pivots.minCoeff() > singular_below * pivots.maxCoeff());
     if (singular_) {
       orthogonal_.setThreshold(1e-12);
       orthogonal_.compute(scaled_);
@@ -108,6 +109,7 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
   Configuration tried = c;
   Evaluation there;
   for (; it.steps < most_steps; ++it.steps) {
@@ -115,15 +117,15 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
       it.converged = true;
       return it;
     }
-    jacobian(s, c, e, J);
+    jacobian(s, c, e, J, columns);
     linear.factor(J);
     it.singular = linear.singular();
     const Eigen::VectorXd step = linear.solve(e.residual);
     if (!step.allFinite()) return it;
-    const Eigen::VectorXd change = linear.unscaled(step);
+    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
     const double size = step.norm();
     bool accepted = false;
-    for (double part = longest_part(s, c, change); part > least_part; part /= 2) {
+    for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
       move(s, c, change, part, tried);
       it.stopped = evaluate(s, tried, there);
       if (it.stopped || !there.residual.allFinite()) continue;
@@ -147,6 +149,7 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
   Configuration tried = c;
   Evaluation there;
   double drag = e.largest_force / s.layout.length;
@@ -156,12 +159,12 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
       it.converged = true;
       return it;
     }
-    jacobian(s, c, e, J);
+    jacobian(s, c, e, J, columns);
     add_drag(s, drag, J);
     linear.factor(J);
-    const Eigen::VectorXd change = linear.unscaled(linear.solve(e.residual));
-    if (!change.allFinite()) return it;
-    move(s, c, change, longest_part(s, c, change), tried);
+    const Change change = change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
+    if (!change.step.allFinite()) return it;
+    move(s, c, change, longest_part(s, c, change.step), tried);
     it.stopped = evaluate(s, tried, there);
     const bool fails = it.stopped || !there.residual.allFinite();
     const double then = fails ? 0 : misfit(s, there).force;

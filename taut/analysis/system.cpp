@@ -155,20 +155,42 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   return std::nullopt;
 }
 
-void move(const System& s, const Configuration& c, const Eigen::VectorXd& step, double part, Configuration& moved) {
+Change change_of(const System& s, const Configuration& c, const Evaluation& e,
+                 const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step) {
+  Change change{step, std::vector<rope::CatenaryForce>(columns.size())};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (!c.links[k].force) continue;
+    Vector3 pull = Vector3::Zero();
+    for (int i = 0; i < columns[k].count; ++i) pull += columns[k].pull_from[at(i)] * step[columns[k].unknown[at(i)]];
+    const rope::Span& span = e.branches[k].span;
+    const double half = span.rope.weight * step[s.layout.links[k].unknown] / 2;
+    change.force[k] = {span.along.dot(pull), pull.z() + half};
+  }
+  return change;
+}
+
+void move(const System& s, const Configuration& c, const Change& change, double part, Configuration& moved) {
   moved = c;
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const Layout::Dof& dof = s.layout.dofs[i];
-    const double by = part * step[static_cast<Eigen::Index>(i)];
+    const double by = part * change.step[static_cast<Eigen::Index>(i)];
     model::Pose& pose = moved.bodies[at(dof.body)];
     pose.position += by * dof.way.along;
     if (dof.way.about == Vector3::Zero()) continue;
     pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;
   }
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    moved.links[k].length += part * step[s.layout.links[k].unknown];
+    model::BranchState& link = moved.links[k];
+    link.length += part * change.step[s.layout.links[k].unknown];
+    if (!link.force) continue;
+    const rope::CatenaryForce& by = change.force[k];
+    // a force that would turn round is no start
+    if (link.force->H + part * by.H > 0.1 * link.force->H) {
+      link.force->H += part * by.H;
+      link.force->V += part * by.V;
+    }
   }
-  if (s.layout.hold >= 0) moved.hold += part * step[s.layout.hold];
+  if (s.layout.hold >= 0) moved.hold += part * change.step[s.layout.hold];
 }
 
 Misfit misfit(const System& s, const Evaluation& e) {

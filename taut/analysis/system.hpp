@@ -1,6 +1,6 @@
 #pragma once
 #include <Eigen/Core>
-#include <string>
+#include <array>
 #include <vector>
 
 #include "taut/analysis/bend.hpp"
@@ -40,11 +40,32 @@ struct System {
 /// Fills `e`; a branch without solution stops it.
 std::optional<NoBranch> evaluate(const System& system, Configuration& c, Evaluation& e);
 
-/// d(residual)/d(unknowns), exact. Rotations: by a small turn about the freedom's axis.
-void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J);
+/// How one branch follows the unknowns that move it: the freedoms of the bodies at its ends, and its length.
+struct BranchColumns {
+  static constexpr int most = 13;
+  int count = 0;
+  std::array<int, most> unknown{};
+  std::array<Vector3, most> pull_from, pull_to, leaves, arrives;
+  std::array<Vector3, most> arm_from, arm_to;  ///< tangent point seen from its body's origin
+  int from_body = model::ground, to_body = model::ground;
+};
 
-/// `c` moved by `part` of the step.
-void move(const System& system, const Configuration& c, const Eigen::VectorXd& step, double part, Configuration& moved);
+/// d(residual)/d(unknowns), exact, by way of the branches' columns. Rotations: by a small turn about the freedom's
+/// axis.
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
+              std::vector<BranchColumns>& columns);
+
+/// A step of the unknowns, and what it does to the force of each branch in its plane to first order: a start for the
+/// next evaluation.
+struct Change {
+  Eigen::VectorXd step;
+  std::vector<rope::CatenaryForce> force;
+};
+Change change_of(const System& system, const Configuration& c, const Evaluation& e,
+                 const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step);
+
+/// `c` moved by `part` of the change.
+void move(const System& system, const Configuration& c, const Change& change, double part, Configuration& moved);
 
 /// The worst of each kind.
 struct Misfit {

@@ -1,0 +1,273 @@
+// A six-span skyline with a carriage in every span in turn, cold, and a load path of 100 positions, warm; the same
+// lines by a textbook Newton in plain C++. The ratio is printed as the counter `of_textbook`, the share of positions
+// solved as `solved`, the largest difference of the head's tension as `difference`.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "taut/analysis/load_path.hpp"
+
+namespace {
+
+using namespace taut;
+
+constexpr int spans = 6;
+constexpr double weight = 20, stiffness = 26e6, mass = 2000, gravity = 9.80665;
+
+Vector3 support(int i) { return {150.0 * i, 0, 60.0 * i - 6.0 * i * i + 5 * (i % 2)}; }
+
+double rope_length() {
+  double chords = 0;
+  for (int i = 0; i < spans; ++i) chords += (support(i + 1) - support(i)).norm();
+  return 1.003 * chords;
+}
+
+/// The line with its carriage in one span.
+model::Model line(int loaded) {
+  model::Model m;
+  model::Body car;
+  car.name = "car";
+  car.position = (support(loaded) + support(loaded + 1)) / 2 - Vector3(0, 0, 6);
+  car.mass = mass;
+  car.free = {{Vector3::UnitX(), Vector3::Zero()}, {Vector3::UnitZ(), Vector3::Zero()}};
+  m.bodies.push_back(car);
+  model::Reeving sky;
+  sky.name = "skyline";
+  sky.weight = weight;
+  sky.stiffness = stiffness;
+  sky.value = rope_length();
+  for (int i = 0; i <= spans; ++i) {
+    model::Node node;
+    node.at.at = support(i);
+    node.kind = i > 0 && i < spans ? model::NodeKind::contact : model::NodeKind::anchor;
+    sky.nodes.push_back(node);
+    if (i != loaded) continue;
+    model::Node wheel;
+    wheel.kind = model::NodeKind::contact;
+    wheel.at.body = 0;
+    sky.nodes.push_back(wheel);
+  }
+  m.reevings.push_back(sky);
+  m.carriages.push_back({"car", 0, 0, loaded + 1, -1});
+  return m;
+}
+
+// The baseline: unknown H, V, L of every branch, the carriage's height and the force along its track; the formulas as
+// printed, derivatives by differences, Gauss with pivoting, the step halved until the misfit falls.
+class Textbook {
+ public:
+  static constexpr int branches = spans + 1, unknowns = 3 * branches + 2;
+  using Vector = std::array<double, unknowns>;
+
+  Textbook(int loaded, double x) : loaded_(loaded), x_(x) {}
+
+  /// Straight branches of the whole length, tension as the sag of the mean span gives it.
+  Vector start() const {
+    Vector u{};
+    const double z = (support(loaded_).z() + support(loaded_ + 1).z()) / 2 - 6;
+    double chords = 0;
+    for (int k = 0; k < branches; ++k) chords += chord(k, z).norm();
+    for (int k = 0; k < branches; ++k) {
+      const Vector3 c = chord(k, z);
+      const double L = c.norm() * rope_length() / chords;
+      u[at(3 * k)] = 20e3;
+      u[at(3 * k + 1)] = 20e3 * c.z() / c.x() - weight * L / 2;
+      u[at(3 * k + 2)] = L;
+    }
+    u[at(unknowns - 2)] = z;
+    return u;
+  }
+
+  /// False: not solved in 100 steps.
+  bool solve(Vector& u) const {
+    Vector r = residual(u);
+    for (int i = 0; i < 100; ++i) {
+      if (misfit(r) < 1e-10) return true;
+      const Vector step = newton_step(u, r);
+      bool better = false;
+      for (double part = 1; part > 1e-6 && !better; part /= 2) {
+        Vector tried = u;
+        for (int k = 0; k < unknowns; ++k) tried[at(k)] += part * step[at(k)];
+        const Vector there = residual(tried);
+        if (!(misfit(there) < misfit(r))) continue;
+        u = tried;
+        r = there;
+        better = true;
+      }
+      if (!better) return false;
+    }
+    return false;
+  }
+
+  double head_tension(const Vector& u) const {
+    const std::size_t k = at(3 * (branches - 1));
+    return std::hypot(u[k], u[k + 1] + weight * u[k + 2]);
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  Vector3 node(int i, double z) const {
+    return i <= loaded_ ? support(i) : i == loaded_ + 1 ? Vector3(x_, 0, z) : support(i - 1);
+  }
+  Vector3 chord(int k, double z) const { return node(k + 1, z) - node(k, z); }
+
+  static double misfit(const Vector& r) {
+    double sum = 0;
+    for (const double v : r) sum += v * v;
+    return std::isfinite(sum) ? std::sqrt(sum) : INFINITY;
+  }
+
+  /// Lengths by the line's, forces by the load.
+  Vector residual(const Vector& u) const {
+    Vector r{};
+    const double z = u[at(unknowns - 2)], hold = u[at(unknowns - 1)];
+    double total = 0, before = 0;
+    int row = 0;
+    double in_x = 0, in_z = 0;
+    for (int k = 0; k < branches; ++k) {
+      const double H = u[at(3 * k)], V = u[at(3 * k + 1)], L = u[at(3 * k + 2)], V1 = V + weight * L;
+      const double T0 = std::hypot(H, V), T1 = std::hypot(H, V1);
+      const Vector3 c = chord(k, z);
+      r[at(row++)] = (H * L / stiffness + H / weight * (std::asinh(V1 / H) - std::asinh(V / H)) - c.x()) / 100;
+      r[at(row++)] = ((V * L + weight * L * L / 2) / stiffness + (T1 - T0) / weight - c.z()) / 100;
+      if (k > 0) r[at(row++)] = (T0 - before) / 20e3;
+      if (k == loaded_ + 1) {
+        double t_x = in_x / before + H / T0, t_z = in_z / before + V / T0;
+        const double size = std::hypot(t_x, t_z);
+        t_x /= size;
+        t_z /= size;
+        r[at(row++)] = (H - in_x + hold * t_x) / 20e3;
+        r[at(row++)] = (V - in_z - mass * gravity + hold * t_z) / 20e3;
+      }
+      before = T1;
+      in_x = H;
+      in_z = V1;
+      total += L;
+    }
+    r[at(row)] = (total - rope_length()) / 100;
+    return r;
+  }
+
+  Vector newton_step(const Vector& u, const Vector& r) const {
+    std::array<Vector, unknowns> a{};
+    for (int j = 0; j < unknowns; ++j) {
+      Vector moved = u;
+      const double h = 1e-7 * std::max(1.0, std::abs(u[at(j)]));
+      moved[at(j)] += h;
+      const Vector there = residual(moved);
+      for (int i = 0; i < unknowns; ++i) a[at(i)][at(j)] = (there[at(i)] - r[at(i)]) / h;
+    }
+    Vector b;
+    for (int i = 0; i < unknowns; ++i) b[at(i)] = -r[at(i)];
+    for (int p = 0; p < unknowns; ++p) {
+      int best = p;
+      for (int i = p + 1; i < unknowns; ++i) {
+        if (std::abs(a[at(i)][at(p)]) > std::abs(a[at(best)][at(p)])) best = i;
+      }
+      std::swap(a[at(p)], a[at(best)]);
+      std::swap(b[at(p)], b[at(best)]);
+      for (int i = p + 1; i < unknowns; ++i) {
+        const double f = a[at(i)][at(p)] / a[at(p)][at(p)];
+        for (int j = p; j < unknowns; ++j) a[at(i)][at(j)] -= f * a[at(p)][at(j)];
+        b[at(i)] -= f * b[at(p)];
+      }
+    }
+    for (int i = unknowns - 1; i >= 0; --i) {
+      for (int j = i + 1; j < unknowns; ++j) b[at(i)] -= a[at(i)][at(j)] * b[at(j)];
+      b[at(i)] /= a[at(i)][at(i)];
+    }
+    return b;
+  }
+
+  int loaded_;
+  double x_;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What both answered, and how long they took.
+struct Tally {
+  double ours = 0, textbook = 0, difference = 0;
+  int positions = 0, solved = 0, textbook_solved = 0;
+
+  void print(benchmark::State& state) const {
+    state.counters["of_textbook"] = ours / textbook;
+    state.counters["solved"] = static_cast<double>(solved) / positions;
+    state.counters["textbook_solved"] = static_cast<double>(textbook_solved) / positions;
+    state.counters["difference"] = difference;
+  }
+};
+
+void six_span_line(benchmark::State& state) {
+  std::vector<model::Model> lines;
+  for (int k = 0; k < spans; ++k) lines.push_back(line(k));
+  Tally tally;
+  for (auto _ : state) {
+    for (int k = 0; k < spans; ++k) {
+      analysis::EquilibriumOptions options;
+      options.prescribed = analysis::Prescribed{0, 150.0 * k + 75};
+      auto start = std::chrono::steady_clock::now();
+      const auto ours = analysis::equilibrium(lines[static_cast<std::size_t>(k)], options);
+      const double took = seconds_since(start);
+      tally.ours += took;
+      state.SetIterationTime(took);
+      start = std::chrono::steady_clock::now();
+      const Textbook textbook(k, 150.0 * k + 75);
+      auto u = textbook.start();
+      const bool solved = textbook.solve(u);
+      tally.textbook += seconds_since(start);
+      tally.positions += 1;
+      tally.solved += ours.outcome.ok() ? 1 : 0;
+      tally.textbook_solved += solved ? 1 : 0;
+      if (ours.outcome.ok() && solved) {
+        tally.difference = std::max(tally.difference, std::abs(ours.spans.back().T_to / textbook.head_tension(u) - 1));
+      }
+    }
+  }
+  tally.print(state);
+  state.counters["us_for_six"] = tally.ours / tally.positions * spans * 1e6;
+}
+
+void load_path_100(benchmark::State& state) {
+  const model::Model m = line(2);
+  analysis::LoadPathOptions options;
+  options.from = 305;
+  options.to = 445;
+  options.steps = 99;
+  Tally tally;
+  for (auto _ : state) {
+    auto start = std::chrono::steady_clock::now();
+    const auto path = analysis::load_path(m, options);
+    const double took = seconds_since(start);
+    tally.ours += took;
+    state.SetIterationTime(took);
+    start = std::chrono::steady_clock::now();
+    std::vector<double> heads;
+    Textbook::Vector u = Textbook(2, options.from).start();
+    for (const auto& point : path.points) {
+      const Textbook textbook(2, point.x);
+      const bool solved = textbook.solve(u);
+      tally.textbook_solved += solved ? 1 : 0;
+      heads.push_back(textbook.head_tension(u));
+      if (!solved) u = Textbook(2, point.x).start();
+    }
+    tally.textbook += seconds_since(start);
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      tally.positions += 1;
+      tally.solved += path.points[i].at.outcome.ok() ? 1 : 0;
+      tally.difference = std::max(tally.difference, std::abs(path.points[i].at.spans.back().T_to / heads[i] - 1));
+    }
+  }
+  tally.print(state);
+}
+
+BENCHMARK(six_span_line)->UseManualTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK(load_path_100)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+}  // namespace
