@@ -13,6 +13,8 @@ namespace {
 constexpr int most_steps = 60;
 constexpr double settled = 1e-14;  ///< of the size, for tangent points
 constexpr double closes = 1e-10;
+constexpr double nearly = 1e-3;  ///< of the chord: one step of the span is enough
+constexpr double steep = 1e-3;   ///< x/z of a span that is solved in its own way
 
 Matrix3 cross_matrix(const Vector3& a) {
   Matrix3 m;
@@ -62,14 +64,55 @@ SpanRates straight_rates(const rope::CatenaryRope& rope, const Branch& b) {
   return r;
 }
 
-bool solve_sagging(const rope::CatenaryRope& rope, Branch& b, std::optional<rope::CatenaryForce> start,
+/// Derivatives of the force in the middle, from those of the end's place.
+rope::CatenaryStiffness stiffness_of(const rope::CatenaryRope& rope, const rope::CatenaryForce& f,
+                                     const rope::EndPosition& p) {
+  const double half = rope.weight * rope.length / 2, V0 = f.V - half, V1 = f.V + half;
+  const double T0 = std::sqrt(f.H * f.H + V0 * V0), T1 = std::sqrt(f.H * f.H + V1 * V1);
+  const double dx_dlength = f.H / rope.stiffness + f.H * (1 / T0 + 1 / T1) / 2;
+  const double dz_dlength = f.V / rope.stiffness + (V0 / T0 + V1 / T1) / 2;
+  const double determinant = p.dx_dH * p.dz_dV - p.dx_dV * p.dx_dV;
+  rope::CatenaryStiffness k;
+  k.dH_dx = p.dz_dV / determinant;
+  k.dH_dz = -p.dx_dV / determinant;
+  k.dV_dz = p.dx_dH / determinant;
+  k.out_of_plane = f.H / p.x;
+  k.dH_dlength = -(k.dH_dx * dx_dlength + k.dH_dz * dz_dlength);
+  k.dV_dlength = -(k.dH_dz * dx_dlength + k.dV_dz * dz_dlength);
+  return k;
+}
+
+/// One Newton step from a force that nearly closes the span. False: too far, or too steep for it.
+bool step_sagging(const rope::CatenaryRope& rope, Branch& b, const rope::CatenaryForce& f) {
+  const double x = std::hypot(b.chord.x(), b.chord.y());
+  if (!(f.H > 0) || !(x > steep * std::abs(b.chord.z())) || !std::isfinite(f.V)) return false;
+  const rope::EndPosition p = rope::end_position(rope, f);
+  const double open_x = x - p.x, open_z = b.chord.z() - p.z;
+  const double open = std::sqrt(open_x * open_x + open_z * open_z);
+  if (!(open <= nearly * (x + std::abs(b.chord.z())))) return false;
+  const rope::CatenaryStiffness k = stiffness_of(rope, f, p);
+  const rope::CatenaryForce next{f.H + k.dH_dx * open_x + k.dH_dz * open_z, f.V + k.dH_dz * open_x + k.dV_dz * open_z};
+  if (!(next.H > f.H / 2 && next.H < 2 * f.H)) return false;
+  b.span.rope = rope;
+  b.span.chord = b.chord;
+  b.span.along = Vector3(b.chord.x() / x, b.chord.y() / x, 0);
+  b.span.force = next;
+  b.span.closure = open;
+  b.stiffness = k;
+  return true;
+}
+
+bool solve_sagging(const rope::CatenaryRope& rope, Branch& b, const std::optional<rope::CatenaryForce>& start,
                    rope::NoCatenary& why) {
-  auto span = rope::solve_span(rope, b.chord, start);
-  if (!span) {
-    why = span.error();
-    return false;
+  b.stiffness.reset();
+  if (!start || !step_sagging(rope, b, *start)) {
+    auto span = rope::solve_span(rope, b.chord, start);
+    if (!span) {
+      why = span.error();
+      return false;
+    }
+    b.span = *span;
   }
-  b.span = *span;
   b.pull_from = rope::force_on_start(b.span);
   b.pull_to = -rope::force_on_end(b.span);
   b.T_from = b.pull_from.norm();
@@ -82,7 +125,7 @@ bool solve_sagging(const rope::CatenaryRope& rope, Branch& b, std::optional<rope
 
 SpanRates sagging_rates(const Branch& b) {
   SpanRates r;
-  const rope::CatenaryStiffness k = rope::stiffness(b.span.rope, b.span.force);
+  const rope::CatenaryStiffness k = b.stiffness ? *b.stiffness : rope::stiffness(b.span.rope, b.span.force);
   const Vector3& along = b.span.along;
   const Vector3 side(-along.y(), along.x(), 0);
   r.pull = k.dH_dx * along * along.transpose() + k.out_of_plane * side * side.transpose();

@@ -25,6 +25,8 @@ struct Branch {
   bool slack = false;
   double closure = 0;  ///< m
   rope::Span span;     ///< of a rope with weight
+  /// Of a rope with weight: derivatives in its plane at the force where its last Newton step began; none: exact.
+  std::optional<rope::CatenaryStiffness> stiffness;
 };
 
 /// Derivatives of a branch, by X, the vector from centre to centre (axes kept), and by the unstretched length L.
@@ -39,8 +41,10 @@ struct BranchRates {
 };
 
 /// The branch of `rope` between two ends. Where an end has a radius, the tangent point follows the direction of the
-/// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `start`: nearby.
-/// too_short as of a span; not_converged also where the rounds leave no line.
+/// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `start`: nearby. A
+/// span that its start's force closes to 1e-3 of the chord gets one Newton step, and what was open counts as closure:
+/// an iteration that asks again closes it quadratically, together with all else. too_short as of a span; not_converged
+/// also where the rounds leave no line.
 tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
                                                     const BranchEnd& to, const model::BranchState& start);
 

@@ -77,7 +77,8 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
 bool settled(const System& s, const Evaluation& e, double tolerance) {
   const Misfit m = misfit(s, e);
   const double rounding = rounding_strain * s.layout.stiffest;
-  return m.force <= std::max(tolerance * e.largest_force, rounding) && m.length <= tolerance * s.layout.length;
+  return m.force <= std::max(tolerance * e.largest_force, rounding) &&
+         std::max(m.length, m.span) <= tolerance * s.layout.length;
 }
 
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so

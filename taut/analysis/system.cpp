@@ -210,7 +210,7 @@ Misfit misfit(const System& s, const Evaluation& e) {
     s.model.reevings[r].given == model::Given::length || row == s.layout.coordinate_row ? length(row) : force(row);
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
-  for (const Branch& b : e.branches) m.length = std::max(m.length, b.closure);
+  for (const Branch& b : e.branches) m.span = std::max(m.span, b.closure);
   return m;
 }
 

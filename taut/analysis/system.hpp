@@ -70,7 +70,8 @@ void move(const System& system, const Configuration& c, const Change& change, do
 /// The worst of each kind.
 struct Misfit {
   double force = 0;   ///< balances (moments over the machine's length), contact laws, given tensions, N
-  double length = 0;  ///< given lengths and coordinates, ends of spans, m
+  double length = 0;  ///< given lengths and coordinates, m
+  double span = 0;    ///< ends of spans before their last step, m
 };
 Misfit misfit(const System& system, const Evaluation& e);
 

@@ -37,6 +37,15 @@ SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e,
   return r;
 }
 
+/// How far the end of a branch, at the force told, is from where it should be, m.
+double open_end(const Branch& b) {
+  if (b.span.rope.weight == 0) return b.closure;
+  const rope::ExactEnd end = rope::exact_end(b.span.rope, b.span.force);
+  const double x = std::hypot(b.chord.x(), b.chord.y());
+  const double open = std::hypot(static_cast<double>(end.x - x), static_cast<double>(end.z - b.chord.z()));
+  return open + b.closure - b.span.closure;
+}
+
 /// Whether the rope presses away from what supports it.
 bool pulled(const model::Node& node, const Bend& bend, const Vector3& force) {
   if (node.radius > 0) return bend.wrap < 0;
@@ -175,6 +184,7 @@ void fill_tables(const System& s, const Configuration& c, const Evaluation& e, c
   fill_balance(s, c, e, result);
   const Misfit m = misfit(s, e);
   result.closure.rope = m.length;
+  for (const Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));
   result.closure.force = m.force;
 }
 
