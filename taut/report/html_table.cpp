@@ -58,11 +58,23 @@ std::string cell(std::string_view inside, std::string_view kind) {
   return kind.empty() ? fmt::format("<td>{}</td>", inside) : fmt::format("<td class=\"{}\">{}</td>", kind, inside);
 }
 
-std::string table_html(const Table& t, const Display& display) {
-  const auto rows = shown_rows(t);
+namespace {
+
+/// The table's columns in parts that fit a page: the first column leads each.
+std::vector<std::vector<std::size_t>> parts_of(std::size_t columns) {
+  std::vector<std::vector<std::size_t>> parts(1);
+  for (std::size_t k = 0; k < columns; ++k) {
+    if (parts.back().size() == most_columns) parts.push_back({0});
+    parts.back().push_back(k);
+  }
+  return parts;
+}
+
+std::string part_html(const Table& t, const std::vector<std::size_t>& part, const std::vector<std::size_t>& rows,
+                      const std::string& caption, const Display& display) {
   std::string head;
   std::vector<std::vector<std::string>> columns;
-  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+  for (const std::size_t k : part) {
     const std::string unit = unit_text(shown_unit(t.columns[k].unit, display));
     const std::string name = to_html(label_runs(heading(t.columns[k].name)));
     head += fmt::format("<th{}>{}{}</th>", is_number_column(t, k) ? " class=\"num\"" : "", name,
@@ -72,22 +84,33 @@ std::string table_html(const Table& t, const Display& display) {
   std::string body;
   for (std::size_t n = 0; n < rows.size(); ++n) {
     if (n > 0 && rows[n] != rows[n - 1] + 1) {
-      body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", t.columns.size(),
+      body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", part.size(),
                           t.rows.size() - rows.size());
     }
     body += "<tr>";
     for (const auto& column : columns) body += column[n];
     body += "</tr>\n";
   }
-  const std::string cut = rows.size() == t.rows.size()
-                              ? ""
-                              : fmt::format("<p class=\"cut\">{} of {} rows are shown; {}.csv has all of them.</p>\n",
-                                            rows.size(), t.rows.size(), escape(t.name));
   return fmt::format(
       "<div class=\"wide\"><table class=\"{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
-      "{}</tbody></table></div>\n{}",
-      fmt::format("{}{}", t.columns.size() > 8 ? "dense" : "data", rows.size() <= 12 ? " small" : ""),
-      prose_html(t.title.empty() ? t.name : t.title), head, body, cut);
+      "{}</tbody></table></div>\n",
+      fmt::format("{}{}", part.size() > 8 ? "dense" : "data", rows.size() <= 12 ? " small" : ""), caption, head, body);
+}
+
+}  // namespace
+
+std::string table_html(const Table& t, const Display& display) {
+  const auto rows = shown_rows(t);
+  const auto parts = parts_of(t.columns.size());
+  const std::string title = prose_html(t.title.empty() ? t.name : t.title);
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string caption = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
+    out += part_html(t, parts[i], rows, caption, display);
+  }
+  if (rows.size() == t.rows.size()) return out;
+  return out + fmt::format("<p class=\"cut\">{} of {} rows are shown; {}.csv has all of them.</p>\n", rows.size(),
+                           t.rows.size(), escape(t.name));
 }
 
 }  // namespace taut::report

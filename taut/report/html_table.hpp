@@ -10,11 +10,15 @@ namespace taut::report {
 /// Rows of a table that a page shows; the rest is in the CSV file.
 inline constexpr std::size_t most_rows = 60;
 
+/// Columns of a table that stand side by side on a page.
+inline constexpr std::size_t most_columns = 12;
+
 /// <td> around HTML, with a class: num (right-aligned), u (unit), src (small), ...
 std::string cell(std::string_view inside, std::string_view kind = {});
 
 /// A table of results in display units, a unit under each column's name. Beyond `most_rows` the middle is left out, and
-/// that is said with the name of the CSV file.
+/// that is said with the name of the CSV file. A table of more than `most_columns` comes in parts, each with the first
+/// column in front.
 std::string table_html(const Table& t, const Display& display);
 
 }  // namespace taut::report

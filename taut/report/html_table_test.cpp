@@ -1,0 +1,37 @@
+#include "taut/report/html_table.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace taut::report {
+namespace {
+
+Table wide(std::size_t columns) {
+  Table t{"load_path", "Load path", {}, {std::vector<Cell>()}};
+  for (std::size_t k = 0; k < columns; ++k) {
+    t.columns.push_back({fmt::format("c{}", k), si::one});
+    t.rows[0].push_back(static_cast<double>(k));
+  }
+  return t;
+}
+
+std::size_t times(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(HtmlTable, StaysWholeWhileItFits) {
+  EXPECT_EQ(times(table_html(wide(most_columns), {}), "<table"), 1U);
+  EXPECT_EQ(times(table_html(wide(most_columns), {}), "1 of"), 0U);
+}
+
+TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
+  const std::string html = table_html(wide(2 * most_columns), {});
+  EXPECT_EQ(times(html, "<table"), 3U);
+  EXPECT_NE(html.find("Load path (3 of 3)"), std::string::npos);
+  EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
+}
+
+}  // namespace
+}  // namespace taut::report
