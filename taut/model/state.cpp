@@ -1,5 +1,8 @@
 #include "taut/model/state.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "taut/base/expects.hpp"
 #include "taut/rope/tangent.hpp"
 
@@ -31,6 +34,30 @@ rope::TangentLine line_between(const State& state, const Node& from, const Node&
   return centres;
 }
 
+/// Lengths of the branches of a rope at one common tension, after the parabola: each its line, longer by c (w b)^2/(24
+/// T^2) and shorter by the stretch.
+double length_at(const Reeving& reeving, const rope::TangentLine& line, double T) {
+  const double across = std::hypot(line.to.x() - line.from.x(), line.to.y() - line.from.y());
+  const double sag = reeving.weight * across / T;
+  return line.length * (1 + sag * sag / 24) / (1 + T / reeving.stiffness);
+}
+
+/// The tension at which they add up to `total`; the logarithm of the tension halved.
+double common_tension(const Reeving& reeving, const std::vector<rope::TangentLine>& lines, double total) {
+  double longest = 0;
+  for (const rope::TangentLine& line : lines) longest = std::max(longest, line.length);
+  const double weight = reeving.weight * longest;
+  double low = std::log(1e-2 * weight);
+  double high = std::log(std::isinf(reeving.stiffness) ? 1e6 * weight : std::max(weight, reeving.stiffness));
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    double sum = 0;
+    for (const rope::TangentLine& line : lines) sum += length_at(reeving, line, std::exp(middle));
+    (sum > total ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
 }  // namespace
 
 double straight_length(const State& state, const Node& from, const Node& to) {
@@ -58,7 +85,14 @@ State initial_state(const Model& model) {
     const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
     const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;
     std::vector<BranchState> branches(count);
-    for (std::size_t k = 0; k < count; ++k) branches[k].length = scale * lines[k].length;
+    if (reeving.given == Given::length && reeving.weight > 0 && left > 0) {
+      const double T = common_tension(reeving, lines, left);
+      double sum = 0;
+      for (std::size_t k = 0; k < count; ++k) sum += branches[k].length = length_at(reeving, lines[k], T);
+      for (BranchState& branch : branches) branch.length *= left / sum;
+    } else {
+      for (std::size_t k = 0; k < count; ++k) branches[k].length = scale * lines[k].length;
+    }
     state.branches.push_back(std::move(branches));
   }
   return state;

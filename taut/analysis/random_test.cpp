@@ -1,0 +1,103 @@
+// Random lines of one to six spans, in space, with every kind of carriage: what is called a result closes.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/equilibrium.hpp"
+#include "taut/analysis/machines_test.hpp"
+
+namespace {
+
+using namespace taut_test;
+using namespace taut::analysis;
+
+/// A number from low to high, in steps of a ten-thousandth.
+double in(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 10001) / 10000.0; }
+
+struct Line {
+  model::Model model;
+  EquilibriumOptions options;
+  double chords = 0;
+};
+
+Line random_line() {
+  Line line;
+  const int spans = *rc::gen::inRange(1, 7), loaded = *rc::gen::inRange(0, spans), kind = *rc::gen::inRange(0, 4);
+  std::vector<Vector3> p{origin};
+  for (int i = 0; i < spans; ++i) {
+    const double dx = in(10, 150);
+    p.push_back({p.back().x() + dx, in(-2, 2), p.back().z() + dx * in(-0.8, 0.8)});
+    line.chords += (p[p.size() - 1] - p[p.size() - 2]).norm();
+  }
+  const double weight = *rc::gen::inRange(0, 6) == 0 ? 0 : std::pow(10, in(0, 2)), EA = std::pow(10, in(6, 9));
+  std::vector<model::Node> nodes{anchor("a", p[0])};
+  for (int i = 0; i < spans; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (kind > 0 && i == loaded) {
+      nodes.push_back(over("car", origin, 0));
+      line.model.bodies.push_back(
+          body("car", (p[at] + p[at + 1]) / 2 - Vector3(0, 0, 3), std::pow(10, in(1, 4)), "xyz"));
+      if (kind >= 2) {
+        line.model.carriages.push_back({"car", 0, 0, static_cast<int>(nodes.size()) - 1, kind == 3 ? 1 : -1});
+        line.options.prescribed = Prescribed{0, p[at].x() + in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
+      }
+    }
+    if (i + 1 == spans) break;
+    nodes.push_back(saddle("support", p[at + 1], in(0, 0.3)));
+    nodes.back().may_lift = *rc::gen::inRange(0, 3) == 0;
+  }
+  nodes.push_back(anchor("b", p.back()));
+  line.model.reevings.push_back(reeve("skyline", nodes, line.chords * in(0.99, 1.3), weight, EA));
+  if (kind == 3) {
+    const double length = (p.back() - line.model.bodies[0].position).norm();
+    line.model.reevings.push_back(
+        reeve("mainline", {anchor("w", p.back()), anchor_on("car", 0)}, length, weight / 4, EA / 4));
+  }
+  line.options.motion =
+      std::vector{Motion::at_rest, Motion::in, Motion::out}[static_cast<std::size_t>(*rc::gen::inRange(0, 3))];
+  return line;
+}
+
+RC_GTEST_PROP(RandomMachines, AResultCloses, ()) {
+  const Line line = random_line();
+  const EquilibriumResult r = equilibrium(line.model, line.options);
+  if (!r.outcome.ok()) {
+    RC_ASSERT(!r.outcome.message.empty());
+    RC_ASSERT(r.spans.empty());
+    return;
+  }
+  double largest = 0, total = 0, heaviest = 0;
+  for (const SpanResult& s : r.spans) {
+    largest = std::max({largest, s.T_from, s.T_to});
+    total += s.reeving == 0 ? s.unstretched : 0;
+    RC_ASSERT(s.T_from >= 0 && s.T_to >= 0);
+    RC_ASSERT(s.stretched >= s.unstretched);
+  }
+  for (const model::Body& b : line.model.bodies) heaviest = std::max(heaviest, b.mass * line.model.gravity);
+  const model::Reeving& sky = line.model.reevings[0];
+  const double force = std::max(largest, heaviest) * 1e-9 + 1e-14 * sky.stiffness;
+  RC_ASSERT(std::abs(total - sky.value) <= 1e-9 * sky.value);
+  RC_ASSERT(r.closure.rope <= 1e-9 * line.chords);
+  RC_ASSERT(r.closure.force <= force);
+  RC_ASSERT(r.closure.balance <= 10 * force);
+  for (const ContactResult& c : r.contacts) {
+    if (c.state == ContactState::lifted) continue;
+    const auto& law = sky.nodes[static_cast<std::size_t>(c.node)].law;
+    const double flow = line.options.motion == Motion::at_rest ? 0 : line.options.motion == Motion::in ? -1 : 1;
+    const bool lossy = law.efficiency == 0;
+    const double ratio = lossy ? std::exp(flow * law.friction * std::max(0.0, c.wrap)) : 1;
+    RC_ASSERT(std::abs(c.T_out - ratio * c.T_in) <= 2 * force);
+  }
+}
+
+/// Without what may be impossible (a carriage that rolls away or is pushed), there is always an answer.
+RC_GTEST_PROP(RandomMachines, AnUnloadedOrHeldLineIsAlwaysSolved, ()) {
+  const Line line = random_line();
+  RC_PRE(line.model.bodies.empty() || (line.options.prescribed && line.model.carriages[0].mainline < 0));
+  const EquilibriumResult r = equilibrium(line.model, line.options);
+  RC_ASSERT(r.outcome.ok());
+}
+
+}  // namespace
