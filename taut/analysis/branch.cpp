@@ -167,6 +167,8 @@ tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& ro
   auto force = start.force;
   for (int step = 0; step < most_steps; ++step) {
     rope::NoCatenary why{};
+    // a step of the solver, or of the chord, that went out of all bounds
+    if (!b.chord.allFinite()) return tl::unexpected(rope::NoCatenary::not_converged);
     if (rope.weight == 0) {
       solve_straight(rope, b);
     } else if (!solve_sagging(rope, b, force, why)) {

@@ -168,9 +168,11 @@ Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dash
   Curve c;
   c.label = label;
   c.dashed = dashed;
-  for (const auto& point : run.result.points) {
-    c.x.push_back(point.x);
-    c.y.push_back(point.at.outcome.ok() ? of(point) : none);
+  for (const LoadPathPart& part : run.parts) {
+    for (const auto& point : part.result.points) {
+      c.x.push_back(point.x);
+      c.y.push_back(point.at.outcome.ok() ? of(point) : none);
+    }
   }
   return c;
 }
@@ -196,33 +198,25 @@ void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
   r.figures.emplace_back(std::move(way));
 }
 
-double largest_tension(const analysis::LoadPathPoint& p) {
+double largest_tension(const EquilibriumResult& e) {
   double T = 0;
-  for (const auto& rope : p.at.ropes) T = std::max(T, rope.T_max);
+  for (const auto& rope : e.ropes) T = std::max(T, rope.T_max);
   return T;
 }
 
 }  // namespace
 
 void add_figures(const MachineRun& run, Result& r) {
-  const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
-                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
-  if (first != run.equilibria.end()) {
-    add_drawings(run.model, first->result, "Equilibrium, " + first->words, r);
-  }
-  for (const LoadPathRun& path : run.paths) {
-    const analysis::LoadPathPoint* worst = nullptr;
-    for (const auto& point : path.result.points) {
-      if (!point.at.outcome.ok()) continue;
-      if (worst == nullptr || largest_tension(point) > largest_tension(*worst)) worst = &point;
-    }
-    if (worst == nullptr) continue;
-    if (first == run.equilibria.end() && &path == &run.paths.front()) {
-      add_drawings(run.model, worst->at,
-                   fmt::format("Load path, {}, where the tension is largest, x = {:.4g} m", path.words, worst->x), r);
-    }
-    add_plots(run.model, path, r);
-  }
+  const std::vector<Answer> all = answers_of(run);
+  if (all.empty()) return;
+  const bool has_equilibrium = all.front().point == nullptr;
+  const Answer drawn =
+      has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
+        return largest_tension(*a.result) < largest_tension(*b.result);
+      });
+  add_drawings(*drawn.model, *drawn.result,
+               (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
+  for (const LoadPathRun& path : run.paths) add_plots(run.model, path, r);
 }
 
 }  // namespace taut::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/read.hpp"
+#include "taut/model/carriage_span.hpp"
 #include "taut/model/compile.hpp"
 
 namespace taut::app {
@@ -92,12 +94,13 @@ class Requests {
     EquilibriumRun one;
     one.ending = ending(run.equilibria, request.name, path);
     one.words = words_of(request.motion);
-    one.options = options_of(request.motion, model_, path + ".motion", complaints);
+    one.motion = request.motion;
+    options_of(request.motion, model_, path + ".motion", complaints);
     if (request.carriage.has_value() != request.x.has_value()) {
       complaints.push_back({path, "'carriage' and 'x' belong together"});
     } else if (request.carriage) {
       const int car = carriage(*request.carriage, path + ".carriage");
-      if (car >= 0) one.options.prescribed = analysis::Prescribed{car, *request.x};
+      if (car >= 0) one.prescribed = analysis::Prescribed{car, *request.x};
     }
     run.equilibria.push_back(std::move(one));
   }
@@ -106,12 +109,12 @@ class Requests {
     LoadPathRun one;
     one.ending = ending(run.paths, request.name, path);
     one.words = words_of(request.motion);
-    one.options.equilibrium = options_of(request.motion, model_, path + ".motion", complaints);
-    one.options.equilibrium.band = false;
-    one.options.carriage = carriage(request.carriage, path + ".carriage");
-    one.options.from = request.from;
-    one.options.to = request.to;
-    one.options.steps = request.steps;
+    one.motion = request.motion;
+    options_of(request.motion, model_, path + ".motion", complaints);
+    one.carriage = carriage(request.carriage, path + ".carriage");
+    one.from = request.from;
+    one.to = request.to;
+    one.steps = request.steps;
     if (request.from == request.to) complaints.push_back({path + ".to", "is the same place as 'from'"});
     run.paths.push_back(std::move(one));
   }
@@ -122,7 +125,7 @@ class Requests {
       const auto& given = deck_.machine.carriages[i];
       if (given.hold != model::description::Hold::clamped || given.length_before) continue;
       const bool placed = std::all_of(run.equilibria.begin(), run.equilibria.end(), [&](const EquilibriumRun& one) {
-        return one.options.prescribed && one.options.prescribed->carriage == static_cast<int>(i);
+        return one.prescribed && one.prescribed->carriage == static_cast<int>(i);
       });
       if (placed) continue;
       complaints.push_back({fmt::format("machine.carriages.{}", given.name),
@@ -161,6 +164,59 @@ void note_failure(Result& r, const Outcome& outcome, const std::string& what) {
   r.message = fmt::format("{}: {}", what, outcome.message);
 }
 
+void solve(const model::Model& model, EquilibriumRun& one) {
+  one.model = one.prescribed ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x) : model;
+  std::vector<Complaint> told_before;
+  analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
+  options.prescribed = one.prescribed;
+  one.result = analysis::equilibrium(one.model, options);
+}
+
+/// The support over which x lies, nearer than its radius: a carriage, taken as a point, is in no span there.
+const model::Node* support_at(const model::Model& model, int carriage, double x) {
+  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
+  for (const model::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
+    const bool support = node.kind == model::NodeKind::contact && node.at.body == model::ground;
+    if (support && std::abs(node.at.at.x() - x) <= std::max(node.radius, 1e-6)) return &node;
+  }
+  return nullptr;
+}
+
+/// The load path span by span; positions on a support stay without an answer.
+void solve(const model::Model& model, LoadPathRun& one) {
+  const auto x = [&](int i) { return one.from + (one.to - one.from) * i / one.steps; };
+  const auto node = [&](const model::Model& m) { return m.carriages[static_cast<std::size_t>(one.carriage)].node; };
+  for (int i = 0; i <= one.steps;) {
+    LoadPathPart part;
+    part.model = model::with_carriage_at(model, one.carriage, x(i));
+    if (const model::Node* support = support_at(model, one.carriage, x(i))) {
+      analysis::LoadPathPoint point;
+      point.x = x(i);
+      point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", support->name));
+      part.result.points.push_back(std::move(point));
+      one.parts.push_back(std::move(part));
+      ++i;
+      continue;
+    }
+    int last = i;
+    while (last < one.steps && support_at(model, one.carriage, x(last + 1)) == nullptr &&
+           node(model::with_carriage_at(model, one.carriage, x(last + 1))) == node(part.model))
+      ++last;
+    std::vector<Complaint> told_before;
+    analysis::LoadPathOptions options;
+    options.carriage = one.carriage;
+    options.from = x(i);
+    options.to = x(last);
+    options.steps = std::max(1, last - i);
+    options.equilibrium = options_of(one.motion, part.model, {}, told_before);
+    options.equilibrium.band = false;
+    part.result = analysis::load_path(part.model, options);
+    if (last == i) part.result.points.resize(1);
+    one.parts.push_back(std::move(part));
+    i = last + 1;
+  }
+}
+
 Result compute(const MachineDeck& deck, MachineRun run) {
   Result r;
   r.method_title = "Machine";
@@ -169,12 +225,18 @@ Result compute(const MachineDeck& deck, MachineRun run) {
   note_failure(r, install_guys(deck.machine, run.model), "installation");
   if (r.status != Status::ok) return r;
   for (EquilibriumRun& one : run.equilibria) {
-    one.result = analysis::equilibrium(run.model, one.options);
+    solve(run.model, one);
     note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
   }
   for (LoadPathRun& one : run.paths) {
-    one.result = analysis::load_path(run.model, one.options);
-    note_failure(r, one.result.outcome, fmt::format("load path, {}", one.words));
+    solve(run.model, one);
+    for (const LoadPathPart& part : one.parts) {
+      const auto& first = part.result.points.front();
+      if (part.result.outcome.ok() && !first.at.outcome.ok()) {
+        r.warnings.push_back(fmt::format("load path, x = {:.6g} m: {}: left out", first.x, first.at.outcome.message));
+      }
+      note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
+    }
   }
   add_tables(run, r);
   add_values(run, r);
@@ -184,6 +246,22 @@ Result compute(const MachineDeck& deck, MachineRun run) {
 }
 
 }  // namespace
+
+std::vector<Answer> answers_of(const MachineRun& run) {
+  std::vector<Answer> all;
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words});
+  }
+  for (const LoadPathRun& one : run.paths) {
+    for (const LoadPathPart& part : one.parts) {
+      for (const auto& point : part.result.points) {
+        if (!point.at.outcome.ok()) continue;
+        all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x)});
+      }
+    }
+  }
+  return all;
+}
 
 std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes) {
   const auto deck = std::make_shared<MachineDeck>();

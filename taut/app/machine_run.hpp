@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,18 +11,29 @@
 
 namespace taut::app {
 
-/// One analysis that was run.
+/// One equilibrium: what was asked, and the answer. `model`: with the carriage in the span where it is put.
 struct EquilibriumRun {
   std::string ending;  ///< of its tables' names: "", "_2", "_lower"
   std::string words;   ///< "at rest", "hoist"
-  analysis::EquilibriumOptions options;
+  std::vector<MotionRequest> motion;
+  std::optional<analysis::Prescribed> prescribed;
+  model::Model model;
   analysis::EquilibriumResult result;
+};
+
+/// The positions of a load path within one span.
+struct LoadPathPart {
+  model::Model model;
+  analysis::LoadPath result;
 };
 struct LoadPathRun {
   std::string ending;
   std::string words;
-  analysis::LoadPathOptions options;
-  analysis::LoadPath result;
+  std::vector<MotionRequest> motion;
+  int carriage = 0;
+  double from = 0, to = 0;
+  int steps = 1;
+  std::vector<LoadPathPart> parts;  ///< in the order of the positions
 };
 
 /// Everything that was computed of a machine.
@@ -30,6 +42,17 @@ struct MachineRun {
   std::vector<EquilibriumRun> equilibria;
   std::vector<LoadPathRun> paths;
 };
+
+/// An equilibrium that was found.
+struct Answer {
+  const model::Model* model = nullptr;
+  const analysis::EquilibriumResult* result = nullptr;
+  const analysis::LoadPathPoint* point = nullptr;  ///< of a load path
+  std::string words;                               ///< "hoist", "load path at x = 12 m"
+};
+
+/// All that were found, equilibria first.
+std::vector<Answer> answers_of(const MachineRun& run);
 
 /// Reads a deck's `machine` and `analyses` and notes every mistake; without mistakes returns the calculation, ready to
 /// be called; else an empty one. `input`: the map with both keys; a terrain's file is looked for beside the file that

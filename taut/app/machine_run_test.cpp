@@ -114,6 +114,34 @@ TEST(MachineRun, ARopeHangsOverWhatTheDeckSays) {
   EXPECT_NEAR(cell(*anchors, 0, "Fx"), 331.73013818, 1e-7) << "the rope pulls its start towards its end";
 }
 
+TEST(MachineRun, ALoadPathPassesTheSupports) {
+  // mirrored about its support: the same tensions on both sides
+  for (const char* hold : {"rolling", "clamped"}) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 0 m], b: [200 m, 0 m, 0 m]}}
+  ropes: {{r: {{mass: 2 kg/m, stiffness: 20 MN}}}}
+  supports: {{jack: {{at: [100 m, 0 m, 10 m]}}}}
+  carriages: {{car: {{mass: 800 kg, rides: r, hold: {}}}}}
+  reevings: [{{rope: r, path: [{{anchor: a}}, {{through: car}}, {{over: jack}}, {{anchor: b}}], length: 203 m}}]
+analyses:
+  - load_path: {{carriage: car, from: 15 m, to: 185 m, steps: 34}}
+)",
+                                          hold));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    const Table* t = r.find_table("load_path");
+    ASSERT_EQ(t->rows.size(), 35U);
+    EXPECT_TRUE(std::isnan(cell(*t, 17, "z"))) << "on the support itself there is no span";
+    ASSERT_EQ(r.warnings.size(), 1U);
+    EXPECT_NE(r.warnings[0].find("x = 100 m"), std::string::npos);
+    for (std::size_t i = 0; i < 17; ++i) {
+      EXPECT_NEAR(cell(*t, i, "r.T_a") / cell(*t, 34 - i, "r.T_b"), 1, 1e-9);
+      EXPECT_NEAR(cell(*t, i, "z"), cell(*t, 34 - i, "z"), 1e-7);
+      EXPECT_NEAR(cell(*t, i, "r.jack.T_in") / cell(*t, 34 - i, "r.jack.T_out"), 1, 1e-9);
+    }
+  }
+}
+
 TEST(MachineRun, ChecksTheBreakingForceAndSaysInfeasibleWithAReason) {
   const std::string head = "taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 0 m], b: [80 m, 0 m, 0 m]}\n";
   const std::string path = "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: ";

@@ -15,27 +15,15 @@ namespace {
 using analysis::EquilibriumResult;
 using analysis::SpanResult;
 
-/// An answer and what to call it.
-struct State {
-  const EquilibriumResult* result = nullptr;
-  std::string words;
-};
-
-State governing(const MachineRun& run) {
-  State worst;
+/// The answer with the largest tension.
+Answer governing(const MachineRun& run) {
+  Answer worst;
   double T_max = -1;
-  const auto look = [&](const EquilibriumResult& e, const std::string& words) {
-    if (!e.outcome.ok()) return;
-    for (const auto& rope : e.ropes) {
+  for (const Answer& one : answers_of(run)) {
+    for (const auto& rope : one.result->ropes) {
       if (rope.T_max <= T_max) continue;
       T_max = rope.T_max;
-      worst = {&e, words};
-    }
-  };
-  for (const EquilibriumRun& one : run.equilibria) look(one.result, "equilibrium, " + one.words);
-  for (const LoadPathRun& one : run.paths) {
-    for (const auto& point : one.result.points) {
-      look(point.at, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x));
+      worst = one;
     }
   }
   return worst;
@@ -98,13 +86,13 @@ void write_contact(Sheet<Num>& s, const model::Node& node, const analysis::Conta
 }  // namespace
 
 void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
-  const State state = governing(run);
+  const Answer state = governing(run);
   if (state.result == nullptr) return;
   const EquilibriumResult& e = *state.result;
   const auto worst =
       std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
   const SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
-  const model::Reeving& rope = run.model.reevings[static_cast<std::size_t>(span.reeving)];
+  const model::Reeving& rope = state.model->reevings[static_cast<std::size_t>(span.reeving)];
   const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
   Sheet<Num> s("statics", MachineDeck::describe(), &deck);
   s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
@@ -112,7 +100,7 @@ void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
   write_span(s, rope, span);
   std::set<std::string> written;
   for (const auto& c : e.contacts) {
-    const model::Reeving& own = run.model.reevings[static_cast<std::size_t>(c.reeving)];
+    const model::Reeving& own = state.model->reevings[static_cast<std::size_t>(c.reeving)];
     const model::Node& node = own.nodes[static_cast<std::size_t>(c.node)];
     if (!at_limit(node, c) || !written.insert(node.name).second) continue;
     if (written.size() == 1) s.section(fmt::format("Losses where a rope runs over something ({})", state.words));

@@ -170,56 +170,88 @@ Table closure(const EquilibriumResult& e) {
           {{e.closure.rope, e.closure.force, e.closure.balance, static_cast<double>(e.closure.iterations)}}};
 }
 
-/// Columns of a load path: tensions at both ends of each rope, its largest one, and what each contact gets.
-Table load_path(const model::Model& m, const LoadPathRun& run) {
-  Table t{"load_path", fmt::format("Load path, {}", run.words), {{"x", si::m}, {"z", si::m}, {"clearance", si::m}}, {}};
+/// The contacts of a rope with the number of their turn at a name: a tackle's block has several.
+struct Turn {
+  std::string name;
+  long nth = 0;
+};
+std::vector<Turn> turns_of(const model::Reeving& r) {
+  std::vector<Turn> all;
+  for (std::size_t n = 1; n + 1 < r.nodes.size(); ++n) {
+    const auto same = [&](const Turn& other) { return other.name == r.nodes[n].name; };
+    all.push_back({r.nodes[n].name, std::count_if(all.begin(), all.end(), same)});
+  }
+  return all;
+}
+
+/// The contact of that name and turn; nullptr where the rope does not touch it.
+const analysis::ContactResult* contact(const model::Model& m, const EquilibriumResult& e, int reeving,
+                                       const Turn& turn) {
+  const std::vector<Turn> turns = turns_of(rope(m, reeving));
+  for (const auto& c : e.contacts) {
+    if (c.reeving != reeving) continue;
+    const Turn& own = turns[static_cast<std::size_t>(c.node) - 1];
+    if (own.name == turn.name && own.nth == turn.nth) return &c;
+  }
+  return nullptr;
+}
+
+std::vector<Column> load_path_columns(const model::Model& m) {
+  std::vector<Column> columns = {{"x", si::m}, {"z", si::m}, {"clearance", si::m}};
   for (const model::Reeving& r : m.reevings) {
-    t.columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
-    t.columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
-    t.columns.push_back({fmt::format("{}.T_max", r.name), si::N});
+    columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
+    columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
+    columns.push_back({fmt::format("{}.T_max", r.name), si::N});
   }
   for (const model::Reeving& r : m.reevings) {
-    for (std::size_t n = 1; n + 1 < r.nodes.size(); ++n) {
-      const std::string name = fmt::format("{}.{}", r.name, r.nodes[n].name);
-      const auto same = [&](const model::Node& other) { return other.name == r.nodes[n].name; };
-      const auto nth = std::count_if(r.nodes.begin(), r.nodes.begin() + static_cast<std::ptrdiff_t>(n), same);
-      const std::string which = nth == 0 ? name : fmt::format("{}[{}]", name, nth + 1);
-      t.columns.push_back({which + ".T_in", si::N});
-      t.columns.push_back({which + ".T_out", si::N});
-      t.columns.push_back({which + ".wrap", si::rad});
-      t.columns.push_back({which + ".Fx", si::N});
-      t.columns.push_back({which + ".Fz", si::N});
+    for (const Turn& turn : turns_of(r)) {
+      const std::string which =
+          fmt::format("{}.{}{}", r.name, turn.name, turn.nth == 0 ? std::string{} : fmt::format("[{}]", turn.nth + 1));
+      columns.push_back({which + ".T_in", si::N});
+      columns.push_back({which + ".T_out", si::N});
+      columns.push_back({which + ".wrap", si::rad});
+      columns.push_back({which + ".Fx", si::N});
+      columns.push_back({which + ".Fz", si::N});
     }
   }
-  t.columns.push_back({"closure", si::m.in("mm")});
-  for (const auto& point : run.result.points) {
-    std::vector<Cell> row = {point.x};
-    if (!point.at.outcome.ok()) {
-      row.resize(t.columns.size(), none);
-      t.rows.push_back(std::move(row));
-      continue;
-    }
-    row.insert(row.end(), {point.z, point.clearance});
-    for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-      const auto of_rope = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
-      const auto first = std::find_if(point.at.spans.begin(), point.at.spans.end(), of_rope);
-      const auto last = std::find_if(point.at.spans.rbegin(), point.at.spans.rend(), of_rope);
-      row.insert(row.end(), {first->T_from, last->T_to, point.at.ropes[i].T_max});
-    }
-    for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-      for (std::size_t n = 1; n + 1 < m.reevings[i].nodes.size(); ++n) {
-        const auto c = std::find_if(point.at.contacts.begin(), point.at.contacts.end(), [&](const auto& one) {
-          return one.reeving == static_cast<int>(i) && one.node == static_cast<int>(n);
-        });
-        if (c == point.at.contacts.end()) {
-          row.insert(row.end(), {none, none, none, none, none});
-        } else {
-          row.insert(row.end(), {c->T_in, c->T_out, c->wrap, c->force.x(), c->force.z()});
-        }
+  columns.push_back({"closure", si::m.in("mm")});
+  return columns;
+}
+
+/// Tensions at both ends of each rope, its largest one, and what each contact gets, in the columns of `all`.
+std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, const analysis::LoadPathPoint& point) {
+  std::vector<Cell> row = {point.x, point.z, point.clearance};
+  const EquilibriumResult& e = point.at;
+  const auto count = static_cast<int>(all.reevings.size());
+  for (int i = 0; i < count; ++i) {
+    const auto own = [&](const auto& s) { return s.reeving == i; };
+    const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
+    const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
+    row.insert(row.end(), {first->T_from, last->T_to, e.ropes[static_cast<std::size_t>(i)].T_max});
+  }
+  for (int i = 0; i < count; ++i) {
+    for (const Turn& turn : turns_of(rope(all, i))) {
+      const auto* c = contact(m, e, i, turn);
+      if (c == nullptr) {
+        row.insert(row.end(), {none, none, none, none, none});
+      } else {
+        row.insert(row.end(), {c->T_in, c->T_out, c->wrap, c->force.x(), c->force.z()});
       }
     }
-    row.emplace_back(point.at.closure.rope);
-    t.rows.push_back(std::move(row));
+  }
+  row.emplace_back(e.closure.rope);
+  return row;
+}
+
+Table load_path(const model::Model& all, const LoadPathRun& run) {
+  Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
+  for (const LoadPathPart& part : run.parts) {
+    for (const auto& point : part.result.points) {
+      std::vector<Cell> row = {point.x};
+      if (point.at.outcome.ok()) row = load_path_row(all, part.model, point);
+      row.resize(t.columns.size(), none);
+      t.rows.push_back(std::move(row));
+    }
   }
   return t;
 }
@@ -266,11 +298,11 @@ void add_tables(const MachineRun& run, Result& r) {
   };
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    add(spans(run.model, one.result), one.ending, one.words);
-    add(sheaves(run.model, one.result), one.ending, one.words);
-    add(bodies(run.model, one.result), one.ending, one.words);
-    add(anchors(run.model, one.result), one.ending, one.words);
-    add(ropes(run.model, one.result), one.ending, one.words);
+    add(spans(one.model, one.result), one.ending, one.words);
+    add(sheaves(one.model, one.result), one.ending, one.words);
+    add(bodies(one.model, one.result), one.ending, one.words);
+    add(anchors(one.model, one.result), one.ending, one.words);
+    add(ropes(one.model, one.result), one.ending, one.words);
     add(closure(one.result), one.ending, one.words);
   }
   for (const LoadPathRun& one : run.paths) {

@@ -13,32 +13,18 @@ namespace {
 using analysis::ContactState;
 using analysis::EquilibriumResult;
 
-/// Every equilibrium of a run that there is, with words for where it comes from.
-std::vector<std::pair<const EquilibriumResult*, std::string>> all_of(const MachineRun& run) {
-  std::vector<std::pair<const EquilibriumResult*, std::string>> all;
-  for (const EquilibriumRun& one : run.equilibria) {
-    if (one.result.outcome.ok()) all.emplace_back(&one.result, one.words);
-  }
-  for (const LoadPathRun& one : run.paths) {
-    for (const auto& point : one.result.points) {
-      if (point.at.outcome.ok()) all.emplace_back(&point.at, fmt::format("load path at x = {:.6g} m", point.x));
-    }
-  }
-  return all;
-}
-
 void add_tensions(const MachineRun& run, Result& r) {
-  const auto all = all_of(run);
+  const auto all = answers_of(run);
   double worst = 0;
   std::string where;
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const model::Reeving& rope = run.model.reevings[i];
     double T_max = 0;
     std::string when;
-    for (const auto& [e, words] : all) {
-      if (e->ropes[i].T_max <= T_max) continue;
-      T_max = e->ropes[i].T_max;
-      when = words;
+    for (const Answer& a : all) {
+      if (a.result->ropes[i].T_max <= T_max) continue;
+      T_max = a.result->ropes[i].T_max;
+      when = a.words;
     }
     if (T_max >= worst) {
       worst = T_max;
@@ -62,17 +48,9 @@ void add_tensions(const MachineRun& run, Result& r) {
 void add_clearance(const MachineRun& run, Result& r) {
   double least = std::numeric_limits<double>::infinity();
   double at = 0;
-  for (const LoadPathRun& one : run.paths) {
-    for (const auto& point : one.result.points) {
-      if (!point.at.outcome.ok() || !(point.clearance < least)) continue;
-      least = point.clearance;
-      at = point.x;
-    }
-  }
-  for (const EquilibriumRun& one : run.equilibria) {
-    if (!one.result.outcome.ok()) continue;
-    for (const model::Carriage& car : run.model.carriages) {
-      const Vector3& p = one.result.state.bodies[static_cast<std::size_t>(car.body)].position;
+  for (const Answer& answer : answers_of(run)) {
+    for (const model::Carriage& car : answer.model->carriages) {
+      const Vector3& p = answer.result->state.bodies[static_cast<std::size_t>(car.body)].position;
       const double clearance = p.z() - analysis::ground_height(run.model.terrain, p.x());
       if (!(clearance < least)) continue;
       least = clearance;
@@ -126,7 +104,7 @@ void add_ends(const MachineRun& run, Result& r) {
       const auto first = std::find_if(one.result.spans.begin(), one.result.spans.end(), own);
       const auto last = std::find_if(one.result.spans.rbegin(), one.result.spans.rend(), own);
       const auto add = [&](const char* end, int n, double T) {
-        const model::Reeving& rope = run.model.reevings[i];
+        const model::Reeving& rope = one.model.reevings[i];
         const std::string name = fmt::format("{}.{}{}", rope.name, end, one.ending);
         r.values.push_back({name,
                             T,
@@ -142,12 +120,24 @@ void add_ends(const MachineRun& run, Result& r) {
   }
 }
 
+/// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
+std::string beside_its_span(const model::Model& m, const EquilibriumResult& e, const model::Carriage& car) {
+  const auto& nodes = m.reevings[static_cast<std::size_t>(car.reeving)].nodes;
+  const auto n = static_cast<std::size_t>(car.node);
+  if (n == 0 || n + 1 >= nodes.size()) return {};
+  const double before = model::in_ground(e.state, nodes[n - 1].at).x();
+  const double after = model::in_ground(e.state, nodes[n + 1].at).x();
+  const double x = e.state.bodies[static_cast<std::size_t>(car.body)].position.x();
+  if (before == after || (x >= std::min(before, after) && x <= std::max(before, after))) return {};
+  return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
+                     car.name, x, nodes[n - 1].name, nodes[n + 1].name);
+}
+
 void add_warnings(const MachineRun& run, Result& r) {
   std::set<std::string> told;
-  for (const auto& [e, words] : all_of(run)) {
+  for (const auto& [m, e, point, words] : answers_of(run)) {
     for (const auto& c : e->contacts) {
-      const auto& node =
-          run.model.reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
+      const auto& node = m->reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
       if (c.state != ContactState::pulled && c.state != ContactState::lifted) continue;
       const bool pulled = c.state == ContactState::pulled;
       if (!told.insert(node.name + (pulled ? " pulled" : " lifted")).second) continue;
@@ -157,9 +147,13 @@ void add_warnings(const MachineRun& run, Result& r) {
                                words, node.name, c.force.z() / 1e3)
                  : fmt::format("{}: the rope has lifted off '{}'", words, node.name));
     }
+    for (const model::Carriage& car : m->carriages) {
+      const std::string where = beside_its_span(*m, *e, car);
+      if (!where.empty() && told.insert(car.name).second) r.warnings.push_back(fmt::format("{}: {}", words, where));
+    }
     for (const auto& s : e->spans) {
       if (!s.slack) continue;
-      const auto& rope = run.model.reevings[static_cast<std::size_t>(s.reeving)];
+      const auto& rope = m->reevings[static_cast<std::size_t>(s.reeving)];
       const std::string name =
           fmt::format("{} between {} and {}", rope.name, rope.nodes[static_cast<std::size_t>(s.from)].name,
                       rope.nodes[static_cast<std::size_t>(s.to)].name);
@@ -171,7 +165,7 @@ void add_warnings(const MachineRun& run, Result& r) {
 }  // namespace
 
 void add_values(const MachineRun& run, Result& r) {
-  if (all_of(run).empty()) return;
+  if (answers_of(run).empty()) return;
   add_tensions(run, r);
   add_clearance(run, r);
   add_places(run, r);

@@ -49,6 +49,7 @@ class Compiler {
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
     for (const auto& guy : machine_.guys) add_guy(guy);
     check_names();
+    check_held();
     for (std::size_t i = 0; i < machine_.carriages.size(); ++i) add_carriage(i);
     if (complaints_.empty()) place_carriages();
     if (complaints_.empty()) finish_nodes();
@@ -105,6 +106,17 @@ class Compiler {
       if (given.at) body.position = vector_of(*given.at);
       for (const char* way : {"x", "y", "z"}) body.free.push_back({axis_of(way), Vector3::Zero()});
       model_.bodies.push_back(std::move(body));
+    }
+  }
+
+  void check_held() {
+    for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
+      const bool held = std::any_of(stops_.begin(), stops_.end(), [&](const std::vector<Stop>& stops) {
+        return std::any_of(stops.begin(), stops.end(),
+                           [&](const Stop& stop) { return stop.node.at.body == static_cast<int>(i); });
+      });
+      if (held || model_.bodies[i].free.empty()) continue;
+      complain(fmt::format("bodies.{}", machine_.bodies[i].name), "may move, but no rope runs to it");
     }
   }
 

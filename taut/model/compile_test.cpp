@@ -175,6 +175,7 @@ TEST(Compile, SidesFollowTheBendAndMirror) {
   // a block on a corner: the sheave lies on the inner side
   for (const double mirror : {1.0, -1.0}) {
     Machine m = tackle(1, {anchor("lead"), over("head"), anchor("pin")});
+    m.bodies[0].free = {};
     m.points[0].at = {-10 * mirror, 0, 0};
     m.points[1].at = {3 * mirror, 0, 0};
     EXPECT_EQ(compile(m)->reevings[0].nodes[1].side, mirror > 0 ? 1 : -1);
@@ -204,6 +205,8 @@ TEST(Compile, FreedomsGuidesLoadsAndTemperature) {
   EXPECT_EQ(model->loads[1].force, Vector3(1, 2, 3));
   EXPECT_EQ(model->loads[2].force, Vector3(500, 0, 0));
   EXPECT_DOUBLE_EQ(model->reevings[0].thermal_strain, 1.2e-5 * 20);
+  m.ropes[0].reference_temperature = {};
+  EXPECT_EQ(compile(m)->reevings[0].thermal_strain, 0) << "its length holds at the machine's temperature";
 }
 
 TEST(Compile, GuysStandBehindTheReevings) {
@@ -266,7 +269,8 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.ropes[0].mass = {}; }, "ropes.skyline: says neither"},
       {[](Machine& m) { m.ropes[0].stiffness = {}; }, "ropes.skyline: lacks its 'stiffness', EA"},
       {[](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; }, "ropes.skyline.rope: "},
-      {[](Machine& m) { m.temperature = 280; }, "ropes.skyline: the machine has a temperature"},
+      {[](Machine& m) { m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}}}; },
+       "bodies.hook: may move, but no rope runs to it"},
       {[](Machine& m) {
          m.supports[0].axis = {0, 0, 0};
        },

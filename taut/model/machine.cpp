@@ -64,7 +64,7 @@ const Description& Rope::describe() {
           .field(&Rope::diameter, "diameter", "d", si::m.in("mm"), "nominal diameter")
           .above(0)
           .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
-          .field(&Rope::reference_temperature, "reference_temperature", "", si::K, "at which its lengths are given")
+          .field(&Rope::reference_temperature, "reference_temperature", "", si::K, "at which its length holds; without it the machine's temperature")
           .at_least(0)
           .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one, "statics does not depend on it")
           .at_least(0)

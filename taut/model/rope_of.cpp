@@ -44,10 +44,7 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
   if (std::isinf(rope.stiffness) && rope.mass == 0) {
     complaints.push_back({path + ".stiffness", "a rope without mass needs a finite one"});
   }
-  if (temperature && !given.reference_temperature) {
-    complaints.push_back(
-        {path, "the machine has a temperature: say the 'reference_temperature' at which this rope's length holds"});
-  } else if (temperature) {
+  if (temperature && given.reference_temperature) {
     rope.thermal_strain = given.expansion * (*temperature - *given.reference_temperature);
   }
   return rope;
