@@ -7,6 +7,7 @@
 #include <set>
 
 #include "taut/app/job.hpp"
+#include "taut/app/machine_deck.hpp"
 #include "taut/io/read.hpp"
 #include "taut/units/display.hpp"
 
@@ -70,7 +71,9 @@ void walk(const std::string& prefix, const Description& d, const Visit& visit) {
   for (const Field& f : d.fields) {
     const std::string key = prefix + f.key;
     visit(key, d, f);
-    if (f.record != nullptr) walk(key + (f.is_list ? "[]." : "."), *f.record, visit);
+    if (f.record == nullptr) continue;
+    const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records ? ".NAME." : ".";
+    walk(key + inner, *f.record, visit);
   }
 }
 
@@ -94,6 +97,17 @@ std::string equations(const Result& example) {
                                                         : fmt::format("{} = {}", s.symbol, right);
     text += fmt::format("    {:<8}{}  [{}]\n", number, line, s.unit.symbol);
   }
+  return text;
+}
+
+/// The keys of a description and its nested ones.
+std::string keys_table(const std::string& head, const Description& description) {
+  std::string text = fmt::format("| {} | unit | default | symbol | meaning |\n|---|---|---|---|---|\n", head);
+  walk("", description, [&](const std::string& key, const Description& d, const Field& f) {
+    const std::string symbol = f.symbol.empty() ? "" : fmt::format("`{}`", f.symbol);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", key, kind_text(f), default_of(d, f), symbol, cell(words_of(f)));
+  });
   return text;
 }
 
@@ -126,12 +140,7 @@ std::string explain_text(const MethodEntry& method) {
 std::string reference_markdown(const MethodEntry& method) {
   const Method& about = *method.about;
   std::string text = fmt::format("## `method: {}`\n\n{}. Source: {}\n\n", about.name, about.title, about.source);
-  text += "| key below `input:` | unit | default | symbol | meaning |\n|---|---|---|---|---|\n";
-  walk("", *method.input, [&](const std::string& key, const Description& d, const Field& f) {
-    const std::string symbol = f.symbol.empty() ? "" : fmt::format("`{}`", f.symbol);
-    text +=
-        fmt::format("| `{}` | {} | {} | {} | {} |\n", key, kind_text(f), default_of(d, f), symbol, cell(words_of(f)));
-  });
+  text += keys_table("key below `input:`", *method.input);
   text += "\n| value | SI unit | meaning | equation |\n|---|---|---|---|\n";
   walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", key, f.unit.symbol, cell(f.words), cell(f.source));
@@ -144,11 +153,16 @@ std::string reference_guide() {
       "# Reference: deck keys and result names\n\n"
       "Made from the program's own tables by `taut explain all --markdown`; a test compares this page with them.\n"
       "A quantity is written with a unit; the unit column shows the usual one. Results (`--json`) are in SI.\n\n"
-      "Every deck has `taut: 1`, `method:` and `input:`, and may have `title:`, `display:` (kind of quantity to unit) "
+      "Every deck has `taut: 1`, and `method:` with `input:` or `machine:` with `analyses:`, and may have `title:`, "
+      "`display:` (kind of quantity to unit) "
       "and\n"
       "`include:` (decks whose keys stand under this one's).\n\n";
   for (const MethodEntry& method : methods()) text += reference_markdown(method);
-  return text;
+  text +=
+      "## `machine:` and `analyses:`\n\nA machine in place of a method; see [machine decks](machine-decks.md), also "
+      "for "
+      "the result tables.\n\n";
+  return text + keys_table("key", MachineDeck::describe()) + "\n";
 }
 
 }  // namespace taut::app
