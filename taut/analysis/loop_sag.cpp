@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "taut/analysis/running_loop.hpp"
+#include "taut/base/expects.hpp"
+#include "taut/math/roots.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double smallest_share = 1e-4;  // of the span
+constexpr double largest_share = 2;
+constexpr double stride = 1.12;
+constexpr int narrowings = 40;
+
+double value_of(LoopGiven given, const LoopState& s) {
+  switch (given) {
+    case LoopGiven::tension_at_A:
+      return s.lower_A.T_start;
+    case LoopGiven::length:
+      return s.loop_length();
+    case LoopGiven::tension_at_carriage:
+      return s.lower_B.T_start;
+  }
+  return 0;
+}
+
+/// A sag, what is given minus its target there, and the state; not feasible: `ok` is false.
+struct Probe {
+  double sag = 0;
+  double excess = 0;
+  bool ok = false;
+  LoopState state;
+};
+
+using At = std::function<Probe(double sag, const LoopState* near)>;
+
+struct Bracket {
+  Probe low, high;
+};
+
+bool changes_sign(const Probe& a, const Probe& b) { return a.ok && b.ok && (a.excess < 0) != (b.excess < 0); }
+
+/// Where three neighbours turn back before they reach zero, a pair of roots may hide: narrows the turn by golden
+/// section until a sign change shows.
+std::vector<Bracket> hidden(const At& at, Probe a, Probe b, Probe c) {
+  if (!a.ok || !b.ok || !c.ok || changes_sign(a, b) || changes_sign(b, c)) return {};
+  const auto size = [](const Probe& p) { return std::abs(p.excess); };
+  if (size(b) >= size(a) || size(b) >= size(c)) return {};
+  const Bracket outer{a, c};
+  for (int i = 0; i < narrowings; ++i) {
+    const bool right = c.sag - b.sag > b.sag - a.sag;
+    const double sag = right ? b.sag + 0.381966 * (c.sag - b.sag) : b.sag - 0.381966 * (b.sag - a.sag);
+    const Probe p = at(sag, &b.state);
+    if (!p.ok) return {};
+    if (changes_sign(p, b)) return {{outer.low, p}, {p, outer.high}};
+    if (size(p) < size(b)) {
+      (right ? a : c) = b;
+      b = p;
+    } else {
+      (right ? c : a) = p;
+    }
+  }
+  return {};
+}
+
+std::string quantity(LoopGiven given, double value) {
+  return given == LoopGiven::length ? fmt::format("{:.6g} m", value) : fmt::format("{:.4g} kN", value / 1000);
+}
+
+Outcome out_of_reach(double x, LoopGiven given, double value, double least, double most, const Outcome& first) {
+  if (!(least <= most)) return first;
+  const char* what = given == LoopGiven::tension_at_A ? "a tension of the traction rope at A of"
+                     : given == LoopGiven::length     ? "a loop length of"
+                                                      : "a tension of the return rope at the carriage of";
+  const char* change = given == LoopGiven::tension_at_A ? "the winch pull"
+                       : given == LoopGiven::length     ? "the loop's length"
+                                                        : "the gathering force or its angle";
+  return infeasible(
+      fmt::format("{} {} is not possible at x = {:.4g} m: it lies between {} and {} over all feasible "
+                  "sags; change {}",
+                  what, quantity(given, value), x, quantity(given, least), quantity(given, most), change));
+}
+
+/// The sign changes in their order, at most two; notes the range passed over.
+struct Search {
+  std::vector<Bracket> found;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  Outcome first;  ///< of the smallest sag
+};
+
+Search search(const RunningLoop& loop, const At& at, double value, double x) {
+  Search s;
+  std::vector<Probe> last;  // up to two
+  for (double sag = smallest_share * loop.span; sag < largest_share * loop.span; sag *= stride) {
+    const Probe p = at(sag, last.empty() || !last.back().ok ? nullptr : &last.back().state);
+    if (p.ok) {
+      s.least = std::min(s.least, p.excess + value);
+      s.most = std::max(s.most, p.excess + value);
+    } else if (last.empty()) {
+      LoopState unused;
+      s.first = solve_loop(loop, {x, sag}, unused);
+    } else if (last.back().ok) {
+      break;
+    }
+    if (!last.empty() && changes_sign(last.back(), p)) s.found.push_back({last.back(), p});
+    if (last.size() == 2) {
+      for (const Bracket& b : hidden(at, last[0], last[1], p)) s.found.push_back(b);
+    }
+    if (s.found.size() >= 2) break;
+    last.push_back(p);
+    if (last.size() > 2) last.erase(last.begin());
+  }
+  return s;
+}
+
+}  // namespace
+
+Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double value, LoopSag& found) {
+  expects(value > 0, "what is given in place of the sag is positive");
+  const At at = [&](double sag, const LoopState* near) {
+    Probe p{sag, 0, false, {}};
+    p.ok = solve_loop(loop, {x, sag}, p.state, near).ok();
+    p.excess = p.ok ? value_of(given, p.state) - value : std::numeric_limits<double>::quiet_NaN();
+    return p;
+  };
+  const Search s = search(loop, at, value, x);
+  if (s.found.empty()) return out_of_reach(x, given, value, s.least, s.most, s.first);
+  const auto root_in = [&](const Bracket& b) {
+    return find_root([&](double sag) { return at(sag, &b.low.state).excess; }, b.low.sag, b.high.sag);
+  };
+  const auto sag = root_in(s.found.front());
+  if (!sag) return not_converged(fmt::format("exact catenaries: the sag at x = {:.4g} m is not found", x));
+  found.sag = *sag;
+  if (s.found.size() > 1) found.second = root_in(s.found[1]).value_or(found.second);
+  return solve_loop(loop, {x, *sag}, found.state, &s.found.front().low.state);
+}
+
+}  // namespace taut::analysis
