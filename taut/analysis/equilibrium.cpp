@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
@@ -55,6 +56,17 @@ void keep(const Layout& layout, const Configuration& c, model::State& state) {
   }
 }
 
+/// Gives a branch a little less than its straight length. False where it does not stretch.
+bool draw_taut(const System& system, const model::State& state, int link_index, Configuration& c) {
+  const Layout::Link& link = system.layout.links[at(link_index)];
+  const model::Reeving& rope = system.model.reevings[at(link.reeving)];
+  if (std::isinf(rope.stiffness)) return false;
+  c.links[at(link_index)] = {};
+  c.links[at(link_index)].length =
+      drawn_taut * model::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+  return true;
+}
+
 /// The configuration of `state`, with every branch that has no shape there (a loose loop on a sheave) drawn taut.
 Configuration usable_start(const System& system, const model::State& state) {
   Configuration c = configuration_of(system.layout, state);
@@ -62,13 +74,15 @@ Configuration usable_start(const System& system, const model::State& state) {
   for (std::size_t tries = 0; tries <= c.links.size(); ++tries) {
     const auto no = evaluate(system, c, e);
     if (!no) break;
-    const Layout::Link& link = system.layout.links[at(no->link)];
-    const model::Reeving& rope = system.model.reevings[at(link.reeving)];
-    if (std::isinf(rope.stiffness)) break;
-    c.links[at(no->link)] = {};
-    c.links[at(no->link)].length =
-        drawn_taut * model::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+    if (!draw_taut(system, state, no->link, c)) break;
   }
+  return c;
+}
+
+/// The same with every branch drawn taut that can be.
+Configuration taut_start(const System& system, const model::State& state) {
+  Configuration c = configuration_of(system.layout, state);
+  for (int k = 0; k < static_cast<int>(c.links.size()); ++k) draw_taut(system, state, k, c);
   return c;
 }
 
@@ -96,8 +110,10 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   s.steps = it.steps;
   if (it.converged) return s;
   const bool singular = it.singular;
-  for (const double growth : {std::numeric_limits<double>::infinity(), 30.0, 3.0}) {
-    s.c = start;
+  // quick, careful, from taut ropes, very careful
+  constexpr double any = std::numeric_limits<double>::infinity();
+  for (const auto& [growth, from_taut] : {std::pair{any, false}, {30.0, false}, {any, true}, {3.0, false}}) {
+    s.c = from_taut ? taut_start(system, state) : start;
     it = relax(system, s.c, s.e, relaxing_steps, growth);
     s.steps += it.steps;
     if (!it.converged) continue;
@@ -114,12 +130,14 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
 Solved solve_touching(const model::Model& model, model::State& state, const EquilibriumOptions& options,
                       const Flow& flow) {
   int steps = 0;
+  Flow let_go;  // how often each node has
+  for (const model::Reeving& rope : model.reevings) let_go.emplace_back(rope.nodes.size(), 0);
   for (int change = 0; change < most_changes; ++change) {
     Solved s = solve(model, state, options, flow);
     s.steps = steps += s.steps;
     if (!s.outcome.ok()) return s;
     keep(s.layout, s.c, state);
-    if (!change_touch({model, s.layout, 0}, s.c, s.e, state)) return s;
+    if (!change_touch({model, s.layout, 0}, s.c, s.e, state, let_go)) return s;
   }
   Solved s;
   s.outcome = not_converged("the ropes lift off their supports and come back without end");

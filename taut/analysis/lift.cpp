@@ -9,6 +9,7 @@ namespace taut::analysis {
 namespace {
 
 constexpr int halvings = 60;
+constexpr int most_releases = 3;
 constexpr double rounding = 1e-9;  ///< of a tension or a length: neither lifts nor presses
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -25,7 +26,7 @@ double pull(const System& s, const Evaluation& e, const Layout::Turn& t) {
   return (out.pull_from - in.pull_to).dot(support) - rounding * (in.T_to + out.T_from);
 }
 
-void let_go(const Layout::Turn& t, const Layout::Link& before, model::State& state) {
+void release(const Layout::Turn& t, const Layout::Link& before, model::State& state) {
   auto& branches = state.branches[at(t.reeving)];
   model::BranchState& whole = branches[at(before.from)];
   whole = {whole.length + branches[at(t.node)].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
@@ -81,18 +82,21 @@ Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
 
 }  // namespace
 
-bool change_touch(const System& s, const Configuration& c, const Evaluation& e, model::State& state) {
+bool change_touch(const System& s, const Configuration& c, const Evaluation& e, model::State& state,
+                  std::vector<std::vector<int>>& let_go) {
   const Layout::Turn* lifts = nullptr;
   double most = 0;
   for (const Layout::Turn& t : s.layout.turns) {
     if (!may_lift(s.model.reevings[at(t.reeving)].nodes[at(t.node)])) continue;
+    if (let_go[at(t.reeving)][at(t.node)] >= most_releases) continue;
     const double force = pull(s, e, t);
     if (force <= most) continue;
     most = force;
     lifts = &t;
   }
   if (lifts) {
-    let_go(*lifts, s.layout.links[at(lifts->before)], state);
+    ++let_go[at(lifts->reeving)][at(lifts->node)];
+    release(*lifts, s.layout.links[at(lifts->before)], state);
     return true;
   }
   const Return back = deepest(s, c, e);
