@@ -50,7 +50,9 @@ const Description& EquilibriumRequest::describe() {
           .shorthand("sense")
           .one_for_all()
           .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is put at x")
-          .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage, instead of what holds it");
+          .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage, instead of what holds it")
+          .at_least(-1e6)
+          .at_most(1e6);
   return d;
 }
 
@@ -61,8 +63,12 @@ const Description& LoadPathRequest::describe() {
           .field(&LoadPathRequest::carriage, "carriage", "the carriage that is moved")
           .required()
           .field(&LoadPathRequest::from, "from", "x", si::m, "first place of the carriage")
+          .at_least(-1e6)
+          .at_most(1e6)
           .required()
           .field(&LoadPathRequest::to, "to", "x", si::m, "last place")
+          .at_least(-1e6)
+          .at_most(1e6)
           .required()
           .field(&LoadPathRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)

@@ -6,6 +6,7 @@ const Description& Machine::describe() {
   static const Description d =
       Describe<Machine>()
           .field(&Machine::gravity, "gravity", "g", si::m_per_s2, "acceleration of free fall, along -z")
+          .at_most(1e4)
           .at_least(0)
           .field(&Machine::temperature, "temperature", "", si::K, "of all ropes, such as 15 degC")
           .at_least(0)
@@ -41,10 +42,21 @@ const Description& Machine::describe() {
 
 namespace taut::model::description {
 
+namespace {
+
+/// No machine of this earth is larger (m), heavier (kg, kg/m) or pulled harder (N); beyond, numbers lose their meaning.
+constexpr double farthest = 1e6;
+constexpr double heaviest = 1e9;
+constexpr double strongest = 1e12;
+
+}  // namespace
+
 const Description& Point::describe() {
   static const Description d =
       Describe<Point>()
           .field(&Point::at, "at", "", si::m, "place in the frame of its body, or the ground's")
+          .at_least(-farthest)
+          .at_most(farthest)
           .required()
           .field(&Point::body, "body", "the body it belongs to; without it the ground");
   return d;
@@ -55,6 +67,7 @@ const Description& Rope::describe() {
       Describe<Rope>()
           .field(&Rope::rope, "rope", "id in the catalogue of ropes, as 'taut list ropes' shows it")
           .field(&Rope::mass, "mass", "m", si::kg_per_m, "mass per unstretched metre")
+          .at_most(heaviest)
           .at_least(0)
           .field(&Rope::stiffness, "stiffness", "EA", si::N.in("MN"), "axial stiffness")
           .above(0)
@@ -62,9 +75,11 @@ const Description& Rope::describe() {
           .field(&Rope::breaking_force, "breaking_force", "F_min", si::N, "minimum breaking force")
           .above(0)
           .field(&Rope::diameter, "diameter", "d", si::m.in("mm"), "nominal diameter")
+          .at_most(farthest)
           .above(0)
           .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
-          .field(&Rope::reference_temperature, "reference_temperature", "", si::K, "at which its length holds; without it the machine's temperature")
+          .field(&Rope::reference_temperature, "reference_temperature", "", si::K,
+                 "at which its length holds; without it the machine's temperature")
           .at_least(0)
           .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one, "statics does not depend on it")
           .at_least(0)
@@ -77,9 +92,14 @@ const Description& Body::describe() {
   static const Description d =
       Describe<Body>()
           .field(&Body::mass, "mass", "m", si::kg, "mass; its weight acts at the centre")
+          .at_most(heaviest)
           .at_least(0)
           .field(&Body::at, "at", "", si::m, "place of its origin; where it is free, a first guess")
+          .at_least(-farthest)
+          .at_most(farthest)
           .field(&Body::centre, "centre", "", si::m, "centre of mass, seen from the origin")
+          .at_least(-farthest)
+          .at_most(farthest)
           .field(&Body::free, "free", "how it may move; nothing: fixed")
           .of({"x", "y", "z", "rx", "ry", "rz"})
           .field(&Body::guide, "guide", "", si::one, "direction of the slide on which alone it moves")
@@ -93,9 +113,12 @@ const Description& Round::describe() {
   static const Description d =
       Describe<Round>()
           .field(&Round::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .at_least(-farthest)
+          .at_most(farthest)
           .required()
           .field(&Round::body, "body", "the body it sits on; without it the ground")
           .field(&Round::diameter, "diameter", "D", si::m.in("mm"), "pitch diameter, at the rope's centre; 0: a point")
+          .at_most(farthest)
           .at_least(0)
           .field(&Round::axis, "axis", "", si::one, "direction of its axis, in the frame of its body")
           .choice(&Round::law, "law", {{"sheave", RoundLaw::sheave}, {"saddle", RoundLaw::saddle}},
@@ -120,6 +143,7 @@ const Description& Drive::describe() {
   static const Description d =
       Describe<Drive>()
           .field(&Drive::pull, "pull", "T", si::N, "tension of the rope where it leaves the drum")
+          .at_most(strongest)
           .above(0)
           .field(&Drive::brake, "brake", "'set': the drum holds its rope, as it does without")
           .later("speed", "driven drums come with the dynamics; statics takes a 'pull' or a length")
@@ -131,10 +155,13 @@ const Description& Drum::describe() {
   static const Description d =
       Describe<Drum>()
           .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .at_least(-farthest)
+          .at_most(farthest)
           .required()
           .field(&Drum::body, "body", "the body it sits on; without it the ground")
           .field(&Drum::axis, "axis", "", si::one, "direction of its axis")
           .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "of the bare drum; 0: a point")
+          .at_most(farthest)
           .at_least(0)
           .field(&Drum::layer, "layer", "k", si::one, "the layer that the rope leaves")
           .at_least(1)
@@ -150,6 +177,7 @@ const Description& Carriage::describe() {
   static const Description d =
       Describe<Carriage>()
           .field(&Carriage::mass, "mass", "m", si::kg, "mass")
+          .at_most(heaviest)
           .at_least(0)
           .field(&Carriage::rides, "rides", "the reeving it rides on")
           .required()
@@ -160,8 +188,11 @@ const Description& Carriage::describe() {
           .at_least(0)
           .field(&Carriage::length_before, "length_before", "L", si::m,
                  "clamped: unstretched rope between the reeving's start and the clamp")
+          .at_most(farthest)
           .above(0)
           .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
+          .at_least(-farthest)
+          .at_most(farthest)
           .later("rollers", "carriages of several rollers")
           .later("wheelbase", "carriages of several rollers");
   return d;
@@ -193,10 +224,13 @@ const Description& Reeving::describe() {
           .record(&Reeving::path, "path", "from end to end")
           .required()
           .field(&Reeving::length, "length", "L", si::m, "unstretched length of the rope from end to end")
+          .at_most(farthest)
           .above(0)
           .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N, "instead of the length")
+          .at_most(strongest)
           .above(0)
           .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N, "instead of the length")
+          .at_most(strongest)
           .above(0)
           .field(&Reeving::copies, "copies", "n", si::one, "equal ropes beside each other")
           .at_least(1)
@@ -212,8 +246,11 @@ const Description& Load::describe() {
                                    .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
                                    .required()
                                    .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
+                                   .at_most(heaviest)
                                    .at_least(0)
                                    .field(&Load::force, "force", "F", si::N, "in the ground frame")
+                                   .at_least(-strongest)
+                                   .at_most(strongest)
                                    .exactly_one({"mass", "force"});
   return d;
 }
@@ -224,8 +261,10 @@ const Description& TakeUp::describe() {
           .field(&TakeUp::body, "body", "the body that it pulls")
           .required()
           .field(&TakeUp::weight, "weight", "m", si::kg, "a counterweight of this mass on a rope without loss")
+          .at_most(heaviest)
           .at_least(0)
           .field(&TakeUp::screw, "screw", "F", si::N, "a force")
+          .at_most(strongest)
           .at_least(0)
           .field(&TakeUp::along, "along", "", si::one, "direction of its pull, in the ground frame")
           .exactly_one({"weight", "screw"});
@@ -236,6 +275,7 @@ const Description& Install::describe() {
   static const Description d =
       Describe<Install>()
           .field(&Install::tension, "tension", "T", si::N, "when it is put up, machine unloaded")
+          .at_most(strongest)
           .required()
           .above(0)
           .choice(&Install::at, "at", {{"top", InstallAt::top}, {"anchor", InstallAt::anchor}},
@@ -253,6 +293,7 @@ const Description& Guy::describe() {
                                    .required()
                                    .record(&Guy::install, "install", "tension when it is put up")
                                    .field(&Guy::length, "length", "L", si::m, "unstretched length")
+                                   .at_most(farthest)
                                    .above(0)
                                    .exactly_one({"install", "length"});
   return d;
