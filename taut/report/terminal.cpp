@@ -115,6 +115,71 @@ std::string values(const Result& r) {
   return "\nResults\n" + aligned(rows, {false, true, false, false});
 }
 
+constexpr std::size_t most_table_rows = 8;
+constexpr std::size_t most_turned_rows = 3;
+
+std::string cell_text(const Cell& cell, const ShownUnit& u) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return words(*text);
+  const double x = std::get<double>(cell);
+  return std::isnan(x) ? std::string("-") : number_plain(u.of(x));
+}
+
+/// A head line with units, then the rows; as columns when `turned`.
+std::vector<Row> table_rows(const Table& t, const Display& display, bool turned) {
+  std::vector<Row> rows(t.rows.size() + 1);
+  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+    const ShownUnit u = shown_unit(t.columns[k].unit, display);
+    rows[0].push_back(u.name.empty() ? t.columns[k].name : fmt::format("{} [{}]", t.columns[k].name, u.name));
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      rows[i + 1].push_back(k < t.rows[i].size() ? cell_text(t.rows[i][k], u) : std::string{});
+    }
+  }
+  if (!turned) return rows;
+  std::vector<Row> columns(t.columns.size());
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
+  }
+  return columns;
+}
+
+std::string aligned_table(const std::vector<Row>& rows, bool turned) {
+  std::vector<bool> right(rows[0].size(), !turned);
+  for (std::size_t k = 0; k < right.size(); ++k) {
+    const std::string& first = rows.size() > 1 ? rows[1][k] : rows[0][k];
+    const bool number = !first.empty() && first.find_first_not_of("0123456789.-+e") == std::string::npos;
+    right[k] = !turned && number;
+  }
+  return aligned(rows, right);
+}
+
+/// The table with rows as rows, or as columns where it is too wide for that; empty when it is too long for either.
+std::string short_table(const Table& t, const Display& display, int width) {
+  for (const bool turned : {false, true}) {
+    if (t.rows.size() > (turned ? most_turned_rows : most_table_rows)) continue;
+    const std::string text = aligned_table(table_rows(t, display, turned), turned);
+    if (turned || length(text.substr(0, text.find('\n'))) <= width) return text;
+  }
+  return {};
+}
+
+/// Short tables, and where the others are found.
+std::string tables(const Result& r, const TerminalOptions& o) {
+  const Display display = display_of(r);
+  std::string out;
+  std::string elsewhere;
+  for (const Table& t : r.tables) {
+    if (t.rows.empty() || t.columns.empty()) continue;
+    const std::string text = short_table(t, display, o.width);
+    if (!text.empty()) {
+      out += fmt::format("\n{}\n{}", clean(t.title.empty() ? t.name : t.title), text);
+    } else {
+      elsewhere += fmt::format("{}{} ({} rows)", elsewhere.empty() ? "" : ", ", t.name, t.rows.size());
+    }
+  }
+  if (!elsewhere.empty()) out += "\n" + hanging("In the report and as CSV with -o: ", elsewhere, o.width);
+  return out;
+}
+
 }  // namespace
 
 std::string to_terminal(const Result& r, const TerminalOptions& o) {
@@ -124,6 +189,7 @@ std::string to_terminal(const Result& r, const TerminalOptions& o) {
   out += checks(r, o);
   out += comparisons(r);
   out += values(r);
+  out += tables(r, o);
   return out;
 }
 

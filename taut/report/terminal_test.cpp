@@ -1,5 +1,6 @@
 #include "taut/report/terminal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "test/golden/made_result.hpp"
@@ -49,6 +50,22 @@ TEST(Terminal, WordsWrapAtTheWidth) {
   r.warnings = {std::string(30, 'a') + " " + std::string(30, 'b') + " " + std::string(30, 'c')};
   const std::string text = to_terminal(r, {false, 50});
   EXPECT_NE(text.find("\n    " + std::string(30, 'b') + "\n"), std::string::npos) << text;
+}
+
+TEST(Terminal, PrintsShortTablesTurnsWideOnesAndNamesLongOnes) {
+  Result r;
+  const Table narrow{"narrow", "Narrow", {{"x", si::m}, {"rope", si::one}}, {{1.5, "haulback"}}};
+  Table wide{"wide", "Wide", {}, {{}}};
+  for (int k = 0; k < 20; ++k) {
+    wide.columns.push_back({fmt::format("column_{}", k), si::N});
+    wide.rows[0].emplace_back(1000.0 * k);
+  }
+  const Table tall{"tall", "Tall", {{"x", si::m}}, std::vector<std::vector<Cell>>(100, std::vector<Cell>{1.0})};
+  r.tables = {narrow, wide, tall};
+  const std::string text = to_terminal(r);
+  EXPECT_NE(text.find("  x [m]  rope\n    1.5  haulback\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  column_7 [kN]   7\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("In the report and as CSV with -o: tall (100 rows)"), std::string::npos) << text;
 }
 
 }  // namespace
