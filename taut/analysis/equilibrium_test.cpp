@@ -130,6 +130,41 @@ TEST(Equilibrium, GivenTensionThenFrozenLength) {
   EXPECT_NEAR(again.spans.back().T_to, 50e3, 1e-4);
 }
 
+TEST(Equilibrium, ClosedRopeWithTakeUp) {
+  // a belt over a drive and an idler on a slide, pulled by 5 kN
+  model::Model m;
+  m.bodies.push_back(body("slide", {3, 0, 0}, 0, "x"));
+  m.loads.push_back({{0, origin}, {5e3, 0, 0}});
+  model::Node drive = sheave("drive", origin, 0.3, 1);
+  drive.kind = model::NodeKind::drive;
+  m.reevings.push_back(reeve("belt", {drive, sheave("idler", origin, 0.3, 1, 0.97, 0)}, 8, 0, 1e6));
+  m.reevings[0].closed = true;
+  const EquilibriumResult rest = equilibrium(m);
+  ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
+  EXPECT_NEAR(rest.spans[0].T_from, 2500, 1e-6);
+  EXPECT_NEAR(rest.spans[1].T_from, 2500, 1e-6);
+  const double stretched = 8 * (1 + 2500 / 1e6);
+  EXPECT_NEAR(rest.state.bodies[0].position.x(), (stretched - 2 * std::numbers::pi * 0.3) / 2, 1e-9);
+  EXPECT_EQ(rest.contacts[0].state, ContactState::held);
+  EXPECT_NEAR(rest.contacts[0].wrap, std::numbers::pi, 1e-12);
+  EquilibriumOptions turning;
+  turning.flow = {{1, 1}};
+  const EquilibriumResult run = equilibrium(m, turning);
+  ASSERT_TRUE(run.outcome.ok()) << run.outcome.message;
+  EXPECT_NEAR(run.contacts[1].T_out * 0.97, run.contacts[1].T_in, 1e-6);
+  EXPECT_NEAR(run.spans[0].T_from + run.spans[1].T_from, 5000, 1e-6);
+  EXPECT_EQ(run.contacts[1].state, ContactState::turning);
+}
+
+TEST(Equilibrium, CopiesShareTheLoad) {
+  model::Model m = tackle(2, 1, 3000, 8);
+  m.reevings[0].copies = 2;
+  const EquilibriumResult two = equilibrium(m);
+  ASSERT_TRUE(two.outcome.ok());
+  model::Model half = tackle(2, 1, 1500, 8);
+  EXPECT_NEAR(two.spans[0].T_from / equilibrium(half).spans[0].T_from, 1, 1e-9);
+}
+
 TEST(Equilibrium, SlackGuyDropsOut) {
   // a pole on a hinge, leaning on the guy to its left; the right one is too long to carry
   model::Model m;

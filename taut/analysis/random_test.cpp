@@ -17,7 +17,7 @@ using namespace taut::analysis;
 /// What a seed makes: numbers from low to high, integers below n.
 struct Dice {
   std::mt19937 source;
-  double in(double low, double high) { return low + (high - low) * (source() / 4294967296.0); }
+  double in(double low, double high) { return low + (high - low) * (static_cast<double>(source()) / 4294967296.0); }
   int below(int n) { return static_cast<int>(source() % static_cast<unsigned>(n)); }
 };
 
