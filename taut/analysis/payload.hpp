@@ -1,0 +1,42 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "taut/analysis/load_path.hpp"
+
+namespace taut::analysis {
+
+/// What must not be exceeded.
+struct PayloadLimits {
+  std::vector<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (the band at rest counts),
+                                ///< N; infinite: none. Empty: no rope is limited
+  double clearance = -std::numeric_limits<double>::infinity();  ///< least height of the body above the terrain, m; not
+                                                                ///< asked where there is no terrain
+  double most = 1e6;                                            ///< no payload above this is looked for, kg
+};
+
+/// The largest payload at one place.
+struct Payload {
+  Outcome outcome;        ///< infeasible: some limit is broken without any payload, or there is no equilibrium
+  double mass = 0;        ///< kg, on top of the body's own
+  std::string governing;  ///< in words: which limit ends it
+  int reeving = -1;       ///< whose tension governs; -1: something else does
+  EquilibriumResult at;   ///< with that payload
+};
+
+/// The largest mass that may be added to a body at its origin within the limits: tensions grow and clearance falls with
+/// it, so the first limit reached governs. A payload without equilibrium counts as too much.
+Payload payload(const model::Model& model, int body, const PayloadLimits& limits,
+                const EquilibriumOptions& options = {}, const std::optional<model::State>& start = std::nullopt);
+
+/// The payload at each position of a load path (limits on the carriage's body).
+struct PayloadPoint {
+  double x = 0, z = 0;   ///< of the carriage with that payload, m
+  double clearance = 0;  ///< m; NaN without terrain there
+  Payload payload;
+};
+std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadLimits& limits,
+                                       const LoadPathOptions& options);
+
+}  // namespace taut::analysis
