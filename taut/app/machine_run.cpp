@@ -40,6 +40,16 @@ void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& m
   }
 }
 
+/// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
+/// span there.
+const model::Node* support_at(const model::Model& model, int carriage, double x) {
+  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
+  for (const model::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
+    if (node.at.body == model::ground && std::abs(node.at.at.x() - x) <= std::max(node.radius, 1e-6)) return &node;
+  }
+  return nullptr;
+}
+
 /// What the analyses of a deck ask for, with names resolved.
 class Requests {
  public:
@@ -100,6 +110,10 @@ class Requests {
       complaints.push_back({path, "'carriage' and 'x' belong together"});
     } else if (request.carriage) {
       const int car = carriage(*request.carriage, path + ".carriage");
+      const model::Node* support = car >= 0 ? support_at(model_, car, *request.x) : nullptr;
+      if (support != nullptr) {
+        complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
+      }
       if (car >= 0) one.prescribed = analysis::Prescribed{car, *request.x};
     }
     run.equilibria.push_back(std::move(one));
@@ -170,16 +184,6 @@ void solve(const model::Model& model, EquilibriumRun& one) {
   analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
   options.prescribed = one.prescribed;
   one.result = analysis::equilibrium(one.model, options);
-}
-
-/// The support over which x lies, nearer than its radius: a carriage, taken as a point, is in no span there.
-const model::Node* support_at(const model::Model& model, int carriage, double x) {
-  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  for (const model::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
-    const bool support = node.kind == model::NodeKind::contact && node.at.body == model::ground;
-    if (support && std::abs(node.at.at.x() - x) <= std::max(node.radius, 1e-6)) return &node;
-  }
-  return nullptr;
 }
 
 /// The load path span by span; positions on a support stay without an answer.

@@ -117,7 +117,7 @@ TEST(MachineRun, ARopeHangsOverWhatTheDeckSays) {
 TEST(MachineRun, ALoadPathPassesTheSupports) {
   // mirrored about its support: the same tensions on both sides
   for (const char* hold : {"rolling", "clamped"}) {
-    const Result r = run_text(fmt::format(R"(taut: 1
+    const std::string text = fmt::format(R"(taut: 1
 machine:
   points: {{a: [0 m, 0 m, 0 m], b: [200 m, 0 m, 0 m]}}
   ropes: {{r: {{mass: 2 kg/m, stiffness: 20 MN}}}}
@@ -127,13 +127,19 @@ machine:
 analyses:
   - load_path: {{carriage: car, from: 15 m, to: 185 m, steps: 34}}
 )",
-                                          hold));
+                                         hold);
+    const Result r = run_text(text);
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     const Table* t = r.find_table("load_path");
     ASSERT_EQ(t->rows.size(), 35U);
     EXPECT_TRUE(std::isnan(cell(*t, 17, "z"))) << "on the support itself there is no span";
     ASSERT_EQ(r.warnings.size(), 1U);
     EXPECT_NE(r.warnings[0].find("x = 100 m"), std::string::npos);
+    const Result at_end = run_text(text, {"analyses[0].load_path.from=0 m", "analyses[0].load_path.steps=4"});
+    ASSERT_EQ(at_end.status, Status::ok) << at_end.message << to_text(at_end.errors);
+    EXPECT_NE(at_end.warnings[0].find("the carriage is on 'a'"), std::string::npos);
+    const Result on = run_text(text, {"analyses=[{equilibrium: {carriage: car, x: 200 m}}]"});
+    EXPECT_NE(to_text(on.errors).find("the carriage would be on 'b', in no span"), std::string::npos);
     for (std::size_t i = 0; i < 17; ++i) {
       EXPECT_NEAR(cell(*t, i, "r.T_a") / cell(*t, 34 - i, "r.T_b"), 1, 1e-9);
       EXPECT_NEAR(cell(*t, i, "z"), cell(*t, 34 - i, "z"), 1e-7);
