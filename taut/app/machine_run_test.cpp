@@ -148,6 +148,38 @@ analyses:
   }
 }
 
+TEST(MachineRun, AnEndlessRopeIsKeptTightByItsTakeUp) {
+  const std::string text = R"(taut: 1
+machine:
+  ropes: {saw: {mass: 0 kg/m, stiffness: 5 MN}}
+  bodies: {slide: {at: [10 m, 0 m, 0 m], free: [x]}}
+  sheaves:
+    drive: {at: [0 m, 0 m, 0 m], diameter: 1 m, motor: {speed: saw_speed}, friction: 0.2}
+    idler: {body: slide, at: [0 m, 0 m, 0 m], diameter: 1 m, efficiency: 0.9}
+  reevings: [{rope: saw, path: [{over: idler, side: right}, {over: drive, side: right}], closed: true, length: 23 m}]
+  take_up: [{body: slide, screw: 20 kN, along: [1, 0, 0]}]
+analyses: [{equilibrium: {motion: at_rest}}, {equilibrium: {motion: in}}]
+)";
+  const Result r = run_text(text);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table* t = r.find_table("spans");
+  ASSERT_NE(t, nullptr);
+  ASSERT_EQ(t->rows.size(), 2U);
+  EXPECT_NEAR(cell(*t, 0, "T_from"), 10e3, 1e-5);
+  // 23 m of rope, two straight sides and two half circles of 0.5 m, stretched by T/EA
+  EXPECT_NEAR(value_of(r, "slide.x"), (23 * (1 + 10e3 / 5e6) - M_PI) / 2, 1e-6);
+  const Table* moving = r.find_table("spans_2");
+  ASSERT_NE(moving, nullptr);
+  EXPECT_NEAR(cell(*moving, 1, "T_from") / cell(*moving, 0, "T_from"), 1 / 0.9, 1e-9) << "over the idler";
+  EXPECT_NEAR(cell(*moving, 0, "T_from") + cell(*moving, 1, "T_from"), 20e3, 1e-4);
+  ASSERT_EQ(r.checks.size(), 1U);
+  EXPECT_NEAR(r.checks[0].value, 1 / 0.9, 1e-9);
+  EXPECT_NEAR(r.checks[0].limit, std::exp(0.2 * M_PI), 1e-9);
+  EXPECT_NE(to_text(run_text(text, {"machine.sheaves.drive.diameter=1 m", "machine.sheaves.idler.motor={}"}).errors)
+                .find("one sheave with a 'motor' that drives it, not 2"),
+            std::string::npos);
+}
+
 TEST(MachineRun, ChecksTheBreakingForceAndSaysInfeasibleWithAReason) {
   const std::string head = "taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 0 m], b: [80 m, 0 m, 0 m]}\n";
   const std::string path = "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: ";

@@ -170,16 +170,17 @@ Table closure(const EquilibriumResult& e) {
           {{e.closure.rope, e.closure.force, e.closure.balance, static_cast<double>(e.closure.iterations)}}};
 }
 
-/// The contacts of a rope with the number of their turn at a name: a tackle's block has several.
+/// The nodes of a rope with the number of their turn at a name: a tackle's block has several.
 struct Turn {
   std::string name;
   long nth = 0;
+  bool fixed = false;  ///< an end of the rope
 };
 std::vector<Turn> turns_of(const model::Reeving& r) {
   std::vector<Turn> all;
-  for (std::size_t n = 1; n + 1 < r.nodes.size(); ++n) {
-    const auto same = [&](const Turn& other) { return other.name == r.nodes[n].name; };
-    all.push_back({r.nodes[n].name, std::count_if(all.begin(), all.end(), same)});
+  for (const model::Node& node : r.nodes) {
+    const auto same = [&](const Turn& other) { return !other.fixed && other.name == node.name; };
+    all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == model::NodeKind::anchor});
   }
   return all;
 }
@@ -190,7 +191,7 @@ const analysis::ContactResult* contact(const model::Model& m, const EquilibriumR
   const std::vector<Turn> turns = turns_of(rope(m, reeving));
   for (const auto& c : e.contacts) {
     if (c.reeving != reeving) continue;
-    const Turn& own = turns[static_cast<std::size_t>(c.node) - 1];
+    const Turn& own = turns[static_cast<std::size_t>(c.node)];
     if (own.name == turn.name && own.nth == turn.nth) return &c;
   }
   return nullptr;
@@ -205,6 +206,7 @@ std::vector<Column> load_path_columns(const model::Model& m) {
   }
   for (const model::Reeving& r : m.reevings) {
     for (const Turn& turn : turns_of(r)) {
+      if (turn.fixed) continue;
       const std::string which =
           fmt::format("{}.{}{}", r.name, turn.name, turn.nth == 0 ? std::string{} : fmt::format("[{}]", turn.nth + 1));
       columns.push_back({which + ".T_in", si::N});
@@ -231,6 +233,7 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
   }
   for (int i = 0; i < count; ++i) {
     for (const Turn& turn : turns_of(rope(all, i))) {
+      if (turn.fixed) continue;
       const auto* c = contact(m, e, i, turn);
       if (c == nullptr) {
         row.insert(row.end(), {none, none, none, none, none});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "taut/app/machine_tables.hpp"
@@ -120,6 +121,24 @@ void add_ends(const MachineRun& run, Result& r) {
   }
 }
 
+/// The grip of driven sheaves whose friction is known, at its worst: T_large/T_small against exp(mu theta).
+void add_grip(const MachineRun& run, Result& r) {
+  std::map<std::string, Check> worst;
+  for (const Answer& a : answers_of(run)) {
+    for (const auto& c : a.result->contacts) {
+      const auto& node = a.model->reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
+      if (node.kind != model::NodeKind::drive || !std::isfinite(node.law.friction)) continue;
+      const double low = std::min(c.T_in, c.T_out);
+      Check check = make_check(node.name + ".grip", low > 0 ? std::max(c.T_in, c.T_out) / low : HUGE_VAL,
+                               Sense::at_most, std::exp(node.law.friction * c.wrap), si::one,
+                               "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein", "derived");
+      const auto at = worst.find(node.name);
+      if (at == worst.end() || check.utilisation > at->second.utilisation) worst[node.name] = std::move(check);
+    }
+  }
+  for (auto& [name, check] : worst) r.checks.push_back(std::move(check));
+}
+
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
 std::string beside_its_span(const model::Model& m, const EquilibriumResult& e, const model::Carriage& car) {
   const auto& nodes = m.reevings[static_cast<std::size_t>(car.reeving)].nodes;
@@ -170,6 +189,7 @@ void add_values(const MachineRun& run, Result& r) {
   add_clearance(run, r);
   add_places(run, r);
   add_ends(run, r);
+  add_grip(run, r);
   add_warnings(run, r);
 }
 

@@ -165,7 +165,8 @@ class Compiler {
     take(given.length, Given::length, "length");
     take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
     take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
-    if (!given.path.empty()) {
+    if (given.closed && !given.length) complain(path, "an endless rope is given by its 'length'");
+    if (!given.path.empty() && !given.closed) {
       take(pull_of(given.path.front()), Given::tension_at_start, "the pull of its first drum");
       take(pull_of(given.path.back()), Given::tension_at_end, "the pull of its last drum");
     }
@@ -175,6 +176,7 @@ class Compiler {
 
   static int haul_of(const description::Reeving& given, const Reeving& reeving) {
     if (given.haul != Haul::automatic) return given.haul == Haul::to_end ? 1 : -1;
+    if (given.closed) return 1;
     if (given.path.front().drum) return -1;
     if (given.path.back().drum) return 1;
     return reeving.given == Given::tension_at_end ? 1 : -1;
@@ -185,6 +187,7 @@ class Compiler {
     Reeving reeving;
     reeving.name = given.name.value_or(given.rope);
     reeving.copies = given.copies;
+    reeving.closed = given.closed;
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     set_given(reeving, given, path);
@@ -298,7 +301,7 @@ class Compiler {
       for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
       check_distances(r, places);
       if (!complaints_.empty()) continue;
-      set_sides(stops, places);
+      set_sides(stops, places, model_.reevings[r].closed);
       set_clamps(stops, places, model_.reevings[r]);
       for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
     }

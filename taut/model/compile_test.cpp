@@ -269,7 +269,9 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.ropes[0].mass = {}; }, "ropes.skyline: says neither"},
       {[](Machine& m) { m.ropes[0].stiffness = {}; }, "ropes.skyline: lacks its 'stiffness', EA"},
       {[](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; }, "ropes.skyline.rope: "},
-      {[](Machine& m) { m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}}}; },
+      {[](Machine& m) {
+         m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}}};
+       },
        "bodies.hook: may move, but no rope runs to it"},
       {[](Machine& m) {
          m.supports[0].axis = {0, 0, 0};

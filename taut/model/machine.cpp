@@ -109,6 +109,13 @@ const Description& Body::describe() {
   return d;
 }
 
+const Description& Motor::describe() {
+  static const Description d = Describe<Motor>()
+                                   .field(&Motor::speed, "speed", "a signal; statics does not depend on it")
+                                   .later("torque", "driven sheaves with a given torque");
+  return d;
+}
+
 const Description& Round::describe() {
   static const Description d =
       Describe<Round>()
@@ -134,8 +141,8 @@ const Description& Round::describe() {
                   "it lift off")
           .field(&Round::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
           .at_least(0)
-          .later("motor", "driven sheaves wait for closed loops")
-          .later("torque", "driven sheaves wait for closed loops");
+          .record(&Round::motor, "motor", "the sheave drives an endless rope, in statics with whatever torque it takes")
+          .later("torque", "driven sheaves with a given torque");
   return d;
 }
 
@@ -237,7 +244,7 @@ const Description& Reeving::describe() {
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
                   "which way it runs when hoisting or hauling in; without it to its drum or given tension, else to its "
                   "start")
-          .later("closed", "endless ropes");
+          .field(&Reeving::closed, "closed", "an endless rope, from the last element back to the first");
   return d;
 }
 

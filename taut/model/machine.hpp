@@ -49,6 +49,12 @@ enum class RoundLaw { usual, sheave, saddle };
 /// `usual`: a saddle reports, a sheave holds.
 enum class Uplift { usual, hold, report, lift };
 
+/// What drives a sheave of an endless rope: in statics whatever torque it takes.
+struct Motor {
+  std::optional<std::string> speed;  ///< a signal, for dynamics
+  static const Description& describe();
+};
+
 /// A sheave, or a saddle that does not turn.
 struct Round {
   std::string name;
@@ -61,6 +67,7 @@ struct Round {
   double efficiency = 1;           ///< of a turning sheave
   Uplift uplift = Uplift::usual;   ///< what happens when the rope pulls it upwards
   std::optional<double> inertia;   ///< kg m2, for dynamics
+  std::optional<Motor> motor;
   static const Description& describe();
 };
 
@@ -116,6 +123,7 @@ struct Reeving {
   std::optional<std::string> name;  ///< default: its rope's
   std::string rope;
   std::vector<PathElement> path;
+  bool closed = false;  ///< endless: from the last element back to the first
   std::optional<double> length;
   std::optional<double> tension_at_start;
   std::optional<double> tension_at_end;

@@ -33,6 +33,7 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   stop.saddle = round.law == RoundLaw::saddle || (round.law == RoundLaw::usual && index >= sheaves);
   stop.side = side;
   Node& node = stop.node;
+  stop.drives = round.motor.has_value();
   node.name = round.name;
   node.kind = NodeKind::contact;
   node.at = target.place;
@@ -56,6 +57,16 @@ class PathReader {
  public:
   PathReader(const Machine& machine, const Links& links, double diameter, std::vector<Complaint>& complaints)
       : machine_(machine), links_(links), diameter_(diameter), complaints_(complaints) {}
+
+  /// An element of an endless rope.
+  void add_closed(const PathElement& e, const std::string& at) {
+    if (e.anchor || e.drum) complain(at, "an endless rope is fixed nowhere: 'over' and 'through' only");
+    if (e.parts != 1 || !e.between.empty()) complain(at, "an endless rope has no tackle; write its sheaves one by one");
+    if (e.through) carriage(*e.through, at + ".through");
+    if (!e.over) return;
+    const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
+    if (own != nullptr) stops.push_back(round_stop(machine_, *own, e.side));
+  }
 
   void add(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
     const PathElement& e = path[i];
@@ -177,6 +188,19 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
   return upper_side(in, axis);
 }
 
+/// Turns an endless path so that its drive comes first.
+void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vector<Complaint>& complaints) {
+  const auto is_drive = [](const Stop& stop) { return stop.drives; };
+  const auto drives = std::count_if(stops.begin(), stops.end(), is_drive);
+  if (drives != 1) {
+    complaints.push_back(
+        {path, fmt::format("an endless rope has one sheave with a 'motor' that drives it, not {}", drives)});
+    return;
+  }
+  std::rotate(stops.begin(), std::find_if(stops.begin(), stops.end(), is_drive), stops.end());
+  stops.front().node.kind = NodeKind::drive;
+}
+
 }  // namespace
 
 std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
@@ -184,12 +208,14 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
   PathReader reader(machine, links, diameter, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   for (std::size_t i = 0; i < reeving.path.size(); ++i) {
-    reader.add(reeving.path, i, fmt::format("{}.path[{}]", path, i));
+    const std::string at = fmt::format("{}.path[{}]", path, i);
+    reeving.closed ? reader.add_closed(reeving.path[i], at) : reader.add(reeving.path, i, at);
   }
+  if (reeving.closed) begin_at_drive(reader.stops, path, complaints);
   return std::move(reader.stops);
 }
 
-void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places) {
+void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed) {
   std::vector<bool> open(stops.size(), false);
   const auto last = stops.size() - 1;
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -197,23 +223,25 @@ void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places) {
     if (stops[i].side != Side::automatic) {
       // looking along the axis, what lies to the left of the path turns it left: left-handed about the axis
       node.side = stops[i].side == Side::left ? -1 : 1;
-    } else if (i == 0 || i == last) {
+    } else if (!closed && (i == 0 || i == last)) {
       const Vector3 d = i == 0 ? places[1] - places[0] : places[last] - places[last - 1];
       node.side = upper_side(d, node.axis);
     } else {
-      const int side = bend_side(stops[i], places[i - 1], places[i], places[i + 1]);
+      const int side = bend_side(stops[i], places[i == 0 ? last : i - 1], places[i], places[i == last ? 0 : i + 1]);
       node.side = side == 0 ? 1 : side;
       open[i] = side == 0;
     }
   }
   const auto follow = [&](std::size_t i, std::size_t from) {
-    if (!open[i] || open[from] || stops[from].node.radius <= 0 || stops[from].node.kind != NodeKind::contact) return;
+    const NodeKind kind = stops[from].node.kind;
+    const bool round = stops[from].node.radius > 0 && (kind == NodeKind::contact || kind == NodeKind::drive);
+    if (!open[i] || open[from] || !round) return;
     const double same = stops[from].node.axis.dot(stops[i].node.axis);
     stops[i].node.side = same >= 0 ? stops[from].node.side : -stops[from].node.side;
     open[i] = false;
   };
-  for (std::size_t i = 1; i < last; ++i) follow(i, i - 1);
-  for (std::size_t i = last; i-- > 1;) follow(i, i + 1);
+  for (std::size_t i = 1; i <= last; ++i) follow(i, i - 1);
+  for (std::size_t i = last; i-- > 0;) follow(i, i + 1);
 }
 
 }  // namespace taut::model

@@ -13,11 +13,13 @@ struct Stop {
   description::Side side = description::Side::automatic;
   int carriage = -1;  ///< index among the carriages
   bool saddle = false;
+  bool drives = false;  ///< has a motor
 };
 
-/// The nodes of a reeving's path, tackles written out: between two sheaves of a tackle of n parts the rope runs n
-/// times. Where the element before is one of the two, it counts as the beginning of the first part. Sides are not set.
-/// `diameter`: of the rope, 0 when not known (a rope on a drum lies half a diameter above the core).
+/// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
+/// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
+/// the first part. Sides are not set. `diameter`: of the rope, 0 when not known (a rope on a drum lies half a diameter
+/// above the core).
 std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
                            double diameter, const std::string& path, std::vector<Complaint>& complaints);
 
@@ -25,6 +27,6 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
 /// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside
 /// itself, within its own width, is run round in the sense of the one before it, and a drum is wound from above.
 /// `places`: of the stops, in the ground frame.
-void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places);
+void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed);
 
 }  // namespace taut::model
