@@ -111,6 +111,12 @@ std::string keys_table(const std::string& head, const Description& description) 
   return text;
 }
 
+std::string exact_values(const Description& d) {
+  std::string text;
+  for (const Field& f : d.fields) text += fmt::format("  {:<24}{:<8}{}\n", f.key, f.unit.symbol, f.words);
+  return text;
+}
+
 }  // namespace
 
 std::string explain_text(const MethodEntry& method) {
@@ -130,6 +136,7 @@ std::string explain_text(const MethodEntry& method) {
   walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("  {:<24}{:<8}{}{}\n", key, f.unit.symbol, f.words, f.source.empty() ? "" : "  " + f.source);
   });
+  if (method.exact != nullptr) text += "\nValues of the exact solution by the engine\n" + exact_values(*method.exact);
   if (!about.errata.empty()) text += "\nErrata of the source (each with the test that shows it)\n";
   for (const Erratum& e : about.errata) {
     text += fmt::format("  {}: printed {}; correct {}. {} [{}]\n", e.where, e.printed, e.correct, e.evidence, e.test);
@@ -145,6 +152,12 @@ std::string reference_markdown(const MethodEntry& method) {
   walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", key, f.unit.symbol, cell(f.words), cell(f.source));
   });
+  if (method.exact != nullptr) {
+    text += "\n| value of the engine | SI unit | meaning |\n|---|---|---|\n";
+    for (const Field& f : method.exact->fields) {
+      text += fmt::format("| `{}` | {} | {} |\n", f.key, f.unit.symbol, cell(f.words));
+    }
+  }
   return text + "\n";
 }
 

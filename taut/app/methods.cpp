@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "taut/app/embedded/examples.hpp"
+#include "taut/app/exact/mast_section_exact.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/io/read.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
@@ -22,22 +23,35 @@ std::string_view example_of(const std::string& method) {
   return {};
 }
 
+/// What the engine adds to a method's result, and the description of its values.
+template <class Input>
+struct Exact {
+  const Description* values = nullptr;
+  void (*complete)(const Input&, Result&) = nullptr;
+};
+
 template <class Input, class Output>
-MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(const Input&),
-                  Result (*run)(const Input&)) {
+MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(const Input&), Result (*run)(const Input&),
+                  const Exact<Input>& exact = {}) {
   MethodEntry e;
   e.about = &about;
   e.input = &Input::describe();
   e.output = &Output::describe();
+  e.exact = exact.values;
   e.example = example_of(about.name);
   const std::string what = "the input of " + about.name;
-  e.prepare = [complaints, run, what](const io::Node& node, Diagnostics& mistakes) -> std::function<Result()> {
+  e.prepare = [complaints, run, what, complete = exact.complete](const io::Node& node,
+                                                                 Diagnostics& mistakes) -> std::function<Result()> {
     const auto in = std::make_shared<Input>();
     if (!io::read(node, Input::describe(), in.get(), what, mistakes)) return {};
     const std::vector<Complaint> broken = complaints(*in);
     io::place(node, broken, mistakes);
     if (!broken.empty()) return {};
-    return [in, run] { return run(*in); };
+    return [in, run, complete] {
+      Result r = run(*in);
+      if (complete != nullptr) complete(*in, r);
+      return r;
+    };
   };
   return e;
 }
@@ -47,7 +61,8 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
 const std::vector<MethodEntry>& methods() {
   static const std::vector<MethodEntry> all = {
       entry<mast_section::Input, mast_section::Output>(mast_section::about(), mast_section::complaints,
-                                                       mast_section::run),
+                                                       mast_section::run,
+                                                       {&MastSectionExact::describe(), complete_mast_section}),
       entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, closed_loop::run),
       entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(), friction_drive::complaints,
                                                            friction_drive::run),

@@ -18,7 +18,8 @@ struct MethodEntry {
   const Method* about = nullptr;
   const Description* input = nullptr;
   const Description* output = nullptr;
-  std::string_view example;  ///< the text of examples/<name>.yaml
+  const Description* exact = nullptr;  ///< values that the engine adds; none where it does not
+  std::string_view example;            ///< the text of examples/<name>.yaml
   /// Reads `input` and notes every mistake; without mistakes returns the calculation, ready to be called; else an empty
   /// one.
   std::function<std::function<Result()>(const io::Node& input, Diagnostics& mistakes)> prepare;

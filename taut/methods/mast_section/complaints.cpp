@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
@@ -70,6 +71,34 @@ void section_rules(const Input& in, std::vector<Complaint>& all) {
                    "no section of the catalogue is like that: allow another standard, forming, trust or slenderness"});
 }
 
+void guy_rules(const Input& in, std::size_t i, std::vector<Complaint>& all) {
+  const Guy& guy = in.guys[i];
+  const std::string at = fmt::format("guys[{}]", i);
+  if (guy.rope) {
+    const auto rope = catalogue::find_rope_in_words(*guy.rope);
+    if (!rope) all.push_back({at + ".rope", to_text(rope.error())});
+  } else if (!guy.stiffness || !guy.weight) {
+    all.push_back({at, "without a rope of the catalogue a guy needs its stiffness and its weight"});
+  }
+  const double top = std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
+  const double fixing = guy.attachment_height.value_or(top);
+  if (fixing > top) {
+    all.push_back({at + ".attachment_height",
+                   fmt::format("the guy's upper end at {:.6g} m is above the mast, which ends at its higher block, "
+                               "{:.6g} m",
+                               fixing, top)});
+  }
+  if (guy.install.has_value() == guy.length.has_value()) {
+    all.push_back({at, "give install (its tension) or length, one of them"});
+  }
+}
+
+void base_rules(const Input& in, std::vector<Complaint>& all) {
+  if (in.base == Base::hinged && in.guys.empty()) {
+    all.push_back({"base", "a mast on a hinge falls without guys: give guys, or base: clamped"});
+  }
+}
+
 }  // namespace
 
 std::vector<Complaint> complaints(const Input& in) {
@@ -77,6 +106,8 @@ std::vector<Complaint> complaints(const Input& in) {
   branch_angle_rules(in, all);
   stress_rules(in, all);
   section_rules(in, all);
+  for (std::size_t i = 0; i < in.guys.size(); ++i) guy_rules(in, i, all);
+  base_rules(in, all);
   return all;
 }
 

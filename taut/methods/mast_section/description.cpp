@@ -62,6 +62,51 @@ const Description& ChooseSection::describe() {
   return d;
 }
 
+const Description& GuyInstall::describe() {
+  static const Description d =
+      Describe<GuyInstall>()
+          .field(&GuyInstall::tension, "tension", "T_0", si::N, "tension while the mast stands plumb and unloaded")
+          .required()
+          .above(0)
+          .choice(&GuyInstall::at, "at", {{"top", GuyEnd::top}, {"anchor", GuyEnd::anchor}},
+                  "the end that has this tension");
+  return d;
+}
+
+const Description& Guy::describe() {
+  static const Description d =
+      Describe<Guy>()
+          .field(&Guy::rope, "rope", "rope of the catalogue, by id or in words; or give stiffness and weight")
+          .field(&Guy::stiffness, "stiffness", "EA", si::N, "tension per strain; modulus times area when left out")
+          .above(0)
+          .field(&Guy::modulus, "modulus", "E", si::Pa, "modulus of the rope on its metallic area")
+          .above(0)
+          .field(&Guy::weight, "weight", "w", si::N_per_m, "weight per metre; that of the rope when left out")
+          .at_least(0)
+          .field(&Guy::breaking_force, "breaking_force", "F_min", si::N,
+                 "minimum breaking force; that of the rope when left out")
+          .above(0)
+          .field(
+              &Guy::plan_angle, "plan_angle", "", si::rad,
+              "direction of the anchor in plan, from the span's direction counter-clockwise; 180 deg: behind the mast")
+          .required()
+          .at_least(-2 * std::numbers::pi)
+          .at_most(2 * std::numbers::pi)
+          .field(&Guy::anchor_distance, "anchor_distance", "", si::m, "of the anchor from the mast's axis, horizontal")
+          .required()
+          .above(0)
+          .field(&Guy::anchor_height, "anchor_height", "", si::m, "of the anchor above the clamp; negative below it")
+          .field(&Guy::attachment_height, "attachment_height", "", si::m,
+                 "of the guy's upper end above the clamp; as the higher block when left out")
+          .above(0)
+          .record(&Guy::install, "install", "the tension as installed; or give length")
+          .shorthand("tension")
+          .field(&Guy::length, "length", "L_0", si::m, "unstretched length; or give install")
+          .above(0)
+          .exactly_one({"install", "length"});
+  return d;
+}
+
 const Description& Input::describe() {
   static const Description d =
       Describe<Input>()
@@ -99,7 +144,13 @@ const Description& Input::describe() {
           .at_least(0)
           .below(1)
           .field(&Input::section, "section", "catalogue section to check, CHS 508x16; RHS about the strong axis")
-          .record(&Input::choose_section, "choose_section", "which catalogue sections may be chosen; or give section");
+          .record(&Input::choose_section, "choose_section", "which catalogue sections may be chosen; or give section")
+          .record(&Input::guys, "guys", "guylines, for the exact solution; not in the published method")
+          .field(&Input::lateral_force, "lateral_force", "P_y", si::N,
+                 "force across the span at the skyline block, to the left seen towards the span, for the exact "
+                 "solution: haulback rope, wind")
+          .choice(&Input::base, "base", {{"clamped", Base::clamped}, {"hinged", Base::hinged}},
+                  "foot of the mast in the exact solution; hinged needs guys");
   return d;
 }
 

@@ -54,6 +54,35 @@ struct ChooseSection {
   static const Description& describe();
 };
 
+/// Foot of the mast in the exact solution. The published method knows the clamped one only.
+enum class Base { clamped, hinged };
+enum class GuyEnd { top, anchor };
+
+/// How a guy is set while the mast stands plumb and unloaded.
+struct GuyInstall {
+  double tension = not_computed;  ///< N
+  GuyEnd at = GuyEnd::top;        ///< where it has that tension
+
+  static const Description& describe();
+};
+
+/// A guyline, for the exact solution beside the method, which leaves guys out.
+struct Guy {
+  std::optional<std::string> rope;          ///< of the catalogue: weight, breaking force and, with `modulus`, stiffness
+  std::optional<double> stiffness;          ///< EA, N
+  double modulus = 100e9;                   ///< Pa, on the rope's metallic area, where no stiffness is given
+  std::optional<double> weight;             ///< N/m
+  std::optional<double> breaking_force;     ///< N
+  double plan_angle = not_computed;         ///< rad, from the span's direction, counter-clockwise seen from above
+  double anchor_distance = not_computed;    ///< m, horizontal, from the mast's axis
+  double anchor_height = 0;                 ///< m, above the clamp
+  std::optional<double> attachment_height;  ///< m above the clamp; as the higher block when left out
+  std::optional<GuyInstall> install;        ///< or
+  std::optional<double> length;             ///< unstretched, m
+
+  static const Description& describe();
+};
+
 struct Input {
   double skyline_force = not_computed;          ///< T_sky, N
   double mainline_force = not_computed;         ///< T_main, N
@@ -69,6 +98,9 @@ struct Input {
   double tube_ratio = 0.9;                 ///< c = d/D
   std::optional<std::string> section;      ///< "CHS 508x16": checked
   std::optional<ChooseSection> choose_section;
+  std::vector<Guy> guys;                ///< these and what follows: for the exact solution, not in the published method
+  std::optional<double> lateral_force;  ///< N, across the span, at the skyline block
+  Base base = Base::clamped;
 
   static const Description& describe();
 };

@@ -120,6 +120,16 @@ std::optional<Assessment> lightest(const Input& in, SectionShape shape, const st
   return std::nullopt;
 }
 
+std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces) {
+  if (in.section) return assess(limit_of(in), *catalogue::find_section(*in.section), forces);
+  std::optional<Assessment> best;
+  for (const SectionShape shape : shapes_of(in)) {
+    auto a = lightest(in, shape, forces);
+    if (a && (!best || a->section.mass_per_length < best->section.mass_per_length)) best = std::move(a);
+  }
+  return best;
+}
+
 std::optional<Assessment> strongest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
   std::optional<Assessment> best;
   const StressLimit limit = limit_of(in);

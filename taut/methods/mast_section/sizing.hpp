@@ -55,6 +55,9 @@ std::vector<catalogue::SectionShape> shapes_of(const Input& in);
 std::optional<Assessment> lightest(const Input& in, catalogue::SectionShape shape,
                                    const std::vector<ClampForces>& forces);
 
+/// The section that is given, or else the lightest of all shapes that passes; nothing when none does.
+std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces);
+
 /// The section of a shape that comes nearest to passing, for the message when none passes.
 std::optional<Assessment> strongest(const Input& in, catalogue::SectionShape shape,
                                     const std::vector<ClampForces>& forces);

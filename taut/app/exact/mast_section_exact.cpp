@@ -1,0 +1,293 @@
+#include "taut/app/exact/mast_section_exact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/app/exact/mast_section_figures.hpp"
+#include "taut/catalogue/rope_words.hpp"
+#include "taut/catalogue/rule.hpp"
+#include "taut/methods/mast_section/position.hpp"
+#include "taut/methods/mast_section/sizing.hpp"
+
+namespace taut::app {
+namespace {
+
+using namespace mast_section;
+
+constexpr double standard_gravity = 9.80665;
+
+double mast_height(const Input& in) { return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0)); }
+
+bool asks_for_exact(const Input& in) {
+  return !in.guys.empty() || in.lateral_force.has_value() || in.base == Base::hinged;
+}
+
+analysis::Guy engine_guy(const Input& in, std::size_t i) {
+  const Guy& g = in.guys[i];
+  analysis::Guy out;
+  out.name = std::to_string(i + 1);
+  out.height = g.attachment_height.value_or(mast_height(in));
+  out.anchor = {g.anchor_distance * std::cos(g.plan_angle), g.anchor_distance * std::sin(g.plan_angle),
+                g.anchor_height};
+  out.breaking_force = g.breaking_force;
+  if (g.rope) {
+    const auto rope = catalogue::find_rope_in_words(*g.rope);
+    out.stiffness = g.modulus * rope->area;
+    out.weight = rope->mass_per_length * standard_gravity;
+    if (!out.breaking_force) out.breaking_force = rope->breaking_force;
+  }
+  out.stiffness = g.stiffness.value_or(out.stiffness);
+  out.weight = g.weight.value_or(out.weight);
+  if (g.length) {
+    out.install = analysis::GuyLength{*g.length};
+  } else {
+    out.install = analysis::GuyTension{g.install->tension,
+                                       g.install->at == GuyEnd::top ? analysis::GuyEnd::top : analysis::GuyEnd::anchor};
+  }
+  return out;
+}
+
+/// The carriage positions that the method can do, and which of them governs it.
+struct Cases {
+  std::vector<Position> positions;
+  std::size_t governing = 0;
+};
+
+Cases cases_of(const Input& in) {
+  Cases c;
+  if (in.span) {
+    const std::size_t governs = governing_positions(in).of[0];
+    for (Position& p : sweep(in)) {
+      if (!p.outcome.ok()) continue;
+      if (p.index == governs) c.governing = c.positions.size();
+      c.positions.push_back(p);
+    }
+    return c;
+  }
+  Position only;
+  only.outcome = solve(in, only.out);
+  c.positions.push_back(only);
+  return c;
+}
+
+/// What the mast is made of: the section given or chosen, or the method's ideal tube.
+struct Section {
+  std::string name;
+  structure::BeamSection beam;
+  double allowable = 0;
+  std::string trust;
+};
+
+Section section_of(const Input& in, const Cases& cases) {
+  std::vector<ClampForces> forces;
+  for (const Position& p : cases.positions) forces.push_back({p.out.N, p.out.M, p.index});
+  const std::string trust = trust_of(limit_of(in));
+  if (const auto a = section_in_use(in, forces)) {
+    return {a->section.name, structure::beam_section(a->section), a->allowable, trust};
+  }
+  const Output& o = cases.positions[cases.governing].out;
+  const double wall = std::min(o.t_tube, o.D_tube / 2);
+  return {fmt::format("ideal tube {:.1f} x {:.1f} mm", o.D_tube * 1e3, wall * 1e3),
+          structure::tube_section(o.D_tube, wall), o.sigma_allow, trust};
+}
+
+Vector3 block_force(double R, double gamma) { return {R * std::cos(gamma), 0, -R * std::sin(gamma)}; }
+
+double largest_tension(const analysis::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
+
+void take_position(const analysis::GuyedMastResult& m, MastSectionExact& out) {
+  out.M_exact = std::hypot(m.base_moment.x(), m.base_moment.y());
+  out.M_max_exact = bending(m.points[m.most_bent]);
+  out.M_max_height_exact = m.points[m.most_bent].height;
+  out.N_exact = m.base_force.z();
+  out.Q_exact = std::hypot(m.base_force.x(), m.base_force.y());
+  out.top_displacement_exact = std::hypot(m.top.x(), m.top.y());
+  out.top_x_exact = m.top.x();
+  out.top_y_exact = m.top.y();
+  out.top_drop_exact = -m.top.z();
+  out.sigma_exact = m.points[m.worst].stress;
+  out.sigma_height_exact = m.points[m.worst].height;
+  if (m.guys.empty()) return;
+  out.slack_guys_exact =
+      static_cast<double>(std::count_if(m.guys.begin(), m.guys.end(), [](const auto& g) { return g.slack; }));
+}
+
+void take_worst(const analysis::GuyedMastResult& m, MastSectionExact& out) {
+  out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, m.points[m.worst].stress);
+  out.force_balance_exact = std::fmax(out.force_balance_exact, m.force_balance);
+  out.moment_balance_exact = std::fmax(out.moment_balance_exact, m.moment_balance);
+  for (const analysis::GuyState& g : m.guys) {
+    out.guy_closure_exact = std::fmax(out.guy_closure_exact, g.closure);
+    out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, largest_tension(g));
+    out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, g.safety);  // fmin passes over NaN
+  }
+}
+
+Table guys_table(const analysis::GuyedMast& mast, const analysis::GuyedMastResult& m) {
+  Table t{"guys",
+          "Guylines at the governing carriage position, force on the anchor",
+          {{"guy", si::one},
+           {"unstretched", si::m},
+           {"T_installed", si::N},
+           {"T_top", si::N},
+           {"T_anchor", si::N},
+           {"Fx", si::N},
+           {"Fy", si::N},
+           {"Fz", si::N},
+           {"safety_factor", si::one},
+           {"state", si::one}},
+          {}};
+  for (std::size_t i = 0; i < m.guys.size(); ++i) {
+    const analysis::GuyState& g = m.guys[i];
+    t.rows.push_back({mast.guys[i].name, g.length, g.tension_installed, g.tension_top, g.tension_anchor,
+                      g.force_on_anchor.x(), g.force_on_anchor.y(), g.force_on_anchor.z(), g.safety,
+                      std::string(g.slack ? "slack" : "taut")});
+  }
+  return t;
+}
+
+Table positions_table() {
+  return {"positions_exact",
+          "Carriage positions, exact",
+          {{"x", si::m},
+           {"N_exact", si::N},
+           {"Q_exact", si::N},
+           {"M_exact", si::N_m},
+           {"M_max_exact", si::N_m},
+           {"top_displacement_exact", si::m.in("mm")},
+           {"sigma_exact", si::Pa},
+           {"guy_tension_max_exact", si::N},
+           {"reason", si::one}},
+          {}};
+}
+
+std::vector<Cell> position_row(double x, const analysis::GuyedMastResult& m, const Outcome& outcome) {
+  MastSectionExact e;
+  if (outcome.ok()) take_position(m, e), take_worst(m, e);
+  return {x,
+          e.N_exact,
+          e.Q_exact,
+          e.M_exact,
+          e.M_max_exact,
+          e.top_displacement_exact,
+          e.sigma_exact,
+          e.guy_tension_max_exact,
+          outcome.message};
+}
+
+void add_comparisons(const Input& in, const Output& o, const Section& section, const MastSectionExact& e, Result& r) {
+  const auto add = [&](const char* what, const char* symbol, const Unit& unit, double method, double exact) {
+    const bool guyed = !in.guys.empty();
+    r.comparisons.push_back({what, symbol, unit, method, method, exact,
+                             guyed ? "exact: with guys and second order" : "exact: with second order", method < exact});
+  };
+  add("axial force at the foot", "N", si::N, o.N, e.N_exact);
+  add("shear at the foot", "Q", si::N, o.Q, e.Q_exact);
+  add("moment at the foot", "M", si::N_m, o.M, e.M_exact);
+  const double stress = structure::largest_stress(section.beam, o.N, o.M, 0);
+  add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
+}
+
+void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
+  if (!asks_for_exact(in)) {
+    if (e.sigma_worst_exact > section.allowable) {
+      r.warnings.push_back(fmt::format(
+          "second order: with the moment of its own deflection the stress in {} is {:.1f} MPa, more than the allowable "
+          "{:.1f} MPa",
+          section.name, e.sigma_worst_exact / 1e6, section.allowable / 1e6));
+    }
+    return;
+  }
+  // The method's check is that of another mast: a clamped one without guys.
+  std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
+  r.checks.push_back(make_check(
+      fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, Sense::at_most, section.allowable,
+      si::Pa, "N/A + M/W <= [sigma] at every height, second order, at every carriage position", section.trust));
+  const auto rule = catalogue::find_rule("safety.guyline.ch_at");
+  if (std::isnan(e.guy_safety_min_exact) || !rule || !rule->low) return;
+  const bool unverified = rule->trust == catalogue::Trust::unverified;
+  r.checks.push_back(make_check("guylines do not break", e.guy_safety_min_exact, Sense::at_least, *rule->low, si::one,
+                                fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
+                                unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))));
+}
+
+void add_words(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
+  r.assumptions.push_back(fmt::format(
+      "Exact column: {}, E 210 GPa, {} at its foot; geometrically exact beam, guys as elastic catenaries set while the "
+      "mast stands plumb and unloaded; block forces keep their direction.",
+      section.name, in.base == Base::clamped ? "clamped" : "hinged"));
+  if (!in.guys.empty() && e.slack_guys_exact > 0) {
+    r.warnings.push_back(
+        fmt::format("{:.0f} of {} guys are slack at the governing carriage position: see the table of guys",
+                    e.slack_guys_exact, in.guys.size()));
+  }
+  Step heading, note;
+  heading.kind = Step::Kind::heading;
+  heading.words = "Exact solution of the mast";
+  note.kind = Step::Kind::note;
+  note.words =
+      "r' = (1 + F d3/EA) d3, M' = -r' x F, F constant between the blocks and guys; solved so that force and moment "
+      "vanish above the top (docs/theory/guyed-mast.md)";
+  r.steps.push_back(heading);
+  r.steps.push_back(note);
+}
+
+/// No equilibrium at one position.
+void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& r) {
+  const std::string at = in.span ? fmt::format("carriage at {:.4g} m: ", p.out.x) : std::string();
+  if (!asks_for_exact(in)) {
+    r.warnings.push_back("second order: " + at + outcome.message);
+  } else if (r.status == Status::ok) {
+    r.status = outcome.status;
+    r.message = at + outcome.message;
+  }
+}
+
+}  // namespace
+
+analysis::GuyedMast guyed_mast(const Input& in, const Output& forces, const structure::BeamSection& section) {
+  analysis::GuyedMast m;
+  m.height = mast_height(in);
+  m.section = section;
+  m.base = in.base == Base::clamped ? analysis::MastBase::clamped : analysis::MastBase::hinged;
+  for (std::size_t i = 0; i < in.guys.size(); ++i) m.guys.push_back(engine_guy(in, i));
+  const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
+  m.loads = {{in.skyline_block_height, block_force(forces.R_sky, forces.gamma_sky)},
+             {lower, block_force(forces.R_main, forces.gamma_main)}};
+  if (in.lateral_force) m.loads.push_back({in.skyline_block_height, {0, *in.lateral_force, 0}});
+  return m;
+}
+
+void complete_mast_section(const Input& in, Result& r) {
+  if (r.status != Status::ok) return;
+  const Cases cases = cases_of(in);
+  const Section section = section_of(in, cases);
+  MastSectionExact e;
+  Table positions = positions_table();
+  for (std::size_t i = 0; i < cases.positions.size(); ++i) {
+    const Position& p = cases.positions[i];
+    const analysis::GuyedMast mast = guyed_mast(in, p.out, section.beam);
+    analysis::GuyedMastResult m;
+    const Outcome outcome = analysis::solve(mast, m);
+    positions.rows.push_back(position_row(p.out.x, m, outcome));
+    if (!outcome.ok()) {
+      refuse(in, p, outcome, r);
+      continue;
+    }
+    take_worst(m, e);
+    if (i != cases.governing) continue;
+    take_position(m, e);
+    if (!in.guys.empty()) r.tables.push_back(guys_table(mast, m));
+    add_mast_figures(mast, m, section.allowable, r);
+  }
+  if (cases.positions.size() > 1) r.tables.push_back(std::move(positions));
+  add_words(in, section, e, r);
+  if (!std::isnan(e.N_exact)) add_comparisons(in, cases.positions[cases.governing].out, section, e, r);
+  if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, section, e, r);
+  const auto values = values_of(MastSectionExact::describe(), &e);
+  r.values.insert(r.values.end(), values.begin(), values.end());
+}
+
+}  // namespace taut::app

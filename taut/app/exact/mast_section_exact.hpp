@@ -1,0 +1,41 @@
+#pragma once
+#include "taut/analysis/guyed_mast.hpp"
+#include "taut/methods/mast_section/mast_section.hpp"
+
+/// The exact column of `mast_section`: the mast of the deck with its guys, solved by the engine. Without guys it is the
+/// published clamped cantilever, with the second-order moment that the method leaves out.
+namespace taut::app {
+
+/// Values of the exact solution at the carriage position that governs the method; "worst": over all positions.
+struct MastSectionExact {
+  double M_exact = mast_section::not_computed;                 ///< N m, at the foot
+  double M_max_exact = mast_section::not_computed;             ///< N m, the largest along the mast
+  double M_max_height_exact = mast_section::not_computed;      ///< m
+  double N_exact = mast_section::not_computed;                 ///< N, at the foot
+  double Q_exact = mast_section::not_computed;                 ///< N, at the foot
+  double top_displacement_exact = mast_section::not_computed;  ///< m, horizontal
+  double top_x_exact = mast_section::not_computed;             ///< m, towards the span
+  double top_y_exact = mast_section::not_computed;             ///< m, to the left of it
+  double top_drop_exact = mast_section::not_computed;          ///< m
+  double sigma_exact = mast_section::not_computed;             ///< Pa, the largest along the mast
+  double sigma_height_exact = mast_section::not_computed;      ///< m, where
+  double sigma_worst_exact = mast_section::not_computed;       ///< Pa
+  double guy_tension_max_exact = mast_section::not_computed;   ///< N, worst
+  double guy_safety_min_exact = mast_section::not_computed;    ///< worst
+  double slack_guys_exact = mast_section::not_computed;        ///< how many
+  double force_balance_exact = mast_section::not_computed;     ///< N, worst
+  double moment_balance_exact = mast_section::not_computed;    ///< N m, worst
+  double guy_closure_exact = mast_section::not_computed;       ///< m, worst
+
+  static const Description& describe();
+};
+
+/// The engine's mast for the block forces of one carriage position.
+analysis::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::Output& forces,
+                               const structure::BeamSection& section);
+
+/// Adds the exact values, comparisons, tables, checks and figures to the method's result. A deck with guys, a lateral
+/// force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever is warned of.
+void complete_mast_section(const mast_section::Input& in, Result& r);
+
+}  // namespace taut::app

@@ -1,0 +1,51 @@
+#include "taut/app/exact/mast_section_exact.hpp"
+
+namespace taut::app {
+namespace {
+
+using Exact = MastSectionExact;
+
+void describe_position(Describe<Exact>& d) {
+  const Unit mm = si::m.in("mm");
+  d.field(&Exact::N_exact, "N_exact", "N_exact", si::N, "axial force at the foot with guys and second order");
+  d.field(&Exact::Q_exact, "Q_exact", "Q_exact", si::N, "horizontal force at the foot with guys");
+  d.field(&Exact::M_exact, "M_exact", "M_exact", si::N_m, "moment at the foot with guys and second order");
+  d.field(&Exact::M_max_exact, "M_max_exact", "M_max_exact", si::N_m, "largest bending moment along the mast");
+  d.field(&Exact::M_max_height_exact, "M_max_height_exact", "z_M", si::m, "height of the largest bending moment");
+  d.field(&Exact::top_displacement_exact, "top_displacement_exact", "u_top", mm, "horizontal displacement of the top");
+  d.field(&Exact::top_x_exact, "top_x_exact", "u_x", mm, "the same towards the span");
+  d.field(&Exact::top_y_exact, "top_y_exact", "u_y", mm, "the same across the span, to its left");
+  d.field(&Exact::top_drop_exact, "top_drop_exact", "u_z", mm, "drop of the top: shortening and bow");
+  d.field(&Exact::sigma_exact, "sigma_exact", "sigma_exact", si::Pa, "largest stress along the mast");
+  d.field(&Exact::sigma_height_exact, "sigma_height_exact", "z_sigma", si::m, "height of the largest stress");
+}
+
+void describe_worst(Describe<Exact>& d) {
+  d.field(&Exact::sigma_worst_exact, "sigma_worst_exact", "sigma_worst", si::Pa,
+          "largest stress along the mast at any carriage position");
+  d.field(&Exact::guy_tension_max_exact, "guy_tension_max_exact", "T_guy", si::N,
+          "largest tension of any guy at any carriage position");
+  d.field(&Exact::guy_safety_min_exact, "guy_safety_min_exact", "S_guy", si::one,
+          "smallest safety factor of any guy at any carriage position");
+  d.field(&Exact::slack_guys_exact, "slack_guys_exact", "", si::one, "guys that hang slack");
+  d.field(&Exact::force_balance_exact, "force_balance_exact", "", si::N,
+          "what is left of all forces on the mast, worst position");
+  d.field(&Exact::moment_balance_exact, "moment_balance_exact", "", si::N_m,
+          "what is left of all moments about the foot, worst position");
+  d.field(&Exact::guy_closure_exact, "guy_closure_exact", "", si::m,
+          "distance of a guy's computed end from its place, worst guy and position");
+}
+
+}  // namespace
+
+const Description& MastSectionExact::describe() {
+  static const Description description = [] {
+    Describe<Exact> d;
+    describe_position(d);
+    describe_worst(d);
+    return Description(d);
+  }();
+  return description;
+}
+
+}  // namespace taut::app

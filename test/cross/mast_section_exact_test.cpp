@@ -1,0 +1,187 @@
+#include "taut/app/exact/mast_section_exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "taut/app/job.hpp"
+#include "test/paths.hpp"
+
+// The method and the engine on the same mast: equal where the method's assumptions hold, apart where they do not.
+namespace taut::app {
+namespace {
+
+using namespace mast_section;
+
+constexpr double degree = std::numbers::pi / 180;
+
+Input mast() {
+  Input in;
+  in.skyline_force = 100e3;
+  in.mainline_force = 40e3;
+  in.skyline_block_height = 8;
+  in.mainline_block_height = 6.5;
+  in.allowable_stress = 235e6;
+  in.branch_angle = 12 * degree;
+  in.section = "CHS 508x16";
+  return in;
+}
+
+Result completed(const Input& in) {
+  Result r = run(in);
+  complete_mast_section(in, r);
+  return r;
+}
+
+double number(const Result& r, const std::string& name) {
+  const Value* v = r.find_value(name);
+  return v == nullptr ? not_computed : v->value;
+}
+
+Guy guy_at(double angle) {
+  Guy g;
+  g.stiffness = 20e6;
+  g.weight = 20;
+  g.breaking_force = 300e3;
+  g.plan_angle = angle;
+  g.anchor_distance = 12;
+  g.install = GuyInstall{20e3, GuyEnd::top};
+  return g;
+}
+
+TEST(MastSectionExact, StiffCantileverIsTheMethodsOne) {
+  const Input in = mast();
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  structure::BeamSection rigid = structure::tube_section(0.508, 0.016);
+  for (double* k : {&rigid.EA, &rigid.EI_x, &rigid.EI_y, &rigid.GJ}) *k *= 1e5;
+  analysis::GuyedMastResult m;
+  ASSERT_TRUE(analysis::solve(guyed_mast(in, out, rigid), m).ok());
+  EXPECT_NEAR(m.base_moment.norm(), out.M, 1e-6 * out.M);
+  EXPECT_NEAR(m.base_force.z(), out.N, 1e-9 * out.N);
+  EXPECT_NEAR(-m.base_force.x(), out.Q, 1e-9 * out.Q);
+  EXPECT_GT(m.points.back().state.place.x(), 0) << "the mast leans towards the span";
+}
+
+TEST(MastSectionExact, CantileverMomentGrowsByTheClosedForm) {
+  Input in = mast();
+  in.mainline_block_height.reset();
+  const Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok);
+  const double N = number(r, "N"), Q = number(r, "Q"), M = number(r, "M");
+  const double EI = 210e9 * std::numbers::pi / 64 * (std::pow(0.508, 4) - std::pow(0.476, 4)), k = std::sqrt(N / EI);
+  EXPECT_NEAR(number(r, "M_exact"), Q * std::tan(8 * k) / k, 1e-3 * M) << "rotations make the rest";
+  EXPECT_GT(number(r, "M_exact"), 1.005 * M);
+  EXPECT_NEAR(number(r, "N_exact"), N, 1e-9 * N);
+  EXPECT_NEAR(number(r, "Q_exact"), Q, 1e-9 * Q);
+  EXPECT_TRUE(std::isnan(number(r, "guy_tension_max_exact")));
+}
+
+TEST(MastSectionExact, ComparisonsHaveAnExactColumn) {
+  const Result r = completed(mast());
+  int exact = 0;
+  for (const Comparison& c : r.comparisons) {
+    if (!std::isnan(c.exact)) ++exact;
+  }
+  EXPECT_EQ(exact, 4);
+}
+
+TEST(MastSectionExact, GuysTakeTheMomentAndPressTheMast) {
+  Input in = mast();
+  for (const double angle : {120.0, 160.0, 200.0, 240.0}) in.guys.push_back(guy_at(angle * degree));
+  const Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  EXPECT_LT(number(r, "M_exact"), 0.5 * number(r, "M"));
+  EXPECT_GT(number(r, "N_exact"), 1.3 * number(r, "N"));
+  EXPECT_NEAR(number(r, "top_y_exact"), 0, 1e-9) << "symmetric about the span";
+  const Table* guys = r.find_table("guys");
+  ASSERT_NE(guys, nullptr);
+  ASSERT_EQ(guys->rows.size(), 4u);
+  EXPECT_NEAR(std::get<double>(guys->rows[0][3]), std::get<double>(guys->rows[3][3]), 1);
+  EXPECT_LT(number(r, "moment_balance_exact"), 1e-6 * number(r, "M"));
+  bool cantilever = false, exact = false;
+  for (const Check& c : r.checks) cantilever |= c.name == "strength of CHS 508x16", exact |= c.name.ends_with("exact");
+  EXPECT_FALSE(cantilever);
+  EXPECT_TRUE(exact);
+}
+
+TEST(MastSectionExact, LateralForceLeansTheMastToItsSideMirroredTheOther) {
+  Input in = mast();
+  for (const double angle : {100.0, 150.0, 220.0, 275.0}) in.guys.push_back(guy_at(angle * degree));
+  in.lateral_force = 15e3;
+  const Result r = completed(in);
+  Input mirrored = in;
+  mirrored.lateral_force = -15e3;
+  for (Guy& g : mirrored.guys) g.plan_angle = -g.plan_angle;
+  const Result s = completed(mirrored);
+  EXPECT_GT(number(r, "top_y_exact"), 0);
+  EXPECT_NEAR(number(s, "top_y_exact"), -number(r, "top_y_exact"), 1e-9);
+  EXPECT_NEAR(number(s, "top_x_exact"), number(r, "top_x_exact"), 1e-9);
+  EXPECT_NEAR(number(s, "sigma_exact"), number(r, "sigma_exact"), 1);
+}
+
+TEST(MastSectionExact, WeakBoxBendsAboutItsOwnAxes) {
+  Input in = mast();
+  in.skyline_force = 10e3, in.mainline_force = 2e3;
+  in.section = "RHS 300x200x10";
+  in.lateral_force = 2e3;
+  const Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  in.section = "SHS 300x10";
+  const Result square = completed(in);
+  EXPECT_GT(number(r, "top_y_exact"), 1.5 * number(square, "top_y_exact"));
+}
+
+TEST(MastSectionExact, SlenderMastIsRefusedWithAReason) {
+  Input in = mast();
+  in.section = "CHS 60.3x3.2";
+  in.lateral_force = 100;
+  const Result r = completed(in);
+  EXPECT_EQ(r.status, Status::infeasible);
+  EXPECT_NE(r.message.find("buckles"), std::string::npos) << r.message;
+  EXPECT_EQ(exit_code(r), 3);
+  in.lateral_force.reset();
+  const Result plain = completed(in);
+  EXPECT_EQ(plain.status, Status::ok) << "the method itself knows nothing of it, but the report warns";
+  EXPECT_NE(plain.warnings.back().find("buckles"), std::string::npos);
+}
+
+TEST(MastSectionExact, EveryMistakeOfTheGuysIsTold) {
+  Input in = mast();
+  in.base = Base::hinged;
+  EXPECT_EQ(complaints(in).size(), 1u);
+  in.guys = {guy_at(1), guy_at(2), guy_at(3), guy_at(4)};
+  EXPECT_TRUE(complaints(in).empty());
+  in.guys[0].weight.reset();
+  in.guys[1].rope = "nosuch";
+  in.guys[2].attachment_height = 9;
+  in.guys[3].length = 14;
+  const auto all = complaints(in);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].path, "guys[0]");
+  EXPECT_EQ(all[1].path, "guys[1].rope");
+  EXPECT_EQ(all[2].path, "guys[2].attachment_height");
+  EXPECT_EQ(all[3].path, "guys[3]");
+}
+
+TEST(MoreExamples, AllRunAndPass) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(taut_test::source_dir() / "examples/more")) {
+    if (entry.path().extension() != ".yaml") continue;
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    const Result r = run(Job{text.str(), entry.path().string(), {}});
+    EXPECT_EQ(r.status, Status::ok) << entry.path() << r.message;
+    EXPECT_EQ(exit_code(r), 0) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace taut::app
