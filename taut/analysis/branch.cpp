@@ -13,7 +13,7 @@ namespace {
 constexpr int most_steps = 60;
 constexpr double settled = 1e-14;  ///< of the size, for tangent points
 constexpr double closes = 1e-10;
-constexpr double nearly = 1e-3;  ///< of the chord: one step of the span is enough
+constexpr double nearly = 2e-2;  ///< of the chord: one step of the span is enough
 constexpr double steep = 1e-3;   ///< x/z of a span that is solved in its own way
 
 Matrix3 cross_matrix(const Vector3& a) {

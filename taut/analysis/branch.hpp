@@ -42,7 +42,7 @@ struct BranchRates {
 
 /// The branch of `rope` between two ends. Where an end has a radius, the tangent point follows the direction of the
 /// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `start`: nearby. A
-/// span that its start's force closes to 1e-3 of the chord gets one Newton step, and what was open counts as closure:
+/// span that its start's force closes to 2 % of the chord gets one Newton step, and what was open counts as closure:
 /// an iteration that asks again closes it quadratically, together with all else. too_short as of a span; not_converged
 /// also where the rounds leave no line.
 tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
