@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "taut/app/machine_tables.hpp"
 
@@ -103,6 +104,22 @@ void draw_ropes(Drawing& d, const EquilibriumResult& e, const View& view) {
   }
 }
 
+/// Bodies as lines from their origin to where ropes hold them.
+void draw_bodies(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
+  std::set<std::pair<int, std::string>> drawn;
+  for (const model::Reeving& rope : m.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+      if (!drawn.insert({node.at.body, node.name}).second) continue;
+      const Vector3& origin = e.state.bodies[static_cast<std::size_t>(node.at.body)].position;
+      Polyline line;
+      line.role = Role::structure;
+      line.points = {view.point(origin), view.point(model::in_ground(e.state, node.at))};
+      d.shapes.emplace_back(std::move(line));
+    }
+  }
+}
+
 void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
   for (const auto& [name, h] : held_of(m, e)) {
     const bool round = h.radius > 0 && view.above == 2;
@@ -115,16 +132,27 @@ void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e,
 }
 
 void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
-  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
-    if (m.bodies[i].free.empty()) continue;
-    Vector3 force = -m.bodies[i].mass * m.gravity * up();
-    for (const model::Load& load : m.loads) {
-      if (load.at.body == static_cast<int>(i)) force += load.force;
-    }
+  const auto draw = [&](const model::Place& place, const Vector3& force, const char* label) {
     const Point f = view.point(force);
-    if (std::hypot(f.x, f.y) <= 0) continue;
-    const Point at = view.point(e.state.bodies[i].position);
-    d.shapes.emplace_back(ForceArrow{at, f.x, f.y, "W", Role::second_force, false});
+    if (std::hypot(f.x, f.y) <= 0) return;
+    d.shapes.emplace_back(
+        ForceArrow{view.point(model::in_ground(e.state, place)), f.x, f.y, label, Role::second_force, false});
+  };
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    const model::Body& body = m.bodies[i];
+    const auto index = static_cast<int>(i);
+    if (body.free.empty()) continue;
+    // what hangs at the same place as the body's own weight is one arrow with it
+    Vector3 own = -body.mass * m.gravity * up();
+    for (const model::Load& load : m.loads) {
+      if (load.at.body != index) continue;
+      if ((load.at.at - body.centre).norm() == 0) {
+        own += load.force;
+      } else {
+        draw(load.at, load.force, "P");
+      }
+    }
+    draw({index, body.centre}, own, "W");
   }
 }
 
@@ -134,9 +162,14 @@ Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View
   Drawing d;
   d.name = plan ? "plan" : "machine";
   d.title = plan ? "Plan" : "Side view";
-  d.caption =
-      fmt::format("{}. F: force of the ropes on what holds them; W: weight and loads of a body that moves.", words);
+  d.caption = fmt::format("{}. Forces as they are seen in this view.", words);
+  d.legend = {{Role::rope, m.reevings.front().name},
+              {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
+              {Role::force, "ropes on what holds them"},
+              {Role::second_force, "weights and loads"},
+              {Role::ground, "ground"}};
   draw_ground(d, m, view, box);
+  draw_bodies(d, m, e, view);
   draw_ropes(d, e, view);
   draw_holders(d, m, e, view, box.size().norm());
   draw_weights(d, m, e, view);

@@ -226,10 +226,10 @@ machine:
 TEST(MachineRun, TellsEachMistakeAtItsPlace) {
   const std::string good = tackle(0.95, "hoist");
   const auto replaced = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
+    const std::string& text = good;
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
+    return fmt::format("{}{}{}", text.substr(0, at), to, at < text.size() ? text.substr(at + from.size()) : "");
   };
   const std::vector<std::pair<std::string, std::string>> rows = {
       {replaced("anchor: pin", "anchor: pim"),
@@ -273,7 +273,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     }
     ++count;
   }
-  EXPECT_EQ(count, 4);
+  EXPECT_EQ(count, 5);
 }
 
 }  // namespace

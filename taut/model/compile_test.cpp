@@ -250,7 +250,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.reevings[0].length = {}; }, "reevings[0]: needs one of length"},
       {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: is told length and tension_at_end"},
       {[](Machine& m) {
-         m.drums[0].drive = description::Drive{4e3, {}};
+         m.drums[0].drive = description::Drive{4e3, description::Brake::open};
        },
        "reevings[1]: is told tension_at_start and the pull of its first drum"},
       {[](Machine& m) { m.reevings[0].path.pop_back(); }, "reevings[0].path[2]: a rope's first and last"},
@@ -262,6 +262,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        "path[2].between: two sheaves"},
       {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
        "carriages.car: the path of the rope it rides on goes past"},
+      {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0].path[2].over: 'jack' has a motor"},
       {[](Machine& m) { m.carriages[0].rides = "main"; }, "carriages.car: rides on 'main', but the path of 'skyline'"},
       {[](Machine& m) { m.carriages[0].mainline = "skyline"; },
        "carriages.car.mainline: the path of 'skyline' does not"},

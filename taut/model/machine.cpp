@@ -152,7 +152,8 @@ const Description& Drive::describe() {
           .field(&Drive::pull, "pull", "T", si::N, "tension of the rope where it leaves the drum")
           .at_most(strongest)
           .above(0)
-          .field(&Drive::brake, "brake", "'set': the drum holds its rope, as it does without")
+          .choice(&Drive::brake, "brake", {{"set", Brake::set}, {"open", Brake::open}},
+                  "in statics a drum without a pull holds its rope either way")
           .later("speed", "driven drums come with the dynamics; statics takes a 'pull' or a length")
           .later("torque", "driven drums come with the dynamics; statics takes a 'pull' or a length");
   return d;

@@ -72,9 +72,10 @@ struct Round {
 };
 
 /// What drives a drum. In statics a drum holds its rope's length, or its pull where that is given.
+enum class Brake { open, set };
 struct Drive {
   std::optional<double> pull;  ///< N
-  std::optional<std::string> brake;
+  Brake brake = Brake::open;
   static const Description& describe();
 };
 

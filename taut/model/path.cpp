@@ -152,6 +152,9 @@ class PathReader {
     const PathElement& e = path[i];
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
     if (own == nullptr) return;
+    if (round_stop(machine_, *own, e.side).drives) {
+      complain(at + ".over", fmt::format("'{}' has a motor; on a rope with ends that is not computed yet", *e.over));
+    }
     if (e.parts == 1) {
       stops.push_back(round_stop(machine_, *own, e.side));
       return;
