@@ -19,6 +19,7 @@ namespace {
 using Flow = std::vector<std::vector<int>>;
 
 constexpr int relaxing_steps = 400;
+constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;  ///< of what touches what
 
@@ -95,11 +96,8 @@ struct Solved {
   int steps = 0;
 };
 
-Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
-             const Flow& flow) {
-  Solved s;
-  s.layout = layout(model, state, options.prescribed, flow);
-  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+/// From `start`, with every means but a change of the losses.
+Iteration find(const System& system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
   Configuration start = configuration_of(s.layout, state);
   s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
@@ -107,8 +105,8 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
     s.c = start = usable_start(system, state);
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   }
-  s.steps = it.steps;
-  if (it.converged) return s;
+  s.steps += it.steps;
+  if (it.converged) return it;
   const bool singular = it.singular;
   // quick, careful, from taut ropes, very careful
   constexpr double any = std::numeric_limits<double>::infinity();
@@ -119,9 +117,35 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
     if (!it.converged) continue;
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
     s.steps += it.steps;
-    if (it.converged) return s;
+    if (it.converged) return it;
   }
   it.singular = singular;  // a drag hides it
+  return it;
+}
+
+/// From the lossless answer, the losses brought on by parts. False where a part has no answer.
+bool bring_on_losses(System system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
+  system.losses = 0;
+  if (!find(system, state, options, s).converged) return false;
+  for (int part = 1; part <= parts_of_losses; ++part) {
+    system.losses = static_cast<double>(part) / parts_of_losses;
+    const Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+    if (!it.converged) return false;
+  }
+  return true;
+}
+
+Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+             const Flow& flow) {
+  Solved s;
+  s.layout = layout(model, state, options.prescribed, flow);
+  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const Iteration it = find(system, state, options, s);
+  if (it.converged) return s;
+  const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
+  Solved by_parts = s;
+  if (flows && bring_on_losses(system, state, options, by_parts)) return by_parts;
   s.outcome = reason(system, s.c, s.e, it);
   return s;
 }

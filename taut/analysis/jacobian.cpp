@@ -154,9 +154,10 @@ void add_contact(Assembly& a, int turn) {
   const Layout::Turn& t = a.system.layout.turns[at(turn)];
   const model::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
   const Loss lost = loss(node.law, a.e.bends[at(turn)].wrap);
-  const double in = std::exp(t.flow * lost.log / 2), out = 1 / in;
+  const double flow = a.system.losses * t.flow;
+  const double in = std::exp(flow * lost.log / 2), out = 1 / in;
   const double T_in = a.e.branches[at(t.before)].T_to, T_out = a.e.branches[at(t.after)].T_from;
-  add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * t.flow * lost.by_wrap);
+  add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_wrap);
 }
 
 /// The end tension of a rope as a row.

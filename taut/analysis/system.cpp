@@ -68,7 +68,7 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       if (node.kind == model::NodeKind::clamp) {
         e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
       } else if (turn.row >= 0) {
-        const double g = turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
+        const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
         e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t);

@@ -35,6 +35,7 @@ struct System {
   const model::Model& model;
   const Layout& layout;
   double coordinate = 0;  ///< what the carriage's x is prescribed to be, m
+  double losses = 1;      ///< share of every contact's loss (its logarithm) that counts
 };
 
 /// Fills `e`; a branch without solution stops it.
