@@ -97,7 +97,12 @@ Search search(const RunningLoop& loop, const At& at, double value, double x) {
   Search s;
   std::vector<Probe> last;  // up to two
   for (double sag = smallest_share * loop.span; sag < largest_share * loop.span; sag *= stride) {
-    const Probe p = at(sag, last.empty() || !last.back().ok ? nullptr : &last.back().state);
+    const bool known = !last.empty() && last.back().ok;
+    Probe p = at(sag, known ? &last.back().state : nullptr);
+    if (known && !p.ok) {  // a shorter stride first: the case may end here, or only the stride was too long
+      const Probe half = at(sag / std::sqrt(stride), &last.back().state);
+      if (half.ok) p = at(sag, &half.state);
+    }
     if (p.ok) {
       s.least = std::min(s.least, p.excess + value);
       s.most = std::max(s.most, p.excess + value);

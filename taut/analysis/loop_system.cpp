@@ -10,8 +10,10 @@ namespace {
 
 constexpr int most_iterations = 60;
 constexpr int most_halvings = 24;
-constexpr double settled = 1e-12;   // step in logarithms of tensions, angles and parts of the span
-constexpr double balances = 1e-10;  // of the largest tension; coordinates: of the span
+constexpr double settled = 1e-12;    // step in logarithms of tensions, angles and parts of the span; at small sags
+constexpr double rounding = 1e-14;   // this times span/sag, which is what rounded coordinates leave of a tension
+constexpr double short_step = 1e-8;  // a shorter one that gains nothing meets rounding: it is not halved
+constexpr double balances = 1e-10;   // of the largest tension; coordinates: of the span
 constexpr double longest_log_step = 1.0;
 constexpr double longest_turn = 0.3;
 constexpr double longest_move = 0.2;  // of the span
@@ -254,6 +256,7 @@ bool descend(LoopSystem& system, Vector& v, const Vector& step) {
       v = next;
       return true;
     }
+    if (step.cwiseAbs().maxCoeff() < short_step) break;
   }
   system.evaluate(v);
   return false;
@@ -265,11 +268,12 @@ bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns&
   LoopSystem system(loop, place);
   Vector v = system.vector_of(start);
   if (!v.allFinite() || !system.evaluate(v)) return false;
+  const double enough = std::max(settled, rounding * loop.span / place.sag);
   int i = 0;
   for (; i < most_iterations; ++i) {
     const Vector step = step_of(system);
     if (!step.allFinite()) return false;
-    const bool small = step.cwiseAbs().maxCoeff() <= settled;
+    const bool small = step.cwiseAbs().maxCoeff() <= enough;
     if (!descend(system, v, step) || small) break;
   }
   system.write(state);

@@ -73,6 +73,25 @@ LoopUnknowns unknowns_of(const LoopState& s) {
           s.second};
 }
 
+/// A state with its sags taken `times`, and the distance of its sections `apart` times: tensions are about inverse to
+/// the sag.
+LoopUnknowns deepened(const RunningLoop& loop, const LoopState& s, double times, double apart) {
+  LoopUnknowns u = unknowns_of(s);
+  const double m = loop.rise / loop.span;
+  for (double& H : u.H) H /= times;
+  u.first.z = m * u.first.x - (m * u.first.x - u.first.z) * times;
+  const double depth = m * u.second.x - u.second.z;
+  u.second.x = u.first.x + (u.second.x - u.first.x) * apart;
+  u.second.z = m * u.second.x - depth * times;
+  return u;
+}
+
+/// Deepened until the hung section has the sag of `place`.
+LoopUnknowns deepened_to(const RunningLoop& loop, const LoopPlace& place, const LoopState& near) {
+  const LoopNode& hung = loop.second && loop.second->sag_is_of_second ? near.second : near.first;
+  return deepened(loop, near, place.sag / (loop.rise / loop.span * hung.x - hung.z), 1);
+}
+
 std::string kilonewtons(double force) { return fmt::format("{:.3g} kN", force / 1000); }
 
 Outcome lift_off(const LoopPlace& place, double sag, double P_v) {
@@ -141,16 +160,8 @@ Outcome continue_to(const RunningLoop& loop, const LoopPlace& place, LoopState& 
     if (Outcome o = judge(place, at.place.sag, last); !o.ok()) return state = last, o;
     const double next = std::min(1.0, part * stride);
     at = part_of(loop, place, next);
-    LoopUnknowns u = unknowns_of(last);
-    const double grown = next / part;
-    const double m = loop.rise / loop.span;
-    for (double& H : u.H) H /= grown;  // tensions are about inverse to the sag
-    const auto deepen = [&](LoopNode& n) { n.z = m * n.x - (m * n.x - n.z) * grown; };
-    deepen(u.first);
-    u.second.x = u.first.x + (u.second.x - u.first.x) * grown;
-    deepen(u.second);
     LoopState tried;
-    if (newton(at.loop, at.place, u, tried)) {
+    if (newton(at.loop, at.place, deepened(loop, last, next / part, next / part), tried)) {
       last = tried;
       part = next;
       stride = std::min(longest_stride, 1 + 1.5 * (stride - 1));
@@ -170,7 +181,11 @@ double LoopState::roller_force() const { return std::hypot(R_x, R_z); }
 Outcome solve_loop(const RunningLoop& loop, const LoopPlace& place, LoopState& state, const LoopState* near) {
   expects(place.x > 0 && place.x < loop.span && place.sag > 0, "the carriage hangs between the supports");
   expects(loop.efficiency > 0, "a sheave passes tension on");
-  if (near != nullptr && newton(loop, place, unknowns_of(*near), state) && state.R_z > 0) return {};
+  if (near != nullptr) {
+    const bool reached = newton(loop, place, deepened_to(loop, place, *near), state) ||
+                         newton(loop, place, start_of(loop, place), state);
+    return reached ? judge(place, place.sag, state) : stopped(loop, place, 1, state);
+  }
   if (newton(loop, place, start_of(loop, place), state) && state.R_z > 0) return {};
   return continue_to(loop, place, state);
 }

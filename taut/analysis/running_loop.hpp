@@ -74,10 +74,10 @@ struct LoopState {
 };
 
 /// The equilibrium at a place: damped Newton with exact derivatives, on the logarithms of the horizontal tensions and
-/// on the places of the nodes, from the straight-rope solution or from `near` (a state of a similar case); when that
-/// fails, continuation from a small sag. Infeasible, with the reason: the roller would have to pull the rope down, a
-/// rope goes slack. The state then is the last one reached. Preconditions: 0 < place.x < span, place.sag > 0, the
-/// sections within the span, efficiency > 0.
+/// on the places of the nodes. It starts from `near`, a state of a similar case, or from the straight-rope solution;
+/// when that fails and there is no `near`, it follows the equilibrium from a small sag. Infeasible, with the reason:
+/// the roller would have to pull the rope down, a rope goes slack; `state` then is the last one reached. Preconditions:
+/// 0 < place.x < span, place.sag > 0, the sections within the span, efficiency > 0.
 Outcome solve_loop(const RunningLoop& loop, const LoopPlace& place, LoopState& state, const LoopState* near = nullptr);
 
 /// What is given in place of the sag.

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "taut/app/embedded/examples.hpp"
+#include "taut/app/exact/closed_loop_exact.hpp"
 #include "taut/app/exact/mast_section_exact.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/io/read.hpp"
@@ -63,7 +64,7 @@ const std::vector<MethodEntry>& methods() {
       entry<mast_section::Input, mast_section::Output>(mast_section::about(), mast_section::complaints,
                                                        mast_section::run,
                                                        {&MastSectionExact::describe(), complete_mast_section}),
-      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, closed_loop::run),
+      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop),
       entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(), friction_drive::complaints,
                                                            friction_drive::run),
       entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run),

@@ -61,10 +61,10 @@ TEST(ClosedLoopDecks, OnePositionOrAList) {
 }
 
 TEST(ClosedLoopDecks, AComplaintHasItsPlace) {
-  const ReadDeck r = read_text(deck_with("  position: [80 m, 210 m]\n  mode: loop_length\n"));
+  const ReadDeck r = read_text(deck_with("  position: [80 m, 210 m]\n  loop_length: 402 m\n"));
   const std::string text = to_text(r.mistakes);
   EXPECT_NE(text.find("deck.yaml:13:20"), std::string::npos) << text;
-  EXPECT_NE(text.find("deck.yaml:14:9"), std::string::npos) << text;
+  EXPECT_NE(text.find("deck.yaml:14:16"), std::string::npos) << text;
 }
 
 TEST(ClosedLoopDecks, TheStarterDeckRunsAndPasses) {

@@ -33,11 +33,14 @@ struct Case {
   Roller roller = Roller::free;
 };
 
+struct Engine;
+
 /// What differs between the positions of one deck: numbers that the deck gives only indirectly.
 struct Setting {
   const double* x = nullptr;  ///< an element of Input::position, null for midspan
   double q_b = 0;
   double q_T = 0;
+  const Engine* engine = nullptr;  ///< exact catenaries, where there are some
 };
 
 /// A place counts as midspan within this share of the span.

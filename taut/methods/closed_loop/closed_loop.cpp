@@ -46,11 +46,6 @@ void check_geometry(const Input& in, Complaints& all) {
 }
 
 void check_mode(const Input& in, Complaints& all) {
-  if (in.mode == Mode::loop_length) {
-    all.push_back({"mode",
-                   "loop_length needs the exact engine with elastic ropes, which this version does not have (without "
-                   "elasticity a sag found from the length is far off); use sag, winch_pull or free_running"});
-  }
   if (in.mode == Mode::sag && !in.sag) all.push_back({"sag", "is required in mode sag: the sag f at the carriage"});
   if (in.mode != Mode::sag && in.sag) all.push_back({"sag", "is found in this mode; leave it out, or use mode: sag"});
   if (in.mode == Mode::winch_pull && !in.winch_pull) {
@@ -58,6 +53,9 @@ void check_mode(const Input& in, Complaints& all) {
   }
   if (in.mode != Mode::winch_pull && in.winch_pull) {
     all.push_back({"winch_pull", "is used in mode winch_pull only; leave it out, or set mode: winch_pull"});
+  }
+  if (in.mode == Mode::loop_length && !in.loop_length) {
+    all.push_back({"loop_length", "is required in mode loop_length: the unstretched length of the whole loop"});
   }
   if (in.mode != Mode::loop_length && in.loop_length) {
     all.push_back({"loop_length", "is used in mode loop_length only; leave it out"});
@@ -84,9 +82,6 @@ void check_carriage(const Input& in, Complaints& all) {
   if (!in.section_distance) {
     all.push_back({"section_distance", "is required for a two_section carriage"});
     return;
-  }
-  if (in.mode != Mode::sag) {
-    all.push_back({"mode", "a two_section carriage is computed at a given sag only; use mode: sag"});
   }
   if (in.position.empty()) check_section_place(in, in.span / 2, "section_distance", all);
   for (std::size_t i = 0; i < in.position.size(); ++i) {

@@ -19,6 +19,8 @@
 /// ones, and a closed form with a roller that presses normal to the rope. Forces in N, lengths in m, angles in rad.
 namespace taut::closed_loop {
 
+struct Engine;
+
 enum class Mode { sag, winch_pull, loop_length, free_running };
 enum class Carriage { single, two_section };
 enum class DistanceKind { horizontal, rope };
@@ -131,6 +133,25 @@ struct Output {
   double F_traction_paper = none;
   double F_return = none;
   double F_traction = none;
+  // Exact catenaries, where an engine is handed in.
+  double P_b_exact = none;
+  double P_v_exact = none;
+  double N_exact = none;
+  double phi_exact = none;
+  double T_uA_exact = none;
+  double T_uB_exact = none;
+  double T_lA_exact = none;
+  double T_lB_exact = none;
+  double T_U_exact = none;
+  double T_lLA_exact = none;
+  double T_lLB_exact = none;
+  double delta_f_exact = none;
+  double upper_sag_exact = none;
+  double loop_length_exact = none;
+  double traction_length_exact = none;
+  double return_length_exact = none;
+  double residual_exact = none;
+  double closure_exact = none;
 
   static const Description& describe();
 };
@@ -153,6 +174,9 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 Outcome solve(const Input& in, Output& out);
 
 /// Everything a report needs: values, tables `positions` and `ropes`, checks, steps, comparisons, figures, warnings.
+/// With an engine also the exact values; it then finds the sag in every mode but `sag`, and verifies chosen ropes.
+Result run(const Input& in, const Engine& engine);
+/// The same without exact values.
 Result run(const Input& in);
 
 }  // namespace taut::closed_loop

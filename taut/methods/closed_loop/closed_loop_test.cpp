@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "taut/methods/closed_loop/engine.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
@@ -35,7 +36,10 @@ TEST(ClosedLoopDeck, ModesAskForTheirOwnKeys) {
   EXPECT_EQ(complaint_at(in, "sag"), "");
   EXPECT_NE(complaint_at(in, "winch_pull"), "");
   in.mode = Mode::loop_length;
-  EXPECT_NE(complaint_at(in, "mode").find("exact engine"), std::string::npos);
+  in.winch_pull.reset();
+  EXPECT_NE(complaint_at(in, "loop_length"), "");
+  in.loop_length = 402;
+  EXPECT_TRUE(complaints(in).empty());
   in = example();
   in.mode = Mode::free_running;
   EXPECT_NE(complaint_at(in, "sag"), "");
@@ -78,10 +82,52 @@ TEST(ClosedLoopDeck, TheTwoSectionCarriageMustFit) {
   in = example();
   in.section_distance = 3;
   EXPECT_NE(complaint_at(in, "section_distance"), "");
-  in = two_section_example();
+}
+
+TEST(ClosedLoopDeck, WhatOnlyAnEngineFindsIsInfeasibleWithoutOne) {
+  Input in = two_section_example();
   in.mode = Mode::free_running;
   in.sag.reset();
-  EXPECT_NE(complaint_at(in, "mode"), "");
+  EXPECT_TRUE(complaints(in).empty());
+  Output out;
+  EXPECT_EQ(solve(in, out).status, Status::infeasible);
+  in = example();
+  in.mode = Mode::loop_length;
+  in.sag.reset();
+  in.loop_length = 402;
+  const Outcome o = solve(in, out);
+  EXPECT_EQ(o.status, Status::infeasible);
+  EXPECT_NE(o.message.find("exact catenaries"), std::string::npos);
+}
+
+TEST(ClosedLoopDeck, AnEngineDecidesTheSagAndTheExactColumn) {
+  Input in = example();
+  in.mode = Mode::loop_length;
+  in.sag.reset();
+  in.loop_length = 402;
+  Engine engine;
+  engine.sag = [](const Input&, const Case<double>&, ExactSag& found) {
+    found = {12, 50};
+    return Outcome{};
+  };
+  engine.solve = [](const Input&, const Case<double>& c, Output& out) {
+    out.T_uA_exact = out.T_uB_exact = out.T_lB_exact = out.T_lLB_exact = out.T_U_exact = 1e3 * c.f;
+    out.T_lA_exact = out.T_lLA_exact = 2e3 * c.f;
+    return Outcome{};
+  };
+  const Result r = run(in, engine);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  EXPECT_EQ(r.find_value("f")->value, 12);
+  EXPECT_EQ(r.find_value("f_second")->value, 50);
+  EXPECT_EQ(r.find_value("T_lA_exact")->value, 24e3);
+  engine.solve = [](const Input&, const Case<double>&, Output&) { return infeasible("it lifts off"); };
+  EXPECT_EQ(run(in, engine).status, Status::infeasible);
+  engine.solve = [](const Input&, const Case<double>&, Output&) { return not_converged("no luck"); };
+  const Result without = run(in, engine);
+  EXPECT_EQ(without.status, Status::ok);
+  EXPECT_EQ(without.find_value("T_lA_exact"), nullptr);
+  EXPECT_TRUE(std::any_of(without.warnings.begin(), without.warnings.end(),
+                          [](const std::string& w) { return w.find("no luck") != std::string::npos; }));
 }
 
 TEST(ClosedLoopDeck, RopesAndSafetyFactors) {

@@ -213,6 +213,32 @@ void describe_areas(Describe<Output>& d) {
       .from("(10*)");
 }
 
+void describe_exact(Describe<Output>& d) {
+  const auto add = [&](double Output::*at, const char* name, const Unit& unit, const char* words) {
+    d.field(at, name, name, unit, words).from("exact catenaries");
+  };
+  add(&Output::P_b_exact, "P_b_exact", si::N, "load on the upper branch, oblique");
+  add(&Output::P_v_exact, "P_v_exact", si::N, "vertical part of the roller force on the upper branch");
+  add(&Output::N_exact, "N_exact", si::N, "roller force on the upper branch");
+  add(&Output::phi_exact, "phi_exact", si::rad,
+      "lean of the link from clamp to roller, its top toward A when positive");
+  add(&Output::T_uA_exact, "T_uA_exact", si::N, "upper branch at A");
+  add(&Output::T_uB_exact, "T_uB_exact", si::N, "upper branch at B");
+  add(&Output::T_lA_exact, "T_lA_exact", si::N, "lower branch (traction rope) at A");
+  add(&Output::T_lB_exact, "T_lB_exact", si::N, "lower branch (return rope) at B");
+  add(&Output::T_U_exact, "T_U_exact", si::N, "upper branch at the carriage, the tighter side");
+  add(&Output::T_lLA_exact, "T_lLA_exact", si::N, "traction rope at the carriage");
+  add(&Output::T_lLB_exact, "T_lLB_exact", si::N, "return rope of the lower branch at the carriage");
+  add(&Output::delta_f_exact, "delta_f_exact", si::m, "sag of section 2 under the line from section 1 to B");
+  add(&Output::upper_sag_exact, "upper_sag_exact", si::m, "sag of the upper branch at the roller, under its own chord");
+  add(&Output::loop_length_exact, "loop_length_exact", si::m, "unstretched length of the whole loop");
+  add(&Output::traction_length_exact, "traction_length_exact", si::m,
+      "of the traction rope between A and the carriage");
+  add(&Output::return_length_exact, "return_length_exact", si::m, "of the return rope from the carriage over B to A");
+  add(&Output::residual_exact, "residual_exact", si::N, "largest force left unbalanced at a node");
+  add(&Output::closure_exact, "closure_exact", si::m, "largest distance of a rope's end from its support or carriage");
+}
+
 }  // namespace
 
 const Description& Output::describe() {
@@ -222,6 +248,7 @@ const Description& Output::describe() {
     describe_sections(d);
     describe_closed(d);
     describe_areas(d);
+    describe_exact(d);
     return Description(d);
   }();
   return all;

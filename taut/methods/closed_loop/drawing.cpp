@@ -220,7 +220,7 @@ std::vector<Row> by_place(std::vector<Row> rows) {
 }
 
 /// The same deck at places all over the span.
-std::vector<Row> over_the_span(const Input& in, const Ropes& ropes) {
+std::vector<Row> over_the_span(const Input& in, const Ropes& ropes, const Engine& engine) {
   const double d = in.section_distance.value_or(0);
   const double low = std::max(0.05 * in.span, 1.01 * d);
   const double high = std::min(0.95 * in.span, in.span - 1.01 * d);
@@ -230,19 +230,20 @@ std::vector<Row> over_the_span(const Input& in, const Ropes& ropes) {
   for (int i = 0; i < samples_of_a_plot; ++i) {
     all.position.push_back(low + (high - low) * i / (samples_of_a_plot - 1));
   }
-  return sweep(all, ropes);
+  return sweep(all, ropes, engine);
 }
 
 const char* law_of(const Input& in) {
   if (in.mode == Mode::winch_pull) return "with the deck's winch pull at every position";
+  if (in.mode == Mode::loop_length) return "with the deck's loop length at every position";
   if (in.mode == Mode::free_running) return "with the return rope running freely at every position";
   return "with the deck's sag at every position";
 }
 
 }  // namespace
 
-Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows) {
-  const std::vector<Row> all = over_the_span(in, ropes);
+Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows, const Engine& engine) {
+  const std::vector<Row> all = over_the_span(in, ropes, engine);
   Plot p;
   p.name = "tensions";
   p.title = "End tensions against the position of the carriage";

@@ -14,7 +14,7 @@ Drawing force_polygon(const Input& in, const Output& out);
 
 /// End tensions against position, in the closed-form tier: over the whole span by the deck's law (constant sag, winch
 /// pull, ...), with the positions of the deck as points when it lists several.
-Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows);
+Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& rows, const Engine& engine = no_engine);
 
 /// Error of the paper's P_b, T_up and T_lA over the slope, at the deck's position and sag; against the closed-form
 /// tier.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -168,10 +169,32 @@ void warn_of_input(const Input& in, Sheet<T>& s) {
   const bool elastic = std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness);
   if (in.branch_distance > 0 || elastic) {
     s.note(
-        "branch_distance and the stiffnesses do not enter these tiers; at a given sag they change every tension by "
-        "less "
-        "than 0.2 % and 0.1 % (a vertical offset on steep slopes: about 0.5 % per metre).");
+        "branch_distance and the stiffnesses enter the exact catenaries only; at a given sag they change every tension "
+        "by less than 0.2 % and 0.1 % (a vertical offset on steep slopes: about 0.5 % per metre).");
   }
+}
+
+/// The exact column. An engine that does not converge is a warning; one that finds no equilibrium decides.
+template <class T>
+Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Output& out) {
+  if (!engine.solve) return {};
+  Outcome o = engine.solve(in, plain, out);
+  if (o.status == Status::not_converged) {
+    s.warn([&] { return fmt::format("There are no exact values: {}", o.message); });
+    return {};
+  }
+  if (!o.ok()) return o;
+  s.section("Exact catenaries");
+  s.note([&] {
+    return fmt::format(
+        "The same loop with {} catenaries, the roller at its place on the link, solved as a whole: P_b = {}, N = {}, "
+        "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {:.6g} m. Left unbalanced: {:.1e} N at a node, "
+        "{:.1e} m at a rope's end.",
+        std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness) ? "elastic" : "inextensible",
+        kN(out.P_b_exact), kN(out.N_exact), kN(out.T_uA_exact), kN(out.T_uB_exact), kN(out.T_lA_exact),
+        kN(out.T_lB_exact), out.loop_length_exact, out.residual_exact, out.closure_exact);
+  });
+  return {};
 }
 
 }  // namespace
@@ -198,11 +221,13 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
                        out.P / tonne_force, value(c.S) / tonne_force);
   });
   if (!(out.P > 0)) return no_vertical_load(c, p);
-  if (Outcome o = set_sag(in, plain, s, c, out); !o.ok()) return o;
+  const Engine& engine = at.engine != nullptr ? *at.engine : no_engine;
+  if (Outcome o = set_sag(in, plain, engine, s, c, out); !o.ok()) return o;
   plain.f = out.f;
   const bool single = in.carriage == Carriage::single;
   Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
   if (!o.ok()) return o;
+  if (o = add_exact(in, plain, engine, s, out); !o.ok()) return o;
   warn_of_input(in, s);
   warn_of_paper(c, out, s);
   warn_of_stop(c, out, s);
@@ -219,29 +244,43 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
 template Outcome solve_position(const Input&, const Setting&, Sheet<double>&, Output&);
 template Outcome solve_position(const Input&, const Setting&, Sheet<Num>&, Output&);
 
-Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index) {
-  return {in.position.empty() ? nullptr : &in.position[index], ropes.q_b, ropes.q_T};
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine) {
+  return {in.position.empty() ? nullptr : &in.position[index], ropes.q_b, ropes.q_T, &engine};
 }
 
-std::vector<Row> sweep(const Input& in, const Ropes& ropes) {
+std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine) {
   std::vector<Row> rows(std::max<std::size_t>(1, in.position.size()));
   Sheet<double> silent;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].outcome = solve_position(in, setting_of(in, ropes, i), silent, rows[i].out);
+    rows[i].outcome = solve_position(in, setting_of(in, ropes, i, engine), silent, rows[i].out);
   }
   return rows;
 }
 
+namespace {
+
+/// T_uA, T_uB, T_lA, T_lB: exact where known, else by the closed-form tier.
+std::array<double, 4> ends_of(const Output& o) {
+  if (std::isfinite(o.T_lA_exact)) return {o.T_uA_exact, o.T_uB_exact, o.T_lA_exact, o.T_lB_exact};
+  return {o.T_uA, o.T_uB, o.T_lA, o.T_lB};
+}
+
+}  // namespace
+
 std::size_t worst_of(const std::vector<Row>& rows) {
-  const auto sum = [](const Output& o) { return o.T_uA + o.T_uB + o.T_lA + o.T_lB; };
+  const auto sum = [](const Output& o) {
+    const auto ends = ends_of(o);
+    return ends[0] + ends[1] + ends[2] + ends[3];
+  };
+  const auto largest = [](const Output& o) { return std::ranges::max(ends_of(o)); };
   std::size_t worst = 0;
   bool any = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].outcome.ok()) continue;
     const Output& best = rows[worst].out;
     const Output& o = rows[i].out;
-    const bool alike = any && std::abs(o.T_max - best.T_max) <= alike_within * best.T_max;
-    if (!any || (alike ? sum(o) > sum(best) : o.T_max > best.T_max)) worst = i;
+    const bool alike = any && std::abs(largest(o) - largest(best)) <= alike_within * largest(best);
+    if (!any || (alike ? sum(o) > sum(best) : largest(o) > largest(best))) worst = i;
     any = true;
   }
   return worst;
@@ -256,8 +295,8 @@ catalogue::RopeRow known_rope(const std::string& text) {
 }
 
 /// The peaks over all positions that are feasible; infeasible when none is.
-Outcome peaks_over(const Input& in, const Ropes& ropes, Peaks& peaks) {
-  const std::vector<Row> rows = sweep(in, ropes);
+Outcome peaks_over(const Input& in, const Ropes& ropes, const Engine& engine, Peaks& peaks) {
+  const std::vector<Row> rows = sweep(in, ropes, engine);
   bool any = false;
   for (const Row& row : rows) {
     if (!row.outcome.ok()) continue;
@@ -269,11 +308,11 @@ Outcome peaks_over(const Input& in, const Ropes& ropes, Peaks& peaks) {
 
 }  // namespace
 
-Outcome ropes_of(const Input& in, Ropes& ropes) {
+Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
   if (in.choose_ropes) {
     return choose(
-        *in.choose_ropes, *in.safety_factor, [&](const Ropes& r, Peaks& peaks) { return peaks_over(in, r, peaks); },
-        ropes);
+        *in.choose_ropes, *in.safety_factor,
+        [&](const Ropes& r, Peaks& peaks) { return peaks_over(in, r, engine, peaks); }, ropes);
   }
   if (in.return_rope) {
     ropes.return_rope = known_rope(*in.return_rope);

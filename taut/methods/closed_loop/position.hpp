@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "taut/methods/closed_loop/case.hpp"
+#include "taut/methods/closed_loop/engine.hpp"
 #include "taut/methods/closed_loop/sizing.hpp"
 
 namespace taut::closed_loop {
@@ -17,16 +18,16 @@ struct Row {
 };
 
 /// The positions of the deck, midspan when it gives none, each computed in double.
-std::vector<Row> sweep(const Input& in, const Ropes& ropes);
+std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine = no_engine);
 
-/// The row with the largest tension at a rope end; among equal ones the row with the largest sum of end tensions; the
-/// first row when all are infeasible.
+/// The row with the largest tension at a rope end (exact where known); among equal ones the row with the largest sum of
+/// end tensions; the first row when all are infeasible.
 std::size_t worst_of(const std::vector<Row>& rows);
 
 /// The setting of row `index`.
-Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index);
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine = no_engine);
 
 /// Weights from the deck, from ropes it names, or from ropes chosen. Precondition: complaints(in) is empty.
-Outcome ropes_of(const Input& in, Ropes& ropes);
+Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine = no_engine);
 
 }  // namespace taut::closed_loop

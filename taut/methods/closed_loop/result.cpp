@@ -13,6 +13,24 @@ namespace {
 
 constexpr double none = Output::none;
 
+bool has_exact(const std::vector<Row>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return std::isfinite(row.out.T_lA_exact); });
+}
+
+/// Before the last column, the reason.
+void add_exact_columns(const std::vector<Row>& rows, Table& t) {
+  t.title = "Tensions over the carriage positions (closed-form tier; _exact: catenaries)";
+  const std::vector<Column> columns = {{"P_b_exact", si::N},  {"T_uA_exact", si::N}, {"T_uB_exact", si::N},
+                                       {"T_lA_exact", si::N}, {"T_lB_exact", si::N}, {"loop_length_exact", si::m}};
+  t.columns.insert(t.columns.end() - 1, columns.begin(), columns.end());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Output& o = rows[i].out;
+    const std::vector<Cell> cells = {o.P_b_exact,  o.T_uA_exact, o.T_uB_exact,
+                                     o.T_lA_exact, o.T_lB_exact, o.loop_length_exact};
+    t.rows[i].insert(t.rows[i].end() - 1, cells.begin(), cells.end());
+  }
+}
+
 Table positions_table(const std::vector<Row>& rows) {
   Table t{"positions", "Tensions over the carriage positions (closed-form tier)", {}, {}};
   t.columns = {{"x", si::m},    {"f", si::m},    {"P_b", si::N},  {"P_v", si::N},   {"T_uA", si::N},
@@ -22,6 +40,7 @@ Table positions_table(const std::vector<Row>& rows) {
     t.rows.push_back(
         {o.x, o.f, o.P_b, o.P_v, o.T_uA, o.T_uB, o.T_lA, o.T_lB, o.T_max, std::string(row.outcome.message)});
   }
+  if (has_exact(rows)) add_exact_columns(rows, t);
   return t;
 }
 
@@ -93,15 +112,15 @@ void add_checks(const Input& in, const Ropes& ropes, const std::vector<Row>& row
 
 /// Printed against corrected.
 Comparison compared(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
-                    const char* build_by) {
-  return {what, symbol, unit, printed, corrected, none, build_by, false};
+                    const char* build_by, double exact = none) {
+  return {what, symbol, unit, printed, corrected, exact, build_by, false};
 }
 
 /// The same for what a rope must withstand: a printed value more than 1 % too low is unsafe. (Of a load that two
 /// branches share, too small a part of one is too large a part of the other.)
 Comparison demanded(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
-                    const char* build_by) {
-  return {what, symbol, unit, printed, corrected, none, build_by, printed < corrected * 0.99};
+                    const char* build_by, double exact = none) {
+  return {what, symbol, unit, printed, corrected, exact, build_by, printed < corrected * 0.99};
 }
 
 void add(Result& r, Comparison c) {
@@ -109,27 +128,29 @@ void add(Result& r, Comparison c) {
 }
 
 void add_comparisons(const Input& in, const Output& o, Result& r) {
+  const double exact_peak = std::isfinite(o.T_lA_exact) ? peaks_of(o).return_rope.tension : none;
   if (in.carriage == Carriage::two_section) {
     add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, o.P_b_printed, o.P_b,
-                    "corrected: sections told apart, forces resolved on their own chords"));
+                    "corrected: sections told apart, forces resolved on their own chords", o.P_b_exact));
     add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, o.delta_f_printed, o.delta_f,
-                    "corrected: the same system"));
+                    "corrected: the same system", o.delta_f_exact));
   }
   add(r, compared("load on the upper branch, (4)", "P_b0", si::N, o.P_b_4_printed, o.P_b_no_weight,
                   "corrected: 2f in place of 2l"));
   Comparison load =
       compared(in.carriage == Carriage::single ? "load on the upper branch, (1)" : "load on the upper branch", "P_b",
-               si::N, o.P_b, o.P_b_closed, "corrected: roller force normal to the rope");
+               si::N, o.P_b, o.P_b_closed, "corrected: roller force normal to the rope", o.P_b_exact);
   load.printed_unsafe = false;  // too small a share of one branch is too large a share of the other
   add(r, load);
   add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
                   "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
-  add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N, o.T_up, peaks_of(o).return_rope.tension,
-                  "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)"));
+  add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N, o.T_up,
+                  closed_form_peaks_of(o).return_rope.tension,
+                  "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)", exact_peak));
   add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
-                  "corrected: closed-form tier"));
+                  "corrected: closed-form tier", o.T_lA_exact));
   add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
-                  "corrected: closed-form tier, roller force normal to the rope"));
+                  "corrected: closed-form tier, roller force normal to the rope", o.T_lA_exact));
   add(r, demanded("area of the return rope, (8)", "F_return", si::m2, o.F_return_paper, o.F_return,
                   "corrected: (8*), sized for the rope behind the sheave"));
   add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2, o.F_traction_paper, o.F_traction,
@@ -143,6 +164,11 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
                    "Not in these numbers: rolling resistance, bending of the ropes over sheaves and rollers, splices, "
                    "wear, shocks at "
                    "intermediate supports, wind, temperature."};
+  if (has_exact(rows)) {
+    r.assumptions.emplace_back(
+        "Values that end in _exact: the same loop with catenaries and equilibrium of every node; ropes are checked and "
+        "chosen by these.");
+  }
   const auto failed = static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); }));
   if (rows.size() > 1) {
@@ -167,7 +193,9 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
 
 }  // namespace
 
-Result run(const Input& in) {
+Result run(const Input& in) { return run(in, no_engine); }
+
+Result run(const Input& in, const Engine& engine) {
   Result r;
   r.method = about().name;
   r.method_title = about().title;
@@ -176,12 +204,12 @@ Result run(const Input& in) {
   Ropes ropes;
   Output out;
   Sheet<Num> s(about().short_source, Input::describe(), &in);
-  Outcome outcome = ropes_of(in, ropes);
+  Outcome outcome = ropes_of(in, ropes, engine);
   std::vector<Row> rows;
   if (outcome.ok()) {
-    rows = sweep(in, ropes);
+    rows = sweep(in, ropes, engine);
     const std::size_t at = worst_of(rows);
-    outcome = solve_position(in, setting_of(in, ropes, at), s, out);
+    outcome = solve_position(in, setting_of(in, ropes, at, engine), s, out);
     if (!outcome.ok() && rows.size() > 1) {
       outcome.message =
           fmt::format("none of the {} positions is feasible; the first: {}", rows.size(), outcome.message);
@@ -197,7 +225,7 @@ Result run(const Input& in) {
   if (!outcome.ok()) return r;
   add_checks(in, ropes, rows, r);
   add_comparisons(in, out, r);
-  r.figures = {loop_drawing(in, out), force_polygon(in, out), tension_plot(in, ropes, rows)};
+  r.figures = {loop_drawing(in, out), force_polygon(in, out), tension_plot(in, ropes, rows, engine)};
   if (in.carriage == Carriage::single) r.figures.emplace_back(error_plot(in, ropes, out));
   return r;
 }

@@ -74,12 +74,62 @@ Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
   return roots > 0 ? Outcome{} : out_of_reach(in, c, least, most);
 }
 
+namespace {
+
 template <class T>
-Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>& c, Output& out) {
+void warn_of_second(double second, Sheet<T>& s) {
+  if (!std::isfinite(second)) return;
+  s.warn([&] {
+    return fmt::format("The same is also reached at the deeper sag of {:.4g} m; the smaller sag is used.", second);
+  });
+}
+
+const char* condition_of(const Input& in) {
+  if (in.mode == Mode::winch_pull) return "the traction rope is pulled at A with winch_pull * head_efficiency";
+  if (in.mode == Mode::loop_length) return "the whole loop has the unstretched length loop_length";
+  return "the return rope is pulled at the carriage with the gathering force S";
+}
+
+/// The sag by exact catenaries.
+template <class T>
+Outcome set_exact_sag(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Case<T>& c,
+                      Output& out) {
+  ExactSag found;
+  if (Outcome o = engine.sag(in, plain, found); !o.ok()) return o;
+  s.section("Sag");
+  if (in.mode == Mode::winch_pull) {
+    s.given(*in.winch_pull);
+    s.given(in.head_efficiency);
+  }
+  if (in.mode == Mode::loop_length) s.given(*in.loop_length);
+  s.note([&] {
+    return fmt::format("f = {:.6g} m: the smallest sag at which {}, by exact catenaries.", found.sag, condition_of(in));
+  });
+  if (in.mode == Mode::loop_length && std::isinf(in.return_stiffness) && std::isinf(in.traction_stiffness)) {
+    s.warn(
+        "The sag is found from the loop's length with ropes that do not stretch; real ropes sag much more (in the "
+        "paper's example 13.6 m instead of 10 m). Give return_stiffness and traction_stiffness.");
+  }
+  c.f = s.named("f", si::m, found.sag);
+  out.f = found.sag;
+  out.f_second = found.second;
+  warn_of_second(found.second, s);
+  return {};
+}
+
+}  // namespace
+
+template <class T>
+Outcome set_sag(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Case<T>& c,
+                Output& out) {
   if (in.mode == Mode::sag) {
     c.f = s.given(*in.sag);
     out.f = value(c.f);
     return {};
+  }
+  if (engine.sag) return set_exact_sag(in, plain, engine, s, c, out);
+  if (in.mode == Mode::loop_length || in.carriage == Carriage::two_section) {
+    return infeasible("this mode needs exact catenaries here; without them give the sag (mode: sag)");
   }
   FoundSag found;
   if (Outcome o = find_sag(in, plain, found); !o.ok()) return o;
@@ -104,16 +154,11 @@ Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>
   c.f = *f;
   out.f = value(c.f);
   out.f_second = found.second;
-  if (std::isfinite(found.second)) {
-    s.warn([&] {
-      return fmt::format("The same tension is also reached at the deeper sag of {:.4g} m; the smaller sag is used.",
-                         found.second);
-    });
-  }
+  warn_of_second(found.second, s);
   return {};
 }
 
-template Outcome set_sag(const Input&, const Case<double>&, Sheet<double>&, Case<double>&, Output&);
-template Outcome set_sag(const Input&, const Case<double>&, Sheet<Num>&, Case<Num>&, Output&);
+template Outcome set_sag(const Input&, const Case<double>&, const Engine&, Sheet<double>&, Case<double>&, Output&);
+template Outcome set_sag(const Input&, const Case<double>&, const Engine&, Sheet<Num>&, Case<Num>&, Output&);
 
 }  // namespace taut::closed_loop

@@ -1,5 +1,5 @@
 #pragma once
-#include "taut/methods/closed_loop/case.hpp"
+#include "taut/methods/closed_loop/engine.hpp"
 
 namespace taut::closed_loop {
 
@@ -18,8 +18,9 @@ double excess_of(const Input& in, const Case<double>& c, double sag);
 /// sag gives the tension asked for; the message says what range is possible.
 Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found);
 
-/// Sets c.f: the sag given, or the root of excess_of in [found.low, found.high].
+/// Sets c.f: the sag given; or what the engine finds; or, without one, the root of excess_of in [found.low,
+/// found.high], for a single carriage whose tension is given. Infeasible: no such sag, or only an engine could find it.
 template <class T>
-Outcome set_sag(const Input& in, const Case<double>& plain, Sheet<T>& s, Case<T>& c, Output& out);
+Outcome set_sag(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Case<T>& c, Output& out);
 
 }  // namespace taut::closed_loop

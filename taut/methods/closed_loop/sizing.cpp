@@ -99,6 +99,19 @@ Peaks larger(const Peaks& a, const Peaks& b) {
 }
 
 Peaks peaks_of(const Output& out) {
+  if (!std::isfinite(out.T_lA_exact)) return closed_form_peaks_of(out);
+  Peaks p;
+  raise(p.return_rope, out.T_uA_exact, out.x, "upper branch at A");
+  raise(p.return_rope, out.T_U_exact, out.x, "upper branch at the carriage");
+  raise(p.return_rope, out.T_uB_exact, out.x, "upper branch at B");
+  raise(p.return_rope, out.T_lB_exact, out.x, "lower branch at B");
+  raise(p.return_rope, out.T_lLB_exact, out.x, "lower branch at the carriage");
+  raise(p.traction_rope, out.T_lA_exact, out.x, "lower branch at A");
+  raise(p.traction_rope, out.T_lLA_exact, out.x, "lower branch at the carriage");
+  return p;
+}
+
+Peaks closed_form_peaks_of(const Output& out) {
   Peaks p;
   raise(p.return_rope, out.T_uA, out.x, "upper branch at A");
   raise(p.return_rope, out.T_U, out.x, "upper branch at the carriage");

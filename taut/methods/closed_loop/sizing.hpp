@@ -39,8 +39,10 @@ struct Peaks {
 /// The larger peaks of the two, each rope by itself.
 Peaks larger(const Peaks& a, const Peaks& b);
 
-/// The largest tensions of one solved position.
+/// The largest tensions of one solved position: exact where known, else by the closed-form tier.
 Peaks peaks_of(const Output& out);
+/// By the closed-form tier.
+Peaks closed_form_peaks_of(const Output& out);
 
 /// The smallest ropes of the catalogue (by diameter, then area and breaking force) that keep MBF/T >= n with their own
 /// weights at every position. `verify` computes the peaks for two weights. The search steps each rope up until both

@@ -1,0 +1,96 @@
+#include "taut/app/exact/closed_loop_exact.hpp"
+
+#include <algorithm>
+
+namespace taut::app {
+namespace {
+
+using closed_loop::Case;
+using closed_loop::Input;
+using closed_loop::Output;
+
+analysis::SecondSection second_section(const Input& in) {
+  return {*in.section_distance, in.distance_kind == closed_loop::DistanceKind::rope,
+          in.sag_of == closed_loop::Section::second, in.position_of == closed_loop::Section::second};
+}
+
+Outcome exact_sag(const Input& in, const Case<double>& c, closed_loop::ExactSag& found) {
+  using analysis::LoopGiven;
+  analysis::LoopSag at;
+  const analysis::RunningLoop loop = running_loop(in, c);
+  const auto find = [&](LoopGiven given, double value) { return find_loop_sag(loop, c.x, given, value, at); };
+  Outcome o;
+  switch (in.mode) {
+    case closed_loop::Mode::winch_pull:
+      o = find(LoopGiven::tension_at_A, *in.winch_pull * in.head_efficiency);
+      break;
+    case closed_loop::Mode::loop_length:
+      o = find(LoopGiven::length, *in.loop_length);
+      break;
+    case closed_loop::Mode::free_running:
+      o = find(LoopGiven::tension_at_carriage, c.S);
+      break;
+    case closed_loop::Mode::sag:
+      at.sag = *in.sag;
+      break;
+  }
+  found = {at.sag, at.second};
+  return o;
+}
+
+void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, Output& out) {
+  out.P_v_exact = s.R_z;
+  out.P_b_exact = s.R_z - loop.rise / loop.span * s.R_x;
+  out.N_exact = s.roller_force();
+  out.phi_exact = s.lean;
+  out.T_uA_exact = s.upper_A.T_start;
+  out.T_uB_exact = s.upper_B.T_end;
+  out.T_lA_exact = s.lower_A.T_start;
+  out.T_lB_exact = s.lower_B.T_end;
+  out.T_U_exact = std::max(s.upper_A.T_end, s.upper_B.T_start);
+  out.T_lLA_exact = s.lower_A.T_end;
+  out.T_lLB_exact = s.lower_B.T_start;
+  if (loop.second) out.delta_f_exact = s.delta_sag;
+  out.upper_sag_exact = s.upper_sag;
+  out.loop_length_exact = s.loop_length();
+  out.traction_length_exact = s.traction_length;
+  out.return_length_exact = s.return_length;
+  out.residual_exact = s.residual;
+  out.closure_exact = s.closure;
+}
+
+Outcome exact_values(const Input& in, const Case<double>& c, Output& out) {
+  const analysis::RunningLoop loop = running_loop(in, c);
+  analysis::LoopState s;
+  Outcome o = solve_loop(loop, {c.x, c.f}, s);
+  if (o.ok()) keep(loop, s, out);
+  return o;
+}
+
+}  // namespace
+
+analysis::RunningLoop running_loop(const Input& in, const Case<double>& c) {
+  analysis::RunningLoop loop;
+  loop.span = c.l;
+  loop.rise = c.l * c.m;
+  loop.branch_distance = in.branch_distance;
+  loop.offset_is_vertical = in.branch_offset == closed_loop::BranchOffset::vertical;
+  loop.traction_rope = {c.q_T, in.traction_stiffness};
+  loop.return_rope = {c.q_b, in.return_stiffness};
+  loop.efficiency = c.eta;
+  loop.pull_x = c.S * c.sin_g;
+  loop.pull_z = -c.S * c.cos_g;
+  loop.carriage_weight = c.W_c;
+  loop.roller = in.roller == closed_loop::Roller::free ? analysis::RollerLaw::free : analysis::RollerLaw::vertical;
+  if (in.carriage == closed_loop::Carriage::two_section) loop.second = second_section(in);
+  return loop;
+}
+
+const closed_loop::Engine& loop_engine() {
+  static const closed_loop::Engine engine{exact_sag, exact_values};
+  return engine;
+}
+
+Result run_closed_loop(const Input& in) { return closed_loop::run(in, loop_engine()); }
+
+}  // namespace taut::app
