@@ -9,6 +9,9 @@ using closed_loop::Case;
 using closed_loop::Input;
 using closed_loop::Output;
 
+/// Misfits below this are rounding, which differs from machine to machine.
+constexpr double rounding = 1e-12;
+
 analysis::SecondSection second_section(const Input& in) {
   return {*in.section_distance, in.distance_kind == closed_loop::DistanceKind::rope,
           in.sag_of == closed_loop::Section::second, in.position_of == closed_loop::Section::second};
@@ -55,8 +58,9 @@ void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, Outpu
   out.loop_length_exact = s.loop_length();
   out.traction_length_exact = s.traction_length;
   out.return_length_exact = s.return_length;
-  out.residual_exact = s.residual;
-  out.closure_exact = s.closure;
+  const double largest = std::max({out.T_uA_exact, out.T_uB_exact, out.T_lA_exact, out.T_lB_exact});
+  out.residual_exact = std::max(s.residual / largest, rounding);
+  out.closure_exact = std::max(s.closure / loop.span, rounding);
 }
 
 Outcome exact_values(const Input& in, const Case<double>& c, Output& out) {

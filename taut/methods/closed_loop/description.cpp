@@ -235,8 +235,10 @@ void describe_exact(Describe<Output>& d) {
   add(&Output::traction_length_exact, "traction_length_exact", si::m,
       "of the traction rope between A and the carriage");
   add(&Output::return_length_exact, "return_length_exact", si::m, "of the return rope from the carriage over B to A");
-  add(&Output::residual_exact, "residual_exact", si::N, "largest force left unbalanced at a node");
-  add(&Output::closure_exact, "closure_exact", si::m, "largest distance of a rope's end from its support or carriage");
+  add(&Output::residual_exact, "residual_exact", si::one,
+      "largest force left unbalanced at a node, of the largest tension; 1e-12 stands for rounding");
+  add(&Output::closure_exact, "closure_exact", si::one,
+      "largest distance of a rope's end from its node, of the span; 1e-12 stands for rounding");
 }
 
 }  // namespace

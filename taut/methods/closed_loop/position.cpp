@@ -188,8 +188,8 @@ Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engi
   s.note([&] {
     return fmt::format(
         "The same loop with {} catenaries, the roller at its place on the link, solved as a whole: P_b = {}, N = {}, "
-        "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {:.6g} m. Left unbalanced: {:.1e} N at a node, "
-        "{:.1e} m at a rope's end.",
+        "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {:.6g} m. Left unbalanced at a "
+        "node: at most {:.0e} of the tension; left open at a rope's end: at most {:.0e} of the span.",
         std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness) ? "elastic" : "inextensible",
         kN(out.P_b_exact), kN(out.N_exact), kN(out.T_uA_exact), kN(out.T_uB_exact), kN(out.T_lA_exact),
         kN(out.T_lB_exact), out.loop_length_exact, out.residual_exact, out.closure_exact);
