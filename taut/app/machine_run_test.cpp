@@ -273,7 +273,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     }
     ++count;
   }
-  EXPECT_EQ(count, 5);
+  EXPECT_EQ(count, 6);
 }
 
 }  // namespace
