@@ -136,6 +136,26 @@ bool bring_on_losses(System system, const model::State& state, const Equilibrium
   return true;
 }
 
+Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options, const Flow& flow);
+
+/// For ropes that do not stretch: the state of ropes that stretch less and less. Empty where there is none.
+std::optional<model::State> stiffened(model::Model model, model::State state, const EquilibriumOptions& options,
+                                      const Flow& flow) {
+  std::vector<std::size_t> rigid;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    if (std::isinf(model.reevings[r].stiffness)) rigid.push_back(r);
+  }
+  if (rigid.empty()) return std::nullopt;
+  const double force = layout(model, state, options.prescribed, flow).heaviest;
+  for (const double ratio : {1e3, 1e5, 1e7}) {
+    for (const std::size_t r : rigid) model.reevings[r].stiffness = ratio * force;
+    const Solved s = solve(model, state, options, flow);
+    if (!s.outcome.ok()) return std::nullopt;
+    keep(s.layout, s.c, state);
+  }
+  return state;
+}
+
 Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
              const Flow& flow) {
   Solved s;
@@ -143,9 +163,12 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
   const Iteration it = find(system, state, options, s);
   if (it.converged) return s;
+  Solved other = s;
+  if (const auto near = stiffened(model, state, options, flow)) {
+    if (find(system, *near, options, other).converged) return other;
+  }
   const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
-  Solved by_parts = s;
-  if (flows && bring_on_losses(system, state, options, by_parts)) return by_parts;
+  if (flows && bring_on_losses(system, state, options, other)) return other;
   s.outcome = reason(system, s.c, s.e, it);
   return s;
 }

@@ -183,6 +183,24 @@ TEST(Equilibrium, SlackGuyDropsOut) {
   EXPECT_NEAR(top.cross(guy + Vector3(1e3, 0, -5e3)).y(), 0, 1e-5);
 }
 
+TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
+  model::Model m = with_carriage(false);
+  EquilibriumOptions options;
+  for (const double x : {100.0, 150.0, 190.0}) {
+    options.prescribed = Prescribed{0, x};
+    m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
+    const EquilibriumResult rigid = equilibrium(m, options);
+    ASSERT_TRUE(rigid.outcome.ok()) << rigid.outcome.message;
+    m.reevings[0].stiffness = 1e13;
+    const EquilibriumResult stiff = equilibrium(m, options);
+    ASSERT_TRUE(stiff.outcome.ok()) << stiff.outcome.message;
+    for (std::size_t k = 0; k < rigid.spans.size(); ++k) {
+      EXPECT_NEAR(rigid.spans[k].T_from / stiff.spans[k].T_from, 1, 1e-6);
+      EXPECT_NEAR(rigid.spans[k].stretched / rigid.spans[k].unstretched, 1, 1e-14);
+    }
+  }
+}
+
 TEST(Equilibrium, SaysWhatIsMissing) {
   model::Model m = three_spans(300, 0);
   m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
