@@ -88,6 +88,13 @@ class Requests {
     std::string text = name ? "_" + *name : before.empty() ? std::string{} : fmt::format("_{}", before.size() + 1);
     const bool known = std::any_of(before.begin(), before.end(), [&](const Run& run) { return run.ending == text; });
     if (known) complaints.push_back({path + ".name", "another analysis of this kind has the same name"});
+    // it becomes part of files' names
+    const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (!plain || (name && name->empty())) {
+      complaints.push_back({path + ".name", "a name of letters, digits, _ and - is expected"});
+    }
     return text;
   }
 

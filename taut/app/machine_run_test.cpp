@@ -234,6 +234,7 @@ TEST(MachineRun, TellsEachMistakeAtItsPlace) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {replaced("anchor: pin", "anchor: pim"),
        "deck.yaml:10:100: error: machine.reevings[0].path[2].anchor: there is no point"},
+      {replaced("motion: hoist", "name: ../up"), "name: a name of letters, digits, _ and - is expected"},
       {replaced("motion: hoist", "motion: hoits"), "there is no motion 'hoits'; did you mean 'hoist'?"},
       {replaced("motion: hoist", "motion: {had: 1}"),
        "there is no sheave, support or rope of this name; did you mean 'head'?"},
