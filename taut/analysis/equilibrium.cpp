@@ -147,7 +147,7 @@ std::optional<model::State> stiffened(model::Model model, model::State state, co
   }
   if (rigid.empty()) return std::nullopt;
   const double force = layout(model, state, options.prescribed, flow).heaviest;
-  for (const double ratio : {1e3, 1e5, 1e7}) {
+  for (const double ratio : {1e3, 1e5, 1e7, 1e9}) {
     for (const std::size_t r : rigid) model.reevings[r].stiffness = ratio * force;
     const Solved s = solve(model, state, options, flow);
     if (!s.outcome.ok()) return std::nullopt;
