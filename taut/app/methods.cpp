@@ -5,6 +5,7 @@
 
 #include "taut/app/embedded/examples.hpp"
 #include "taut/app/exact/closed_loop_exact.hpp"
+#include "taut/app/exact/friction_drive_exact.hpp"
 #include "taut/app/exact/mast_section_exact.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/io/read.hpp"
@@ -66,7 +67,8 @@ const std::vector<MethodEntry>& methods() {
                                                        {&MastSectionExact::describe(), complete_mast_section}),
       entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop),
       entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(), friction_drive::complaints,
-                                                           friction_drive::run),
+                                                           friction_drive::run,
+                                                           {&FrictionDriveExact::describe(), complete_friction_drive}),
       entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run),
   };
   return all;

@@ -9,6 +9,11 @@ namespace taut::friction_drive {
 
 std::vector<Complaint> complaints(const Input& in) {
   std::vector<Complaint> all;
+  if (in.take_up) {
+    const int given =
+        int{in.take_up->weight.has_value()} + int{in.take_up->mass.has_value()} + int{in.take_up->screw.has_value()};
+    if (given != 1) all.push_back({"take_up", "give weight, mass or screw, one of them"});
+  }
   if (!in.rope) return all;
   const auto rope = catalogue::find_rope_in_words(*in.rope);
   if (!rope) {

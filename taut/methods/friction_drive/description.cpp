@@ -61,7 +61,34 @@ void describe_machine(Outputs& d) {
   d.field(&Output::safety_factor, "safety_factor", "S", si::one, "minimum breaking force over the largest tension");
 }
 
+void describe_exact(Inputs& d) {
+  d.record(&Input::take_up, "take_up",
+           "take-up, for the exact solution; left out: the pull with idler loss that the method says to build by");
+  d.field(&Input::rope_stiffness, "rope_stiffness", "EA", si::N,
+          "tension per strain, for the creep; 100 GPa times the area when left out")
+      .above(0);
+  d.field(&Input::centre_distance, "centre_distance", "", si::m,
+          "of driving sheave and idler, for the rope's length under a screw; with sheave_radius the arcs count too")
+      .above(0);
+  d.choice(&Input::cut, "cut", {{"at_idler", CutPlace::at_idler}, {"in_tight_branch", CutPlace::in_tight_branch}},
+           "where the cut holds the rope in the exact solution: at_idler, so that the idler feels the whole tight "
+           "tension as in the method, or in the middle of the tight branch");
+}
+
 }  // namespace
+
+const Description& TakeUp::describe() {
+  static const Description d =
+      Describe<TakeUp>()
+          .field(&TakeUp::weight, "weight", "W", si::N, "constant pull on the idler; or give mass or screw")
+          .above(0)
+          .field(&TakeUp::mass, "mass", "", si::kg, "of a weight that hangs on the idler")
+          .above(0)
+          .field(&TakeUp::screw, "screw", "W_0", si::N, "fixed centres: pull on the idler as set at rest without load")
+          .above(0)
+          .exactly_one({"weight", "mass", "screw"});
+  return d;
+}
 
 const Description& Input::describe() {
   static const Description description = [] {
@@ -97,6 +124,7 @@ const Description& Input::describe() {
         .above(0);
     d.field(&Input::rope, "rope",
             "rope of the catalogue, by id or in words: \"6x36-IWRC 16 mm 1960 MPa\"; for stress, D/d, safety factor");
+    describe_exact(d);
     return Description(d);
   }();
   return description;

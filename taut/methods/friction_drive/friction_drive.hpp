@@ -22,20 +22,37 @@ namespace taut::friction_drive {
 
 inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
+/// The take-up of the exact solution: a pull on the idler that stays, or fixed centres set at rest.
+struct TakeUp {
+  std::optional<double> weight;  ///< N; or
+  std::optional<double> mass;    ///< kg, of a hanging weight; or
+  std::optional<double> screw;   ///< N, pull on the idler at rest without load
+
+  static const Description& describe();
+};
+
+/// Where the cut holds the rope back: where the idler feels the whole tight tension, as the method has it, or in the
+/// middle of the tight branch.
+enum class CutPlace { at_idler, in_tight_branch };
+
 struct Input {
-  double cutting_force = not_computed;  ///< P_p, N
-  double friction = not_computed;       ///< mu, 0 < mu <= 1.5
-  double wrap = not_computed;           ///< alpha on the driving sheave, rad
-  double rope_mass = not_computed;      ///< q, kg/m, with the cutters
-  double speed = not_computed;          ///< U, m/s
-  double grip_reserve = 1.2;            ///< m >= 1
-  double section_factor = 0;            ///< k of Andreev's formula
-  double fill_ratio = 1;                ///< K_fill / K_fill_max
-  double rest_arc = 0;                  ///< m_a d/R, rad
-  double idler_loss = 1.08;             ///< r, the factor in (14)
-  std::optional<double> rope_area;      ///< A, m2
-  std::optional<double> sheave_radius;  ///< R to the rope's centre, m
-  std::optional<std::string> rope;      ///< of the catalogue: id, or construction, core, diameter and grade in words
+  double cutting_force = not_computed;   ///< P_p, N
+  double friction = not_computed;        ///< mu, 0 < mu <= 1.5
+  double wrap = not_computed;            ///< alpha on the driving sheave, rad
+  double rope_mass = not_computed;       ///< q, kg/m, with the cutters
+  double speed = not_computed;           ///< U, m/s
+  double grip_reserve = 1.2;             ///< m >= 1
+  double section_factor = 0;             ///< k of Andreev's formula
+  double fill_ratio = 1;                 ///< K_fill / K_fill_max
+  double rest_arc = 0;                   ///< m_a d/R, rad
+  double idler_loss = 1.08;              ///< r, the factor in (14)
+  std::optional<double> rope_area;       ///< A, m2
+  std::optional<double> sheave_radius;   ///< R to the rope's centre, m
+  std::optional<std::string> rope;       ///< of the catalogue: id, or construction, core, diameter and grade in words
+  std::optional<TakeUp> take_up;         ///< this and what follows: for the exact solution, not in the published method
+  std::optional<double> rope_stiffness;  ///< EA, N
+  std::optional<double> centre_distance;  ///< of the sheaves, m
+  CutPlace cut = CutPlace::at_idler;
 
   static const Description& describe();
 };

@@ -1,0 +1,157 @@
+#include "taut/app/exact/friction_drive_exact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/methods/friction_drive/rope_strength.hpp"
+
+namespace taut::app {
+namespace {
+
+using namespace friction_drive;
+
+constexpr double standard_gravity = 9.80665;
+constexpr double usual_modulus = 100e9;  // of steel ropes on the metallic area
+
+double stiffness_of(const Input& in) {
+  if (in.rope_stiffness) return *in.rope_stiffness;
+  if (in.rope_area) return usual_modulus * *in.rope_area;
+  if (const auto rope = rope_of(in)) return usual_modulus * rope->area;
+  return std::numeric_limits<double>::infinity();
+}
+
+std::string take_up_words(const Input& in, const analysis::BeltDrive& d) {
+  if (!in.take_up) return fmt::format("a weight that pulls {:.1f} N, as the method says to build", d.pull);
+  if (in.take_up->screw) return fmt::format("a screw set to {:.1f} N at rest", d.pull);
+  return fmt::format("a weight that pulls {:.1f} N", d.pull);
+}
+
+void add_words(const Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s, Result& r) {
+  r.assumptions.push_back(fmt::format(
+      "Exact column: {}; T_1 = r T_2 + P_p, {}; the rope creeps on the last part of the working arc only. Branches "
+      "are straight.",
+      take_up_words(in, d),
+      d.place == analysis::LoadPlace::at_idler ? "the idler feels the whole tight tension"
+                                               : "the cut lies in the middle of the tight branch"));
+  if (std::isinf(d.stiffness)) {
+    r.assumptions.emplace_back("No creep is computed: give rope_stiffness, rope_area or rope.");
+  } else if (!in.rope_stiffness) {
+    r.assumptions.push_back(
+        fmt::format("EA = {:.4g} MN: 100 GPa on the rope's metallic area; give rope_stiffness.", d.stiffness / 1e6));
+  }
+  if (s.slips) {
+    r.warnings.push_back(fmt::format(
+        "with {} the drive slips: it passes on {:.1f} N of the {:.1f} N cutting force; the exact tensions are those at "
+        "the limit of slip",
+        take_up_words(in, d), s.load, in.cutting_force));
+  }
+}
+
+FrictionDriveExact values_from(const Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s) {
+  FrictionDriveExact e;
+  e.take_up_exact = s.pull;
+  e.T_1_exact = s.T_1;
+  e.T_2_exact = s.T_2;
+  e.cutting_force_exact = s.load;
+  e.slip_arc_exact = s.slip_arc;
+  e.arc_used_exact = s.slip_arc / d.working_arc;
+  e.slips_exact = s.slips ? 1 : 0;
+  if (std::isfinite(d.stiffness)) {
+    e.creep_exact = s.creep;
+    e.creep_speed_exact = s.creep * in.speed;
+  }
+  if (d.take_up == analysis::TakeUp::screw) e.closure_exact = s.stretch;
+  return e;
+}
+
+void add_comparisons(const Output& o, const FrictionDriveExact& e, Result& r) {
+  const auto add = [&](const char* what, const char* symbol, double paper, double corrected, double exact) {
+    r.comparisons.push_back({what, symbol, si::N, paper, corrected, exact,
+                             "exact: what the take-up really sets; corrected: the drive that does not slip",
+                             paper < exact});
+  };
+  add("tight branch under the cut", "T_1", o.T_1, o.T_1_no_slip, e.T_1_exact);
+  add("slack branch under the cut", "T_2", o.T_2, o.T_2_no_slip, e.T_2_exact);
+  add("pull on the idler while it runs", "W", o.P_M, o.takeup_no_slip, e.take_up_exact);
+}
+
+}  // namespace
+
+analysis::BeltDrive belt_drive(const Input& in, const Output& out) {
+  analysis::BeltDrive d;
+  d.friction = in.friction;
+  d.wrap = in.wrap;
+  d.working_arc = std::min(out.phi, in.wrap);
+  d.momentum_flow = out.c;
+  d.idler_loss = in.idler_loss;
+  d.load = in.cutting_force;
+  d.place = in.cut == CutPlace::at_idler ? analysis::LoadPlace::at_idler : analysis::LoadPlace::in_tight_branch;
+  d.stiffness = stiffness_of(in);
+  if (in.centre_distance) {
+    d.branch = *in.centre_distance;
+    d.radius = in.sheave_radius.value_or(0);
+  }
+  if (!in.take_up) {
+    d.pull = std::isfinite(out.takeup_with_idler_loss) ? out.takeup_with_idler_loss : out.takeup_no_slip;
+  } else if (in.take_up->screw) {
+    d.take_up = analysis::TakeUp::screw;
+    d.pull = *in.take_up->screw;
+  } else {
+    d.pull = in.take_up->weight ? *in.take_up->weight : *in.take_up->mass * standard_gravity;
+  }
+  return d;
+}
+
+void complete_friction_drive(const Input& in, Result& r) {
+  if (r.status != Status::ok) return;
+  Output out;
+  if (!solve(in, out).ok() || !(out.phi > 0)) return;
+  const analysis::BeltDrive d = belt_drive(in, out);
+  analysis::BeltDriveState s;
+  const Outcome outcome = analysis::solve(d, s);
+  if (!outcome.ok()) {
+    r.status = outcome.status;
+    r.message = outcome.message;
+    return;
+  }
+  const FrictionDriveExact e = values_from(in, d, s);
+  add_words(in, d, s, r);
+  add_comparisons(out, e, r);
+  if (in.take_up) {
+    if (s.slips) {
+      r.checks.push_back(make_check("grip with the take-up, exact", in.cutting_force, Sense::at_most, s.load, si::N,
+                                    "cutting force against what the slipping drive passes on", "derived"));
+    } else {
+      r.checks.push_back(make_check("grip with the take-up, exact", s.slip_arc, Sense::at_most, d.working_arc, si::rad,
+                                    "slip arc ln((T_1 - c)/(T_2 - c))/mu against the working arc", "derived"));
+    }
+  }
+  const auto values = values_of(FrictionDriveExact::describe(), &e);
+  r.values.insert(r.values.end(), values.begin(), values.end());
+}
+
+const Description& FrictionDriveExact::describe() {
+  using Exact = FrictionDriveExact;
+  static const Description description = [] {
+    Describe<Exact> d;
+    d.field(&Exact::take_up_exact, "take_up_exact", "W_exact", si::N, "pull on the idler while the rope runs");
+    d.field(&Exact::T_1_exact, "T_1_exact", "T_1_exact", si::N, "tight branch as the take-up sets it");
+    d.field(&Exact::T_2_exact, "T_2_exact", "T_2_exact", si::N, "slack branch as the take-up sets it");
+    d.field(&Exact::cutting_force_exact, "cutting_force_exact", "P_exact", si::N,
+            "cutting force that the drive passes on; less than asked for where it slips");
+    d.field(&Exact::slip_arc_exact, "slip_arc_exact", "phi_slip", si::rad, "arc on which the rope creeps");
+    d.field(&Exact::arc_used_exact, "arc_used_exact", "", si::one, "slip arc over working arc");
+    d.field(&Exact::creep_exact, "creep_exact", "", si::one,
+            "speed lost by creep over the rope's speed, (T_1 - T_2)/EA");
+    d.field(&Exact::creep_speed_exact, "creep_speed_exact", "", si::m_per_s, "speed lost by creep");
+    d.field(&Exact::slips_exact, "slips_exact", "", si::one, "1: the drive slips on its whole arc; 0: it holds");
+    d.field(&Exact::closure_exact, "closure_exact", "", si::one, "rope closure of a screw take-up, over the length");
+    return Description(d);
+  }();
+  return description;
+}
+
+}  // namespace taut::app
