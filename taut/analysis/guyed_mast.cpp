@@ -21,7 +21,7 @@ using structure::BeamState;
 using Unknowns = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr int steps_per_piece = 24, pieces = 4;
+constexpr int steps_per_piece = 24, steps = 96;
 
 rope::CatenaryRope rope_of(const Guy& guy, double length) { return {length, guy.weight, guy.stiffness}; }
 
@@ -91,7 +91,7 @@ Shape shoot(const Problem& p, const Unknowns& u, bool keep_points) {
   for (std::size_t k = 1; k < p.heights.size(); ++k) {
     const double length = p.heights[k] - p.heights[k - 1];
     std::vector<BeamState> way;
-    s = structure::carry(p.mast.section, s, length, steps_per_piece * pieces, keep_points ? &way : nullptr);
+    s = structure::carry(p.mast.section, s, length, steps, keep_points ? &way : nullptr);
     for (std::size_t i = 0; i < way.size(); ++i) {
       const double z = p.heights[k - 1] + length * static_cast<double>(i + 1) / static_cast<double>(way.size());
       shape.points.push_back(point_of(p, i + 1 == way.size() ? p.heights[k] : z, way[i]));
@@ -154,35 +154,68 @@ double largest_slope(const std::vector<MastPoint>& points) {
   return largest;
 }
 
+/// Carries a state from one height to another, past the forces between them. Not a number where a guy finds no shape.
+BeamState climb(const Problem& p, BeamState s, double low, double high, Shape& shape) {
+  double z = low;
+  for (const double height : p.heights) {
+    if (height <= low || height >= high) continue;
+    s = structure::carry(p.mast.section, s, height - z, steps_per_piece);
+    z = height;
+    if (!pass_forces(p, height, s, shape)) s.place.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  return structure::carry(p.mast.section, s, high - z, steps_per_piece);
+}
+
+/// Heights that cut the mast into pieces of a tenth at most and a fiftieth at least: foot, top, guys where there is
+/// room.
+std::vector<double> nodes_of(const GuyedMast& mast) {
+  std::vector<double> held = {0, mast.height};
+  for (const Guy& guy : mast.guys) {
+    const bool room =
+        std::none_of(held.begin(), held.end(), [&](double z) { return std::abs(z - guy.height) < 0.02 * mast.height; });
+    if (room) held.push_back(guy.height);
+  }
+  std::sort(held.begin(), held.end());
+  std::vector<double> nodes = {0};
+  for (std::size_t i = 1; i < held.size(); ++i) {
+    const double length = held[i] - held[i - 1];
+    const int parts = static_cast<int>(std::ceil(10 * length / mast.height - 1e-9));
+    for (int k = 1; k < parts; ++k) nodes.push_back(held[i - 1] + length * k / parts);
+    nodes.push_back(held[i]);
+  }
+  return nodes;
+}
+
 /// Stable: the tangent stiffness of mast and guys resists every movement. The pieces are short enough that none of them
-/// can buckle between its held ends before the whole does.
+/// can buckle between its held ends before the whole does; guys between two nodes belong to their piece.
 bool stable(const Problem& p, const Unknowns& u) {
-  const Eigen::Index nodes = static_cast<Eigen::Index>(p.heights.size() - 1) * pieces + 1;
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * nodes, 6 * nodes);
+  const std::vector<double> nodes = nodes_of(p.mast);
+  const auto count = static_cast<Eigen::Index>(nodes.size() - 1);
+  const double height = p.mast.height, EI = std::max(p.mast.section.EI_x, p.mast.section.EI_y);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * (count + 1), 6 * (count + 1));
   Shape shape;
   shape.spans.resize(p.ropes.size());
   BeamState s = foot(p, u);
-  Eigen::Index node = 0;
-  for (std::size_t k = 1; k < p.heights.size(); ++k) {
-    const double piece = (p.heights[k] - p.heights[k - 1]) / pieces;
-    for (int i = 0; i < pieces; ++i, ++node) {
-      K.block<12, 12>(6 * node, 6 * node) += structure::piece_stiffness(p.mast.section, s, piece, steps_per_piece);
-      s = structure::carry(p.mast.section, s, piece, steps_per_piece);
-    }
-    if (!pass_forces(p, p.heights[k], s, shape)) return false;
+  for (Eigen::Index n = 0; n < count; ++n) {
+    const double low = nodes[static_cast<std::size_t>(n)], high = nodes[static_cast<std::size_t>(n + 1)];
+    const auto carry_on = [&](const BeamState& from) { return climb(p, from, low, high, shape); };
+    K.block<12, 12>(6 * n, 6 * n) += structure::piece_stiffness(carry_on, s, high - low, EI);
+    s = carry_on(s);
+    if (!pass_forces(p, high, s, shape)) return false;
     for (std::size_t i = 0; i < p.ropes.size(); ++i) {
-      if (p.mast.guys[i].height == p.heights[k]) K.block<3, 3>(6 * node, 6 * node) += rope::stiffness(shape.spans[i]);
+      if (p.mast.guys[i].height == high) K.block<3, 3>(6 * n + 6, 6 * n + 6) += rope::stiffness(shape.spans[i]);
     }
   }
-  for (Eigen::Index n = 0; n < nodes; ++n) {  // turns in units of 1/height, so that all entries are of one kind
-    K.middleRows<3>(6 * n + 3) /= p.mast.height;
-    K.middleCols<3>(6 * n + 3) /= p.mast.height;
+  for (Eigen::Index n = 0; n <= count; ++n) {  // turns in units of 1/height, so that all entries are of one kind
+    K.middleRows<3>(6 * n + 3) /= height;
+    K.middleCols<3>(6 * n + 3) /= height;
   }
   std::vector<Eigen::Index> free;
-  for (Eigen::Index i = p.mast.base == MastBase::hinged ? 3 : 6; i < 6 * nodes; ++i) {
+  for (Eigen::Index i = p.mast.base == MastBase::hinged ? 3 : 6; i < K.rows(); ++i) {
     if (i != 5) free.push_back(i);
   }
   const Eigen::MatrixXd reduced = K(free, free);
+  if (!reduced.allFinite()) return false;
   const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd((reduced + reduced.transpose()) / 2));
   return factor.info() == Eigen::Success;
 }

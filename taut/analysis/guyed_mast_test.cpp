@@ -1,6 +1,7 @@
 #include "taut/analysis/guyed_mast.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -227,6 +228,53 @@ TEST(GuyedMast, TighterGuysHoldTheTopBetter) {
     EXPECT_LT(top, before);
     before = top;
   }
+}
+
+TEST(GuyedMast, ForcesAHairsbreadthApartAreNoTrouble) {
+  const GuyedMastResult r = solved(yarder());
+  for (const double apart : {1e-3, 1e-6, 1e-12}) {
+    GuyedMast m = yarder();
+    m.loads[0].height -= apart;
+    m.guys[1].height -= 2 * apart;
+    m.guys[2].height -= 3 * apart;
+    EXPECT_LT((solved(m).top - r.top).norm(), (5 * apart + 1e-9) * 10);
+  }
+}
+
+RC_GTEST_PROP(GuyedMast, BalancesOrSaysWhyNot, ()) {
+  const auto between = [](double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 1000001) * 1e-6;
+  };
+  GuyedMast m;
+  m.height = between(4, 40);
+  const double D = m.height * between(0.01, 0.06);
+  m.section = structure::tube_section(D, D * between(0.02, 0.1));
+  m.base = *rc::gen::element(MastBase::clamped, MastBase::hinged);
+  const int guys = *rc::gen::inRange(0, 7);
+  for (int i = 0; i < guys; ++i) {
+    const double height = m.height * *rc::gen::element(0.5, 0.9, 1.0), angle = between(0, 6.3), far = between(3, 60);
+    GuyInstallation install = GuyTension{between(10, 40e3), *rc::gen::element(GuyEnd::top, GuyEnd::anchor)};
+    const Vector3 anchor(far * std::cos(angle), far * std::sin(angle), between(-10, 10));
+    if (*rc::gen::arbitrary<bool>()) {
+      install = GuyLength{(Vector3(0, 0, height) - anchor).norm() * between(0.998, 1.05)};
+    }
+    m.guys.push_back({"g", height, anchor, between(1e6, 50e6), *rc::gen::element(0.0, 2.0, 20.0), install, {}});
+  }
+  const double force = between(0, 300e3);
+  m.loads = {{m.height, {force * between(0, 1), force * between(-0.2, 0.2), -force * between(0, 1)}},
+             {m.height * between(0.3, 1), {force * between(0, 0.3), 0, -force * between(0, 0.3)}}};
+  GuyedMastResult r;
+  const Outcome o = solve(m, r);
+  RC_CLASSIFY(o.ok());
+  if (!o.ok()) {
+    RC_ASSERT(o.status == Status::infeasible && !o.message.empty());
+    return;
+  }
+  double all = 1;
+  for (const GuyState& g : r.guys) all += g.tension_top;
+  RC_ASSERT(r.force_balance < 1e-7 * (all + 2 * force));
+  RC_ASSERT(r.moment_balance < 1e-7 * (all + 2 * force) * m.height);
+  RC_ASSERT(r.closure < 1e-8 * m.height);
 }
 
 TEST(GuyedMast, OwnWeightIsCarriedByTheFoot) {

@@ -98,16 +98,15 @@ BeamState carry(const BeamSection& section, const BeamState& from, double length
   return unpack(p);
 }
 
-Eigen::Matrix<double, 12, 12> piece_stiffness(const BeamSection& section, const BeamState& from, double length,
-                                              int steps) {
+Eigen::Matrix<double, 12, 12> piece_stiffness(const std::function<BeamState(const BeamState&)>& carry_on,
+                                              const BeamState& from, double length, double EI) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  const BeamState end = carry(section, from, length, steps);
-  const double EI = std::max(section.EI_x, section.EI_y);
+  const BeamState end = carry_on(from);
   constexpr double angle = 1e-4;
-  const double force = angle * EI / (length * length), moment = angle * EI / length;
-  Matrix6 A = Matrix6::Identity(), B, C = Matrix6::Zero(), D;
+  const double shift = angle * length, force = angle * EI / (length * length), moment = angle * EI / length;
+  Matrix6 A, B, C, D;
   const auto column = [&](const BeamState& plus, const BeamState& minus, double step, auto place, auto load) {
-    const BeamState p = carry(section, plus, length, steps), m = carry(section, minus, length, steps);
+    const BeamState p = carry_on(plus), m = carry_on(minus);
     place << (p.place - m.place) / (2 * step),
         (turn_between(end.axes, p.axes) - turn_between(end.axes, m.axes)) / (2 * step);
     load << (p.force - m.force) / (2 * step), (p.moment - m.moment) / (2 * step);
@@ -115,6 +114,9 @@ Eigen::Matrix<double, 12, 12> piece_stiffness(const BeamSection& section, const 
   for (int i = 0; i < 3; ++i) {
     const Vector3 e = Vector3::Unit(i);
     BeamState plus = from, minus = from;
+    plus.place += shift * e, minus.place -= shift * e;
+    column(plus, minus, shift, A.col(i), C.col(i));
+    plus = minus = from;
     plus.axes = Eigen::AngleAxisd(angle, e) * from.axes, minus.axes = Eigen::AngleAxisd(-angle, e) * from.axes;
     column(plus, minus, angle, A.col(3 + i), C.col(3 + i));
     plus = minus = from;

@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <functional>
 #include <vector>
 
 #include "taut/catalogue/section.hpp"
@@ -61,8 +61,9 @@ BeamState carry(const BeamSection& section, const BeamState& from, double length
 
 /// Stiffness of the piece between two sections around an equilibrium: forces and moments that its ends ask for, per
 /// displacement and (spatial) turn of its ends: order F0, M0, F1, M1 against u0, turn0, u1, turn1. From the transfer
-/// matrix of `carry`, symmetric up to the moments at the ends.
-Eigen::Matrix<double, 12, 12> piece_stiffness(const BeamSection& section, const BeamState& from, double length,
-                                              int steps);
+/// matrix by central differences: `carry_on` takes a state at the lower end to the upper one, past whatever acts
+/// between them. `length` m and `EI` N m2 set the size of the steps. Symmetric up to the moments at the ends.
+Eigen::Matrix<double, 12, 12> piece_stiffness(const std::function<BeamState(const BeamState&)>& carry_on,
+                                              const BeamState& from, double length, double EI);
 
 }  // namespace taut::structure
