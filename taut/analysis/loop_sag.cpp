@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "taut/analysis/running_loop.hpp"
 #include "taut/base/expects.hpp"
@@ -15,6 +16,7 @@ constexpr double smallest_share = 1e-4;  // of the span
 constexpr double largest_share = 2;
 constexpr double stride = 1.12;
 constexpr int narrowings = 40;
+constexpr double meets = 1e-7;  // of what is given; a sign change that misses it is a jump between two equilibria
 
 double value_of(LoopGiven given, const LoopState& s) {
   switch (given) {
@@ -73,6 +75,12 @@ std::string quantity(LoopGiven given, double value) {
 
 Outcome out_of_reach(double x, LoopGiven given, double value, double least, double most, const Outcome& first) {
   if (!(least <= most)) return first;
+  if (least <= value && value <= most) {
+    return not_converged(
+        fmt::format("exact catenaries: {} is passed over in a jump between two equilibria at x = {:.4g} "
+                    "m; lessen the sag that it would take, or move the carriage",
+                    quantity(given, value), x));
+  }
   const char* what = given == LoopGiven::tension_at_A ? "a tension of the traction rope at A of"
                      : given == LoopGiven::length     ? "a loop length of"
                                                       : "a tension of the return rope at the carriage of";
@@ -85,9 +93,20 @@ Outcome out_of_reach(double x, LoopGiven given, double value, double least, doub
                   what, quantity(given, value), x, quantity(given, least), quantity(given, most), change));
 }
 
-/// The sign changes in their order, at most two; notes the range passed over.
+/// The root in a bracket; empty when the equilibrium jumps or is lost there.
+std::optional<Probe> root_in(const At& at, const Bracket& b, double value) {
+  const auto excess = [&](double f) {  // where the equilibrium is lost the root finder may ask for no number
+    return std::isfinite(f) ? at(f, &b.low.state).excess : f;
+  };
+  const auto sag = find_root(excess, b.low.sag, b.high.sag);
+  if (!sag || !std::isfinite(*sag)) return std::nullopt;
+  Probe p = at(*sag, nullptr);  // from scratch: what everybody finds at this sag
+  return p.ok && std::abs(p.excess) <= meets * value ? std::optional(p) : std::nullopt;
+}
+
+/// The roots in their order, at most two; notes the range passed over.
 struct Search {
-  std::vector<Bracket> found;
+  std::vector<Probe> found;
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   Outcome first;  ///< of the smallest sag
@@ -112,9 +131,11 @@ Search search(const RunningLoop& loop, const At& at, double value, double x) {
     } else if (last.back().ok) {
       break;
     }
-    if (!last.empty() && changes_sign(last.back(), p)) s.found.push_back({last.back(), p});
-    if (last.size() == 2) {
-      for (const Bracket& b : hidden(at, last[0], last[1], p)) s.found.push_back(b);
+    std::vector<Bracket> brackets;
+    if (!last.empty() && changes_sign(last.back(), p)) brackets = {{last.back(), p}};
+    if (last.size() == 2 && brackets.empty()) brackets = hidden(at, last[0], last[1], p);
+    for (const Bracket& b : brackets) {
+      if (const auto root = root_in(at, b, value)) s.found.push_back(*root);
     }
     if (s.found.size() >= 2) break;
     last.push_back(p);
@@ -135,14 +156,10 @@ Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double
   };
   const Search s = search(loop, at, value, x);
   if (s.found.empty()) return out_of_reach(x, given, value, s.least, s.most, s.first);
-  const auto root_in = [&](const Bracket& b) {
-    return find_root([&](double sag) { return at(sag, &b.low.state).excess; }, b.low.sag, b.high.sag);
-  };
-  const auto sag = root_in(s.found.front());
-  if (!sag) return not_converged(fmt::format("exact catenaries: the sag at x = {:.4g} m is not found", x));
-  found.sag = *sag;
-  if (s.found.size() > 1) found.second = root_in(s.found[1]).value_or(found.second);
-  return solve_loop(loop, {x, *sag}, found.state, &s.found.front().low.state);
+  found.sag = s.found[0].sag;
+  found.state = s.found[0].state;
+  found.second = s.found.size() > 1 ? s.found[1].sag : std::numeric_limits<double>::quiet_NaN();
+  return {};
 }
 
 }  // namespace taut::analysis
