@@ -1,10 +1,10 @@
 #include "cli/cli.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -87,8 +87,8 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& e) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  signal(SIGINT, end_interrupted);
-  signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGINT, end_interrupted);
+  std::signal(SIGPIPE, SIG_IGN);
   CLI::App app("taut: checked, explained calculations of rope-driven machines", "taut");
   app.set_version_flag("--version", std::string("taut ") + std::string(version));
   app.require_subcommand(1);

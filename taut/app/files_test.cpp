@@ -13,7 +13,7 @@ Result sample() {
   r.title = "sample";
   r.values.push_back({"N", 1, si::N, "N", "axial force", "(4)"});
   r.tables.push_back({"positions", "Positions", {{"x", si::m}}, {{1.0}, {2.0}}});
-  r.figures.push_back(Plot{"size", "Size", "", {"x", si::m}, {"D", si::m}, {{"D", {0, 1}, {1, 2}}}, {}});
+  r.figures.emplace_back(Plot{"size", "Size", "", {"x", si::m}, {"D", si::m}, {{"D", {0, 1}, {1, 2}}}, {}});
   return r;
 }
 

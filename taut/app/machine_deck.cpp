@@ -27,6 +27,7 @@ int flow_of(Motion motion, const model::Reeving& rope) {
 
 std::vector<std::vector<int>> flow_of(Motion motion, const model::Model& model) {
   std::vector<std::vector<int>> all;
+  all.reserve(model.reevings.size());
   for (const model::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
   return all;
 }
@@ -106,6 +107,7 @@ analysis::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion
                                         const std::string& path, std::vector<Complaint>& complaints) {
   analysis::EquilibriumOptions options;
   std::vector<std::string> senses;
+  senses.reserve(motions.size());
   for (const auto& [name, sense] : motions) senses.push_back(name);
   for (const MotionRequest& one : motion) {
     const auto named = motions.find(one.sense);

@@ -40,7 +40,7 @@ std::vector<Vector3> line_of(const analysis::SpanResult& s) {
   if (s.slack || s.shape.rope.weight <= 0 || !(s.shape.rope.length > 0)) return {s.start, s.end};
   std::vector<Vector3> line;
   for (int i = 0; i <= points_per_span; ++i) {
-    line.push_back(s.start + rope::point_at(s.shape, s.shape.rope.length * i / points_per_span));
+    line.emplace_back(s.start + rope::point_at(s.shape, s.shape.rope.length * i / points_per_span));
   }
   return line;
 }

@@ -189,7 +189,7 @@ TEST(MachineRun, ChecksTheBreakingForceAndSaysInfeasibleWithAReason) {
   EXPECT_NEAR(value_of(weak, "r.safety_factor"), 500 / 592.0, 0.01);
   const Result shorter = run_text(head + "  ropes: {r: {mass: 1 kg/m, stiffness: .inf}}\n" + path + "79 m}]\n");
   EXPECT_EQ(exit_code(shorter), 3);
-  EXPECT_NE(shorter.message.find("r"), std::string::npos);
+  EXPECT_NE(shorter.message.find('r'), std::string::npos);
   EXPECT_TRUE(shorter.tables.empty()) << "no number without closure";
 }
 
@@ -266,7 +266,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     EXPECT_FALSE(r.steps.empty());
     EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
     for (const Table& t : r.tables) {
-      if (t.name.rfind("closure", 0) == 0) {
+      if (t.name.starts_with("closure")) {
         EXPECT_LT(cell(t, 0, "rope_closure"), 1e-7);
       }
       if (t.name != "load_path") continue;

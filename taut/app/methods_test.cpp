@@ -44,7 +44,7 @@ std::set<std::string> tests_below(const std::filesystem::path& folder) {
     for (std::string line; std::getline(in, line);) {
       std::string rest;
       for (const char* macro : {"TEST(", "RC_GTEST_PROP("}) {
-        if (line.rfind(macro, 0) == 0) rest = line.substr(std::string(macro).size());
+        if (line.starts_with(macro)) rest = line.substr(std::string(macro).size());
       }
       const std::size_t comma = rest.find(", ");
       if (comma == std::string::npos) continue;

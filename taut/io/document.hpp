@@ -11,8 +11,8 @@ namespace taut::io {
 inline constexpr int deepest_nesting = 64;
 /// Values, keys, maps and lists of one deck, at most; and bytes of all its texts and of one value.
 inline constexpr std::size_t most_values = 200000;
-inline constexpr std::size_t most_text = 4U * 1024U * 1024U;
-inline constexpr std::size_t longest_value = 1024U * 1024U;
+inline constexpr std::size_t most_text = std::size_t{4} * 1024 * 1024;
+inline constexpr std::size_t longest_value = std::size_t{1024} * 1024;
 
 /// A YAML text as a tree in which every value knows its place.
 /// `mistakes` are those that do not stop the reading (a key twice, an anchor, a tag): tell them together with those

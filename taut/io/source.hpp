@@ -9,7 +9,7 @@
 namespace taut::io {
 
 /// Decks above this many bytes are refused unread.
-inline constexpr std::size_t largest_deck = 16U * 1024U * 1024U;
+inline constexpr std::size_t largest_deck = std::size_t{16} * 1024 * 1024;
 /// So many mistakes are told, and then how to see more.
 inline constexpr std::size_t most_mistakes = 100;
 

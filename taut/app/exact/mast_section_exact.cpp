@@ -82,6 +82,7 @@ struct Section {
 
 Section section_of(const Input& in, const Cases& cases) {
   std::vector<ClampForces> forces;
+  forces.reserve(cases.positions.size());
   for (const Position& p : cases.positions) forces.push_back({p.out.N, p.out.M, p.index});
   const std::string trust = trust_of(limit_of(in));
   if (const auto a = section_in_use(in, forces)) {

@@ -43,7 +43,8 @@ Drawing drive_drawing(const Input& in, const Output& out) {
             "Forces are those of the drive that does not slip; W pulls the idler, P_p is the cut.",
       {},
       si::m,
-      1};
+      1,
+      {{Role::rope, "saw rope"}}};
   d.shapes.emplace_back(Circle{{0, 0}, R, Role::body, 0, 0, false});
   d.shapes.emplace_back(Circle{{L, 0}, r, Role::body, 0, 0, false});
   d.shapes.emplace_back(Circle{{0, 0}, R, Role::rope, normal, 2 * pi - normal, false});
