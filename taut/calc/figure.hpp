@@ -75,8 +75,8 @@ struct Drawing {
   Unit unit = si::m;          ///< what the coordinates are
   double vertical_scale = 1;  ///< y stretched by this for legibility; said under the drawing when it is not 1
   /// What a role means here ("skyline", "resultant"), in place of the legend's general word for it.
-  std::vector<std::pair<Role, std::string>> legend =
-      {};  // NOLINT(readability-redundant-member-init): optional in braces
+  // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
+  std::vector<std::pair<Role, std::string>> legend = {};
 };
 
 struct Axis {
