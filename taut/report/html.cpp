@@ -23,12 +23,12 @@ std::string_view mood_class(Mood m) { return m == Mood::good ? "good" : m == Moo
 
 mustache::data section_list(const Result& r) {
   mustache::data list{mustache::data::type::list};
-  for (Section& s : sections(r)) {
+  for (const Section& s : sections(r)) {
     mustache::data one;
     one.set("id", s.id);
     one.set("title", s.title);
-    one.set("html", std::move(s.html));
-    list.push_back(std::move(one));
+    one.set("html", s.html);
+    list.push_back(one);
   }
   return list;
 }

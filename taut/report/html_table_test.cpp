@@ -10,7 +10,7 @@ Table wide(std::size_t columns) {
   Table t{"load_path", "Load path", {}, {std::vector<Cell>()}};
   for (std::size_t k = 0; k < columns; ++k) {
     t.columns.push_back({fmt::format("c{}", k), si::one});
-    t.rows[0].push_back(static_cast<double>(k));
+    t.rows[0].emplace_back(static_cast<double>(k));
   }
   return t;
 }

@@ -106,6 +106,7 @@ std::string values(const Result& r) {
 std::string checks(const Result& r) {
   const Display display = display_of(r);
   std::vector<Row> rows;
+  rows.reserve(r.checks.size());
   for (const Check& c : r.checks) {
     rows.push_back({safe(c.name), quantity_shown(c.value, c.unit, display),
                     (c.sense == Sense::at_most ? "≤ " : "≥ ") + quantity_shown(c.limit, c.unit, display),
@@ -190,7 +191,7 @@ std::string tables(const Result& r) {
   const Display display = display_of(r);
   std::string out;
   for (const Table& t : r.tables) {
-    if (!(t.name == "comparison" && !r.comparisons.empty()) && !t.columns.empty()) out += data_table(t, display);
+    if ((t.name != "comparison" || r.comparisons.empty()) && !t.columns.empty()) out += data_table(t, display);
   }
   return out;
 }

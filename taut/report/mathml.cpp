@@ -158,7 +158,7 @@ std::vector<Term> spine(const Formula& f, bool sum) {
   const auto splits = [&](Op op) { return sum ? op == Op::add || op == Op::subtract : op == Op::multiply; };
   while (splits((*at)->op)) {
     terms.push_back({&(*at)->arguments[1], (*at)->op});
-    at = &(*at)->arguments[0];
+    at = &(*at)->arguments.front();
   }
   terms.push_back({at, sum ? Op::add : Op::multiply});
   std::reverse(terms.begin(), terms.end());

@@ -89,7 +89,7 @@ TEST(Mathml, PiecesTogetherAreTheFormula) {
   const Num a = named("a", 1), b = named("b", 2), c = named("c", -3);
   const auto pieces = mathml_pieces((a + b - c).formula(), Leaves::numbers);
   ASSERT_EQ(pieces.size(), 3U);
-  EXPECT_NE(pieces[1].mathml.find("+"), std::string::npos);
+  EXPECT_NE(pieces[1].mathml.find('+'), std::string::npos);
   EXPECT_NE(pieces[2].mathml.find("−"), std::string::npos);
   EXPECT_NE(pieces[2].mathml.find(">(</mo>"), std::string::npos);
   EXPECT_EQ(mathml_pieces((a / b).formula(), Leaves::symbols).size(), 1U);

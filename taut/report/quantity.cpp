@@ -56,7 +56,7 @@ void strip_zeros(std::string& mantissa) {
   if (mantissa.back() == '.') mantissa.pop_back();
 }
 
-std::string pretty(std::string text) {
+std::string pretty(const std::string& text) {
   const std::size_t e = text.find('e');
   std::string mantissa = text.substr(0, e);
   if (e != std::string::npos) strip_zeros(mantissa);
@@ -105,7 +105,7 @@ std::string number_plain(double x, int digits) {
 std::string quantity_shown(double stored, const Unit& unit, const Display& display, int digits) {
   const ShownUnit u = shown_unit(unit, display);
   const std::string name = unit_text(u);
-  const std::string number = number_shown(u.of(stored), digits);
+  std::string number = number_shown(u.of(stored), digits);
   if (name.empty() || std::isnan(stored)) return number;
   return name == "°" ? number + name : fmt::format("{} {}", number, name);
 }
@@ -125,7 +125,7 @@ std::vector<std::string> column_shown(const std::vector<double>& numbers, int di
   const int before = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
   const int decimals = std::clamp(digits - before, 0, 8);
   std::vector<std::string> all;
-  std::size_t spare = static_cast<std::size_t>(decimals);
+  auto spare = static_cast<std::size_t>(decimals);
   for (const double x : numbers) {
     const double least = 0.5 * std::pow(10, -decimals);
     const bool plain = fixed && std::isfinite(x) && (x == 0 || std::abs(x) >= least);
@@ -138,9 +138,9 @@ std::vector<std::string> column_shown(const std::vector<double>& numbers, int di
   }
   if (spare == 0 || !fixed) return all;
   const std::size_t cut = spare == static_cast<std::size_t>(decimals) ? spare + 1 : spare;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].find('.') == std::string::npos || all[i].find("×") != std::string::npos) continue;
-    if (decimals > 0) all[i].erase(all[i].size() - cut);
+  for (std::string& s : all) {
+    if (s.find('.') == std::string::npos || s.find("×") != std::string::npos) continue;
+    if (decimals > 0) s.erase(s.size() - cut);
   }
   return all;
 }

@@ -35,7 +35,7 @@ std::string value_html(const Step& s, const Display& display) {
   const ShownUnit shown = shown_unit(s.unit, display);
   const std::string symbol(s.unit.symbol);
   const bool same = shown.name.empty() || shown.name == symbol;
-  const std::string last = fmt::format("<b>{}</b>", escape(quantity_shown(s.value, s.unit, display, 6)));
+  std::string last = fmt::format("<b>{}</b>", escape(quantity_shown(s.value, s.unit, display, 6)));
   if (same) return last;
   const std::string si = unit_text(symbol);
   return fmt::format("{} {} = {}",

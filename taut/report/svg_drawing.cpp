@@ -44,7 +44,8 @@ struct Canvas {
 
 struct Place {
   Pixel at;
-  Pixel toward;                   ///< where its text would like to stand from there
+  Pixel toward;  ///< where its text would like to stand from there
+  // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
   std::vector<Pixel> or_at = {};  ///< other places on the same line
   bool may_cover = false;
 };
@@ -58,7 +59,7 @@ void want_label(Canvas& c, const std::string& text, Place place) {
 Pixel between(Pixel a, Pixel b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 
 void add_line(Canvas& c, const std::vector<Pixel>& points, double weight, bool closed = false) {
-  for (std::size_t i = 0; i < points.size(); ++i) c.box.add(points[i]);
+  for (const Pixel p : points) c.box.add(p);
   const std::size_t step = std::max<std::size_t>(1, points.size() / 200);
   for (std::size_t i = step; i < points.size(); i += step) {
     c.obstacles.push_back({points[i - step], points[i], weight});

@@ -107,7 +107,7 @@ TEST(SvgDrawing, EmptyAndDegenerateDrawings) {
 TEST(SvgDrawing, FitsAPageWithItsLabels) {
   std::vector<Shape> shapes{Polyline{{{0, 0}, {100, 3}}, Role::rope}};
   for (int i = 0; i < 8; ++i) {
-    shapes.push_back(Label{{100, 3.0 * i}, "a rather long label at the right end, number " + std::to_string(i)});
+    shapes.emplace_back(Label{{100, 3.0 * i}, "a rather long label at the right end, number " + std::to_string(i)});
   }
   const std::string text = svg(shapes);
   std::smatch m;

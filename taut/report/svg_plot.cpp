@@ -71,8 +71,8 @@ struct Scene {
   }
   Pixel pixel(double x, double y) const {
     const Pixel p{x_pixel(x_unit.of(x)), y_pixel(y_unit.of(y))};
-    const bool far = !(std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6);
-    return far ? Pixel{NAN, NAN} : p;
+    const bool near = std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6;  // false for NaN too
+    return near ? p : Pixel{NAN, NAN};
   }
 };
 

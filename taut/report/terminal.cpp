@@ -71,6 +71,7 @@ std::string checks(const Result& r, const TerminalOptions& o) {
   if (r.checks.empty()) return {};
   const Display display = display_of(r);
   std::vector<Row> rows;
+  rows.reserve(r.checks.size());
   for (const Check& c : r.checks) {
     rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, display),
                     c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display),

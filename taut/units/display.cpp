@@ -40,6 +40,7 @@ tl::expected<void, UnitError> check_display(std::string_view kind, std::string_v
   const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const Unit& u) { return u.kind == kind; });
   if (at == kinds.end()) {
     std::vector<std::string> names;
+    names.reserve(kinds.size());
     for (const Unit& u : kinds) names.emplace_back(u.kind);
     std::string hint = did_you_mean(kind, names);
     if (hint.empty()) hint = fmt::format("; the kinds are {}", fmt::join(names, ", "));
