@@ -92,7 +92,8 @@ bool step_sagging(const rope::CatenaryRope& rope, Branch& b, const rope::Catenar
   if (!(open <= nearly * (x + std::abs(b.chord.z())))) return false;
   const rope::CatenaryStiffness k = stiffness_of(rope, f, p);
   const rope::CatenaryForce next{f.H + k.dH_dx * open_x + k.dH_dz * open_z, f.V + k.dH_dz * open_x + k.dV_dz * open_z};
-  if (!(next.H > f.H / 2 && next.H < 2 * f.H)) return false;
+  const bool near = next.H > f.H / 2 && next.H < 2 * f.H;  // false for NaN too
+  if (!near) return false;
   b.span.rope = rope;
   b.span.chord = b.chord;
   b.span.along = Vector3(b.chord.x() / x, b.chord.y() / x, 0);

@@ -168,7 +168,7 @@ void fill_balance(const System& s, const Configuration& c, const Evaluation& e, 
     dead(s.layout.coordinate_body, result.hold);
   }
   for (std::size_t b = 0; b < on_body.size(); ++b) {
-    result.reactions.push_back(-across_freedoms(s.model.bodies[b], on_body[b]));
+    result.reactions.emplace_back(-across_freedoms(s.model.bodies[b], on_body[b]));
     outside += result.reactions.back();
   }
   result.closure.balance = outside.norm();

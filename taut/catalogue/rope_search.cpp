@@ -158,6 +158,7 @@ Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table)
 
 Found<RopeRow> find_rope(const RopeDescription& wanted, const std::vector<RopeRow>& table) {
   Rows all;
+  all.reserve(table.size());
   for (const RopeRow& row : table) all.push_back(&row);
   if (wanted.construction.empty()) return failure("a rope needs its construction", {});
 

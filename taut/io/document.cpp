@@ -307,7 +307,7 @@ tl::expected<Document, Diagnostics> parse(std::string_view text, SourcePtr sourc
   Diagnostics unreadable = check_text(source);
   if (!unreadable.empty()) return tl::unexpected(std::move(unreadable));
   Document document;
-  document.source = source;
+  document.source = std::move(source);
   const auto fail = [&](Diagnostic d) {
     add(document.mistakes, std::move(d));
     return tl::unexpected(std::move(document.mistakes));
@@ -318,9 +318,9 @@ tl::expected<Document, Diagnostics> parse(std::string_view text, SourcePtr sourc
     return fail(stop.mistake);
   }
   if (document.root.kind == Node::Kind::null && document.mistakes.empty()) {
-    return fail({source->name, {1, 1}, "there is nothing in it", {}, 1});
+    return fail({document.source->name, {1, 1}, "there is nothing in it", {}, 1});
   }
-  if (document.root.spot.source == nullptr) document.root.spot = {source, 0, 1};
+  if (document.root.spot.source == nullptr) document.root.spot = {document.source, 0, 1};
   return document;
 }
 

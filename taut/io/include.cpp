@@ -135,7 +135,7 @@ tl::expected<std::string, std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return tl::unexpected(fmt::format("{} can't be read: {}", in_quotes(path), std::strerror(errno)));
   std::string text;
-  constexpr std::size_t piece = 64U * 1024U;
+  constexpr std::size_t piece = std::size_t{64} * 1024;
   while (file && text.size() <= largest_deck) {
     const std::size_t have = text.size();
     const std::size_t wanted = std::min(piece, largest_deck + 1 - have);

@@ -26,7 +26,7 @@ class FieldReader {
     if (const auto value = number(entry_.value)) *x = *value;
   }
   void operator()(std::optional<double>* x) const {
-    if (const auto value = number(entry_.value)) *x = *value;
+    if (const auto value = number(entry_.value)) *x = value;
   }
   void operator()(std::vector<double>* x) const {
     x->clear();
@@ -45,7 +45,7 @@ class FieldReader {
     if (const auto value = whole_number()) *x = *value;
   }
   void operator()(std::optional<int>* x) const {
-    if (const auto value = whole_number()) *x = *value;
+    if (const auto value = whole_number()) *x = value;
   }
   void operator()(bool* x) const {
     if (!is_scalar(entry_.value, "true or false")) return;

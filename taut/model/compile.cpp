@@ -30,6 +30,7 @@ int index_of(const std::vector<Named>& all, const std::string& name) {
 template <class Named>
 std::string hint_for(const std::vector<Named>& all, const std::string& name) {
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Named& one : all) names.push_back(one.name);
   const std::string hint = did_you_mean(name, names);
   return hint.empty() && !names.empty() && names.size() <= 12 ? fmt::format("; there is {}", fmt::join(names, ", "))
@@ -298,6 +299,7 @@ class Compiler {
     for (std::size_t r = 0; r < stops_.size(); ++r) {
       std::vector<Stop>& stops = stops_[r];
       std::vector<Vector3> places;
+      places.reserve(stops.size());
       for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
       check_distances(r, places);
       if (!complaints_.empty()) continue;

@@ -33,6 +33,7 @@ bool among(const std::vector<Thing>& kinds, Thing thing) {
 
 Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<std::string> bodies;
+  bodies.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) bodies.push_back(body.name);
   const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
     Place place{ground, vector_of(one.at)};
@@ -79,6 +80,7 @@ const Target* Links::find(const std::string& name, const std::vector<Thing>& kin
     if (at != all_.end()) return &*at;
   }
   std::vector<std::string_view> wanted;
+  wanted.reserve(kinds.size());
   for (const Thing kind : kinds) wanted.push_back(words(kind));
   const std::string kinds_text = fmt::format("{}", fmt::join(wanted, ", "));
   const auto other = std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.name == name; });

@@ -54,6 +54,7 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
 
 std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<RopeData> all;
+  all.reserve(machine.ropes.size());
   for (const auto& given : machine.ropes) all.push_back(rope_of(given, machine.temperature, complaints));
   return all;
 }

@@ -99,6 +99,7 @@ TEST(LoadedSpan, IsTheLimitOfALumpedChain) {
 RC_GTEST_PROP(LoadedSpan, SwappedEndsSwapTheForces, ()) {
   const LoadedSpan s = random_span(*rc::gen::arbitrary<unsigned>());
   std::vector<PointLoad> loads;
+  loads.reserve(s.loads.size());
   for (const PointLoad& load : s.loads) loads.push_back({s.rope.length - load.s, load.force});
   const LoadedSpan swapped = *solve_loaded_span(s.rope, -s.chord, loads);
   RC_ASSERT((force_on_start(s) - force_on_end(swapped)).norm() < 1e-9 * largest_tension(s));

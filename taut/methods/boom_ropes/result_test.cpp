@@ -45,6 +45,7 @@ TEST(BoomRopesResult, TableHasTheWholeGrid) {
   const Table* t = r.find_table("extension");
   ASSERT_NE(t, nullptr);
   std::vector<std::string> names;
+  names.reserve(t->columns.size());
   for (const Column& c : t->columns) names.push_back(c.name);
   EXPECT_THAT(names, testing::ElementsAre("luffing_angle", "boom_length", "suspended_weight", "Fh", "S1", "S2", "Nf",
                                           "Nr", "Mf", "Mr", "jamming"));
