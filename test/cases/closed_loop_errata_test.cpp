@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "taut/math/roots.hpp"
@@ -249,7 +250,8 @@ TEST(ClosedLoopWitness, TwoSectionsOverSlopesAndLoads) {
 
 /// Smallest and largest error of three formulas over gamma and rope weight, load at midspan.
 struct Band {
-  double low = INFINITY, high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
   void take(double error) {
     low = std::min(low, 100 * error);
     high = std::max(high, 100 * error);

@@ -83,24 +83,24 @@ inline taut::Drawing made_mast(double r, double gamma) {
   using namespace taut;
   Drawing d{
       "mast", "Mast with the resultants of its blocks", "Branches leave under alpha; the drums stand at the foot.", {}};
-  d.shapes.push_back(Polyline{{{-5, 0}, {14, 0}}, Role::ground});
-  d.shapes.push_back(Polyline{{{-0.16, 0}, {0.16, 0}, {0.16, 8}, {-0.16, 8}}, Role::structure, true, true});
-  d.shapes.push_back(Circle{{0, 8}, 0.35, Role::body, 0, 0, true});
-  d.shapes.push_back(Polyline{{{0.1, 8.33}, {13, 8.33 - 12.9 * std::tan(0.2094)}}, Role::rope});
-  d.shapes.push_back(Polyline{{{-0.35, 8}, {-0.35, 0.6}}, Role::rope});
-  d.shapes.push_back(Polyline{{{0.1, 7.6}, {13, 7.6 - 12.9 * std::tan(0.25)}}, Role::second_rope});
-  d.shapes.push_back(Circle{{-0.8, 0.6}, 0.45, Role::body, 0, 0, true});
-  d.shapes.push_back(ForceArrow{{0, 8}, r * std::cos(gamma), -r * std::sin(gamma), "R_sky"});
-  d.shapes.push_back(
+  d.shapes.emplace_back(Polyline{{{-5, 0}, {14, 0}}, Role::ground});
+  d.shapes.emplace_back(Polyline{{{-0.16, 0}, {0.16, 0}, {0.16, 8}, {-0.16, 8}}, Role::structure, true, true});
+  d.shapes.emplace_back(Circle{{0, 8}, 0.35, Role::body, 0, 0, true});
+  d.shapes.emplace_back(Polyline{{{0.1, 8.33}, {13, 8.33 - 12.9 * std::tan(0.2094)}}, Role::rope});
+  d.shapes.emplace_back(Polyline{{{-0.35, 8}, {-0.35, 0.6}}, Role::rope});
+  d.shapes.emplace_back(Polyline{{{0.1, 7.6}, {13, 7.6 - 12.9 * std::tan(0.25)}}, Role::second_rope});
+  d.shapes.emplace_back(Circle{{-0.8, 0.6}, 0.45, Role::body, 0, 0, true});
+  d.shapes.emplace_back(ForceArrow{{0, 8}, r * std::cos(gamma), -r * std::sin(gamma), "R_sky"});
+  d.shapes.emplace_back(
       ForceArrow{{0, 8}, 0.4 * r * std::cos(gamma), -0.4 * r * std::sin(gamma), "R_main", Role::second_force});
-  d.shapes.push_back(
+  d.shapes.emplace_back(
       ForceArrow{{13, 8.33 - 12.9 * std::tan(0.2094)}, 1e5 * std::cos(0.2094), -1e5 * std::sin(0.2094), "T_sky"});
-  d.shapes.push_back(ForceArrow{{0, 0}, 0, 162e3, "N", Role::force, true});
-  d.shapes.push_back(DimensionLine{{-0.16, 0}, {-0.16, 8}, 2.2, "h = 8 m"});
-  d.shapes.push_back(AngleMark{{0.1, 8.33}, 3, 0, -0.2094, "alpha"});
-  d.shapes.push_back(Polyline{{{0.1, 8.33}, {4, 8.33}}, Role::axis});
-  d.shapes.push_back(Label{{-0.8, 0.6}, "drum"});
-  d.shapes.push_back(Label{{0, 8}, "blocks"});
+  d.shapes.emplace_back(ForceArrow{{0, 0}, 0, 162e3, "N", Role::force, true});
+  d.shapes.emplace_back(DimensionLine{{-0.16, 0}, {-0.16, 8}, 2.2, "h = 8 m"});
+  d.shapes.emplace_back(AngleMark{{0.1, 8.33}, 3, 0, -0.2094, "alpha"});
+  d.shapes.emplace_back(Polyline{{{0.1, 8.33}, {4, 8.33}}, Role::axis});
+  d.shapes.emplace_back(Label{{-0.8, 0.6}, "drum"});
+  d.shapes.emplace_back(Label{{0, 8}, "blocks"});
   return d;
 }
 
@@ -160,7 +160,7 @@ inline taut::Result made_result() {
   Drawing polygon{"forces", "Force polygon at the skyline block", "", {}, si::N};
   polygon.shapes = {ForceArrow{{0, 0}, 97814, -20791, "T_sky"}, ForceArrow{{97814, -20791}, 0, -77777, "F_span_sky"},
                     ForceArrow{{0, 0}, 97814, -98568, "R_sky", Role::second_force}};
-  r.figures.push_back(polygon);
+  r.figures.emplace_back(polygon);
   r.assumptions = {"The mast is clamped at its foot; guylines are left out.",
                    "Friction acts so that the drum side is the larger."};
   r.deck_name = "mast.yaml";
