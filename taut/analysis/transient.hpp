@@ -1,0 +1,179 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/analysis/equilibrium.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/model/model.hpp"
+
+namespace taut::analysis {
+
+/// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is a share of the stability
+/// limit, which the result states.
+enum class TimeMethod { implicit, verlet };
+
+/// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of
+/// the same machine.
+enum class Start { assembled, settled };
+
+/// What a moving machine remembers: a value that can be kept, written down and started from. Ropes: by reeving; a
+/// branch runs from node k to node k + 1.
+struct DynamicState {
+  struct Body {
+    Vector3 position = Vector3::Zero();         ///< of its origin, m
+    Matrix3 orientation = Matrix3::Identity();  ///< body to ground
+    Vector3 velocity = Vector3::Zero();         ///< of its origin, m/s
+    Vector3 spin = Vector3::Zero();             ///< angular velocity, ground frame, 1/s
+  };
+  struct Rope {
+    std::vector<double> length;       ///< by branch: unstretched, m; a broken branch: 0
+    std::vector<std::uint8_t> whole;  ///< by branch: 0 where it is broken
+    std::vector<double> angle;        ///< by node: of the sheave or drum in path sense, rad
+    std::vector<double> spin;         ///< by node: its rate against the body that carries it, 1/s
+    std::vector<double> passed;       ///< by node: unstretched rope that ran over it along the path, m
+    std::vector<double> wrap;         ///< by node: beyond 2 pi counted, rad
+    std::vector<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
+    std::vector<Vector3> inside_velocity;
+  };
+  struct Drum {
+    double content = 0;          ///< unstretched rope on it, m
+    std::vector<double> strain;  ///< by layer: of the rope that lies there
+  };
+  double t = 0;  ///< s
+  std::vector<Body> bodies;
+  std::vector<Rope> ropes;
+  std::vector<Drum> drums;
+  std::vector<double> force;           ///< state variables of force elements (bristles of contacts), in their order
+  std::vector<std::uint8_t> happened;  ///< by event of the model
+  std::vector<model::Drive> drum_drive, motor_drive;  ///< as events have left them
+  std::vector<model::ActuatorMode> actuator_mode;
+  std::vector<double> damping_time;  ///< by reeving, s, found at the start
+};
+
+struct TransientOptions {
+  double duration = 0;     ///< s, from `start` or the time of `from`
+  double output_step = 0;  ///< s; 0: duration/1000
+  /// Of the error that the steps of the whole run leave: tensions by the largest of the rope, places by the machine's
+  /// size. A kink (slack, stick) may cost as much once more.
+  double tolerance = 1e-6;
+  double step = 0;  ///< > 0: this step throughout, no control of the error, s
+  TimeMethod method = TimeMethod::implicit;
+  double rho = 0.9;          ///< of generalised-alpha: what a step leaves of the fastest motions, 0 .. 1
+  double damping_ratio = 0;  ///< of ropes that give none
+  Start start = Start::settled;
+  double light = 0.05;               ///< m g l/T below which half of a branch's mass goes to each end
+  bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
+  std::optional<DynamicState> from;  ///< go on from there
+  long most_steps = 50'000'000;
+  /// Called at each output step with the time reached; false interrupts.
+  std::function<bool(double)> progress;
+};
+
+/// Work and energy since the start, J. kinetic + elastic + potential = at the start + supplied - dissipated + residual.
+struct EnergyLedger {
+  double kinetic = 0, elastic = 0, potential = 0;
+  double damped = 0;     ///< in the ropes
+  double slipped = 0;    ///< rope on rounds, creep included
+  double bearings = 0;   ///< of sheaves, or of light sheaves the whole loss
+  double broken = 0;     ///< elastic energy of branches at their break
+  double contacts = 0;   ///< dashpots and friction of faces
+  double numerical = 0;  ///< what the scheme itself takes: not known apart, part of the residual
+  double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
+  double residual = 0;
+  double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual
+};
+
+/// The machine at one output step.
+struct TransientFrame {
+  struct Body {
+    Vector3 position, velocity, acceleration;  ///< of its origin
+    Matrix3 orientation;
+    Vector3 spin;
+  };
+  struct Branch {
+    int reeving = 0, from = 0, to = 0;      ///< nodes
+    double T_from = 0, T_to = 0;            ///< N
+    double unstretched = 0, stretched = 0;  ///< m
+    Vector3 start, end;                     ///< m
+    bool whole = true;
+  };
+  struct Contact {
+    int reeving = 0, node = 0;
+    double T_in = 0, T_out = 0;  ///< N, by the order of the path
+    double wrap = 0;             ///< rad
+    double angle = 0, spin = 0;  ///< of the sheave against its body, path sense, rad, 1/s
+    double flow = 0;             ///< stretched rope along the path relative to the body, m/s
+    double slip = 0;             ///< rope less rim, m/s
+    ContactState state = ContactState::stuck;
+    Vector3 force = Vector3::Zero();  ///< of the rope (one copy) on it, N
+  };
+  struct Drum {
+    double T = 0, speed = 0, content = 0;  ///< N, taken in m/s, m
+    double torque = 0, power = 0;          ///< of its drive, N m, W
+    int layer = 1;
+  };
+  struct FaceContact {
+    double N = 0, F = 0, speed = 0;  ///< N, N, m/s
+    bool closed = false, sticks = false;
+  };
+  struct Actuator {
+    double F = 0, length = 0, speed = 0, power = 0;
+  };
+  double t = 0;
+  std::vector<Body> bodies;
+  std::vector<Branch> branches;              ///< by reeving, along its path; of a rope in segments: each segment
+  std::vector<std::vector<Vector3>> inside;  ///< by reeving: nodes of a rope in segments
+  std::vector<Contact> contacts;             ///< by reeving, nodes between the ends
+  std::vector<Drum> drums;
+  std::vector<Drum> motors;
+  std::vector<FaceContact> faces;
+  std::vector<Actuator> actuators;
+  EnergyLedger energy;
+};
+
+/// What happened: "slack", "taut", "stick", "slip", "break", "stop", "lift_off", "length_zero", "layer", "drive",
+/// "brake", "actuator", "contact", "apart".
+struct TransientEvent {
+  double t = 0;
+  std::string what;
+  std::string where;                                   ///< the rope, sheave, contact by name
+  std::vector<std::pair<std::string, double>> values;  ///< with their symbols, SI
+};
+
+struct Extreme {
+  double min = 0, max = 0, t_min = 0, t_max = 0, end = 0;
+};
+
+/// A rope over the whole run, at every step of the integrator.
+struct RopeExtreme {
+  Extreme T;            ///< largest tension of the rope at a time, N
+  int branch = 0;       ///< where max was
+  double T_static = 0;  ///< largest tension at the start, N
+};
+
+/// `outcome` not ok: the frames up to `t_end` are a result, the message says what happened there.
+struct TransientResult {
+  Outcome outcome;
+  bool interrupted = false;
+  double t_end = 0;
+  std::vector<TransientFrame> frames;
+  std::vector<std::vector<double>> observed;  ///< [model.observed][frame]
+  std::vector<Extreme> extremes;              ///< [model.observed]
+  std::vector<RopeExtreme> ropes;             ///< by reeving
+  std::vector<TransientEvent> events;
+  DynamicState state;  ///< at t_end: go on from there
+  long steps = 0, rejected = 0, iterations = 0;
+  double smallest_step = 0, largest_step = 0;  ///< s
+  double stability_limit = 0;                  ///< of Verlet at the start, s
+  std::vector<double> damping_time;            ///< by reeving: beta, s
+  std::vector<double> frequency;  ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
+  std::vector<bool> mass_lumped;  ///< by reeving: half of each branch's mass at each end; false: none
+};
+
+/// The machine in motion. docs/theory/dynamics.md.
+TransientResult transient(const model::Model& model, const TransientOptions& options);
+
+}  // namespace taut::analysis
