@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "taut/app/machine_figures.hpp"
+#include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/terrain.hpp"
@@ -284,6 +285,10 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   if (!model) {
     for (Complaint& c : model.error()) c.path = c.path.empty() ? "machine" : "machine." + c.path;
     io::place(input, model.error(), mistakes);
+    return {};
+  }
+  if (const auto missing = not_computed(*deck); !missing.empty()) {
+    io::place(input, missing, mistakes);
     return {};
   }
   Requests requests(*deck, *model);

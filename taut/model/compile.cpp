@@ -7,9 +7,12 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/model/compile_motion.hpp"
 #include "taut/model/links.hpp"
+#include "taut/model/motion_links.hpp"
 #include "taut/model/path.hpp"
 #include "taut/model/rope_of.hpp"
+#include "taut/model/signals_of.hpp"
 
 namespace taut::model {
 namespace {
@@ -18,13 +21,6 @@ using description::Haul;
 
 Vector3 axis_of(const std::string& letter) {
   return letter == "x" ? Vector3::UnitX() : letter == "y" ? Vector3::UnitY() : Vector3::UnitZ();
-}
-
-/// Index of the first of that name; -1 when there is none.
-template <class Named>
-int index_of(const std::vector<Named>& all, const std::string& name) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
-  return at == all.end() ? -1 : static_cast<int>(at - all.begin());
 }
 
 template <class Named>
@@ -44,7 +40,10 @@ class Compiler {
 
   tl::expected<Model, std::vector<Complaint>> run() {
     model_.gravity = machine_.gravity;
+    model_.signals = signals_of(machine_, complaints_);
     add_bodies();
+    add_body_motion(machine_, model_, complaints_);
+    add_drives(machine_, model_, complaints_);
     add_carriage_bodies();
     check_axes();
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
@@ -54,6 +53,7 @@ class Compiler {
     for (std::size_t i = 0; i < machine_.carriages.size(); ++i) add_carriage(i);
     if (complaints_.empty()) place_carriages();
     if (complaints_.empty()) finish_nodes();
+    if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
     add_loads();
     add_take_ups();
     add_terrain();
@@ -66,7 +66,9 @@ class Compiler {
   void complain(std::string path, std::string message) { complaints_.push_back({std::move(path), std::move(message)}); }
 
   Vector3 start_of(const Place& place) const {
-    return place.body == ground ? place.at : model_.bodies[static_cast<std::size_t>(place.body)].position + place.at;
+    if (place.body == ground) return place.at;
+    const Body& body = model_.bodies[static_cast<std::size_t>(place.body)];
+    return body.position + body.orientation * place.at;
   }
 
   void add_bodies() {
@@ -116,7 +118,9 @@ class Compiler {
         return std::any_of(stops.begin(), stops.end(),
                            [&](const Stop& stop) { return stop.node.at.body == static_cast<int>(i); });
       });
-      if (held || model_.bodies[i].free.empty()) continue;
+      // what lies on faces or hangs on a cylinder needs no rope
+      const bool otherwise = !machine_.contacts.empty() || !machine_.actuators.empty();
+      if (held || otherwise || model_.bodies[i].free.empty()) continue;
       complain(fmt::format("bodies.{}", machine_.bodies[i].name), "may move, but no rope runs to it");
     }
   }
@@ -144,6 +148,8 @@ class Compiler {
     reeving.stiffness = rope.stiffness;
     reeving.breaking_force = rope.breaking_force;
     reeving.thermal_strain = rope.thermal_strain;
+    reeving.damping_ratio = rope.damping_ratio;
+    reeving.damping_time = rope.damping_time;
   }
 
   /// The pull of the drum at the first or last element of a path.
@@ -151,8 +157,8 @@ class Compiler {
     if (!e.drum) return std::nullopt;
     const int i = index_of(machine_.drums, *e.drum);
     if (i < 0) return std::nullopt;
-    const auto& drive = machine_.drums[static_cast<std::size_t>(i)].drive;
-    return drive ? drive->pull : std::nullopt;
+    const Drive& drive = model_.drums[static_cast<std::size_t>(i)].drive;
+    return drive.kind == DriveKind::pull ? std::optional(at(drive.signal, 0).value) : std::nullopt;
   }
 
   void set_given(Reeving& reeving, const description::Reeving& given, const std::string& path) {

@@ -250,7 +250,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.reevings[0].length = {}; }, "reevings[0]: needs one of length"},
       {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: is told length and tension_at_end"},
       {[](Machine& m) {
-         m.drums[0].drive = description::Drive{4e3, description::Brake::open};
+         m.drums[0].drive = description::Drive{{}, {}, "4 kN", description::Brake::open};
        },
        "reevings[1]: is told tension_at_start and the pull of its first drum"},
       {[](Machine& m) { m.reevings[0].path.pop_back(); }, "reevings[0].path[2]: a rope's first and last"},
@@ -271,7 +271,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.ropes[0].stiffness = {}; }, "ropes.skyline: lacks its 'stiffness', EA"},
       {[](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; }, "ropes.skyline.rope: "},
       {[](Machine& m) {
-         m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}}};
+         m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}, {}}};
        },
        "bodies.hook: may move, but no rope runs to it"},
       {[](Machine& m) {

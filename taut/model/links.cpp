@@ -50,6 +50,7 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
   };
   int index = 0;
   for (const auto& point : machine.points) add(Thing::point, "points", point, index++);
+  for (const auto& marker : machine.markers) add(Thing::point, "markers", marker, index++);
   index = 0;
   for (const auto& name : bodies) all_.push_back({Thing::body, name, index, {index, Vector3::Zero()}}), ++index;
   const int first_carriage = index;

@@ -26,15 +26,17 @@ const Description& Machine::describe() {
           .record(&Machine::terrain, "terrain", "ground under the line")
           .later("beams", "elastic masts; until then a mast is a rigid body on a hinge")
           .later("rope_loads", "forces along a rope between two sheaves")
-          .later("contacts", "contacts between bodies come with the dynamics")
-          .later("faces", "faces for contacts come with the dynamics")
-          .later("markers", "markers for contacts come with the dynamics; 'points' name places on bodies")
-          .later("actuators", "actuators come with the dynamics")
-          .later("signals", "signals come with the dynamics")
-          .later("events", "events come with the dynamics")
-          .later("observe", "observed quantities come with the dynamics; the tables hold all of a static answer")
-          .later("tensioners", "lengths changed by a signal come with the dynamics")
-          .later("start", "the state a motion starts from comes with the dynamics");
+          .named_records(&Machine::signals, "signals", "quantities over time; where they are not used they do nothing")
+          .shorthand("constant")
+          .named_records(&Machine::markers, "markers", "places on bodies for contacts and observers")
+          .shorthand("at")
+          .named_records(&Machine::faces, "faces", "plane faces of bodies, for contacts")
+          .record(&Machine::contacts, "contacts", "points of bodies on faces of others")
+          .named_records(&Machine::actuators, "actuators", "cylinders")
+          .record(&Machine::tensioners, "tensioners", "lengths of ropes changed by a signal")
+          .record(&Machine::events, "events", "what happens at a time or on a condition, in a transient")
+          .field(&Machine::observe, "observe",
+                 "what a transient writes down: car.z, skyline.T_max, ext[2].T; without it the usual quantities");
   return d;
 }
 
@@ -103,16 +105,19 @@ const Description& Body::describe() {
           .field(&Body::free, "free", "how it may move; nothing: fixed")
           .of({"x", "y", "z", "rx", "ry", "rz"})
           .field(&Body::guide, "guide", "", si::one, "direction of the slide on which alone it moves")
-          .field(&Body::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
+          .field(&Body::inertia, "inertia", "J", si::kg_m2,
+                 "about the centre of mass: one for all axes, or Ixx, Iyy, Izz; statics does not depend on it")
           .at_least(0)
-          .later("motion", "driven bodies come with the dynamics");
+          .record(&Body::motion, "motion", "how it is driven; statics takes its place at the start");
   return d;
 }
 
 const Description& Motor::describe() {
-  static const Description d = Describe<Motor>()
-                                   .field(&Motor::speed, "speed", "a signal; statics does not depend on it")
-                                   .later("torque", "driven sheaves with a given torque");
+  static const Description d =
+      Describe<Motor>()
+          .field(&Motor::speed, "speed",
+                 "of its rim, along the path: a signal, or a speed; statics does not depend on it")
+          .field(&Motor::torque, "torque", "along the path: a signal, or a moment");
   return d;
 }
 
@@ -149,13 +154,11 @@ const Description& Round::describe() {
 const Description& Drive::describe() {
   static const Description d =
       Describe<Drive>()
-          .field(&Drive::pull, "pull", "T", si::N, "tension of the rope where it leaves the drum")
-          .at_most(strongest)
-          .above(0)
+          .field(&Drive::speed, "speed", "of the rope, taking in > 0: a signal, or a speed; in statics the drum holds")
+          .field(&Drive::torque, "torque", "taking in > 0: a signal, or a moment")
+          .field(&Drive::pull, "pull", "tension of the rope where it leaves the drum: a signal, or a force")
           .choice(&Drive::brake, "brake", {{"set", Brake::set}, {"open", Brake::open}},
-                  "in statics a drum without a pull holds its rope either way")
-          .later("speed", "driven drums come with the dynamics; statics takes a 'pull' or a length")
-          .later("torque", "driven drums come with the dynamics; statics takes a 'pull' or a length");
+                  "set: it holds, whatever drives it; open and nothing else: it turns freely");
   return d;
 }
 
@@ -177,7 +180,9 @@ const Description& Drum::describe() {
           .later("layers", "layers by the length on the drum; give the 'layer' that the rope leaves")
           .later("wound_at", "layers by the length on the drum; give the 'layer' that the rope leaves")
           .later("length_on_drum", "layers by the length on the drum; give the 'layer' that the rope leaves")
-          .later("inertia", "drums that turn come with the dynamics");
+          .field(&Drum::inertia, "inertia", "J", si::kg_m2,
+                 "with all that turns with it; statics does not depend on it")
+          .at_least(0);
   return d;
 }
 

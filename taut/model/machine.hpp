@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/calc/field.hpp"
+#include "taut/model/motion_keys.hpp"
 
 /// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
 /// up. Nothing is checked here that needs more than one field; `compile` does that (compile.hpp).
@@ -40,7 +41,8 @@ struct Body {
   Triple centre{};                ///< of mass, seen from the origin, m
   std::vector<std::string> free;  ///< of x y z rx ry rz
   std::optional<Triple> guide;    ///< direction of the one slide it moves on
-  std::optional<double> inertia;  ///< kg m2, for dynamics
+  std::vector<double> inertia;    ///< about the centre of mass: one for all axes, or Ixx, Iyy, Izz, kg m2; for dynamics
+  std::optional<BodyMotion> motion;
   static const Description& describe();
 };
 
@@ -51,7 +53,8 @@ enum class Uplift { usual, hold, report, lift };
 
 /// What drives a sheave of an endless rope: in statics whatever torque it takes.
 struct Motor {
-  std::optional<std::string> speed;  ///< a signal, for dynamics
+  std::optional<std::string> speed;   ///< a signal, or a speed, for dynamics
+  std::optional<std::string> torque;  ///< a signal, or a moment, for dynamics
   static const Description& describe();
 };
 
@@ -71,11 +74,12 @@ struct Round {
   static const Description& describe();
 };
 
-/// What drives a drum. In statics a drum holds its rope's length, or its pull where that is given.
-enum class Brake { open, set };
+/// What drives a drum: one of speed, torque, pull, as a signal or a constant. In statics a drum holds its rope's
+/// length, or its pull, as it is at the start, where that is given.
+enum class Brake { unsaid, open, set };
 struct Drive {
-  std::optional<double> pull;  ///< N
-  Brake brake = Brake::open;
+  std::optional<std::string> speed, torque, pull;
+  Brake brake = Brake::unsaid;
   static const Description& describe();
 };
 
@@ -87,6 +91,7 @@ struct Drum {
   double core_diameter = 0;  ///< m
   int layer = 1;
   std::optional<Drive> drive;
+  double inertia = 0;  ///< kg m2, for dynamics
   static const Description& describe();
 };
 
@@ -195,6 +200,14 @@ struct Machine {
   std::vector<description::TakeUp> take_up;
   std::vector<description::Guy> guys;
   std::optional<description::Terrain> terrain;
+  std::vector<description::Signal> signals;
+  std::vector<description::Marker> markers;
+  std::vector<description::Face> faces;
+  std::vector<description::FaceContact> contacts;
+  std::vector<description::Actuator> actuators;
+  std::vector<description::Tensioner> tensioners;
+  std::vector<description::Event> events;
+  std::vector<std::string> observe;
   static const Description& describe();
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/math/vector.hpp"
+#include "taut/model/motion.hpp"
 
 namespace taut::model {
 
@@ -36,6 +37,8 @@ struct Body {
   std::vector<Freedom> free;                  ///< none: fixed
   double mass = 0;                            ///< kg, >= 0; its weight acts at `centre`
   Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
+  Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
+  std::vector<DrivenWay> driven;              ///< what signals give; `position` and `orientation` are those at t = 0
 };
 
 /// A dead force on a body (keeps its direction in the ground frame).
@@ -77,6 +80,9 @@ struct Node {
   /// Of a clamp: unstretched length from the start of the rope (closed: from where it arrives at its drive), at the
   /// rope's reference temperature, m.
   double length_before = 0;
+  double inertia = 0;  ///< of a sheave that turns, kg m2
+  int drum = -1;       ///< of an anchor: the drum it is; -1: none
+  int motor = -1;      ///< of a sheave: the motor that drives it; -1: none
 };
 
 /// What is known of a rope besides its path.
@@ -101,6 +107,8 @@ struct Reeving {
   double breaking_force = 0;  ///< N; 0: not known, no safety factor
   double thermal_strain = 0;  ///< expansion times temperature above the reference
   int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often
+  double damping_ratio = 0;   ///< zeta of the lowest mode in which the rope stretches; 0: not given
+  double damping_time = 0;    ///< beta, s: T = EA (e + beta e'); 0: not given
   int haul = -1;              ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
 };
 
@@ -125,6 +133,16 @@ struct Model {
   std::vector<Reeving> reevings;
   std::vector<Carriage> carriages;
   std::vector<GroundPoint> terrain;
+  // of a machine in motion
+  std::vector<Signal> signals;
+  std::vector<Drum> drums;
+  std::vector<Motor> motors;
+  std::vector<Face> faces;
+  std::vector<FaceContact> contacts;
+  std::vector<Actuator> actuators;
+  std::vector<Tensioner> tensioners;
+  std::vector<Event> events;
+  std::vector<Observable> observed;
 };
 
 /// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.

@@ -39,6 +39,7 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   node.at = target.place;
   node.radius = round.diameter / 2;
   node.axis = unit_axis(round.axis);
+  node.inertia = stop.saddle ? 0 : round.inertia.value_or(0);
   if (stop.saddle) {
     const double mu = round.friction.value_or(0);
     node.law = {mu, mu > 0 ? 0.0 : 1.0};
@@ -108,6 +109,7 @@ class PathReader {
     stop.node.name = drum.name;
     stop.node.at = t->place;
     stop.node.axis = unit_axis(drum.axis);
+    stop.node.drum = t->index;
     stop.node.radius = drum.core_diameter / 2 + (drum.layer - 0.5) * diameter_;
     stops.push_back(std::move(stop));
   }

@@ -14,6 +14,7 @@ struct RopeData {
   double breaking_force = 0;  ///< N; 0: not known
   double diameter = 0;        ///< m; 0: not known
   double thermal_strain = 0;  ///< at the machine's temperature
+  double damping_ratio = 0, damping_time = 0;
 };
 
 /// Complains at "ropes.NAME" of a rope that the catalogue lacks, or whose mass or stiffness nobody says.

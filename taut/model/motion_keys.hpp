@@ -1,0 +1,146 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+
+/// What a deck says of a machine in motion: plain values, names as links, one `describe` table each. A text "a signal,
+/// or a ..." is the name of a signal or a constant with its unit.
+namespace taut::model::description {
+
+/// One change of a value.
+struct Move {
+  double at = 0;    ///< s
+  std::string to;   ///< with its unit
+  double over = 0;  ///< s
+  bool smooth = false;
+  static const Description& describe();
+};
+
+struct Ramp {
+  std::optional<std::string> from;  ///< default: 0
+  std::string to;
+  double start = 0;     ///< s
+  double duration = 0;  ///< s
+  bool smooth = false;
+  static const Description& describe();
+};
+
+enum class Interpolation { linear, cubic };
+struct SignalTable {
+  std::vector<double> t;           ///< s
+  std::vector<std::string> value;  ///< with their units
+  Interpolation interpolation = Interpolation::linear;
+  static const Description& describe();
+};
+
+struct Sine {
+  std::optional<std::string> mean;  ///< default: 0
+  std::string amplitude;
+  std::optional<double> frequency;  ///< 1/s
+  std::optional<double> period;     ///< s
+  double phase = 0;                 ///< rad
+  static const Description& describe();
+};
+
+/// A quantity over time.
+struct Signal {
+  std::string name;
+  std::optional<std::string> constant;
+  std::optional<Ramp> ramp;
+  std::optional<SignalTable> table;
+  std::optional<Sine> sine;
+  std::vector<Move> sequence;
+  static const Description& describe();
+};
+
+/// How a driven body moves: displacements from its `at` along the axes of the ground, rotations about them.
+struct BodyMotion {
+  std::optional<std::string> x, y, z, rx, ry, rz;
+  static const Description& describe();
+};
+
+/// A place on a body, or of the ground: a point for contacts and observers.
+struct Marker {
+  std::string name;
+  std::optional<std::string> body;
+  Triple at{};
+  static const Description& describe();
+};
+
+/// A plane strip between two places of a body; `normal` points out of the body, to where the other one lies.
+struct Face {
+  std::string name;
+  std::optional<std::string> body;
+  Triple from{};
+  Triple to{};
+  Triple normal{0, 0, 1};
+  static const Description& describe();
+};
+
+/// A point of one body on a face of another.
+struct FaceContact {
+  std::optional<std::string> name;  ///< default: its point's
+  std::string point;
+  std::string face;
+  double stiffness = 0;  ///< N/m
+  double damping = 0;    ///< N s/m
+  double clearance = 0;  ///< m
+  double static_friction = 0;
+  std::optional<double> kinetic_friction;  ///< default: the static one
+  std::optional<double> stribeck_speed;    ///< m/s
+  static const Description& describe();
+};
+
+enum class ActuatorMode { extend, retract, lock, free };
+
+/// A force that falls with the speed: F0 + gain (reference - speed).
+struct ActuatorLaw {
+  double F0 = 0;          ///< N
+  double gain = 0;        ///< N s/m
+  std::string reference;  ///< a signal, or a speed
+  static const Description& describe();
+};
+
+/// A cylinder between two points.
+struct Actuator {
+  std::string name;
+  std::string from;
+  std::string to;
+  std::optional<std::string> force;  ///< a signal, or a force; positive pushes the points apart
+  std::optional<ActuatorLaw> law;
+  std::optional<std::string> speed;  ///< a signal, or a speed; positive moves them apart
+  ActuatorMode mode = ActuatorMode::extend;
+  std::optional<double> lock_stiffness;  ///< N/m
+  std::optional<double> lock_damping;    ///< N s/m
+  std::optional<double> force_limit;     ///< N
+  static const Description& describe();
+};
+
+enum class RopeEnd { start, end };
+
+/// The free length of a rope as an input.
+struct Tensioner {
+  std::string reeving;  ///< its name, or its number among the reevings, from 1
+  RopeEnd end = RopeEnd::start;
+  std::string change;  ///< a signal, or a length; positive makes the rope longer
+  static const Description& describe();
+};
+
+/// What happens at a time or as soon as a condition holds.
+struct Event {
+  std::optional<double> at;           ///< s
+  std::optional<std::string> when;    ///< "car.z > 12 m"
+  double over = 0;                    ///< s
+  std::optional<std::string> breaks;  ///< a reeving, or one of its branches, "ext[2]"
+  bool stop = false;
+  std::optional<std::string> actuator;
+  std::optional<std::string> brake;                ///< a drum
+  std::optional<std::string> drive;                ///< a drum or a driven sheave
+  std::optional<std::string> mode;                 ///< of an actuator, or of a brake: set, open
+  std::optional<std::string> speed, torque, pull;  ///< of a drive
+  static const Description& describe();
+};
+
+}  // namespace taut::model::description
