@@ -13,83 +13,97 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The limit that is nearest, or broken worst.
-struct Margin {
-  double value = 1;    ///< below 0: broken; 1: no limit asked
-  int reeving = -1;    ///< whose tension it is
-  bool fails = false;  ///< no equilibrium
+constexpr double first_part = 1.0 / 64;  ///< of the most that is looked for: tried first where nothing is expected
+constexpr double more = 1.3;             ///< than expected: likely too much
+
+/// The payload that is looked for: what holds, what does not, and the limit that stops it.
+class Search {
+ public:
+  Search(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
+         const std::optional<model::State>& start)
+      : model_(model), loaded_(model), body_(body), limits_(limits), options_(options), near_(start) {}
+
+  /// The margin of the nearest limit with this payload, and what it is.
+  double margin(double mass) {
+    loaded_.bodies[at(body_)].mass = model_.bodies[at(body_)].mass + mass;
+    EquilibriumResult r = equilibrium(loaded_, options_, near_);
+    if (r.outcome.ok()) near_ = r.state;
+    LimitState nearest;
+    for (const LimitState& one : limits_at(loaded_, body_, limits_, r)) {
+      if (one.margin < nearest.margin) nearest = one;
+    }
+    if (nearest.margin >= 0 && mass >= holds) {
+      holds = mass;
+      held = nearest;
+      result = std::move(r);
+    } else if (nearest.margin < 0 && mass <= stops) {
+      stops = mass;
+      stopped = nearest;
+      if (mass == 0) result = std::move(r);
+    }
+    return nearest.margin;
+  }
+
+  double holds = -1;
+  double stops = std::numeric_limits<double>::infinity();
+  LimitState held, stopped;
+  EquilibriumResult result;
+
+ private:
+  const model::Model& model_;
+  model::Model loaded_;
+  int body_;
+  const PayloadLimits& limits_;
+  const EquilibriumOptions& options_;
+  std::optional<model::State> near_;
 };
 
-Margin margin_of(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumResult& r) {
-  Margin margin;
-  if (!r.outcome.ok()) return {-1, -1, true};
-  for (std::size_t k = 0; k < limits.tension.size(); ++k) {
-    const double left = 1 - r.ropes[k].T_max / limits.tension[k];
-    if (left < margin.value) margin = {left, static_cast<int>(k), false};
-  }
-  const Vector3& place = r.state.bodies[at(body)].position;
-  const double clearance = place.z() - ground_height(model.terrain, place.x());
-  const double scale = std::max(1.0, std::abs(place.z()));
-  if (clearance - limits.clearance < margin.value * scale) margin = {(clearance - limits.clearance) / scale, -1, false};
-  return margin;
-}
-
-std::string words(const model::Model& model, int body, const Margin& margin, const PayloadLimits& limits) {
-  if (margin.fails) return "no equilibrium with more";
-  if (margin.reeving >= 0) return fmt::format("tension of '{}'", model.reevings[at(margin.reeving)].name);
-  if (std::isfinite(limits.clearance)) return fmt::format("clearance of '{}'", model.bodies[at(body)].name);
-  return fmt::format("no limit below {:.6g} kg", limits.most);
+/// A limit that stops the payload, at the payload that still holds.
+LimitState governing_of(const Search& search, const std::vector<LimitState>& held) {
+  const LimitState& stopped = search.stopped;
+  const auto same = std::find_if(held.begin(), held.end(), [&](const LimitState& one) {
+    return one.kind == stopped.kind && one.reeving == stopped.reeving && one.node == stopped.node;
+  });
+  return stopped.fails || same == held.end() ? stopped : *same;
 }
 
 }  // namespace
 
 Payload payload(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
-                const std::optional<model::State>& start) {
+                const std::optional<model::State>& start, double expected) {
   expects(limits.tension.empty() || limits.tension.size() == model.reevings.size(), "a limit for every rope");
   expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
+  expects(body >= 0 && at(body) < model.bodies.size(), "a body of the model");
   Payload answer;
-  model::Model loaded = model;
-  const double own = model.bodies.at(at(body)).mass;
-  std::optional<model::State> near = start;
-  const auto solve = [&](double mass) {
-    loaded.bodies[at(body)].mass = own + mass;
-    EquilibriumResult r = equilibrium(loaded, options, near);
-    if (r.outcome.ok()) near = r.state;
-    return r;
-  };
-  answer.at = solve(0);
-  const Margin empty = margin_of(model, body, limits, answer.at);
-  if (empty.fails || empty.value < 0) {
-    answer.outcome = empty.fails ? answer.at.outcome
-                                 : infeasible(fmt::format("without any payload it is too much already: {}; raise the "
-                                                          "line, give it more rope or a stronger one",
-                                                          words(model, body, empty, limits)));
-    answer.governing = words(model, body, empty, limits);
-    answer.reeving = empty.reeving;
+  Search search(model, body, limits, options, start);
+  if (search.margin(0) < 0) {
+    answer.limit = search.stopped;
+    answer.at = std::move(search.result);
+    answer.governing = limit_words(model, body, search.stopped);
+    answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : -1;
+    answer.outcome = search.stopped.fails
+                         ? answer.at.outcome
+                         : infeasible(fmt::format("without any payload it is too much already: {}; raise the line, "
+                                                  "give it more rope or a stronger one",
+                                                  answer.governing));
     return answer;
   }
-  // the largest mass seen to hold, and the limit that stopped the next one
-  double holds = 0;
-  Margin stops;
-  const auto left = [&](double mass) {
-    const EquilibriumResult r = solve(mass);
-    const Margin margin = margin_of(model, body, limits, r);
-    if (margin.value >= 0 && mass >= holds) {
-      holds = mass;
-      answer.at = r;
-    }
-    if (margin.value < 0 || margin.value < stops.value) stops = margin;
-    return margin.value;
-  };
-  if (left(limits.most) >= 0) {
+  // upwards until something stops it
+  double tried = std::min(limits.most, expected > 0 ? more * expected : first_part * limits.most);
+  while (search.margin(tried) >= 0 && tried < limits.most) tried = std::min(limits.most, 2 * tried);
+  if (std::isinf(search.stops)) {
     answer.mass = limits.most;
-    answer.governing = words(model, body, {}, {.tension = {}, .most = limits.most});
+    answer.governing = fmt::format("no limit below {:.6g} kg", limits.most);
+    answer.limit = search.held;
+    answer.at = std::move(search.result);
     return answer;
   }
-  static_cast<void>(find_root(left, 0, limits.most));
-  answer.mass = holds;
-  answer.reeving = stops.reeving;
-  answer.governing = words(model, body, stops, limits);
+  static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, search.holds, search.stops));
+  answer.mass = search.holds;
+  answer.at = std::move(search.result);
+  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at));
+  answer.governing = limit_words(model, body, search.stopped);
+  answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : -1;
   return answer;
 }
 
@@ -99,14 +113,16 @@ std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadL
   const model::Carriage& carriage = model.carriages.at(at(options.carriage));
   std::vector<PayloadPoint> points;
   std::optional<model::State> start;
+  double expected = 0;
   for (int i = 0; i <= options.steps; ++i) {
     PayloadPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     EquilibriumOptions here = options.equilibrium;
     here.prescribed = Prescribed{options.carriage, point.x};
-    point.payload = payload(model, carriage.body, limits, here, start);
+    point.payload = payload(model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
       start = point.payload.at.state;
+      expected = point.payload.mass;
       point.z = start->bodies[at(carriage.body)].position.z();
       point.clearance = point.z - ground_height(model.terrain, point.x);
     }

@@ -1,20 +1,11 @@
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "taut/analysis/limits.hpp"
 #include "taut/analysis/load_path.hpp"
 
 namespace taut::analysis {
-
-/// What must not be exceeded.
-struct PayloadLimits {
-  std::vector<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (the band at rest counts),
-                                ///< N; infinite: none. Empty: no rope is limited
-  double clearance = -std::numeric_limits<double>::infinity();  ///< least height of the body above the terrain, m; not
-                                                                ///< asked where there is no terrain
-  double most = 1e6;                                            ///< no payload above this is looked for, kg
-};
 
 /// The largest payload at one place.
 struct Payload {
@@ -22,13 +13,16 @@ struct Payload {
   double mass = 0;        ///< kg, on top of the body's own
   std::string governing;  ///< in words: which limit ends it
   int reeving = -1;       ///< whose tension governs; -1: something else does
-  EquilibriumResult at;   ///< with that payload
+  LimitState limit;       ///< the one that governs, with that payload
+  EquilibriumResult at;   ///< with that payload; where a limit is broken without payload, without it
 };
 
 /// The largest mass that may be added to a body at its origin within the limits: tensions grow and clearance falls with
-/// it, so the first limit reached governs. A payload without equilibrium counts as too much.
+/// it, so the first limit reached governs. A payload without equilibrium counts as too much. `expected`: a payload
+/// nearby, kg; it saves time only.
 Payload payload(const model::Model& model, int body, const PayloadLimits& limits,
-                const EquilibriumOptions& options = {}, const std::optional<model::State>& start = std::nullopt);
+                const EquilibriumOptions& options = {}, const std::optional<model::State>& start = std::nullopt,
+                double expected = 0);
 
 /// The payload at each position of a load path (limits on the carriage's body).
 struct PayloadPoint {

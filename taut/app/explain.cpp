@@ -42,7 +42,7 @@ std::string kind_text(const Field& f) {
     case FieldKind::texts:
       return "text, one or a list";
     case FieldKind::named_records:
-      return "map of names and maps";
+      return f.rest ? "map" : "map of names and maps";
   }
   return {};
 }
@@ -69,10 +69,10 @@ using Visit = std::function<void(const std::string& key, const Description&, con
 /// Visits a description and its nested ones, with dotted keys.
 void walk(const std::string& prefix, const Description& d, const Visit& visit) {
   for (const Field& f : d.fields) {
-    const std::string key = prefix + f.key;
+    const std::string key = prefix + (f.rest ? "NAME" : f.key);
     visit(key, d, f);
     if (f.record == nullptr) continue;
-    const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records ? ".NAME." : ".";
+    const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records && !f.rest ? ".NAME." : ".";
     walk(key + inner, *f.record, visit);
   }
 }

@@ -3,19 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "taut/analysis/equilibrium.hpp"
+#include "taut/app/analysis_requests.hpp"
+#include "taut/app/motion.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/model/machine.hpp"
 
 namespace taut::app {
-
-/// How one contact, or with an empty name every one, moves: hoist, lower, in, out, at_rest, or a sign: 1 along the
-/// path, -1 against it, 0 at rest.
-struct MotionRequest {
-  std::string name;
-  std::string sense;
-  static const Description& describe();
-};
 
 struct EquilibriumRequest {
   std::optional<std::string> name;  ///< of its tables, when a deck has several
@@ -38,6 +31,7 @@ struct LoadPathRequest {
 struct AnalysisRequest {
   std::optional<EquilibriumRequest> equilibrium;
   std::optional<LoadPathRequest> load_path;
+  std::optional<PayloadRequest> payload;
   static const Description& describe();
 };
 
@@ -47,9 +41,5 @@ struct MachineDeck {
   std::vector<AnalysisRequest> analyses;
   static const Description& describe();
 };
-
-/// The options that a motion asks for; complaints at `path`.
-analysis::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion, const model::Model& model,
-                                        const std::string& path, std::vector<Complaint>& complaints);
 
 }  // namespace taut::app

@@ -242,7 +242,7 @@ double largest_tension(const EquilibriumResult& e) {
 void add_figures(const MachineRun& run, Result& r) {
   const std::vector<Answer> all = answers_of(run);
   if (all.empty()) return;
-  const bool has_equilibrium = all.front().point == nullptr;
+  const bool has_equilibrium = all.front().point == nullptr && !run.equilibria.empty();
   const Answer drawn =
       has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
         return largest_tension(*a.result) < largest_tension(*b.result);

@@ -7,12 +7,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "taut/app/carriage_way.hpp"
+#include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_figures.hpp"
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/terrain.hpp"
-#include "taut/base/suggest.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/read.hpp"
 #include "taut/model/carriage_span.hpp"
@@ -41,30 +42,22 @@ void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& m
   }
 }
 
-/// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
-/// span there.
-const model::Node* support_at(const model::Model& model, int carriage, double x) {
-  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  for (const model::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
-    if (node.at.body == model::ground && std::abs(node.at.at.x() - x) <= std::max(node.radius, 1e-6)) return &node;
-  }
-  return nullptr;
-}
-
 /// What the analyses of a deck ask for, with names resolved.
 class Requests {
  public:
-  Requests(const MachineDeck& deck, const model::Model& model) : deck_(deck), model_(model) {}
+  Requests(const MachineDeck& deck, const model::Model& model)
+      : deck_(deck), model_(model), names_{deck, model, complaints, {}} {}
 
   MachineRun resolve() {
     MachineRun run;
     run.model = model_;
     std::vector<AnalysisRequest> all = deck_.analyses;
-    if (all.empty()) all.push_back({EquilibriumRequest{}, {}});
+    if (all.empty()) all.emplace_back().equilibrium.emplace();
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::string path = fmt::format("analyses[{}]", i);
       if (all[i].equilibrium) add(run, *all[i].equilibrium, path + ".equilibrium");
       if (all[i].load_path) add(run, *all[i].load_path, path + ".load_path");
+      if (all[i].payload) run.more.push_back(prepare_payload(*all[i].payload, path + ".payload", names_));
     }
     check_clamps(run);
     return run;
@@ -73,51 +66,16 @@ class Requests {
   std::vector<Complaint> complaints;
 
  private:
-  int carriage(const std::string& name, const std::string& path) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < model_.carriages.size(); ++i) {
-      if (model_.carriages[i].name == name) return static_cast<int>(i);
-      names.push_back(model_.carriages[i].name);
-    }
-    complaints.push_back({path, fmt::format("there is no carriage '{}'{}", name, did_you_mean(name, names))});
-    return -1;
-  }
-
-  /// Ending of the tables' names: the deck's own, or the number from the second on.
-  template <class Run>
-  std::string ending(const std::vector<Run>& before, const std::optional<std::string>& name, const std::string& path) {
-    std::string text = name ? "_" + *name : before.empty() ? std::string{} : fmt::format("_{}", before.size() + 1);
-    const bool known = std::any_of(before.begin(), before.end(), [&](const Run& run) { return run.ending == text; });
-    if (known) complaints.push_back({path + ".name", "another analysis of this kind has the same name"});
-    // it becomes part of files' names
-    const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    });
-    if (!plain || (name && name->empty())) {
-      complaints.push_back({path + ".name", "a name of letters, digits, _ and - is expected"});
-    }
-    return text;
-  }
-
-  static std::string words_of(const std::vector<MotionRequest>& motion) {
-    std::string words;
-    for (const MotionRequest& one : motion) {
-      words += fmt::format("{}{}{}", words.empty() ? "" : ", ", one.name.empty() ? "" : one.name + " ",
-                           one.sense == "at_rest" ? "at rest" : one.sense);
-    }
-    return words.empty() ? "at rest" : words;
-  }
-
   void add(MachineRun& run, const EquilibriumRequest& request, const std::string& path) {
     EquilibriumRun one;
-    one.ending = ending(run.equilibria, request.name, path);
-    one.words = words_of(request.motion);
+    one.ending = ending_of(names_, "equilibrium", request.name, path);
+    one.words = app::words_of(request.motion);
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
     if (request.carriage.has_value() != request.x.has_value()) {
       complaints.push_back({path, "'carriage' and 'x' belong together"});
     } else if (request.carriage) {
-      const int car = carriage(*request.carriage, path + ".carriage");
+      const int car = carriage_of(names_, *request.carriage, path + ".carriage");
       const model::Node* support = car >= 0 ? support_at(model_, car, *request.x) : nullptr;
       if (support != nullptr) {
         complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
@@ -129,11 +87,11 @@ class Requests {
 
   void add(MachineRun& run, const LoadPathRequest& request, const std::string& path) {
     LoadPathRun one;
-    one.ending = ending(run.paths, request.name, path);
-    one.words = words_of(request.motion);
+    one.ending = ending_of(names_, "load_path", request.name, path);
+    one.words = app::words_of(request.motion);
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
-    one.carriage = carriage(request.carriage, path + ".carriage");
+    one.carriage = carriage_of(names_, request.carriage, path + ".carriage");
     one.from = request.from;
     one.to = request.to;
     one.steps = request.steps;
@@ -157,6 +115,7 @@ class Requests {
 
   const MachineDeck& deck_;
   const model::Model& model_;
+  Preparation names_;
 };
 
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys, each of them
@@ -180,12 +139,6 @@ Outcome install_guys(const model::Machine& machine, model::Model& model) {
   return {};
 }
 
-void note_failure(Result& r, const Outcome& outcome, const std::string& what) {
-  if (outcome.ok() || r.status != Status::ok) return;
-  r.status = outcome.status;
-  r.message = fmt::format("{}: {}", what, outcome.message);
-}
-
 void solve(const model::Model& model, EquilibriumRun& one) {
   one.model = one.prescribed ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x) : model;
   std::vector<Complaint> told_before;
@@ -196,37 +149,44 @@ void solve(const model::Model& model, EquilibriumRun& one) {
 
 /// The load path span by span; positions on a support stay without an answer.
 void solve(const model::Model& model, LoadPathRun& one) {
-  const auto x = [&](int i) { return one.from + (one.to - one.from) * i / one.steps; };
-  const auto node = [&](const model::Model& m) { return m.carriages[static_cast<std::size_t>(one.carriage)].node; };
-  for (int i = 0; i <= one.steps;) {
+  const Way way{one.carriage, one.from, one.to, one.steps};
+  for (WayPart& place : parts_of(model, way)) {
     LoadPathPart part;
-    part.model = model::with_carriage_at(model, one.carriage, x(i));
-    if (const model::Node* support = support_at(model, one.carriage, x(i))) {
+    part.model = std::move(place.model);
+    if (place.support != nullptr) {
       analysis::LoadPathPoint point;
-      point.x = x(i);
-      point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", support->name));
+      point.x = way.x(place.first);
+      point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", place.support->name));
       part.result.points.push_back(std::move(point));
       one.parts.push_back(std::move(part));
-      ++i;
       continue;
     }
-    int last = i;
-    while (last < one.steps && support_at(model, one.carriage, x(last + 1)) == nullptr &&
-           node(model::with_carriage_at(model, one.carriage, x(last + 1))) == node(part.model))
-      ++last;
     std::vector<Complaint> told_before;
     analysis::LoadPathOptions options;
     options.carriage = one.carriage;
-    options.from = x(i);
-    options.to = x(last);
-    options.steps = std::max(1, last - i);
+    options.from = way.x(place.first);
+    options.to = way.x(place.last);
+    options.steps = std::max(1, place.last - place.first);
     options.equilibrium = options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     part.result = analysis::load_path(part.model, options);
-    if (last == i) part.result.points.resize(1);
+    if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
-    i = last + 1;
   }
+}
+
+template <class T>
+void append(std::vector<T>& from, std::vector<T>& to) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+void append(Result& from, Result& to) {
+  append(from.values, to.values);
+  append(from.tables, to.tables);
+  append(from.checks, to.checks);
+  append(from.figures, to.figures);
+  append(from.assumptions, to.assumptions);
+  append(from.warnings, to.warnings);
 }
 
 Result compute(const MachineDeck& deck, MachineRun run) {
@@ -250,10 +210,18 @@ Result compute(const MachineDeck& deck, MachineRun run) {
       note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
     }
   }
+  // what they find comes behind the tables and values of the states that they leave
+  Result more;
+  for (const Analysis& one : run.more) one(run, more);
+  if (r.status == Status::ok) {
+    r.status = more.status;
+    r.message = more.message;
+  }
   add_tables(run, r);
   add_values(run, r);
   add_steps(deck, run, r);
   add_figures(run, r);
+  append(more, r);
   return r;
 }
 
@@ -272,6 +240,7 @@ std::vector<Answer> answers_of(const MachineRun& run) {
       }
     }
   }
+  for (const OtherAnswer& one : run.others) all.push_back({&one.model, &one.result, nullptr, one.words});
   return all;
 }
 

@@ -36,11 +36,24 @@ struct LoadPathRun {
   std::vector<LoadPathPart> parts;  ///< in the order of the positions
 };
 
+struct MachineRun;
+/// Another analysis, ready to run: calculates on the run's model and adds to the result.
+using Analysis = std::function<void(MachineRun&, Result&)>;
+
+/// A state that another analysis found worth showing: where a payload is least.
+struct OtherAnswer {
+  std::string words;
+  model::Model model;
+  analysis::EquilibriumResult result;
+};
+
 /// Everything that was computed of a machine.
 struct MachineRun {
   model::Model model;
   std::vector<EquilibriumRun> equilibria;
   std::vector<LoadPathRun> paths;
+  std::vector<Analysis> more;  ///< in the deck's order
+  std::vector<OtherAnswer> others;
 };
 
 /// An equilibrium that was found.

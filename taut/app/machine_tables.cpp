@@ -197,6 +197,21 @@ const analysis::ContactResult* contact(const model::Model& m, const EquilibriumR
   return nullptr;
 }
 
+Table load_path(const model::Model& all, const LoadPathRun& run) {
+  Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
+  for (const LoadPathPart& part : run.parts) {
+    for (const auto& point : part.result.points) {
+      std::vector<Cell> row = {point.x};
+      if (point.at.outcome.ok()) row = load_path_row(all, part.model, point);
+      row.resize(t.columns.size(), none);
+      t.rows.push_back(std::move(row));
+    }
+  }
+  return t;
+}
+
+}  // namespace
+
 std::vector<Column> load_path_columns(const model::Model& m) {
   std::vector<Column> columns = {{"x", si::m}, {"z", si::m}, {"clearance", si::m}};
   for (const model::Reeving& r : m.reevings) {
@@ -220,7 +235,6 @@ std::vector<Column> load_path_columns(const model::Model& m) {
   return columns;
 }
 
-/// Tensions at both ends of each rope, its largest one, and what each contact gets, in the columns of `all`.
 std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, const analysis::LoadPathPoint& point) {
   std::vector<Cell> row = {point.x, point.z, point.clearance};
   const EquilibriumResult& e = point.at;
@@ -245,21 +259,6 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
   row.emplace_back(e.closure.rope);
   return row;
 }
-
-Table load_path(const model::Model& all, const LoadPathRun& run) {
-  Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
-  for (const LoadPathPart& part : run.parts) {
-    for (const auto& point : part.result.points) {
-      std::vector<Cell> row = {point.x};
-      if (point.at.outcome.ok()) row = load_path_row(all, part.model, point);
-      row.resize(t.columns.size(), none);
-      t.rows.push_back(std::move(row));
-    }
-  }
-  return t;
-}
-
-}  // namespace
 
 Vector3 pull_on_start(const analysis::SpanResult& span) {
   Vector3 along = span.end - span.start;

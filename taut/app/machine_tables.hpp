@@ -10,6 +10,11 @@ namespace taut::app {
 /// for each load path. Tensions by the order of the path; forces are those of the ropes on what holds them, one copy.
 void add_tables(const MachineRun& run, Result& r);
 
+/// The columns of a carriage's positions: x, z, clearance, tensions at both ends of each rope and its largest one, what
+/// each contact gets, closure; and the row of one position, in the columns of the model `all`.
+std::vector<Column> load_path_columns(const model::Model& all);
+std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, const analysis::LoadPathPoint& point);
+
 /// The worst cases over all analyses: T_max, and for each rope NAME.T_max and, its breaking force known,
 /// NAME.safety_factor with a check; clearance_min; of the first equilibrium the places of free bodies and the
 /// unstretched lengths. Warnings of supports that are pulled upwards and ropes that hang loose.

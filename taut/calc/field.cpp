@@ -19,7 +19,9 @@ const Field* Description::find(const std::string& key) const {
 std::vector<std::string> Description::keys() const {
   std::vector<std::string> all;
   all.reserve(fields.size());
-  for (const Field& f : fields) all.push_back(f.key);
+  for (const Field& f : fields) {
+    if (!f.rest) all.push_back(f.key);
+  }
   return all;
 }
 

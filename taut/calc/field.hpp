@@ -81,6 +81,7 @@ struct Field {
   const Description* record = nullptr;  ///< fields of a nested struct
   std::string shorthand;  ///< nested structs: what is no map stands for this field of theirs, `head: [0 m, 0 m, 1 m]`
   bool one_for_all = false;  ///< named structs: the shorthand may stand for the whole map, as one struct without a name
+  bool rest = false;         ///< named structs: their maps stand beside the other fields' keys, without this key
   std::function<Slot(void*)> slot;
 };
 
@@ -220,6 +221,7 @@ class Describe {
   /// Texts that a list of texts may have.
   Describe& of(std::vector<std::string> choices) { return last().choices = std::move(choices), *this; }
   Describe& shorthand(std::string key) { return last().shorthand = std::move(key), *this; }
+  Describe& rest() { return last().rest = true, *this; }
   Describe& one_for_all() { return last().one_for_all = true, *this; }
   Describe& required() { return last().required = true, *this; }
   Describe& may_be_infinite() { return last().may_be_infinite = true, *this; }

@@ -94,8 +94,8 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
     }
     if (const auto* named = std::get_if<NamedRecords>(&slot)) {
       for (const auto& [name, one] : named->all()) {
-        const std::string at = name.empty() ? std::string{} : fmt::format(".{}", name);
-        collect(all, fmt::format("{}{}{}.", prefix, f.key, at), *f.record, one);
+        const std::string key = f.rest ? name : name.empty() ? f.key : fmt::format("{}.{}", f.key, name);
+        collect(all, fmt::format("{}{}.", prefix, key), *f.record, one);
       }
       continue;
     }

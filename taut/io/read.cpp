@@ -112,7 +112,8 @@ class FieldReader {
       if (e.key.empty()) add(mistakes_, e.key_spot, fmt::format("{}: the name is empty", f_.key));
       Node value = in_record(e.value);
       if (e.value.kind == Node::Kind::null) value.spot = e.key_spot;
-      read(value, *f_.record, named.create(e.key), fmt::format("{}.{}", f_.key, e.key), mistakes_);
+      const std::string what = f_.rest ? e.key : fmt::format("{}.{}", f_.key, e.key);
+      read(value, *f_.record, named.create(e.key), what, mistakes_);
     }
   }
 
@@ -237,11 +238,19 @@ class FieldReader {
   Diagnostics& mistakes_;
 };
 
+/// Whether an entry is one of the named structs that stand beside the other fields.
+bool is_rest(const Entry& e, const Description& d) {
+  const bool has = std::any_of(d.fields.begin(), d.fields.end(), [](const Field& f) { return f.rest; });
+  const Field* own = d.find(e.key);
+  return has && e.value.kind == Node::Kind::map && (own == nullptr || own->rest);
+}
+
 void note_unknown_keys(const Node& map, const Description& d, std::string_view what, Diagnostics& mistakes) {
   const std::vector<std::string> keys = d.keys();
   for (const Entry& e : map.entries) {
     if (enough(mistakes)) return;
-    if (d.find(e.key) != nullptr) continue;
+    const Field* field = d.find(e.key);
+    if (is_rest(e, d) || (field != nullptr && !field->rest)) continue;
     const auto later =
         std::find_if(d.later.begin(), d.later.end(), [&](const LaterKey& key) { return key.key == e.key; });
     if (later != d.later.end()) {
@@ -312,6 +321,12 @@ bool read(const Node& map, const Description& description, void* object, std::st
   }
   note_unknown_keys(map, description, what, mistakes);
   for (const Field& f : description.fields) {
+    if (f.rest) {
+      Entry rest{f.key, map.spot, map};
+      std::erase_if(rest.value.entries, [&](const Entry& e) { return !is_rest(e, description); });
+      FieldReader(f, rest, mistakes)(std::get<NamedRecords>(f.slot(object)));
+      continue;
+    }
     const Entry* entry = map.find_entry(f.key);
     if (entry != nullptr) std::visit(FieldReader(f, *entry, mistakes), f.slot(object));
   }

@@ -141,7 +141,13 @@ void add_default(Json& schema, const Description& d, const Field& f) {
 Json object(const Description& d, bool whole) {
   Json properties = Json::object();
   Json required = Json::array();
+  Json others = false;
   for (const Field& f : d.fields) {
+    if (f.rest) {
+      others = nested(f, whole);
+      others["description"] = words_of(f);
+      continue;
+    }
     Json schema = of_kind(f, whole);
     const std::string words = words_of(f);
     if (!words.empty()) schema["description"] = words;
@@ -149,7 +155,7 @@ Json object(const Description& d, bool whole) {
     properties[f.key] = std::move(schema);
     if (f.required) required.push_back(f.key);
   }
-  Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+  Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", std::move(others)}};
   if (whole && !required.empty()) all["required"] = std::move(required);
   for (const std::vector<std::string>& group : d.exactly_one) {
     if (!whole) continue;

@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "taut/model/model.hpp"
+
+namespace taut::app {
+
+/// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
+/// span there. nullptr in a span.
+const model::Node* support_at(const model::Model& model, int carriage, double x);
+
+/// Positions of a carriage, `steps` + 1 of them from `from` to `to`.
+struct Way {
+  int carriage = 0;
+  double from = 0, to = 0;  ///< m
+  int steps = 1;
+  double x(int i) const { return from + (to - from) * i / steps; }
+};
+
+/// Positions first .. last within one span, with the carriage in that span's place of its rope's path. `support`: the
+/// single position lies on it, in no span.
+struct WayPart {
+  model::Model model;
+  int first = 0, last = 0;
+  const model::Node* support = nullptr;  ///< of the model that the parts were made of
+};
+
+/// A way span by span, in the order of its positions.
+std::vector<WayPart> parts_of(const model::Model& model, const Way& way);
+
+}  // namespace taut::app
