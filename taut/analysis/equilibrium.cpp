@@ -47,6 +47,7 @@ Configuration configuration_of(const Layout& layout, const model::State& state) 
   Configuration c;
   c.bodies = state.bodies;
   for (const Layout::Link& link : layout.links) c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
+  for (const Layout::Piece& p : layout.pieces) c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
   return c;
 }
 
@@ -54,6 +55,9 @@ void keep(const Layout& layout, const Configuration& c, model::State& state) {
   state.bodies = c.bodies;
   for (std::size_t k = 0; k < layout.links.size(); ++k) {
     state.branches[at(layout.links[k].reeving)][at(layout.links[k].from)] = c.links[k];
+  }
+  for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
+    state.beams.at(at(layout.pieces[k].beam)).at(at(layout.pieces[k].piece)) = c.pieces[k];
   }
 }
 

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/system.hpp"
 
 namespace taut::analysis {
@@ -237,6 +238,7 @@ void jacobian(const System& system, const Configuration& c, const Evaluation& e,
   add_dead_forces(a);
   add_laws(a);
   add_coordinate(a);
+  add_beam_rates(system, c, J);
 }
 
 }  // namespace taut::analysis

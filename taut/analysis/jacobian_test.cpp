@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/system.hpp"
+#include "taut/model/beam_build.hpp"
 #include "taut/model/state.hpp"
 
 namespace {
@@ -27,6 +30,14 @@ double worst_derivative(const model::Model& m, std::optional<analysis::Prescribe
     c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   c.hold = 700;
+  for (const auto& p : layout.pieces) {
+    model::PieceState piece = state.beams[static_cast<std::size_t>(p.beam)][static_cast<std::size_t>(p.piece)];
+    piece.force = {3, -2, -40};
+    piece.moment = {5, 8, 1};
+    piece.torque = 2;
+    if (p.hinged) piece.axes = Eigen::AngleAxisd(0.1, Vector3(0.5, -0.3, 0.2).normalized()) * piece.axes;
+    c.pieces.push_back(piece);
+  }
   analysis::Evaluation e;
   settle(system, c, e);
   Eigen::MatrixXd J;
@@ -90,6 +101,47 @@ TEST(Jacobian, MatchesDifferencesForClampsAndClosedRopes) {
       "saw", {drive, sheave("top", {3, 0, 2}, 0.3, 1, 0.98), sheave("idler", origin, 0.3, 1, 0.97, 0)}, 15, 4, 2e6));
   loop.reevings[0].closed = true;
   EXPECT_LT(worst_derivative(loop, {}, 1e-6), 1e-6);
+}
+
+/// A beam from a body that slides and turns, or the ground, to a free top or another body, with a guy at a lug.
+model::Model with_beam(model::BeamHold base, model::BeamTop top, taut::structure::BeamOrder order, bool on_body) {
+  model::Model m;
+  m.bodies.push_back(body("slide", {0.3, 0, 0}, 200, "xXYZ"));
+  m.bodies.push_back(body("head", {1, 0.5, 9}, 100, "xyzXYZ"));
+  model::StraightBeam b;
+  b.name = "mast";
+  if (on_body) b.from = {0, {0.2, 0.1, 0.3}};
+  b.to = top == model::BeamTop::free ? model::Place{model::ground, {1, 0.5, 9}} : model::Place{1, {0.1, 0, -0.2}};
+  b.section = taut::structure::tube_section(0.2, 0.01, {210e6, 80e6});  // small forces: no rounding in the differences
+  b.section.EI_y *= 0.7;
+  b.section.weight = 4;
+  b.strong = {1, 1, 0};
+  b.order = order;
+  b.base = base;
+  b.top = top;
+  b.bow = 1.0 / 300;
+  b.sense = {0.3, -1, 0};
+  b.stations = {0.6};
+  model::add_beam(m, b);
+  m.loads.push_back({{2, {0.1, 0.2, -0.1}}, {5, 1, -9}});
+  m.reevings.push_back(reeve("guy", {anchor("stump", {-6, 2, 0}), anchor_on("lug", 2, {-0.2, 0.1, 0.3})}, 8.3, 9, 5e6));
+  m.reevings.push_back(reeve("top", {anchor("tree", {9, -2, 1}), anchor_on("head", 1)}, 12, 9, 5e6));
+  return m;
+}
+
+TEST(Jacobian, MatchesDifferencesForBeams) {
+  using model::BeamHold;
+  using model::BeamTop;
+  for (const auto order : {taut::structure::BeamOrder::first, taut::structure::BeamOrder::second}) {
+    for (const BeamHold base : {BeamHold::clamped, BeamHold::hinged}) {
+      for (const BeamTop top : {BeamTop::free, BeamTop::clamped, BeamTop::hinged}) {
+        for (const bool on_body : {false, true}) {
+          EXPECT_LT(worst_derivative(with_beam(base, top, order, on_body), {}, 1e-5), 1e-7)
+              << static_cast<int>(order) << static_cast<int>(base) << static_cast<int>(top) << on_body;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

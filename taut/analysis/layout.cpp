@@ -77,7 +77,21 @@ void measure(Layout& l, const model::Model& model, const model::State& state) {
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
     if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
   }
+  for (const model::Beam& beam : model.beams) {
+    l.length = std::max(l.length, beam.length);
+    if (!beam.pieces.empty()) l.heaviest = std::max(l.heaviest, beam.length * beam.pieces.front().rod.section.weight);
+  }
   if (l.length == 0) l.length = 1;
+}
+
+void add_beams(Layout& l, const model::Model& model) {
+  for (std::size_t b = 0; b < model.beams.size(); ++b) {
+    for (std::size_t k = 0; k < model.beams[b].pieces.size(); ++k) {
+      const bool hinged = model.beams[b].pieces[k].start_hold == model::BeamHold::hinged;
+      l.pieces.push_back({count(b), count(k), l.size, hinged});
+      l.size += l.pieces.back().count();
+    }
+  }
 }
 
 }  // namespace
@@ -95,6 +109,7 @@ Layout layout(const model::Model& model, const model::State& state, const std::o
     add_rope(l, model.reevings[at(r)], r, state.touched[at(r)], flow.empty() ? std::vector<int>{} : flow[at(r)]);
   }
   if (prescribed) prescribe(l, model, *prescribed);
+  add_beams(l, model);
   measure(l, model, state);
   return l;
 }

@@ -26,11 +26,20 @@ struct Layout {
     int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
   };
 
+  /// A piece of a beam. Unknowns: the force at its start, then the moment there; at a hinged start the torque and a
+  /// turn of the section. Rows: place and turn of its end (at a ball joint the moment), at a hinged start the twist.
+  struct Piece {
+    int beam = 0, piece = 0, unknown = 0;
+    bool hinged = false;  ///< at its start
+    int count() const { return hinged ? 7 : 6; }
+  };
+
   std::vector<Dof> dofs;       ///< unknown and row i
   std::vector<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
   std::vector<Link> links;
   std::vector<Turn> turns;
   std::vector<Rope> ropes;
+  std::vector<Piece> pieces;  ///< the last unknowns and rows
   int size = 0;
   int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
   int coordinate_body = model::ground;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/beam_piece.hpp"
+
 namespace taut::analysis {
 namespace {
 
@@ -24,6 +26,7 @@ class Linear {
       if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
     }
     if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
+    scale_beams(system, columns_);
   }
 
   void factor(const Eigen::MatrixXd& J) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/beam_piece.hpp"
+
 namespace taut::analysis {
 namespace {
 
@@ -152,6 +154,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   add_ropes(s, c, e);
   add_laws(s, c, e);
   add_coordinate(s, c, e);
+  add_beams(s, c, e);
   return std::nullopt;
 }
 
@@ -191,6 +194,7 @@ void move(const System& s, const Configuration& c, const Change& change, double 
     }
   }
   if (s.layout.hold >= 0) moved.hold += part * change.step[s.layout.hold];
+  move_beams(s, change.step, part, moved);
 }
 
 Misfit misfit(const System& s, const Evaluation& e) {
@@ -211,6 +215,7 @@ Misfit misfit(const System& s, const Evaluation& e) {
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
   for (const Branch& b : e.branches) m.span = std::max(m.span, b.closure);
+  add_beam_misfit(s, e, m.force, m.length);
   return m;
 }
 

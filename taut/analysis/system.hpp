@@ -12,8 +12,9 @@ namespace taut::analysis {
 /// The unknowns' values.
 struct Configuration {
   std::vector<model::Pose> bodies;
-  std::vector<model::BranchState> links;  ///< by Layout::links
-  double hold = 0;                        ///< N along the track
+  std::vector<model::BranchState> links;       ///< by Layout::links
+  double hold = 0;                             ///< N along the track
+  std::vector<model::PieceState> pieces = {};  ///< by Layout::pieces
 };
 
 /// Everything that follows from a configuration, and how far it is from equilibrium.

@@ -5,21 +5,14 @@
 #include <vector>
 
 #include "taut/math/vector.hpp"
+#include "taut/model/beam.hpp"
 #include "taut/model/motion.hpp"
+#include "taut/model/place.hpp"
 
 namespace taut::model {
 
 /// A compiled machine: plain values and indices, checked by the compiler of descriptions, never changed by an analysis.
 /// SI and radians, right-handed axes, z up. Names serve tables and messages; everything is found by index.
-
-/// Not a body: fixed to the ground frame.
-inline constexpr int ground = -1;
-
-/// A point of a body, or of the ground.
-struct Place {
-  int body = ground;
-  Vector3 at = Vector3::Zero();  ///< in the body's frame (ground: in the ground frame), m
-};
 
 /// One way in which a body may move, as unit velocities in the ground frame: along x is {(1,0,0), 0}; a hinge at the
 /// body's origin about y is {0, (0,1,0)}; a slide in any direction {unit vector, 0}. The body's origin is the centre of
@@ -39,6 +32,7 @@ struct Body {
   Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
   std::vector<DrivenWay> driven;              ///< what signals give; `position` and `orientation` are those at t = 0
+  int beam = -1;                              ///< a section of this beam, not a body of its own; -1: none
 };
 
 /// A dead force on a body (keeps its direction in the ground frame).
@@ -143,6 +137,7 @@ struct Model {
   std::vector<Tensioner> tensioners;
   std::vector<Event> events;
   std::vector<Observable> observed;
+  std::vector<Beam> beams;
 };
 
 /// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.

@@ -95,6 +95,15 @@ State initial_state(const Model& model) {
     }
     state.branches.push_back(std::move(branches));
   }
+  for (const Beam& beam : model.beams) {
+    std::vector<PieceState>& pieces = state.beams.emplace_back();
+    for (const BeamPiece& piece : beam.pieces) {
+      PieceState& s = pieces.emplace_back();
+      const bool moves = piece.start.body != ground;
+      s.axes = moves ? Matrix3(state.bodies[static_cast<std::size_t>(piece.start.body)].orientation * piece.start_axes)
+                     : piece.start_axes;
+    }
+  }
   return state;
 }
 

@@ -22,9 +22,10 @@ struct BranchState {
 
 /// Where a machine is: a value, to be copied, kept and started from.
 struct State {
-  std::vector<Pose> bodies;                        ///< as in the model
-  std::vector<std::vector<BranchState>> branches;  ///< [reeving][branch], branch k from node k on
-  std::vector<std::vector<bool>> touched;          ///< [reeving][node]: false where the rope has lifted off
+  std::vector<Pose> bodies;                         ///< as in the model
+  std::vector<std::vector<BranchState>> branches;   ///< [reeving][branch], branch k from node k on
+  std::vector<std::vector<bool>> touched;           ///< [reeving][node]: false where the rope has lifted off
+  std::vector<std::vector<PieceState>> beams = {};  ///< [beam][piece]
 };
 
 /// As described: bodies where they are given, each rope straight from round to round; what its given length leaves

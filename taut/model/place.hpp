@@ -1,0 +1,15 @@
+#pragma once
+#include "taut/math/vector.hpp"
+
+namespace taut::model {
+
+/// Not a body: fixed to the ground frame.
+inline constexpr int ground = -1;
+
+/// A point of a body, or of the ground.
+struct Place {
+  int body = ground;
+  Vector3 at = Vector3::Zero();  ///< in the body's frame (ground: in the ground frame), m
+};
+
+}  // namespace taut::model

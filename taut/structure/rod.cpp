@@ -1,0 +1,174 @@
+#include "taut/structure/rod.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::structure {
+namespace {
+
+using Rates = Eigen::Matrix<double, 12, 12>;
+
+/// What is integrated: second order: the quaternion of the section; first order: `turn`.
+struct Packed {
+  Vector3 place, turn, force, moment;
+  Eigen::Vector4d q;  ///< w, x, y, z
+};
+
+Packed operator+(const Packed& a, const Packed& b) {
+  return {a.place + b.place, a.turn + b.turn, a.force + b.force, a.moment + b.moment, a.q + b.q};
+}
+Packed operator*(double f, const Packed& a) { return {f * a.place, f * a.turn, f * a.force, f * a.moment, f * a.q}; }
+
+Eigen::Quaterniond quaternion(const Eigen::Vector4d& q) { return {q[0], q[1], q[2], q[3]}; }
+
+Eigen::Vector4d product(const Eigen::Vector4d& q, const Vector3& half_spin) {
+  const Eigen::Quaterniond r = quaternion(q) * Eigen::Quaterniond(0, half_spin.x(), half_spin.y(), half_spin.z());
+  return {r.w(), r.x(), r.y(), r.z()};
+}
+
+/// Curvatures by moments, in the section's own axes.
+Vector3 compliance(const BeamSection& b) { return {1 / b.EI_y, 1 / b.EI_x, 1 / b.GJ}; }
+
+/// Curvature as built, in the section's own axes, 1/m.
+Vector3 built_curvature(const Bow& bow, double s) {
+  const double by_length = -bow.angle * std::numbers::pi / bow.length * std::sin(std::numbers::pi * s / bow.length);
+  return by_length * Vector3(-bow.towards.y(), bow.towards.x(), 0);
+}
+
+/// The equation of one order at one place: the rate of the state, and, with `variation`, that of its derivatives.
+class Equation {
+ public:
+  Equation(const RodPiece& piece, const Matrix3& start_axes)
+      : piece_(piece), chord_(piece.bow.axes(Matrix3::Identity(), piece.from).transpose()), start_(start_axes) {}
+
+  Packed rate(double s, const Packed& p, const Rates* variation, Rates* variation_rate) const {
+    return piece_.order == BeamOrder::second ? second(s, p, variation, variation_rate)
+                                             : first(s, p, variation, variation_rate);
+  }
+
+  /// First order: axes as built at s.
+  Matrix3 built(double s) const { return piece_.bow.axes(start_ * chord_, s); }
+
+ private:
+  Packed second(double s, const Packed& p, const Rates* v, Rates* v_rate) const {
+    const BeamSection& b = piece_.section;
+    const Matrix3 R = quaternion(p.q).normalized().toRotationMatrix();
+    const Vector3 c = compliance(b), d = R.col(2);
+    const double stretch = p.force.dot(d) / b.EA;
+    const Vector3 along = (1 + stretch) * d;
+    const Vector3 curvature = c.cwiseProduct(R.transpose() * p.moment) + built_curvature(piece_.bow, s);
+    if (v != nullptr) {
+      const auto turn = v->middleRows<3>(3), force = v->middleRows<3>(6), moment = v->bottomRows<3>();
+      const Matrix3 D = -cross(d);  // of d by a turn
+      const Matrix3 by_turn = (1 + stretch) * D + d * (p.force.transpose() * D) / b.EA;
+      const Matrix3 C = R * c.asDiagonal() * R.transpose();
+      v_rate->topRows<3>() = by_turn * turn + d * (d.transpose() * force) / b.EA;
+      v_rate->middleRows<3>(3) = C * (moment + cross(p.moment) * turn);
+      v_rate->middleRows<3>(6).setZero();
+      v_rate->bottomRows<3>() = cross(p.force) * v_rate->topRows<3>() - cross(along) * force;
+    }
+    return {along, Vector3::Zero(), b.weight * up(), p.force.cross(along), product(p.q, curvature / 2)};
+  }
+
+  Packed first(double s, const Packed& p, const Rates* v, Rates* v_rate) const {
+    const BeamSection& b = piece_.section;
+    const Matrix3 A = built(s);
+    const Vector3 d = A.col(2);
+    const Matrix3 C = A * compliance(b).asDiagonal() * A.transpose();
+    const double stretch = p.force.dot(d) / b.EA;
+    if (v != nullptr) {
+      const auto turn = v->middleRows<3>(3), force = v->middleRows<3>(6), moment = v->bottomRows<3>();
+      v_rate->topRows<3>() = -cross(d) * turn + d * (d.transpose() * force) / b.EA;
+      v_rate->middleRows<3>(3) = C * moment;
+      v_rate->middleRows<3>(6).setZero();
+      v_rate->bottomRows<3>() = -cross(d) * force;
+      // columns of a turn of all axes as built
+      const Matrix3 D = -cross(d);
+      v_rate->topLeftCorner<3, 3>() += (1 + stretch) * D + cross(p.turn) * D + d * (p.force.transpose() * D) / b.EA;
+      v_rate->block<3, 3>(3, 0) += C * cross(p.moment) - cross(C * p.moment);
+      v_rate->block<3, 3>(9, 0) += cross(p.force) * D;
+    }
+    return {(1 + stretch) * d + p.turn.cross(d), C * p.moment, b.weight * up(), p.force.cross(d),
+            Eigen::Vector4d::Zero()};
+  }
+
+  const RodPiece& piece_;
+  Matrix3 chord_;  ///< from the axes at the piece's start to those of the beam's chord
+  Matrix3 start_;
+};
+
+RodState unpack(const RodPiece& piece, const Equation& equation, double s, const Packed& p) {
+  RodState state{p.place, Matrix3::Identity(), p.turn, p.force, p.moment};
+  state.axes = piece.order == BeamOrder::second ? quaternion(p.q).normalized().toRotationMatrix() : equation.built(s);
+  return state;
+}
+
+RodState integrate(const RodPiece& piece, const RodState& start, std::vector<RodState>* each, Rates* v) {
+  expects(piece.steps > 0 && piece.to > piece.from, "a piece has a length and at least one step");
+  const Equation equation(piece, start.axes);
+  const double h = (piece.to - piece.from) / piece.steps;
+  const Eigen::Quaterniond q(start.axes);
+  Packed p{start.place, start.turn, start.force, start.moment, {q.w(), q.x(), q.y(), q.z()}};
+  Rates v1, v2, v3, v4, next;
+  for (int i = 0; i < piece.steps; ++i) {
+    const double s = piece.from + i * h;
+    const Packed k1 = equation.rate(s, p, v, &v1);
+    if (v != nullptr) next = *v + h / 2 * v1;
+    const Packed k2 = equation.rate(s + h / 2, p + h / 2 * k1, v != nullptr ? &next : nullptr, &v2);
+    if (v != nullptr) next = *v + h / 2 * v2;
+    const Packed k3 = equation.rate(s + h / 2, p + h / 2 * k2, v != nullptr ? &next : nullptr, &v3);
+    if (v != nullptr) next = *v + h * v3;
+    const Packed k4 = equation.rate(s + h, p + h * k3, v != nullptr ? &next : nullptr, &v4);
+    p = p + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    if (v != nullptr) *v += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+    if (each != nullptr) each->push_back(unpack(piece, equation, s + h, p));
+  }
+  return unpack(piece, equation, piece.to, p);
+}
+
+}  // namespace
+
+double Bow::turn(double s) const { return angle == 0 ? 0 : angle * std::cos(std::numbers::pi * s / length); }
+
+Matrix3 Bow::axes(const Matrix3& chord, double s) const {
+  if (angle == 0) return chord;
+  const Vector3 about(-towards.y(), towards.x(), 0);
+  return chord * Eigen::AngleAxisd(turn(s), about).toRotationMatrix();
+}
+
+RodState along(const RodPiece& piece, const RodState& start, std::vector<RodState>* each) {
+  return integrate(piece, start, each, nullptr);
+}
+
+RodState along(const RodPiece& piece, const RodState& start, RodRates& rates) {
+  rates.setZero();
+  rates.block<3, 3>(3, 3).setIdentity();
+  rates.block<3, 3>(6, 6).setIdentity();
+  rates.block<3, 3>(9, 9).setIdentity();
+  const RodState end = integrate(piece, start, nullptr, &rates);
+  if (piece.order == BeamOrder::second) rates.leftCols<3>() = rates.middleCols<3>(3);
+  return end;
+}
+
+SectionForces section_forces(const RodState& state) {
+  return section_forces(BeamState{state.place, state.axes, state.force, state.moment});
+}
+
+Matrix3 cross(const Vector3& a) {
+  Matrix3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
+Vector3 sine_vector(const Matrix3& Q) {
+  return {(Q(2, 1) - Q(1, 2)) / 2, (Q(0, 2) - Q(2, 0)) / 2, (Q(1, 0) - Q(0, 1)) / 2};
+}
+
+Matrix3 sine_by_left(const Matrix3& Q) { return (Q.trace() * Matrix3::Identity() - Q) / 2; }
+
+Matrix3 sine_by_right(const Matrix3& Q) { return (Q.trace() * Matrix3::Identity() - Q.transpose()) / 2; }
+
+}  // namespace taut::structure
