@@ -60,4 +60,25 @@ TEST(Beam, CantileverOfFirstOrderDoesNotKnowItsAxialForce) {
   }
 }
 
+double euler(const structure::BeamSection& b, double length) { return std::pow(std::numbers::pi / length, 2) * b.EI_x; }
+
+TEST(Beam, CriticalFactorIsEulers) {
+  const structure::BeamSection tube = structure::tube_section(0.508, 0.016);
+  for (const BeamOrder order : {BeamOrder::first, BeamOrder::second}) {
+    for (const double share : {0.1, 0.5, 0.98}) {
+      const double N = share * euler(tube, 16);
+      const auto r = analysis::equilibrium(cantilever(order, {10, 0, -N}, 1e4));
+      ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+      EXPECT_NEAR(r.beams[0].critical_factor, 1 / share, 1e-4 / share);
+      EXPECT_NEAR(r.beams[0].compression, N, 1e-3 * N);
+    }
+    const auto pulled = analysis::equilibrium(cantilever(order, {10, 0, 1e6}));
+    ASSERT_TRUE(pulled.outcome.ok());
+    EXPECT_TRUE(std::isinf(pulled.beams[0].critical_factor));
+    const auto r = analysis::equilibrium(cantilever(order, {0, 0, -1.05 * euler(tube, 16)}));
+    EXPECT_EQ(r.outcome.status, taut::Status::infeasible);
+    EXPECT_NE(r.outcome.message.find("buckles"), std::string::npos) << r.outcome.message;
+  }
+}
+
 }  // namespace

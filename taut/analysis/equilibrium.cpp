@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
@@ -275,7 +276,10 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
     if (!why.empty()) result.outcome = taut::infeasible(why);
     return result;
   }
-  fill_tables({model, s.layout, options.prescribed ? options.prescribed->x : 0}, s.c, s.e, result.state, result);
+  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  fill_tables(system, s.c, s.e, result.state, result);
+  result.outcome = check_beams(system, s.c, result.beams);
+  if (!result.outcome.ok()) return result;
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
   if (band && has_losses(model)) {
     result.band = true;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/analysis/beam_result.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/model/model.hpp"
 #include "taut/model/state.hpp"
@@ -89,6 +90,7 @@ struct EquilibriumResult {
   std::vector<RopeResult> ropes;        ///< by reeving
   /// By body: force on the body by what holds it where it is not free, N; in free directions about 0.
   std::vector<Vector3> reactions;
+  std::vector<BeamResult> beams;   ///< as in the model
   Vector3 hold = Vector3::Zero();  ///< force that keeps a prescribed carriage without mainline in place, N
   Closure closure;
   bool band = false;  ///< whether the tensions' bands hold both directions of motion

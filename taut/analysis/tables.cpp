@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/beam_tables.hpp"
+
 namespace taut::analysis {
 namespace {
 
@@ -153,6 +155,7 @@ void fill_balance(const System& s, const Configuration& c, const Evaluation& e, 
     act(rope.nodes[at(link.to)].at.body, -rope.copies * b.pull_to);
     outside -= rope.copies * rope_of(rope, 1).weight * c.links[k].length * up();
   }
+  act_beams(s, c, act, outside);
   const auto dead = [&](int body, const Vector3& force) {
     on_body[at(body)] += force;
     outside += force;
@@ -182,6 +185,7 @@ void fill_tables(const System& s, const Configuration& c, const Evaluation& e, c
   fill_contacts(s, e, state, result);
   fill_ropes(s, e, result);
   fill_balance(s, c, e, result);
+  result.beams = beam_results(s, c);
   const Misfit m = misfit(s, e);
   result.closure.rope = m.length;
   for (const Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));

@@ -14,6 +14,7 @@ enum class BeamHold { clamped, hinged };
 /// A piece of a beam between two bodies (or the ground): no force acts between but its own weight.
 struct BeamPiece {
   structure::RodPiece rod;
+  int told_every = 1;  ///< steps of `rod` from one told section to the next; divides their number
   Place start, end;
   BeamHold start_hold = BeamHold::clamped, end_hold = BeamHold::clamped;
   /// The section as built, in the frames of the body at its start, of the one at its end, and of the body on which the
@@ -26,7 +27,6 @@ struct BeamPiece {
 struct Beam {
   std::string name;
   double length = 0;  ///< of its axis as built, m
-  int elements = 16;  ///< told sections, and steps of the integration at least
   std::vector<BeamPiece> pieces;
 };
 

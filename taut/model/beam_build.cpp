@@ -16,7 +16,7 @@ constexpr double same_station = 1e-6;  ///< of the length
 constexpr double strongest = 400e6;    ///< a stress, Pa
 constexpr double longest_decay = 5;    ///< of a piece, in lengths sqrt(EI/N) of decay
 constexpr int most_cuts = 24;
-constexpr int least_steps = 32;  ///< along the whole beam
+constexpr int least_steps = 48;  ///< along the whole beam
 
 Vector3 in_ground(const Model& m, const Place& place) {
   if (place.body == ground) return place.at;
@@ -111,7 +111,6 @@ void add_beam(Model& model, const StraightBeam& b) {
   Beam beam;
   beam.name = b.name;
   beam.length = length;
-  beam.elements = b.elements;
   structure::RodState section;  // as built, free of stress
   section.place = axis.start;
   section.axes = axis.bow.axes(axis.chord, 0);
@@ -120,7 +119,9 @@ void add_beam(Model& model, const StraightBeam& b) {
   for (const double end : ends) {
     BeamPiece piece;
     piece.rod = {b.section, axis.bow, b.order, from * length, end * length, 1};
-    piece.rod.steps = static_cast<int>(std::ceil(std::max(2 * b.elements, least_steps) * (end - from)));
+    const double elements = std::ceil(b.elements * (end - from) - 1e-9);
+    piece.told_every = static_cast<int>(std::max(2.0, std::ceil(least_steps * (end - from) / elements)));
+    piece.rod.steps = piece.told_every * static_cast<int>(elements);
     piece.start = start;
     piece.start_axes = in_body(model, start.body, section.axes);
     piece.reference = b.from.body;
