@@ -5,37 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/base/expects.hpp"
+#include "taut/analysis/branch_force.hpp"
 
 namespace taut::analysis {
 namespace {
 
-constexpr int most_steps = 60;
+constexpr int most_steps = 30;
 constexpr double settled = 1e-14;  ///< of the size, for tangent points
 constexpr double closes = 1e-10;
 constexpr double nearly = 2e-2;  ///< of the chord: one step of the span is enough
 constexpr double steep = 1e-3;   ///< x/z of a span that is solved in its own way
 
-Matrix3 cross_matrix(const Vector3& a) {
-  Matrix3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
-
 /// Projection across a unit vector: d(v/|v|)/dv times |v|.
 Matrix3 across(const Vector3& d) { return Matrix3::Identity() - d * d.transpose(); }
-
-Vector3 offset(const BranchEnd& end, const Vector3& direction) {
-  if (end.radius == 0) return Vector3::Zero();
-  return end.radius * direction.cross(end.axis).normalized();
-}
-
-Matrix3 offset_rate(const BranchEnd& end, const Vector3& direction) {
-  if (end.radius == 0) return Matrix3::Zero();
-  const Vector3 m = direction.cross(end.axis);
-  const double size = m.norm();
-  return -end.radius / size * across(m / size) * cross_matrix(end.axis);
-}
 
 /// Derivatives by the chord and the length, tangent points apart.
 struct SpanRates {
@@ -153,72 +135,130 @@ SpanRates span_rates(const rope::CatenaryRope& rope, const Branch& b) {
   return rope.weight > 0 ? sagging_rates(b) : straight_rates(rope, b);
 }
 
+/// How far chord and length move away from what their own tangent points leave, by chord and length.
+Eigen::Matrix4d tangent_rates(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to,
+                              const Branch& b) {
+  const SpanRates r = span_rates(rope, b);
+  const Matrix3 N0 = tangent_offset_rate(from, b.leaves), N1 = tangent_offset_rate(to, b.arrives);
+  const Vector3 arc0 = arc_rate(from, b.leaves, true), arc1 = arc_rate(to, b.arrives, false);
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() += N0 * r.leaves - N1 * r.arrives;
+  m.topRightCorner<3, 1>() = N0 * r.leaves_L - N1 * r.arrives_L;
+  m.bottomLeftCorner<1, 3>() = arc0.transpose() * r.leaves + arc1.transpose() * r.arrives;
+  m(3, 3) += arc0.dot(r.leaves_L) + arc1.dot(r.arrives_L);
+  return m;
+}
+
 }  // namespace
 
-tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
-                                                    const BranchEnd& to, const model::BranchState& start) {
+namespace {
+
+/// Closes chord, tangent points and free length, from `start`.
+std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& from, const BranchEnd& to,
+                                      const BranchDirections& free, const model::BranchState& start, Branch& b) {
   const Vector3 X = to.centre - from.centre;
   const bool round = from.radius != 0 || to.radius != 0;
-  Branch b;
+  const double given = rope.length;
   b.chord = X;
-  if (round && start.leaves != Vector3::Zero() && start.arrives != Vector3::Zero()) {
-    b.chord += offset(to, start.arrives) - offset(from, start.leaves);
+  if (round) {
+    b.chord += tangent_offset(to, start.arrives) - tangent_offset(from, start.leaves);
+    rope.length = start.length;
   }
   const double size = X.norm() + std::abs(from.radius) + std::abs(to.radius);
   auto force = start.force;
   for (int step = 0; step < most_steps; ++step) {
     rope::NoCatenary why{};
     // a step of the solver, or of the chord, that went out of all bounds
-    if (!b.chord.allFinite()) return tl::unexpected(rope::NoCatenary::not_converged);
+    if (!b.chord.allFinite() || !(rope.length > 0)) return rope::NoCatenary::not_converged;
+    b.length = rope.length;
     if (rope.weight == 0) {
       solve_straight(rope, b);
     } else if (!solve_sagging(rope, b, force, why)) {
-      return tl::unexpected(why);
+      return why;
     }
     force = b.span.force;
     if (!round) break;
-    b.offset_from = offset(from, b.leaves);
-    b.offset_to = offset(to, b.arrives);
-    const Vector3 open = X + b.offset_to - b.offset_from - b.chord;
+    b.offset_from = tangent_offset(from, b.leaves);
+    b.offset_to = tangent_offset(to, b.arrives);
+    Eigen::Vector4d open;
+    open << X + b.offset_to - b.offset_from - b.chord,
+        given - arcs_between(from, to, free, {b.leaves, b.arrives}) - rope.length;
     b.closure = open.norm();
     if (b.closure <= settled * size) break;
-    if (!std::isfinite(b.closure)) return tl::unexpected(rope::NoCatenary::not_converged);
-    const SpanRates r = span_rates(rope, b);
-    const Matrix3 m =
-        Matrix3::Identity() - offset_rate(to, b.arrives) * r.arrives + offset_rate(from, b.leaves) * r.leaves;
-    b.chord += m.inverse() * open;
+    if (!std::isfinite(b.closure)) return rope::NoCatenary::not_converged;
+    const Eigen::Vector4d by = tangent_rates(rope, from, to, b).inverse() * open;
+    b.chord += by.head<3>();
+    rope.length += by[3];
   }
-  if (!(b.closure <= closes * size)) return tl::unexpected(rope::NoCatenary::not_converged);
+  if (!(b.closure <= closes * size)) return rope::NoCatenary::not_converged;
   b.closure += b.span.closure;
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
+                                                    const BranchEnd& to, const model::BranchState& start) {
+  Branch b;
+  const bool round = from.radius != 0 || to.radius != 0;
+  model::BranchState near = start;
+  near.length = rope.length;
+  const bool known = start.leaves != Vector3::Zero() && start.arrives != Vector3::Zero();
+  BranchDirections free{start.leaves, start.arrives};
+  if (round && !known) {
+    free = straight_directions(from, to);
+    near.leaves = free.leaves;
+    near.arrives = free.arrives;
+  }
+  const auto no = close(rope, from, to, free, near, b);
+  if (!no) return b;
+  if (!round || rope.weight == 0 || !to.centre.allFinite() || !from.centre.allFinite()) return tl::unexpected(*no);
+  const auto at = branch_force(rope, from, to, free);
+  if (!at) return tl::unexpected(*no);
+  const Vector3 half = rope.weight * at->length / 2 * up();
+  near = {at->length, (at->force - half).normalized(), (at->force + half).normalized(),
+          rope::CatenaryForce{std::hypot(at->force.x(), at->force.y()), at->force.z()}};
+  b = {};
+  if (close(rope, from, to, free, near, b)) return tl::unexpected(*no);
   return b;
 }
 
 BranchRates rates(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to, const Branch& b) {
   const SpanRates s = span_rates(rope, b);
   BranchRates r;
-  r.pull_X = s.pull;
+  r.pull_from_X = r.pull_to_X = s.pull;
   r.leaves_X = s.leaves;
   r.arrives_X = s.arrives;
-  r.pull_from_L = s.pull_from_L;
-  r.pull_to_L = s.pull_to_L;
-  r.leaves_L = s.leaves_L;
-  r.arrives_L = s.arrives_L;
+  r.pull_from_u = s.pull_from_L;
+  r.pull_to_u = s.pull_to_L;
+  r.leaves_u = s.leaves_L;
+  r.arrives_u = s.arrives_L;
   if (from.radius == 0 && to.radius == 0) return r;
-  // the chord follows its own tangent points: M dchord = dX + l dL
-  const Matrix3 N0 = offset_rate(from, b.leaves), N1 = offset_rate(to, b.arrives);
-  const Matrix3 chord_X = (Matrix3::Identity() - N1 * s.arrives + N0 * s.leaves).inverse();
-  const Vector3 chord_L = chord_X * (N1 * s.arrives_L - N0 * s.leaves_L);
-  r.pull_X = s.pull * chord_X;
-  r.leaves_X = s.leaves * chord_X;
-  r.arrives_X = s.arrives * chord_X;
-  r.pull_from_L += s.pull * chord_L;
-  r.pull_to_L += s.pull * chord_L;
-  r.leaves_L += s.leaves * chord_L;
-  r.arrives_L += s.arrives * chord_L;
+  // chord and length follow their own tangent points: M (dchord, dL) = (dX, du)
+  const Eigen::Matrix4d follow = tangent_rates(rope, from, to, b).inverse();
+  const Matrix3 chord_X = follow.topLeftCorner<3, 3>();
+  const Vector3 chord_u = follow.topRightCorner<3, 1>();
+  r.length_X = follow.bottomLeftCorner<1, 3>().transpose();
+  r.length_u = follow(3, 3);
+  const auto by_X = [&](const Matrix3& chord, const Vector3& length) -> Matrix3 {
+    return chord * chord_X + length * r.length_X.transpose();
+  };
+  const auto by_u = [&](const Matrix3& chord, const Vector3& length) -> Vector3 {
+    return chord * chord_u + length * r.length_u;
+  };
+  r.pull_from_X = by_X(s.pull, s.pull_from_L);
+  r.pull_to_X = by_X(s.pull, s.pull_to_L);
+  r.leaves_X = by_X(s.leaves, s.leaves_L);
+  r.arrives_X = by_X(s.arrives, s.arrives_L);
+  r.pull_from_u = by_u(s.pull, s.pull_from_L);
+  r.pull_to_u = by_u(s.pull, s.pull_to_L);
+  r.leaves_u = by_u(s.leaves, s.leaves_L);
+  r.arrives_u = by_u(s.arrives, s.arrives_L);
+  const Matrix3 N0 = tangent_offset_rate(from, b.leaves), N1 = tangent_offset_rate(to, b.arrives);
   r.offset_from_X = N0 * r.leaves_X;
   r.offset_to_X = N1 * r.arrives_X;
-  r.offset_from_L = N0 * r.leaves_L;
-  r.offset_to_L = N1 * r.arrives_L;
+  r.offset_from_u = N0 * r.leaves_u;
+  r.offset_to_u = N1 * r.arrives_u;
   return r;
 }
 

@@ -22,6 +22,7 @@ struct Branch {
   Vector3 pull_from = Vector3::Zero(), pull_to = Vector3::Zero();      ///< tension at the ends, along the path, N
   Vector3 leaves = Vector3::UnitX(), arrives = Vector3::UnitX();       ///< unit vectors along the path there
   double T_from = 0, T_to = 0;                                         ///< N
+  double length = 0;                                                   ///< unstretched, m
   bool slack = false;
   double closure = 0;  ///< m
   rope::Span span;     ///< of a rope with weight
@@ -29,19 +30,25 @@ struct Branch {
   std::optional<rope::CatenaryStiffness> stiffness;
 };
 
-/// Derivatives of a branch, by X, the vector from centre to centre (axes kept), and by the unstretched length L.
-/// The pulls at both ends have the same derivative by X: they differ by the rope's weight.
+/// Derivatives of a branch, by X, the vector from centre to centre (axes kept), and by the rope that is fed into it, u:
+/// what its free length and the arcs up to a fixed direction on each round take up together. The pulls differ by the
+/// rope's weight.
 struct BranchRates {
-  Matrix3 pull_X = Matrix3::Zero();
+  Matrix3 pull_from_X = Matrix3::Zero(), pull_to_X = Matrix3::Zero();
   Matrix3 leaves_X = Matrix3::Zero(), arrives_X = Matrix3::Zero();
   Matrix3 offset_from_X = Matrix3::Zero(), offset_to_X = Matrix3::Zero();
-  Vector3 pull_from_L = Vector3::Zero(), pull_to_L = Vector3::Zero();
-  Vector3 leaves_L = Vector3::Zero(), arrives_L = Vector3::Zero();
-  Vector3 offset_from_L = Vector3::Zero(), offset_to_L = Vector3::Zero();
+  Vector3 pull_from_u = Vector3::Zero(), pull_to_u = Vector3::Zero();
+  Vector3 leaves_u = Vector3::Zero(), arrives_u = Vector3::Zero();
+  Vector3 offset_from_u = Vector3::Zero(), offset_to_u = Vector3::Zero();
+  Vector3 length_X = Vector3::Zero();  ///< a row
+  double length_u = 1;
 };
 
 /// The branch of `rope` between two ends. Where an end has a radius, the tangent point follows the direction of the
-/// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `start`: nearby. A
+/// sagging rope itself, r (d x a)/|d x a| from the centre: a Newton iteration around the span's. `rope.length` is what
+/// is free while the rope leaves and arrives as `start` says (unknown: along the straight tangent line); what lies on
+/// the rounds beyond those directions is taken from it. (With the free length itself given, a rope that sags over large
+/// rounds has two shapes or none: sag draws rope onto the rounds about as fast as it needs more of it.) A
 /// span that its start's force closes to 2 % of the chord gets one Newton step, and what was open counts as closure:
 /// an iteration that asks again closes it quadratically, together with all else. too_short as of a span; not_converged
 /// also where the rounds leave no line.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/analysis/beam_tables.hpp"
+#include "taut/analysis/first_state.hpp"
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
@@ -266,7 +267,7 @@ void add_band(const model::Model& model, const EquilibriumOptions& options, Equi
 EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
                               const std::optional<model::State>& start) {
   EquilibriumResult result;
-  result.state = start ? *start : model::initial_state(model);
+  result.state = start ? *start : first_state(model, options);
   const Flow flow = options.flow.empty() ? flow_of(model, options.motion) : options.flow;
   const Solved s = solve_touching(model, result.state, options, flow);
   result.outcome = s.outcome;

@@ -32,7 +32,9 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
     const Vector3 turn = way.about.cross(arm);
     const Vector3 shift = offset_change(end, start ? b.leaves : b.arrives, way.about.cross(end.axis));
     const Vector3 X = (start ? -1 : 1) * (way.along + turn + shift);
-    columns.pull_from[at(k)] = columns.pull_to[at(k)] = r.pull_X * X;
+    columns.pull_from[at(k)] = r.pull_from_X * X;
+    columns.pull_to[at(k)] = r.pull_to_X * X;
+    columns.length[at(k)] = r.length_X.dot(X);
     columns.leaves[at(k)] = r.leaves_X * X;
     columns.arrives[at(k)] = r.arrives_X * X;
     columns.arm_from[at(k)] = r.offset_from_X * X;
@@ -55,12 +57,13 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   add_columns_of_end(a, b, r, end, false, columns);
   const std::size_t k = at(columns.count++);
   columns.unknown[k] = link.unknown;
-  columns.pull_from[k] = r.pull_from_L;
-  columns.pull_to[k] = r.pull_to_L;
-  columns.leaves[k] = r.leaves_L;
-  columns.arrives[k] = r.arrives_L;
-  columns.arm_from[k] = r.offset_from_L;
-  columns.arm_to[k] = r.offset_to_L;
+  columns.length[k] = r.length_u;
+  columns.pull_from[k] = r.pull_from_u;
+  columns.pull_to[k] = r.pull_to_u;
+  columns.leaves[k] = r.leaves_u;
+  columns.arrives[k] = r.arrives_u;
+  columns.arm_from[k] = r.offset_from_u;
+  columns.arm_to[k] = r.offset_to_u;
 }
 
 /// Rows of a body's freedoms from a force F with arm and their derivatives.
@@ -161,6 +164,12 @@ void add_contact(Assembly& a, int turn) {
   add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_wrap);
 }
 
+/// The free length of a branch in a row.
+void add_length(Assembly& a, int link, int row) {
+  const Columns& columns = a.columns[at(link)];
+  for (std::size_t k = 0; k < at(columns.count); ++k) a.J(row, columns.unknown[k]) += columns.length[k];
+}
+
 /// The end tension of a rope as a row.
 void add_tension(Assembly& a, int link, bool start, int row) {
   const Columns& columns = a.columns[at(link)];
@@ -183,12 +192,12 @@ void add_laws(Assembly& a) {
         add_contact(a, t);
         continue;
       }
-      for (int k = rope.first; k < turn.after; ++k) a.J(turn.row, layout.links[at(k)].unknown) += 1;
+      for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
       for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
     }
     if (rope.row == layout.coordinate_row) continue;
     if (reeving.given == model::Given::length) {
-      for (int k = rope.first; k < rope.first + rope.count; ++k) a.J(rope.row, layout.links[at(k)].unknown) += 1;
+      for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, rope.row);
       for (int t = rope.first_turn; t < last; ++t) add_arc(a, t, rope.row);
     } else {
       const bool start = reeving.given == model::Given::tension_at_start;

@@ -140,6 +140,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
                                end_at(rope.nodes[at(link.to)], c.bodies), c.links[k]);
     if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
     e.branches[k] = *branch;
+    c.links[k].length = branch->length;
     c.links[k].leaves = branch->leaves;
     c.links[k].arrives = branch->arrives;
     if (rope.weight > 0) c.links[k].force = branch->span.force;
@@ -158,15 +159,19 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   return std::nullopt;
 }
 
-Change change_of(const System& s, const Configuration& c, const Evaluation& e,
+Change change_of(const System& /*system*/, const Configuration& c, const Evaluation& e,
                  const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step) {
   Change change{step, std::vector<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (!c.links[k].force) continue;
     Vector3 pull = Vector3::Zero();
-    for (int i = 0; i < columns[k].count; ++i) pull += columns[k].pull_from[at(i)] * step[columns[k].unknown[at(i)]];
+    double length = 0;
+    for (int i = 0; i < columns[k].count; ++i) {
+      pull += columns[k].pull_from[at(i)] * step[columns[k].unknown[at(i)]];
+      length += columns[k].length[at(i)] * step[columns[k].unknown[at(i)]];
+    }
     const rope::Span& span = e.branches[k].span;
-    const double half = span.rope.weight * step[s.layout.links[k].unknown] / 2;
+    const double half = span.rope.weight * length / 2;
     change.force[k] = {span.along.dot(pull), pull.z() + half};
   }
   return change;

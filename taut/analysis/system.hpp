@@ -47,6 +47,7 @@ struct BranchColumns {
   static constexpr int most = 13;
   int count = 0;
   std::array<int, most> unknown{};
+  std::array<double, most> length;  ///< free length, m/m
   std::array<Vector3, most> pull_from, pull_to, leaves, arrives;
   std::array<Vector3, most> arm_from, arm_to;  ///< tangent point seen from its body's origin
   int from_body = model::ground, to_body = model::ground;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "taut/base/expects.hpp"
 #include "taut/rope/tangent.hpp"
@@ -79,8 +80,9 @@ State initial_state(const Model& model) {
     }
     for (std::size_t k = reeving.closed ? 0 : 1; k < count; ++k) {
       const Node& node = reeving.nodes[k];
-      arcs += node.radius *
-              rope::wrap_angle(node.side, lines[(k + count - 1) % count].angle_to, lines[k].angle_from, node.turns);
+      double wrap = rope::wrap_angle(node.side, lines[(k + count - 1) % count].angle_to, lines[k].angle_from);
+      if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
+      arcs += node.radius * (wrap + 2 * std::numbers::pi * node.turns);
     }
     const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
     const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;

@@ -15,7 +15,9 @@ struct Pose {
 
 /// The free rope from one node to the next one that it touches.
 struct BranchState {
-  double length = 0;  ///< unstretched, at the rope's temperature, m; 0 where the node before is not touched
+  /// Unstretched, at the rope's temperature, m, with the directions below (unknown: straight); 0 where the node before
+  /// is not touched.
+  double length = 0;
   Vector3 leaves = Vector3::Zero(), arrives = Vector3::Zero();  ///< unit vectors along the path at its ends; 0: unknown
   std::optional<rope::CatenaryForce> force;                     ///< at its middle; none: unknown
 };
