@@ -202,14 +202,14 @@ Solved solve_touching(const model::Model& model, model::State& state, const Equi
 std::string pushes(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
-  if (carriage.mainline < 0) return {};
+  if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
   const model::Reeving& mainline = model.reevings[at(carriage.mainline)];
   model::Model without = model;
   Flow flow_without = flow;
   without.reevings.erase(without.reevings.begin() + carriage.mainline);
   flow_without.erase(flow_without.begin() + carriage.mainline);
   model::Carriage& rolls = without.carriages[at(options.prescribed->carriage)];
-  rolls.mainline = -1;
+  rolls.mainline = rolls.haulback = -1;
   rolls.reeving -= carriage.reeving > carriage.mainline ? 1 : 0;
   const model::State start = model::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);

@@ -14,11 +14,16 @@ namespace taut::analysis {
 /// flows by its `haul`; lower and out the other way. at_rest: no loss, and beside it the band between the two.
 enum class Motion { at_rest, hoist, lower, in, out };
 
-/// Where a carriage is to be. Its mainline's length (or given tension) follows from that; without mainline, the place
-/// of its clamp; rolling without mainline, a force along its track, which the result gives as `hold`.
+/// Where a carriage is to be. What holds it follows from that: of a clamped carriage the place of its clamp, of one
+/// that is fixed to a running rope the place of that grip; else its mainline's length or given tension (its haulback's
+/// length where the mainline's tension is given and the haulback's is not); else a force along its track, which the
+/// result gives as `hold`.
 struct Prescribed {
-  int carriage = 0;  ///< index in the model
-  double x = 0;      ///< of its body's origin, m
+  int carriage = 0;                  ///< index in the model
+  double x = 0;                      ///< of its body's origin, along `along`, m
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
+  std::optional<double> z =
+      std::nullopt;  ///< its height, m: the length or tension given of the rope it rides on follows
 };
 
 struct EquilibriumOptions {

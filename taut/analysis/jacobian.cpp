@@ -195,7 +195,7 @@ void add_laws(Assembly& a) {
       for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
       for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
     }
-    if (rope.row == layout.coordinate_row) continue;
+    if (rope.row == layout.coordinate_row || rope.row == layout.height_row) continue;
     if (reeving.given == model::Given::length) {
       for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, rope.row);
       for (int t = rope.first_turn; t < last; ++t) add_arc(a, t, rope.row);
@@ -211,14 +211,18 @@ void add_coordinate(Assembly& a) {
   if (layout.coordinate_row < 0) return;
   const int body = layout.coordinate_body;
   const int first = layout.first_dof[at(body)], last = layout.first_dof[at(body) + 1];
-  for (int i = first; i < last; ++i) a.J(layout.coordinate_row, i) = layout.dofs[at(i)].way.along.x();
+  for (int i = first; i < last; ++i)
+    a.J(layout.coordinate_row, i) = layout.dofs[at(i)].way.along.dot(layout.coordinate_along);
+  if (layout.height_row >= 0) {
+    for (int i = first; i < last; ++i) a.J(layout.height_row, i) = layout.dofs[at(i)].way.along.z();
+  }
   if (layout.hold < 0) return;
-  const Layout::Turn& t = layout.turns[at(layout.hold_turn)];
-  const Columns &in = a.columns[at(t.before)], &out = a.columns[at(t.after)];
+  const std::size_t before = at(layout.turns[at(layout.hold_turn)].before);
+  const std::size_t after = at(layout.turns[at(layout.hold_last)].after);
+  const Columns &in = a.columns[before], &out = a.columns[after];
   const Vector3 along = track(a.system, a.e);
-  const double size = (a.e.branches[at(t.before)].arrives + a.e.branches[at(t.after)].leaves).norm();
-  const model::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
-  const Vector3 arm = end_at(node, a.c.bodies).centre - a.c.bodies[at(body)].position;
+  const double size = (a.e.branches[before].arrives + a.e.branches[after].leaves).norm();
+  const Vector3 arm = hold_place(a.system, a.c) - a.c.bodies[at(body)].position;
   const auto add = [&](int unknown, const Vector3& d, const Vector3& darm) {
     const Vector3 turn = a.c.hold / size * (d - along * along.dot(d));
     for (int i = first; i < last; ++i) {

@@ -88,6 +88,14 @@ TEST(Jacobian, MatchesDifferencesForGivenTensionsWarmRopesAndCopies) {
   EXPECT_LT(worst_derivative(m, {}, 1e-5), 1e-7);
 }
 
+TEST(Jacobian, MatchesDifferencesForCarriagesThatPitch) {
+  analysis::Prescribed aside{0, 62, Vector3(0.8, 0.6, 0).normalized()};
+  EXPECT_LT(worst_derivative(rollers(1, 0, 0.4, 900), analysis::Prescribed{0, 60}, 1e-5), 1e-6);
+  EXPECT_LT(worst_derivative(rollers(3, 1.2, 0.4, 900), aside, 1e-7), 1e-6);
+  aside.z = 25;
+  EXPECT_LT(worst_derivative(rollers(2, 1.2, 0, 900), aside, 1e-7), 1e-6);
+}
+
 TEST(Jacobian, MatchesDifferencesForClampsAndClosedRopes) {
   model::Model m = with_carriage(false);
   m.reevings[0].nodes[2].kind = model::NodeKind::clamp;

@@ -48,19 +48,40 @@ void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vecto
   l.ropes.push_back(r);
 }
 
+int turn_at(const Layout& l, int reeving, int node) {
+  const auto turn = std::find_if(l.turns.begin(), l.turns.end(),
+                                 [&](const Layout::Turn& t) { return t.reeving == reeving && t.node == node; });
+  expects(turn != l.turns.end(), "a carriage rides on its rope");
+  return count(static_cast<std::size_t>(turn - l.turns.begin()));
+}
+
+/// The rope whose length or tension follows from a carriage's place; -1: none.
+int gives_way(const model::Model& model, const model::Carriage& carriage) {
+  const auto by_length = [&](int rope) { return model.reevings.at(at(rope)).given == model::Given::length; };
+  const bool both = carriage.mainline >= 0 && carriage.haulback >= 0;
+  if (both && !by_length(carriage.mainline) && by_length(carriage.haulback)) return carriage.haulback;
+  return carriage.mainline >= 0 ? carriage.mainline : carriage.haulback;
+}
+
 void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribed) {
   const model::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
-  const auto turn = std::find_if(l.turns.begin(), l.turns.end(), [&](const Layout::Turn& t) {
-    return t.reeving == carriage.reeving && t.node == carriage.node;
-  });
-  expects(turn != l.turns.end(), "a carriage rides on its rope");
+  const int turn = turn_at(l, carriage.reeving, carriage.node);
+  const int rope = gives_way(model, carriage);
   l.coordinate_body = carriage.body;
-  if (carriage.mainline >= 0) {
-    l.coordinate_row = l.ropes.at(at(carriage.mainline)).row;
-  } else if (model.reevings[at(turn->reeving)].nodes[at(turn->node)].kind == NodeKind::clamp) {
-    l.coordinate_row = turn->row;
+  l.coordinate_along = prescribed.along;
+  if (prescribed.z) {
+    l.height_row = l.ropes.at(at(carriage.reeving)).row;
+    l.height = *prescribed.z;
+  }
+  if (model.reevings[at(carriage.reeving)].nodes[at(carriage.node)].kind == NodeKind::clamp) {
+    l.coordinate_row = l.turns[at(turn)].row;
+  } else if (carriage.grip_reeving >= 0) {
+    l.coordinate_row = l.turns[at(turn_at(l, carriage.grip_reeving, carriage.grip_node))].row;
+  } else if (rope >= 0) {
+    l.coordinate_row = l.ropes.at(at(rope)).row;
   } else {
-    l.hold_turn = count(static_cast<std::size_t>(turn - l.turns.begin()));
+    l.hold_turn = turn;
+    l.hold_last = turn + carriage.rollers - 1;
     l.hold = l.coordinate_row = l.size++;
   }
 }

@@ -43,11 +43,14 @@ struct Layout {
   int size = 0;
   int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
   int coordinate_body = model::ground;
-  int hold = -1;        ///< unknown; -1: none
-  int hold_turn = -1;   ///< the turn along whose track it pulls
-  double heaviest = 0;  ///< largest weight or load, N: a scale
-  double length = 0;    ///< longest span, m: a scale
-  double stiffest = 0;  ///< largest finite EA of a rope, N
+  Vector3 coordinate_along = Vector3::UnitX();  ///< along which the coordinate is measured
+  int height_row = -1;                          ///< where its height is prescribed: its rope's row; -1: nowhere
+  double height = 0;                            ///< m
+  int hold = -1;                                ///< unknown; -1: none
+  int hold_turn = -1, hold_last = -1;           ///< the first and last turn along whose track it pulls
+  double heaviest = 0;                          ///< largest weight or load, N: a scale
+  double length = 0;                            ///< longest span, m: a scale
+  double stiffest = 0;                          ///< largest finite EA of a rope, N
 };
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.

@@ -57,6 +57,25 @@ void add_supports(const model::Model& model, const PayloadLimits& limits, const 
 
 }  // namespace
 
+namespace {
+
+/// The spans in a frame whose x is the terrain's.
+std::vector<SpanResult> seen_along_terrain(const model::Model& model, std::vector<SpanResult> spans) {
+  const Vector3& along = model.terrain_along;
+  if (along == Vector3::UnitX() && model.terrain_from == Vector3::Zero()) return spans;
+  const Vector3 aside(-along.y(), along.x(), 0);
+  const auto turned = [&](const Vector3& v) { return Vector3(v.dot(along), v.dot(aside), v.z()); };
+  for (SpanResult& span : spans) {
+    span.start = turned(span.start - model.terrain_from);
+    span.end = turned(span.end - model.terrain_from);
+    span.shape.along = turned(span.shape.along);
+    span.shape.chord = turned(span.shape.chord);
+  }
+  return spans;
+}
+
+}  // namespace
+
 std::vector<LimitState> limits_at(const model::Model& model, int body, const PayloadLimits& limits,
                                   const EquilibriumResult& r) {
   std::vector<LimitState> all;
@@ -71,14 +90,15 @@ std::vector<LimitState> limits_at(const model::Model& model, int body, const Pay
   }
   for (const EndLimit& end : limits.ends) all.push_back(pull_at(r, end));
   const Vector3& place = r.state.bodies[at(body)].position;
-  const double clearance = place.z() - ground_height(model.terrain, place.x());
+  const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
   if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {
     all.push_back({LimitKind::clearance, -1, -1, clearance, limits.clearance,
                    length_margin(clearance - limits.clearance, place.z())});
   }
   for (std::size_t k = 0; k < limits.rope_clearance.size(); ++k) {
     if (!std::isfinite(limits.rope_clearance[k])) continue;
-    const Lowest low = rope_clearance(model.terrain, r.spans, static_cast<int>(k), limits.rope_from, limits.rope_to);
+    const Lowest low = rope_clearance(model.terrain, seen_along_terrain(model, r.spans), static_cast<int>(k),
+                                      limits.rope_from, limits.rope_to);
     if (!std::isfinite(low.clearance)) continue;
     all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, low.clearance, limits.rope_clearance[k],
                    length_margin(low.clearance - limits.rope_clearance[k], place.z())});

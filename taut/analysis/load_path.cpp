@@ -67,11 +67,12 @@ LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
     LoadPathPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     EquilibriumOptions here = options.equilibrium;
-    here.prescribed = Prescribed{options.carriage, point.x};
+    here.prescribed = Prescribed{options.carriage, point.x, options.along};
     point.at = equilibrium(model, here, ahead(path.points));
     if (point.at.outcome.ok()) {
-      point.z = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position.z();
-      point.clearance = point.z - ground_height(model.terrain, point.x);
+      const Vector3& place = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position;
+      point.z = place.z();
+      point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     } else if (path.outcome.ok()) {
       path.outcome = {point.at.outcome.status,
                       fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};

@@ -9,8 +9,9 @@ namespace taut::analysis {
 /// A carriage moved along its line, at equal steps of x.
 struct LoadPathOptions {
   int carriage = 0;
-  double from = 0, to = 0;  ///< x of the carriage's body, m, either order
-  int steps = 1;            ///< intervals, >= 1: steps + 1 positions
+  double from = 0, to = 0;           ///< x of the carriage's body along `along`, m, either order
+  int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   EquilibriumOptions equilibrium;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/model/carriages.hpp"
 #include "taut/model/model.hpp"
 
 /// Machines built by code, for the tests of the analyses.
@@ -90,6 +91,25 @@ inline model::Model with_carriage(bool mainline, double friction = 0.1, double m
   m.carriages.push_back({"car", 0, 0, 2, mainline ? 1 : -1});
   if (mainline)
     m.reevings.push_back(reeve("mainline", {anchor("winch", {300, 0, 82}), anchor_on("car", 0)}, 158, 5, 5e6));
+  return m;
+}
+
+/// A single span with a carriage of `rollers`, its mass and load at its origin below them.
+inline model::Model rollers(int count, double wheelbase, double height, double mass, double rise = 30) {
+  model::Model m;
+  model::Body car = body("car", {60, 0, 10}, mass, "xyz");
+  if (count > 1 || height > 0) car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
+  model::turn_along(car, {150, 0, rise});
+  m.bodies.push_back(car);
+  std::vector<model::Node> nodes{anchor("head", {0, 0, 20})};
+  for (int i = 0; i < count; ++i) {
+    const double forward = count > 1 ? wheelbase * (i / (count - 1.0) - 0.5) : 0;
+    nodes.push_back(over("car", {forward, 0, height}, 0));
+    nodes.back().support = -Vector3::UnitZ();
+  }
+  nodes.push_back(anchor("tail", {150, 0, 20 + rise}));
+  m.reevings.push_back(reeve("skyline", nodes, 160 + rise * rise / 300, 18, 26e6));
+  m.carriages.push_back({"car", 0, 0, 1, -1, count});
   return m;
 }
 

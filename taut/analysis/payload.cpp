@@ -118,13 +118,14 @@ std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadL
     PayloadPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     EquilibriumOptions here = options.equilibrium;
-    here.prescribed = Prescribed{options.carriage, point.x};
+    here.prescribed = Prescribed{options.carriage, point.x, options.along};
     point.payload = payload(model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
       start = point.payload.at.state;
       expected = point.payload.mass;
-      point.z = start->bodies[at(carriage.body)].position.z();
-      point.clearance = point.z - ground_height(model.terrain, point.x);
+      const Vector3& place = start->bodies[at(carriage.body)].position;
+      point.z = place.z();
+      point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     }
     points.push_back(std::move(point));
   }

@@ -94,10 +94,10 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
 void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
   if (s.layout.coordinate_row < 0) return;
   const int body = s.layout.coordinate_body;
-  e.residual[s.layout.coordinate_row] = c.bodies[at(body)].position.x() - s.coordinate;
+  e.residual[s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[at(body)].position) - s.coordinate;
+  if (s.layout.height_row >= 0) e.residual[s.layout.height_row] = c.bodies[at(body)].position.z() - s.layout.height;
   if (s.layout.hold < 0) return;
-  const model::Node& node = node_of(s, s.layout.turns[at(s.layout.hold_turn)]);
-  add_force(s, c, body, end_at(node, c.bodies).centre, c.hold * track(s, e), e.residual);
+  add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
 
 }  // namespace
@@ -124,8 +124,14 @@ double arc(const System& s, const Evaluation& e, int turn) {
 }
 
 Vector3 track(const System& s, const Evaluation& e) {
-  const Layout::Turn& t = s.layout.turns[at(s.layout.hold_turn)];
-  return (e.branches[at(t.before)].arrives + e.branches[at(t.after)].leaves).normalized();
+  const int before = s.layout.turns[at(s.layout.hold_turn)].before;
+  const int after = s.layout.turns[at(s.layout.hold_last)].after;
+  return (e.branches[at(before)].arrives + e.branches[at(after)].leaves).normalized();
+}
+
+Vector3 hold_place(const System& s, const Configuration& c) {
+  const auto place = [&](int turn) { return end_at(node_of(s, s.layout.turns[at(turn)]), c.bodies).centre; };
+  return (place(s.layout.hold_turn) + place(s.layout.hold_last)) / 2;
 }
 
 std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& e) {
@@ -216,7 +222,8 @@ Misfit misfit(const System& s, const Evaluation& e) {
   }
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
     const int row = s.layout.ropes[r].row;
-    s.model.reevings[r].given == model::Given::length || row == s.layout.coordinate_row ? length(row) : force(row);
+    const bool place = row == s.layout.coordinate_row || row == s.layout.height_row;
+    s.model.reevings[r].given == model::Given::length || place ? length(row) : force(row);
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
   for (const Branch& b : e.branches) m.span = std::max(m.span, b.closure);

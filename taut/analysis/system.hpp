@@ -87,7 +87,11 @@ BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies
 /// Length of the arc at a turn, unstretched, m.
 double arc(const System& system, const Evaluation& e, int turn);
 
-/// Unit vector along the track of the carriage that is held.
+/// Unit vector along the track of the carriage that is held: between the rope's directions before its first roller and
+/// behind its last one.
 Vector3 track(const System& system, const Evaluation& e);
+
+/// Where it is held: between its first and last roller, m.
+Vector3 hold_place(const System& system, const Configuration& c);
 
 }  // namespace taut::analysis

@@ -73,6 +73,7 @@ const Description& PayloadRequest::describe() {
           .field(&PayloadRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)
           .at_most(10000)
+          .field(&PayloadRequest::along, "along", "", si::one, "as for a load path")
           .named_records(&PayloadRequest::motion, "motion", "as for an equilibrium; at rest the band counts")
           .shorthand("sense")
           .one_for_all()

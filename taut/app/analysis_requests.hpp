@@ -36,6 +36,7 @@ struct PayloadRequest {
   double from = 0;
   double to = 0;
   int steps = 48;
+  std::vector<double> along = {1, 0};  ///< direction of from and to
   std::vector<MotionRequest> motion;
   LimitsRequest limits;
   double most = 100e3;  ///< kg

@@ -1,19 +1,22 @@
 #pragma once
+#include <string>
 #include <vector>
 
+#include "taut/calc/field.hpp"
 #include "taut/model/model.hpp"
 
 namespace taut::app {
 
 /// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
 /// span there. nullptr in a span.
-const model::Node* support_at(const model::Model& model, int carriage, double x);
+const model::Node* support_at(const model::Model& model, int carriage, double x, const Vector3& along);
 
 /// Positions of a carriage, `steps` + 1 of them from `from` to `to`.
 struct Way {
   int carriage = 0;
   double from = 0, to = 0;  ///< m
   int steps = 1;
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   double x(int i) const { return from + (to - from) * i / steps; }
 };
 
@@ -27,5 +30,11 @@ struct WayPart {
 
 /// A way span by span, in the order of its positions.
 std::vector<WayPart> parts_of(const model::Model& model, const Way& way);
+
+/// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
+Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints);
+
+/// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, told once.
+void check_hold(const model::Model& model, int carriage, std::vector<Complaint>& complaints);
 
 }  // namespace taut::app

@@ -14,7 +14,13 @@ const Description& EquilibriumRequest::describe() {
           .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is put at x")
           .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage, instead of what holds it")
           .at_least(-1e6)
-          .at_most(1e6);
+          .at_most(1e6)
+          .field(&EquilibriumRequest::z, "z", "z", si::m,
+                 "its height too, instead of the length (or tension) given of the rope it rides on")
+          .at_least(-1e6)
+          .at_most(1e6)
+          .field(&EquilibriumRequest::along, "along", "", si::one,
+                 "horizontal direction [x, y] along which its x is measured, from the origin");
   return d;
 }
 
@@ -35,6 +41,8 @@ const Description& LoadPathRequest::describe() {
           .field(&LoadPathRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)
           .at_most(10000)
+          .field(&LoadPathRequest::along, "along", "", si::one,
+                 "horizontal direction [x, y] along which 'from' and 'to' are measured, from the origin")
           .named_records(&LoadPathRequest::motion, "motion", "as for an equilibrium")
           .shorthand("sense")
           .one_for_all();

@@ -15,6 +15,8 @@ struct EquilibriumRequest {
   std::vector<MotionRequest> motion;
   std::optional<std::string> carriage;  ///< put at x, instead of what its mainline or clamp says
   std::optional<double> x;
+  std::optional<double> z;             ///< its height too, instead of the length of the rope it rides on
+  std::vector<double> along = {1, 0};  ///< direction of x
   static const Description& describe();
 };
 
@@ -24,6 +26,7 @@ struct LoadPathRequest {
   double from = 0;
   double to = 0;
   int steps = 96;
+  std::vector<double> along = {1, 0};  ///< direction of from and to
   std::vector<MotionRequest> motion;
   static const Description& describe();
 };

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/machine_tables.hpp"
 
 namespace taut::app {
@@ -19,11 +22,12 @@ constexpr int points_per_span = 32;
 /// Machines narrower than this part of their length need no plan.
 constexpr double least_width = 1e-3;
 
-/// A view: which coordinate goes to the right, which one up.
+/// A view: which horizontal direction goes to the right, and which one up.
 struct View {
-  int right = 0;
-  int above = 2;
-  Point point(const Vector3& v) const { return {v[right], v[above]}; }
+  Vector3 right = Vector3::UnitX();
+  Vector3 above = up();
+  bool plan = false;
+  Point point(const Vector3& v) const { return {v.dot(right), v.dot(above)}; }
 };
 
 struct Box {
@@ -85,12 +89,16 @@ std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResu
 }
 
 void draw_ground(Drawing& d, const model::Model& m, const View& view, const Box& box) {
-  if (view.above != 2 || view.right != 0 || m.terrain.empty()) return;
-  const double margin = 0.03 * box.size().x();
+  // seen along the profile, or not at all
+  if (view.plan || m.terrain.empty() || std::abs(view.right.dot(m.terrain_along)) < 1 - 1e-9) return;
+  const double margin = 0.03 * box.size().norm();
+  const double low = std::min(view.point(box.low).x, view.point(box.high).x) - margin;
+  const double high = std::max(view.point(box.low).x, view.point(box.high).x) + margin;
   Polyline ground;
   ground.role = Role::ground;
   for (const auto& p : m.terrain) {
-    if (p.x >= box.low.x() - margin && p.x <= box.high.x() + margin) ground.points.push_back({p.x, p.z});
+    const double x = view.point(m.terrain_from + p.x * m.terrain_along).x;
+    if (x >= low && x <= high) ground.points.push_back({x, p.z});
   }
   if (ground.points.size() > 1) d.shapes.emplace_back(std::move(ground));
 }
@@ -122,7 +130,7 @@ void draw_bodies(Drawing& d, const model::Model& m, const EquilibriumResult& e, 
 
 void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
   for (const auto& [name, h] : held_of(m, e)) {
-    const bool round = h.radius > 0 && view.above == 2;
+    const bool round = h.radius > 0 && !view.plan;
     d.shapes.emplace_back(Circle{view.point(h.at), round ? h.radius : size / 300, Role::body, 0, 0, !round});
     d.shapes.emplace_back(Label{view.point(h.at), name});
     if (h.moves) continue;  // its ropes are in balance with its weight
@@ -158,7 +166,7 @@ void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e,
 
 Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View& view, const std::string& words) {
   const Box box = box_of(e);
-  const bool plan = view.above != 2;
+  const bool plan = view.plan;
   Drawing d;
   d.name = plan ? "plan" : "machine";
   d.title = plan ? "Plan" : "Side view";
@@ -176,13 +184,24 @@ Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View
   return d;
 }
 
-void add_drawings(const model::Model& m, const EquilibriumResult& e, const std::string& words, Result& r) {
-  const Vector3 size = box_of(e).size();
-  // seen across its longer horizontal side
-  const bool along_y = size.y() > size.x();
-  r.figures.emplace_back(drawing_of(m, e, {along_y ? 1 : 0, 2}, words));
-  const double width = std::min(size.x(), size.y());
-  if (width > least_width * std::max(size.x(), size.y())) r.figures.emplace_back(drawing_of(m, e, {0, 1}, words));
+void add_drawings(const model::Model& m, const EquilibriumResult& e, const std::optional<Vector3>& line,
+                  const std::string& words, Result& r) {
+  const Box box = box_of(e);
+  const Vector3 size = box.size();
+  // seen across its longer horizontal side, or across the line that the ground or a load path follows
+  const Vector3 longer = size.y() > size.x() ? Vector3(Vector3::UnitY()) : Vector3(Vector3::UnitX());
+  const Vector3 right = line ? *line : longer;
+  r.figures.emplace_back(drawing_of(m, e, {right}, words));
+  const Vector3 aside = up().cross(right);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& s : e.spans) {
+    for (const Vector3& v : {s.start, s.end}) {
+      low = std::min(low, v.dot(aside));
+      high = std::max(high, v.dot(aside));
+    }
+  }
+  if (high - low <= least_width * std::max(size.x(), size.y())) return;
+  r.figures.emplace_back(drawing_of(m, e, {Vector3::UnitX(), Vector3::UnitY(), true}, words));
 }
 
 Plot plot(const LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
@@ -220,9 +239,11 @@ void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
   way.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.z; }));
   if (!m.terrain.empty()) {
     way.curves.push_back(curve(
-        run, "ground", [&](const auto& p) { return analysis::ground_height(m.terrain, p.x); }, true));
-    Plot clearance = plot(run, "load_path_clearance", "Clearance of the carriage", {"clearance", si::m});
-    clearance.curves.push_back(curve(run, "clearance", [](const auto& p) { return p.clearance; }));
+        run, "ground", [](const auto& p) { return p.z - p.clearance; }, true));
+    Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {"clearance", si::m});
+    clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
+    clearance.curves.push_back(
+        curve(run, "lowest rope", [&](const auto& p) { return analysis::rope_clearance(m, p.at).height; }));
     clearance.marks.push_back({0, 0, "ground", true});
     r.figures.emplace_back(std::move(way));
     r.figures.emplace_back(std::move(clearance));
@@ -237,6 +258,16 @@ double largest_tension(const EquilibriumResult& e) {
   return T;
 }
 
+/// The direction that the ground or a load path follows, where the deck says one across the axes.
+std::optional<Vector3> line_of(const MachineRun& run) {
+  const Vector3 x = Vector3::UnitX();
+  if (!run.model.terrain.empty() && run.model.terrain_along != x) return run.model.terrain_along;
+  for (const LoadPathRun& path : run.paths) {
+    if (path.along != x) return path.along;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_figures(const MachineRun& run, Result& r) {
@@ -247,7 +278,7 @@ void add_figures(const MachineRun& run, Result& r) {
       has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
         return largest_tension(*a.result) < largest_tension(*b.result);
       });
-  add_drawings(*drawn.model, *drawn.result,
+  add_drawings(*drawn.model, *drawn.result, line_of(run),
                (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
   for (const LoadPathRun& path : run.paths) add_plots(run.model, path, r);
 }

@@ -72,15 +72,18 @@ class Requests {
     one.words = app::words_of(request.motion);
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
-    if (request.carriage.has_value() != request.x.has_value()) {
-      complaints.push_back({path, "'carriage' and 'x' belong together"});
+    const Vector3 along = direction_of(request.along, path + ".along", complaints);
+    if (request.carriage.has_value() != request.x.has_value() || (request.z && !request.x)) {
+      complaints.push_back(
+          {path, request.z && !request.x ? "'z' needs 'carriage' and 'x'" : "'carriage' and 'x' belong together"});
     } else if (request.carriage) {
       const int car = carriage_of(names_, *request.carriage, path + ".carriage");
-      const model::Node* support = car >= 0 ? support_at(model_, car, *request.x) : nullptr;
+      check_hold(model_, car, complaints);
+      const model::Node* support = car >= 0 ? support_at(model_, car, *request.x, along) : nullptr;
       if (support != nullptr) {
         complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
       }
-      if (car >= 0) one.prescribed = analysis::Prescribed{car, *request.x};
+      if (car >= 0) one.prescribed = analysis::Prescribed{car, *request.x, along, request.z};
     }
     run.equilibria.push_back(std::move(one));
   }
@@ -92,6 +95,8 @@ class Requests {
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
     one.carriage = carriage_of(names_, request.carriage, path + ".carriage");
+    check_hold(model_, one.carriage, complaints);
+    one.along = direction_of(request.along, path + ".along", complaints);
     one.from = request.from;
     one.to = request.to;
     one.steps = request.steps;
@@ -99,17 +104,20 @@ class Requests {
     run.paths.push_back(std::move(one));
   }
 
-  /// A clamped carriage needs to know where it is clamped.
+  /// A carriage that is clamped or fixed needs to know where.
   void check_clamps(const MachineRun& run) {
     for (std::size_t i = 0; i < deck_.machine.carriages.size(); ++i) {
       const auto& given = deck_.machine.carriages[i];
-      if (given.hold != model::description::Hold::clamped || given.length_before) continue;
+      const bool clamped = given.hold == model::description::Hold::clamped;
+      if ((!clamped && !given.fixed_to) || given.length_before) continue;
       const bool placed = std::all_of(run.equilibria.begin(), run.equilibria.end(), [&](const EquilibriumRun& one) {
         return one.prescribed && one.prescribed->carriage == static_cast<int>(i);
       });
       if (placed) continue;
-      complaints.push_back({fmt::format("machine.carriages.{}", given.name),
-                            "is clamped somewhere: give 'length_before', or 'carriage' and 'x' in the equilibrium"});
+      complaints.push_back(
+          {fmt::format("machine.carriages.{}", given.name),
+           fmt::format("is {} somewhere: give 'length_before', or 'carriage' and 'x' in the equilibrium",
+                       clamped ? "clamped" : "fixed to '" + *given.fixed_to + "'")});
     }
   }
 
@@ -140,7 +148,9 @@ Outcome install_guys(const model::Machine& machine, model::Model& model) {
 }
 
 void solve(const model::Model& model, EquilibriumRun& one) {
-  one.model = one.prescribed ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x) : model;
+  one.model = one.prescribed
+                  ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x, one.prescribed->along)
+                  : model;
   std::vector<Complaint> told_before;
   analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
   options.prescribed = one.prescribed;
@@ -149,7 +159,7 @@ void solve(const model::Model& model, EquilibriumRun& one) {
 
 /// The load path span by span; positions on a support stay without an answer.
 void solve(const model::Model& model, LoadPathRun& one) {
-  const Way way{one.carriage, one.from, one.to, one.steps};
+  const Way way{one.carriage, one.from, one.to, one.steps, one.along};
   for (WayPart& place : parts_of(model, way)) {
     LoadPathPart part;
     part.model = std::move(place.model);
@@ -167,6 +177,7 @@ void solve(const model::Model& model, LoadPathRun& one) {
     options.from = way.x(place.first);
     options.to = way.x(place.last);
     options.steps = std::max(1, place.last - place.first);
+    options.along = one.along;
     options.equilibrium = options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     part.result = analysis::load_path(part.model, options);

@@ -32,6 +32,7 @@ struct LoadPathRun {
   std::vector<MotionRequest> motion;
   int carriage = 0;
   double from = 0, to = 0;
+  Vector3 along = Vector3::UnitX();  ///< along which x is measured
   int steps = 1;
   std::vector<LoadPathPart> parts;  ///< in the order of the positions
 };

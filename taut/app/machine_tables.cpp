@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/analysis/rope_clearance.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -44,6 +46,7 @@ Table spans(const model::Model& m, const EquilibriumResult& e) {
            {"sag", si::m}},
           {}};
   if (e.band) add_band(t.columns, {"T_from", "T_to"});
+  if (!m.terrain.empty()) t.columns.push_back({"clearance", si::m});
   for (const auto& s : e.spans) {
     std::vector<Cell> row = {rope(m, s.reeving).name,
                              node(m, s.reeving, s.from),
@@ -58,6 +61,7 @@ Table spans(const model::Model& m, const EquilibriumResult& e) {
                              s.stretched,
                              s.sag};
     if (e.band) row.insert(row.end(), {s.T_from_min, s.T_from_max, s.T_to_min, s.T_to_max});
+    if (!m.terrain.empty()) row.emplace_back(analysis::rope_clearance(m, s).height);
     t.rows.push_back(std::move(row));
   }
   return t;
@@ -232,6 +236,7 @@ std::vector<Column> load_path_columns(const model::Model& m) {
     }
   }
   columns.push_back({"closure", si::m.in("mm")});
+  if (!m.terrain.empty()) columns.push_back({"rope_clearance", si::m});
   return columns;
 }
 
@@ -257,6 +262,7 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
     }
   }
   row.emplace_back(e.closure.rope);
+  if (!all.terrain.empty()) row.emplace_back(analysis::rope_clearance(m, e).height);
   return row;
 }
 

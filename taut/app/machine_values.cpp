@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/machine_tables.hpp"
 
 namespace taut::app {
@@ -52,10 +53,10 @@ void add_clearance(const MachineRun& run, Result& r) {
   for (const Answer& answer : answers_of(run)) {
     for (const model::Carriage& car : answer.model->carriages) {
       const Vector3& p = answer.result->state.bodies[static_cast<std::size_t>(car.body)].position;
-      const double clearance = p.z() - analysis::ground_height(run.model.terrain, p.x());
+      const double clearance = p.z() - analysis::ground_height(run.model.terrain, terrain_x(run.model, p));
       if (!(clearance < least)) continue;
       least = clearance;
-      at = p.x();
+      at = terrain_x(run.model, p);
     }
   }
   if (!std::isfinite(least)) return;
@@ -67,6 +68,31 @@ void add_clearance(const MachineRun& run, Result& r) {
                       {}});
   if (least < 0)
     r.warnings.push_back(fmt::format("a carriage is {:.4g} m below the ground at x = {:.6g} m", -least, at));
+}
+
+/// The least height of the ropes over the ground, fixed ends apart.
+void add_rope_clearance(const MachineRun& run, Result& r) {
+  double least = std::numeric_limits<double>::infinity();
+  std::string where;
+  for (const Answer& answer : answers_of(run)) {
+    for (const auto& span : answer.result->spans) {
+      const analysis::RopeClearance own = analysis::rope_clearance(run.model, span);
+      if (!(own.height < least)) continue;
+      least = own.height;
+      const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
+      const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
+      where = fmt::format("{} between {} and {} at x = {:.6g} m ({})", rope.name, name(span.from), name(span.to),
+                          terrain_x(run.model, own.place), answer.words);
+    }
+  }
+  if (where.empty()) return;
+  r.values.push_back({"rope_clearance_min",
+                      least,
+                      si::m,
+                      "c_r_min",
+                      fmt::format("least height of a rope over the ground: {}", where),
+                      {}});
+  if (least < 0) r.warnings.push_back(fmt::format("a rope is {:.4g} m in the ground: {}", -least, where));
 }
 
 void add_places(const MachineRun& run, Result& r) {
@@ -143,13 +169,16 @@ void add_grip(const MachineRun& run, Result& r) {
 std::string beside_its_span(const model::Model& m, const EquilibriumResult& e, const model::Carriage& car) {
   const auto& nodes = m.reevings[static_cast<std::size_t>(car.reeving)].nodes;
   const auto n = static_cast<std::size_t>(car.node);
-  if (n == 0 || n + 1 >= nodes.size()) return {};
-  const double before = model::in_ground(e.state, nodes[n - 1].at).x();
-  const double after = model::in_ground(e.state, nodes[n + 1].at).x();
-  const double x = e.state.bodies[static_cast<std::size_t>(car.body)].position.x();
-  if (before == after || (x >= std::min(before, after) && x <= std::max(before, after))) return {};
+  const std::size_t after = n + static_cast<std::size_t>(car.rollers);
+  if (n == 0 || after >= nodes.size()) return {};
+  const Vector3 before = model::in_ground(e.state, nodes[n - 1].at);
+  Vector3 way = model::in_ground(e.state, nodes[after].at) - before;
+  way.z() = 0;
+  const Vector3& place = e.state.bodies[static_cast<std::size_t>(car.body)].position;
+  const double passed = (place - before).dot(way);
+  if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
   return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
-                     car.name, x, nodes[n - 1].name, nodes[n + 1].name);
+                     car.name, place.x(), nodes[n - 1].name, nodes[after].name);
 }
 
 void add_warnings(const MachineRun& run, Result& r) {
@@ -160,6 +189,14 @@ void add_warnings(const MachineRun& run, Result& r) {
       if (c.state != ContactState::pulled && c.state != ContactState::lifted) continue;
       const bool pulled = c.state == ContactState::pulled;
       if (!told.insert(node.name + (pulled ? " pulled" : " lifted")).second) continue;
+      if (pulled && node.at.body != model::ground) {
+        r.warnings.push_back(
+            fmt::format("{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the "
+                        "carriage more, hang "
+                        "the load lower or between the rollers, or slacken the rope",
+                        words, node.name, c.force.norm() / 1e3));
+        continue;
+      }
       r.warnings.push_back(
           pulled ? fmt::format("{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support "
                                "higher, slacken the rope, or say 'uplift: hold' where a guard holds it",
@@ -187,6 +224,7 @@ void add_values(const MachineRun& run, Result& r) {
   if (answers_of(run).empty()) return;
   add_tensions(run, r);
   add_clearance(run, r);
+  add_rope_clearance(run, r);
   add_places(run, r);
   add_ends(run, r);
   add_grip(run, r);

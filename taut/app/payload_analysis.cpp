@@ -158,8 +158,8 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Prepa
   if (request.break_angle) l.break_angle = *request.break_angle;
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
-  l.rope_from = run.way.from;
-  l.rope_to = run.way.to;
+  l.rope_from = terrain_x(p.model, run.way.from * run.way.along);
+  l.rope_to = terrain_x(p.model, run.way.to * run.way.along);
   if (request.rope_clearance && run.way.carriage >= 0) {
     l.rope_clearance[at(p.model.carriages[at(run.way.carriage)].reeving)] = *request.rope_clearance;
   }
@@ -197,6 +197,7 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
     options.from = run.way.x(part.first);
     options.to = run.way.x(part.last);
     options.steps = std::max(1, part.last - part.first);
+    options.along = run.way.along;
     options.equilibrium = options_of(run.motion, part.model, {}, told_before);
     auto points = analysis::payload_path(part.model, run.limits, options);
     if (part.last == part.first) points.resize(1);
@@ -365,7 +366,8 @@ Analysis prepare_payload(const PayloadRequest& request, const std::string& path,
   options_of(request.motion, p.model, path + ".motion", p.complaints);
   run->one_place = request.from == request.to;
   run->way = {carriage_of(p, request.carriage, path + ".carriage"), request.from, request.to,
-              run->one_place ? 1 : request.steps};
+              run->one_place ? 1 : request.steps, direction_of(request.along, path + ".along", p.complaints)};
+  check_hold(p.model, run->way.carriage, p.complaints);
   run->limits.most = request.most;
   resolve_limits(request.limits, path + ".limits", p, *run);
   return [run](MachineRun& machine, Result& r) {

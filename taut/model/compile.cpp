@@ -7,7 +7,9 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/model/carriages.hpp"
 #include "taut/model/compile_motion.hpp"
+#include "taut/model/dragged.hpp"
 #include "taut/model/links.hpp"
 #include "taut/model/motion_links.hpp"
 #include "taut/model/path.hpp"
@@ -44,14 +46,15 @@ class Compiler {
     add_bodies();
     add_body_motion(machine_, model_, complaints_);
     add_drives(machine_, model_, complaints_);
-    add_carriage_bodies();
+    for (const auto& given : machine_.carriages) model_.bodies.push_back(body_of(given));
     check_axes();
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
     for (const auto& guy : machine_.guys) add_guy(guy);
     check_names();
     check_held();
-    for (std::size_t i = 0; i < machine_.carriages.size(); ++i) add_carriage(i);
-    if (complaints_.empty()) place_carriages();
+    for (std::size_t i = 0; i < machine_.carriages.size(); ++i)
+      model_.carriages.push_back(carriage_of(machine_, i, model_.reevings, stops_, complaints_));
+    if (complaints_.empty()) place_carriages(machine_, stops_, model_);
     if (complaints_.empty()) finish_nodes();
     if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
     add_loads();
@@ -97,17 +100,6 @@ class Compiler {
         if (rotations < body.free.size()) complain(path + ".guide", "a body on a guide has none of x, y, z in 'free'");
         if (guide.norm() > 0) body.free.push_back({guide.normalized(), Vector3::Zero()});
       }
-      model_.bodies.push_back(std::move(body));
-    }
-  }
-
-  void add_carriage_bodies() {
-    for (const auto& given : machine_.carriages) {
-      Body body;
-      body.name = given.name;
-      body.mass = given.mass;
-      if (given.at) body.position = vector_of(*given.at);
-      for (const char* way : {"x", "y", "z"}) body.free.push_back({axis_of(way), Vector3::Zero()});
       model_.bodies.push_back(std::move(body));
     }
   }
@@ -239,68 +231,6 @@ class Compiler {
     }
   }
 
-  int reeving_named(const std::string& name, const std::string& path) {
-    const int i = index_of(model_.reevings, name);
-    if (i < 0) complain(path, fmt::format("there is no reeving '{}'{}", name, hint_for(model_.reevings, name)));
-    return i;
-  }
-
-  void add_carriage(std::size_t i) {
-    const description::Carriage& given = machine_.carriages[i];
-    const std::string path = fmt::format("carriages.{}", given.name);
-    Carriage car;
-    car.name = given.name;
-    car.body = static_cast<int>(machine_.bodies.size() + i);
-    car.reeving = reeving_named(given.rides, path + ".rides");
-    const bool clamped = given.hold == description::Hold::clamped;
-    if (given.length_before && !clamped)
-      complain(path + ".length_before", "belongs to a carriage with 'hold: clamped'");
-    if (given.mainline) car.mainline = reeving_named(*given.mainline, path + ".mainline");
-    int times = 0;
-    for (std::size_t r = 0; r < stops_.size(); ++r) {
-      for (std::size_t n = 0; n < stops_[r].size(); ++n) {
-        if (stops_[r][n].carriage != static_cast<int>(i)) continue;
-        if (static_cast<int>(r) != car.reeving && car.reeving >= 0) {
-          complain(path, fmt::format("rides on '{}', but the path of '{}' goes through it", given.rides,
-                                     model_.reevings[r].name));
-        }
-        car.node = static_cast<int>(n);
-        ++times;
-      }
-    }
-    if (times != 1) {
-      complain(path, fmt::format("the path of the rope it rides on goes {}: write '{{through: {}}}' in it once",
-                                 times == 0 ? "past it" : "through it more than once", given.name));
-    }
-    if (car.mainline >= 0 && !pulls(car)) {
-      complain(path + ".mainline", fmt::format("the path of '{}' does not end at '{}'", *given.mainline, given.name));
-    }
-    model_.carriages.push_back(std::move(car));
-  }
-
-  /// Whether the mainline is anchored to the carriage.
-  bool pulls(const Carriage& car) const {
-    const auto& stops = stops_[static_cast<std::size_t>(car.mainline)];
-    return !stops.empty() && (stops.front().node.at.body == car.body || stops.back().node.at.body == car.body);
-  }
-
-  /// Carriages whose place the deck does not say start on the straight line between their neighbours.
-  void place_carriages() {
-    for (std::size_t i = 0; i < machine_.carriages.size(); ++i) {
-      if (machine_.carriages[i].at) continue;
-      const Carriage& car = model_.carriages[i];
-      const auto& stops = stops_[static_cast<std::size_t>(car.reeving)];
-      const auto node = static_cast<std::size_t>(car.node);
-      std::size_t before = node, after = node;
-      while (before > 0 && stops[before].carriage >= 0) --before;
-      while (after + 1 < stops.size() && stops[after].carriage >= 0) ++after;
-      const Vector3 from = start_of(stops[before].node.at);
-      const Vector3 to = start_of(stops[after].node.at);
-      const double share = static_cast<double>(node - before) / static_cast<double>(after - before);
-      model_.bodies[static_cast<std::size_t>(car.body)].position = from + share * (to - from);
-    }
-  }
-
   void finish_nodes() {
     for (std::size_t r = 0; r < stops_.size(); ++r) {
       std::vector<Stop>& stops = stops_[r];
@@ -347,8 +277,16 @@ class Compiler {
         complain(path, fmt::format("'{}' is fixed to the ground: a load there moves nothing; name a body", given.at));
         continue;
       }
-      const Vector3 force =
-          given.force ? vector_of(*given.force) : Vector3(-given.mass.value_or(0) * machine_.gravity * up());
+      const double mass = given.mass.value_or(0);
+      Vector3 force = given.force ? vector_of(*given.force) : Vector3(-mass * machine_.gravity * up());
+      if (given.dragged) {
+        const auto& along = given.dragged->along;
+        const bool level = along.size() == 2 && std::hypot(along[0], along[1]) > 0;
+        const std::string key = fmt::format("loads[{}].dragged", i);
+        if (!level) complain(key + ".along", "a horizontal direction [x, y] is expected, not zero");
+        if (given.force) complain(key, "belongs to a load with a 'mass'");
+        if (level && !given.force) force = force_of(*given.dragged, mass, machine_.gravity);
+      }
       model_.loads.push_back({t->place, force});
     }
   }
@@ -368,7 +306,13 @@ class Compiler {
 
   void add_terrain() {
     if (!machine_.terrain) return;
-    const auto& [file, x, z] = *machine_.terrain;
+    const auto& [file, x, z, from, along] = *machine_.terrain;
+    if (from.size() != 2) complain("terrain.from", "two coordinates [x, y] are expected");
+    if (along.size() != 2 || std::hypot(along[0], along[1]) == 0)
+      complain("terrain.along", "a horizontal direction [x, y] is expected, not zero");
+    if (!complaints_.empty()) return;
+    model_.terrain_from = {from[0], from[1], 0};
+    model_.terrain_along = Vector3(along[0], along[1], 0).normalized();
     if (x.size() != z.size()) complain("terrain.z", fmt::format("{} heights for {} places", z.size(), x.size()));
     if (!file && std::min(x.size(), z.size()) < 2)
       complain("terrain", "needs a 'file', or two places 'x' with their 'z'");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "taut/base/suggest.hpp"
+#include "taut/model/carriages.hpp"
 
 namespace taut::model {
 namespace {
@@ -39,7 +40,17 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
     Place place{ground, vector_of(one.at)};
     if (one.body) {
       const auto at = std::find(bodies.begin(), bodies.end(), *one.body);
-      if (at == bodies.end()) {
+      const auto car = std::find_if(machine.carriages.begin(), machine.carriages.end(),
+                                    [&](const auto& carriage) { return carriage.name == *one.body; });
+      if (at == bodies.end() && car != machine.carriages.end()) {
+        place.body = static_cast<int>(bodies.size() + static_cast<std::size_t>(car - machine.carriages.begin()));
+        if (!pitches(*car) && place.at != Vector3::Zero()) {
+          complaints.push_back({fmt::format("{}.{}.body", list, one.name),
+                                fmt::format("carriage '{}' is a point; give it 'rollers' with a 'wheelbase', or a "
+                                            "'height', to have places on it",
+                                            car->name)});
+        }
+      } else if (at == bodies.end()) {
         complaints.push_back({fmt::format("{}.{}.body", list, one.name),
                               fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, bodies))});
       } else {

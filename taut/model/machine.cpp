@@ -186,31 +186,6 @@ const Description& Drum::describe() {
   return d;
 }
 
-const Description& Carriage::describe() {
-  static const Description d =
-      Describe<Carriage>()
-          .field(&Carriage::mass, "mass", "m", si::kg, "mass")
-          .at_most(heaviest)
-          .at_least(0)
-          .field(&Carriage::rides, "rides", "the reeving it rides on")
-          .required()
-          .choice(&Carriage::hold, "hold", {{"rolling", Hold::rolling}, {"clamped", Hold::clamped}},
-                  "rolling on the rope, or clamped to it")
-          .field(&Carriage::mainline, "mainline", "the reeving whose length sets its place in a load path")
-          .field(&Carriage::friction, "friction", "mu", si::one, "of rolling on the rope")
-          .at_least(0)
-          .field(&Carriage::length_before, "length_before", "L", si::m,
-                 "clamped: unstretched rope between the reeving's start and the clamp")
-          .at_most(farthest)
-          .above(0)
-          .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
-          .at_least(-farthest)
-          .at_most(farthest)
-          .later("rollers", "carriages of several rollers")
-          .later("wheelbase", "carriages of several rollers");
-  return d;
-}
-
 const Description& PathElement::describe() {
   static const Description d =
       Describe<PathElement>()
@@ -224,6 +199,8 @@ const Description& PathElement::describe() {
           .field(&PathElement::between, "between", "the two sheaves of the tackle, 'over' and another one")
           .choice(&PathElement::side, "side", {{"left", Side::left}, {"right", Side::right}},
                   "where the sheave or drum lies beside the path, looking along its axis; without it the shorter way")
+          .field(&PathElement::grip, "grip",
+                 "an endless rope that passes its carriage twice: here it is fixed to it, there it carries it")
           .exactly_one({"anchor", "over", "through", "drum"});
   return d;
 }
@@ -255,16 +232,18 @@ const Description& Reeving::describe() {
 }
 
 const Description& Load::describe() {
-  static const Description d = Describe<Load>()
-                                   .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
-                                   .required()
-                                   .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
-                                   .at_most(heaviest)
-                                   .at_least(0)
-                                   .field(&Load::force, "force", "F", si::N, "in the ground frame")
-                                   .at_least(-strongest)
-                                   .at_most(strongest)
-                                   .exactly_one({"mass", "force"});
+  static const Description d =
+      Describe<Load>()
+          .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
+          .required()
+          .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
+          .at_most(heaviest)
+          .at_least(0)
+          .field(&Load::force, "force", "F", si::N, "in the ground frame")
+          .at_least(-strongest)
+          .at_most(strongest)
+          .record(&Load::dragged, "dragged", "the mass is a bunch of logs that drags one end over the ground")
+          .exactly_one({"mass", "force"});
   return d;
 }
 
@@ -313,10 +292,14 @@ const Description& Guy::describe() {
 }
 
 const Description& Terrain::describe() {
-  static const Description d = Describe<Terrain>()
-                                   .field(&Terrain::file, "file", "CSV with the columns x and z in metres, x growing")
-                                   .field(&Terrain::x, "x", "x", si::m, "places along the line, growing")
-                                   .field(&Terrain::z, "z", "z", si::m, "height of the ground there");
+  static const Description d =
+      Describe<Terrain>()
+          .field(&Terrain::file, "file", "CSV with the columns x and z in metres, x growing")
+          .field(&Terrain::x, "x", "x", si::m, "places along the line, growing")
+          .field(&Terrain::z, "z", "z", si::m, "height of the ground there")
+          .field(&Terrain::from, "from", "", si::m,
+                 "where its x is 0, as [x, y] of the ground frame; for lines across the axes")
+          .field(&Terrain::along, "along", "", si::one, "horizontal direction of its x, [x, y]");
   return d;
 }
 

@@ -95,15 +95,20 @@ struct Drum {
   static const Description& describe();
 };
 
-enum class Hold { rolling, clamped };
+enum class Hold { rolling, clamped, fixed_to };
 
 struct Carriage {
   std::string name;
   double mass = 0;
   std::string rides;  ///< a reeving
   Hold hold = Hold::rolling;
+  std::optional<std::string> fixed_to;  ///< a second reeving, which carries it along: a running haul rope
   std::optional<std::string> mainline;  ///< the reeving whose length sets its place
+  std::optional<std::string> haulback;  ///< the reeving that pulls against the mainline
   double friction = 0;                  ///< of rolling, on the rope
+  int rollers = 1;
+  std::optional<double> wheelbase;      ///< first to last roller, m
+  double height = 0;                    ///< of the rollers over the origin, where its mass hangs, m
   std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
   std::optional<Triple> at;             ///< where to look for it first; default: between its neighbours
   static const Description& describe();
@@ -120,6 +125,7 @@ struct PathElement {
   int parts = 1;
   std::vector<std::string> between;
   Side side = Side::automatic;
+  bool grip = false;  ///< where an endless rope passes a carriage twice: here it is fixed to it
   static const Description& describe();
 };
 
@@ -138,11 +144,22 @@ struct Reeving {
   static const Description& describe();
 };
 
+/// A bunch of logs that hangs with one end on the load's place and drags the other one over the ground.
+struct Dragged {
+  double ground_angle = 0;             ///< rad, positive where the ground rises in the direction of the way
+  double friction = 0;                 ///< of the bunch on the ground
+  double share = 0.5;                  ///< of its weight that hangs on the carriage on level ground
+  double lift_angle = 0;               ///< of the bunch against the ground, rad
+  std::vector<double> along = {1, 0};  ///< horizontal direction of the way, x and y
+  static const Description& describe();
+};
+
 /// A dead load at a point of a body.
 struct Load {
   std::string at;
   std::optional<double> mass;
   std::optional<Triple> force;
+  std::optional<Dragged> dragged = std::nullopt;
   static const Description& describe();
 };
 
@@ -173,11 +190,14 @@ struct Guy {
   static const Description& describe();
 };
 
-/// Ground under the line: a CSV file with the columns x and z, or both written out.
+/// Ground under the line: a CSV file with the columns x and z, or both written out. x runs along a horizontal
+/// direction.
 struct Terrain {
   std::optional<std::string> file;
   std::vector<double> x;
   std::vector<double> z;
+  std::vector<double> from = {0, 0};   ///< where x is 0: x and y of the ground frame, m
+  std::vector<double> along = {1, 0};  ///< the direction of x
   static const Description& describe();
 };
 

@@ -113,9 +113,13 @@ struct Carriage {
   int reeving = 0, node = 0;  ///< the rope it rides on, and where: a contact (rolling) or a clamp
   int mainline = -1;          ///< the reeving whose length sets its place; -1: none. A rolling carriage without one is
                               ///< held by a force along its track, a clamped one by where it is clamped
+  int rollers = 1;            ///< nodes node .. node + rollers - 1
+  int grip_reeving = -1, grip_node = -1;  ///< a running rope that carries it along, and the clamp there; -1: none
+  int haulback = -1;                      ///< the reeving that pulls it against the mainline; -1: none
 };
 
-/// The ground under the line: a polyline, x growing.
+/// The ground under the line: a polyline, x growing. x is the distance from `Model::terrain_from` along
+/// `Model::terrain_along`.
 struct GroundPoint {
   double x = 0, z = 0;  ///< m
 };
@@ -127,6 +131,8 @@ struct Model {
   std::vector<Reeving> reevings;
   std::vector<Carriage> carriages;
   std::vector<GroundPoint> terrain;
+  Vector3 terrain_from = Vector3::Zero();    ///< where the terrain's x is 0, m
+  Vector3 terrain_along = Vector3::UnitX();  ///< horizontal unit vector
   // of a machine in motion
   std::vector<Signal> signals;
   std::vector<Drum> drums;
@@ -139,6 +145,9 @@ struct Model {
   std::vector<Observable> observed;
   std::vector<Beam> beams;
 };
+
+/// The terrain's x of a place, m.
+double terrain_x(const Model& model, const Vector3& place);
 
 /// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.
 int branch_count(const Reeving& reeving);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/model/carriages.hpp"
+
 namespace taut::model {
 namespace {
 
@@ -56,14 +58,16 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
 
 class PathReader {
  public:
-  PathReader(const Machine& machine, const Links& links, double diameter, std::vector<Complaint>& complaints)
-      : machine_(machine), links_(links), diameter_(diameter), complaints_(complaints) {}
+  PathReader(const Machine& machine, const Links& links, std::string reeving, double diameter,
+             std::vector<Complaint>& complaints)
+      : machine_(machine), links_(links), reeving_(std::move(reeving)), diameter_(diameter), complaints_(complaints) {}
 
   /// An element of an endless rope.
   void add_closed(const PathElement& e, const std::string& at) {
     if (e.anchor || e.drum) complain(at, "an endless rope is fixed nowhere: 'over' and 'through' only");
     if (e.parts != 1 || !e.between.empty()) complain(at, "an endless rope has no tackle; write its sheaves one by one");
-    if (e.through) carriage(*e.through, at + ".through");
+    if (e.grip && !e.through) complain(at + ".grip", "belongs to an element with 'through'");
+    if (e.through) carriage(*e.through, e.grip, at + ".through");
     if (!e.over) return;
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
     if (own != nullptr) stops.push_back(round_stop(machine_, *own, e.side));
@@ -78,10 +82,11 @@ class PathReader {
     } else if (is_end) {
       complain(at, "a rope's first and last element is an 'anchor' or a 'drum'");
     } else if (e.through) {
-      carriage(*e.through, at + ".through");
+      carriage(*e.through, e.grip, at + ".through");
     } else if (e.over) {
       over(path, i, at);
     }
+    if (e.grip && !e.through) complain(at + ".grip", "belongs to an element with 'through'");
     if (!e.over && e.parts != 1) complain(at + ".parts", "belongs to an element with 'over'");
     if (!e.between.empty() && (!e.over || e.parts == 1)) complain(at + ".between", "belongs to 'over' with 'parts'");
   }
@@ -114,23 +119,16 @@ class PathReader {
     stops.push_back(std::move(stop));
   }
 
-  void carriage(const std::string& name, const std::string& path) {
+  void carriage(const std::string& name, bool grip, const std::string& path) {
     const Target* t = links_.find(name, {Thing::carriage}, path, complaints_);
     if (t == nullptr) return;
     const description::Carriage& car = machine_.carriages[static_cast<std::size_t>(t->index)];
-    Stop stop;
-    stop.carriage = t->index;
-    stop.node.name = name;
-    stop.node.at = t->place;
-    if (car.hold == description::Hold::clamped) {
-      stop.node.kind = NodeKind::clamp;
-      stop.node.length_before = car.length_before.value_or(0);
-    } else {
-      stop.node.kind = NodeKind::contact;
-      // a carriage without rolling friction has equal tensions on both sides
-      stop.node.law = car.friction > 0 ? ContactLaw{car.friction, 0} : ContactLaw{};
+    const bool carries = car.fixed_to && *car.fixed_to == reeving_;
+    if (grip && !carries) {
+      complain(path, fmt::format("'grip' belongs to the rope that '{}' is 'fixed_to'", name));
     }
-    stops.push_back(std::move(stop));
+    const bool grips = carries && (grip || car.rides != reeving_);
+    for (Stop& stop : model::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
   }
 
   /// The other sheave of a tackle.
@@ -172,6 +170,7 @@ class PathReader {
 
   const Machine& machine_;
   const Links& links_;
+  std::string reeving_;  ///< its name
   double diameter_;
   std::vector<Complaint>& complaints_;
 };
@@ -210,7 +209,7 @@ void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vect
 
 std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
                            double diameter, const std::string& path, std::vector<Complaint>& complaints) {
-  PathReader reader(machine, links, diameter, complaints);
+  PathReader reader(machine, links, reeving.name.value_or(reeving.rope), diameter, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   for (std::size_t i = 0; i < reeving.path.size(); ++i) {
     const std::string at = fmt::format("{}.path[{}]", path, i);
