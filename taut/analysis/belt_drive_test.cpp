@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace taut::analysis {
-namespace {
+namespace belt_drive_test {
 
 BeltDrive saw() {
   BeltDrive d;
@@ -118,5 +118,5 @@ TEST(BeltDrive, SpeedTakesTheGripOfAScrewNotOfAWeight) {
   EXPECT_NE(o.message.find("lifts off"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace belt_drive_test
 }  // namespace taut::analysis

@@ -9,7 +9,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace equilibrium_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -228,4 +228,4 @@ TEST(Equilibrium, FreeCarriageRollsAgainstASupport) {
   EXPECT_NE(r.outcome.message.find("runs against its neighbour"), std::string::npos) << r.outcome.message;
 }
 
-}  // namespace
+}  // namespace equilibrium_test

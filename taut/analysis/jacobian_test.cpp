@@ -7,7 +7,7 @@
 #include "taut/model/beam_build.hpp"
 #include "taut/model/state.hpp"
 
-namespace {
+namespace jacobian_test {
 
 using namespace taut_test;
 namespace analysis = taut::analysis;
@@ -111,6 +111,7 @@ TEST(Jacobian, MatchesDifferencesForClampsAndClosedRopes) {
   EXPECT_LT(worst_derivative(loop, {}, 1e-6), 1e-6);
 }
 
+<<<<<<< HEAD
 /// A beam from a body that slides and turns, or the ground, to a free top or another body, with a guy at a lug.
 model::Model with_beam(model::BeamHold base, model::BeamTop top, taut::structure::BeamOrder order, bool on_body) {
   model::Model m;
@@ -153,3 +154,6 @@ TEST(Jacobian, MatchesDifferencesForBeams) {
 }
 
 }  // namespace
+=======
+}  // namespace jacobian_test
+>>>>>>> 366b2d8 (tests: several files compile as one; each has a namespace of its own)

@@ -4,7 +4,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace lift_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -60,4 +60,4 @@ TEST(Lift, ARoundLetsGoToo) {
   EXPECT_EQ(r.contacts[0].state, ContactState::lifted);
 }
 
-}  // namespace
+}  // namespace lift_test

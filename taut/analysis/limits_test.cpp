@@ -10,7 +10,7 @@
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/payload.hpp"
 
-namespace {
+namespace limits_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -96,4 +96,4 @@ TEST(Limits, LiftOffEndsThePayload) {
   EXPECT_EQ(equilibrium(m, options).contacts[1].state, ContactState::pulled);
 }
 
-}  // namespace
+}  // namespace limits_test

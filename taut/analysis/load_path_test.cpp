@@ -6,7 +6,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace load_path_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -96,4 +96,4 @@ TEST(LoadPath, ClampedCarriageIsMovedByItsClamp) {
   }
 }
 
-}  // namespace
+}  // namespace load_path_test

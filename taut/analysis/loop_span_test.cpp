@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace taut::analysis {
-namespace {
+namespace loop_span_test {
 
 struct Given {
   double weight, stiffness, H, x, z;
@@ -56,5 +56,5 @@ TEST(LoopSpan, NoneWithoutTensionOrBackwards) {
   EXPECT_FALSE(span_at_tension(10, 1e7, 0, 100, 0).has_value());
 }
 
-}  // namespace
+}  // namespace loop_span_test
 }  // namespace taut::analysis

@@ -4,7 +4,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace payload_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -82,4 +82,4 @@ TEST(Payload, AlongTheLine) {
   }
 }
 
-}  // namespace
+}  // namespace payload_test

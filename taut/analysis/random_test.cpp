@@ -9,7 +9,7 @@
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace random_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -111,4 +111,4 @@ TEST(RandomMachines, UnloadedAndHeldLinesAreSolved) {
   EXPECT_GE(solved, 1998);
 }
 
-}  // namespace
+}  // namespace random_test

@@ -11,7 +11,7 @@
 #include "taut/rope/catenary_shape.hpp"
 
 namespace taut::analysis {
-namespace {
+namespace running_loop_test {
 
 constexpr double kgf = 9.80665;
 constexpr double degree = std::numbers::pi / 180;
@@ -273,5 +273,5 @@ TEST(RunningLoop, AStartNearbyChangesNothing) {
   EXPECT_NEAR(warm.lower_A.T_start, cold.lower_A.T_start, 1e-11 * cold.lower_A.T_start);
 }
 
-}  // namespace
+}  // namespace running_loop_test
 }  // namespace taut::analysis

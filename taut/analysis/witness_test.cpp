@@ -8,7 +8,7 @@
 #include "taut/analysis/machines_test.hpp"
 #include "taut/rope/catenary_shape.hpp"
 
-namespace {
+namespace witness_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -237,4 +237,4 @@ TEST(Witness, EndsNeedNotBeOrderedLowToHigh) {
   EXPECT_GT(r.spans[0].stretched, r.spans[0].unstretched);
 }
 
-}  // namespace
+}  // namespace witness_test

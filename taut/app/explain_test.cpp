@@ -8,7 +8,7 @@
 #include "test/paths.hpp"
 
 namespace taut::app {
-namespace {
+namespace explain_test {
 
 TEST(Explain, TellsEquationsKeysValuesAndErrata) {
   const std::string text = explain_text(*find_method("mast_section"));
@@ -25,5 +25,5 @@ TEST(Explain, TheReferencePageIsWhatTheProgramSays) {
       << "the page is stale; run: build/bin/taut explain all --markdown > docs/guide/reference.md";
 }
 
-}  // namespace
+}  // namespace explain_test
 }  // namespace taut::app

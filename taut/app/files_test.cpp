@@ -6,7 +6,7 @@
 #include "taut/app/job.hpp"
 
 namespace taut::app {
-namespace {
+namespace files_test {
 
 Result sample() {
   Result r;
@@ -38,5 +38,5 @@ TEST(Files, SaysWhyItCannotWrite) {
   std::filesystem::remove(file);
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace taut::app

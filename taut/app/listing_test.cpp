@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace taut::app {
-namespace {
+namespace listing_test {
 
 TEST(Listing, AlignsNumbersRightAndWordsLeft) {
   EXPECT_EQ(aligned({{"id", "d"}, {"ab", "1.5"}, {"c", "100"}}), "id  d\nab  1.5\nc   100\n");
@@ -51,5 +51,5 @@ TEST(Listing, VerifiedOnlyIsFewer) {
   EXPECT_LT(list_text("ropes", f)->size(), all);
 }
 
-}  // namespace
+}  // namespace listing_test
 }  // namespace taut::app

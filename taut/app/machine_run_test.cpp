@@ -11,7 +11,7 @@
 #include "test/paths.hpp"
 
 namespace taut::app {
-namespace {
+namespace machine_run_test {
 
 namespace fs = std::filesystem;
 
@@ -279,5 +279,5 @@ TEST(MachineRun, TheExamplesRunAndClose) {
   EXPECT_EQ(count, 6);
 }
 
-}  // namespace
+}  // namespace machine_run_test
 }  // namespace taut::app

@@ -11,7 +11,7 @@
 #include "test/paths.hpp"
 
 namespace taut::app {
-namespace {
+namespace methods_test {
 
 TEST(Methods, AreFoundByName) {
   EXPECT_EQ(find_method("mast_section")->about->name, "mast_section");
@@ -81,5 +81,5 @@ TEST(Methods, EveryValueOfAResultIsDescribed) {
   }
 }
 
-}  // namespace
+}  // namespace methods_test
 }  // namespace taut::app

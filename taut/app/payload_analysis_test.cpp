@@ -4,7 +4,7 @@
 
 #include "taut/app/machine_decks_test.hpp"
 
-namespace {
+namespace payload_analysis_test {
 
 using namespace taut_test;
 using taut::Result;
@@ -149,4 +149,4 @@ TEST(PayloadAnalysis, TellsEachMistakeAtItsPlace) {
                  "the breaking force of 'skyline' is not known");
 }
 
-}  // namespace
+}  // namespace payload_analysis_test

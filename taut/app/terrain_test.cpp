@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::app {
-namespace {
+namespace terrain_test {
 
 TEST(Terrain, ReadsTheColumnsThatItNeeds) {
   for (const char* text :
@@ -37,5 +37,5 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
   }
 }
 
-}  // namespace
+}  // namespace terrain_test
 }  // namespace taut::app

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace taut {
-namespace {
+namespace suggest_test {
 
 TEST(Suggest, CountsEdits) {
   EXPECT_EQ(edit_distance("diamter", "diameter"), 1);
@@ -25,5 +25,5 @@ RC_GTEST_PROP(Suggest, DistanceIsSymmetricAndZeroOnlyForEqualWords, (const std::
   RC_ASSERT((edit_distance(a, b) == 0) == (a == b));
 }
 
-}  // namespace
+}  // namespace suggest_test
 }  // namespace taut

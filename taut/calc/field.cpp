@@ -5,6 +5,25 @@
 
 namespace taut {
 
+Field& DescriptionBuilder::add(FieldKind kind, std::string_view key, std::string_view symbol, const Unit& unit,
+                               std::string_view words) {
+  Field& f = description_.fields.emplace_back();
+  f.kind = kind;
+  f.key = key;
+  f.symbol = symbol;
+  f.unit = unit;
+  f.words = words;
+  f.is_list = kind == FieldKind::numbers || kind == FieldKind::texts || kind == FieldKind::records;
+  return f;
+}
+
+Field& DescriptionBuilder::add(FieldKind kind, std::string_view key, std::string_view words,
+                               const Description& record) {
+  Field& f = add(kind, key, "", si::one, words);
+  f.record = &record;
+  return f;
+}
+
 bool Range::contains(double x) const {
   const bool above = low_included ? x >= low : x > low;
   const bool below = high_included ? x <= high : x < high;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -102,10 +103,23 @@ struct Description {
   std::vector<std::string> keys() const;
 };
 
+/// What Describe does that does not depend on the struct: compiled once, in field.cpp, as tables of fields are long.
+class DescriptionBuilder {
+ public:
+  operator Description() const { return description_; }  // the end of the chain
+
+ protected:
+  Field& add(FieldKind kind, std::string_view key, std::string_view symbol, const Unit& unit, std::string_view words);
+  Field& add(FieldKind kind, std::string_view key, std::string_view words, const Description& record);
+  Field& last() { return description_.fields.back(); }
+
+  Description description_;
+};
+
 /// Builds the Description of struct `S`: each call adds a field, the modifiers after it change that field.
 ///   Describe<Input>().field(&Input::span, "span", "l", si::m, "horizontal span").required().above(0)
 template <class S>
-class Describe {
+class Describe : public DescriptionBuilder {
  public:
   Describe() {
     description_.make_default = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
@@ -113,23 +127,23 @@ class Describe {
 
   /// A number, optional number, list of numbers, three components, whole number, flag, text or list of texts.
   template <class Member>
-  Describe& field(Member S::*member, std::string key, std::string symbol, const Unit& unit, std::string words) {
-    Field f = make(std::move(key), std::move(symbol), unit, std::move(words));
-    f.kind = kind_of_member<Member>();
-    f.is_list = f.kind == FieldKind::numbers || f.kind == FieldKind::texts;
-    f.slot = [member](void* s) -> Slot { return &(static_cast<S*>(s)->*member); };
-    return add(std::move(f));
+  Describe& field(Member S::*member, std::string_view key, std::string_view symbol, const Unit& unit,
+                  std::string_view words) {
+    add(kind_of_member<Member>(), key, symbol, unit, words).slot = [member](void* s) -> Slot {
+      return &(static_cast<S*>(s)->*member);
+    };
+    return *this;
   }
   /// A flag or a text: no symbol, no unit.
   template <class Member>
-  Describe& field(Member S::*member, std::string key, std::string words) {
-    return field(member, std::move(key), "", si::one, std::move(words));
+  Describe& field(Member S::*member, std::string_view key, std::string_view words) {
+    return field(member, key, "", si::one, words);
   }
   /// A text that stands for an enumerator.
   template <class E>
-  Describe& choice(E S::*member, std::string key, std::vector<std::pair<std::string, E>> names, std::string words) {
-    Field f = make(std::move(key), "", si::one, std::move(words));
-    f.kind = FieldKind::choice;
+  Describe& choice(E S::*member, std::string_view key, std::vector<std::pair<std::string, E>> names,
+                   std::string_view words) {
+    Field& f = add(FieldKind::choice, key, "", si::one, words);
     for (const auto& [text, e] : names) f.choices.push_back(text);
     f.slot = [member, names = std::move(names)](void* s) -> Slot {
       E* target = &(static_cast<S*>(s)->*member);
@@ -146,39 +160,29 @@ class Describe {
                       return std::string{};
                     }};
     };
-    return add(std::move(f));
+    return *this;
   }
   /// A nested struct that is always there.
   template <class R>
-  Describe& record(R S::*member, std::string key, std::string words) {
-    Field f = make(std::move(key), "", si::one, std::move(words));
-    f.kind = FieldKind::record;
-    f.record = &R::describe();
-    f.slot = [member](void* s) -> Slot {
+  Describe& record(R S::*member, std::string_view key, std::string_view words) {
+    add(FieldKind::record, key, words, R::describe()).slot = [member](void* s) -> Slot {
       R* r = &(static_cast<S*>(s)->*member);
       return Record{[r]() -> void* { return r; }, [r] { return std::vector<const void*>{r}; }};
     };
-    return add(std::move(f));
+    return *this;
   }
   template <class R>
-  Describe& record(std::optional<R> S::*member, std::string key, std::string words) {
-    Field f = make(std::move(key), "", si::one, std::move(words));
-    f.kind = FieldKind::record;
-    f.record = &R::describe();
-    f.slot = [member](void* s) -> Slot {
+  Describe& record(std::optional<R> S::*member, std::string_view key, std::string_view words) {
+    add(FieldKind::record, key, words, R::describe()).slot = [member](void* s) -> Slot {
       std::optional<R>* r = &(static_cast<S*>(s)->*member);
       return Record{[r]() -> void* { return &r->emplace(); },
                     [r] { return r->has_value() ? std::vector<const void*>{&**r} : std::vector<const void*>{}; }};
     };
-    return add(std::move(f));
+    return *this;
   }
   template <class R>
-  Describe& record(std::vector<R> S::*member, std::string key, std::string words) {
-    Field f = make(std::move(key), "", si::one, std::move(words));
-    f.kind = FieldKind::records;
-    f.record = &R::describe();
-    f.is_list = true;
-    f.slot = [member](void* s) -> Slot {
+  Describe& record(std::vector<R> S::*member, std::string_view key, std::string_view words) {
+    add(FieldKind::records, key, words, R::describe()).slot = [member](void* s) -> Slot {
       std::vector<R>* r = &(static_cast<S*>(s)->*member);
       return Record{[r]() -> void* { return &r->emplace_back(); },
                     [r] {
@@ -187,16 +191,13 @@ class Describe {
                       return all;
                     }};
     };
-    return add(std::move(f));
+    return *this;
   }
 
   /// Structs that the deck names; R has a member `name`.
   template <class R>
-  Describe& named_records(std::vector<R> S::*member, std::string key, std::string words) {
-    Field f = make(std::move(key), "", si::one, std::move(words));
-    f.kind = FieldKind::named_records;
-    f.record = &R::describe();
-    f.slot = [member](void* s) -> Slot {
+  Describe& named_records(std::vector<R> S::*member, std::string_view key, std::string_view words) {
+    add(FieldKind::named_records, key, words, R::describe()).slot = [member](void* s) -> Slot {
       std::vector<R>* r = &(static_cast<S*>(s)->*member);
       return NamedRecords{[r](const std::string& name) -> void* {
                             r->emplace_back().name = name;
@@ -208,19 +209,19 @@ class Describe {
                             return all;
                           }};
     };
-    return add(std::move(f));
+    return *this;
   }
   /// Of these keys a struct gives one and only one.
   Describe& exactly_one(std::vector<std::string> keys) {
     return description_.exactly_one.push_back(std::move(keys)), *this;
   }
-  Describe& later(std::string key, std::string words) {
-    return description_.later.push_back({std::move(key), std::move(words)}), *this;
+  Describe& later(std::string_view key, std::string_view words) {
+    return description_.later.push_back({std::string(key), std::string(words)}), *this;
   }
 
   /// Texts that a list of texts may have.
   Describe& of(std::vector<std::string> choices) { return last().choices = std::move(choices), *this; }
-  Describe& shorthand(std::string key) { return last().shorthand = std::move(key), *this; }
+  Describe& shorthand(std::string_view key) { return last().shorthand = key, *this; }
   Describe& rest() { return last().rest = true, *this; }
   Describe& one_for_all() { return last().one_for_all = true, *this; }
   Describe& required() { return last().required = true, *this; }
@@ -229,9 +230,7 @@ class Describe {
   Describe& at_least(double low) { return last().range.low = low, last().range.low_included = true, *this; }
   Describe& below(double high) { return last().range.high = high, last().range.high_included = false, *this; }
   Describe& at_most(double high) { return last().range.high = high, last().range.high_included = true, *this; }
-  Describe& from(std::string source) { return last().source = std::move(source), *this; }
-
-  operator Description() const { return description_; }  // the end of the chain
+  Describe& from(std::string_view source) { return last().source = source, *this; }
 
  private:
   template <class Member>
@@ -253,21 +252,6 @@ class Describe {
       return FieldKind::text;
     }
   }
-  static Field make(std::string key, std::string symbol, const Unit& unit, std::string words) {
-    Field f;
-    f.key = std::move(key);
-    f.symbol = std::move(symbol);
-    f.unit = unit;
-    f.words = std::move(words);
-    return f;
-  }
-  Describe& add(Field f) {
-    description_.fields.push_back(std::move(f));
-    return *this;
-  }
-  Field& last() { return description_.fields.back(); }
-
-  Description description_;
 };
 
 /// A rule between fields that a deck breaks: `path` is "span.load" or "cases[1].falls" below `input`.

@@ -5,7 +5,7 @@
 #include <numbers>
 
 namespace taut {
-namespace {
+namespace field_test {
 
 enum class Wrap { geometric, paper };
 
@@ -94,5 +94,5 @@ TEST(Field, RangesKnowTheirOpenEnds) {
   EXPECT_TRUE(Range{}.contains(-1e300));
 }
 
-}  // namespace
+}  // namespace field_test
 }  // namespace taut

@@ -5,7 +5,7 @@
 #include "taut/calc/num.hpp"
 
 namespace taut {
-namespace {
+namespace formula_test {
 
 const Num a = Num::named("a", si::one, 2);
 const Num b = Num::named("b", si::one, -3);
@@ -44,5 +44,5 @@ TEST(Formula, NumbersHaveSixDigits) {
   EXPECT_EQ(number_text(-0.0), "-0");
 }
 
-}  // namespace
+}  // namespace formula_test
 }  // namespace taut

@@ -9,7 +9,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut {
-namespace {
+namespace num_test {
 
 /// A formula that uses every operation; written once, as a method's would be.
 template <class T>
@@ -70,5 +70,5 @@ TEST(Num, ComparesByValue) {
   EXPECT_TRUE(Num(3) > Num(2));
 }
 
-}  // namespace
+}  // namespace num_test
 }  // namespace taut

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace taut {
-namespace {
+namespace result_test {
 
 struct Part {
   double falls = 8;
@@ -140,5 +140,5 @@ TEST(Result, GivenOfNamedStructsCarriesTheirNames) {
   EXPECT_EQ(all[3].text, "x, z");
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace taut

@@ -5,7 +5,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut {
-namespace {
+namespace sheet_test {
 
 struct Input {
   double cutting_force = 2500;
@@ -91,5 +91,5 @@ TEST(Sheet, NoRootIsEmptyAndRecordsNothing) {
   EXPECT_TRUE(s.steps().empty());
 }
 
-}  // namespace
+}  // namespace sheet_test
 }  // namespace taut

@@ -6,7 +6,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::catalogue {
-namespace {
+namespace csv_test {
 
 struct Row {
   std::string id;
@@ -179,5 +179,5 @@ RC_GTEST_PROP(Csv, a_quoted_text_comes_back, (const std::string& any)) {
   RC_ASSERT(r.rows[0].note == text);
 }
 
-}  // namespace
+}  // namespace csv_test
 }  // namespace taut::catalogue

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::catalogue {
-namespace {
+namespace lookup_test {
 
 TEST(Lookup, normalised_names) {
   EXPECT_EQ(normalised("CHS 508\u00d716"), "chs508x16");
@@ -38,5 +38,5 @@ TEST(Lookup, texts) {
   EXPECT_EQ(to_text(LookupError{"no steel 'oak'", {}}), "no steel 'oak'");
 }
 
-}  // namespace
+}  // namespace lookup_test
 }  // namespace taut::catalogue

@@ -9,7 +9,7 @@
 #include "taut/catalogue/rope_search.hpp"
 
 namespace taut::catalogue {
-namespace {
+namespace rope_test {
 
 TEST(Ropes, the_built_in_table_is_read_whole) {
   EXPECT_EQ(ropes().size(), 1613U);
@@ -128,5 +128,5 @@ TEST(RopeFactors, table) {
   EXPECT_FALSE(find_rope_factors("6x36", "oak"));
 }
 
-}  // namespace
+}  // namespace rope_test
 }  // namespace taut::catalogue

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::catalogue {
-namespace {
+namespace rope_words_test {
 
 TEST(RopeWords, AnyOrder) {
   for (const char* text : {"EN 12385-4|6x36-IWRC|16|1960", "6x36-IWRC 16 mm 1960 MPa", "16mm 6x36 IWRC 1960MPa",
@@ -31,5 +31,5 @@ TEST(RopeWords, SaysWhatIsMissing) {
   EXPECT_FALSE(rope.error().message.empty());
 }
 
-}  // namespace
+}  // namespace rope_words_test
 }  // namespace taut::catalogue

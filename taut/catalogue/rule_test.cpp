@@ -7,7 +7,7 @@
 #include <set>
 
 namespace taut::catalogue {
-namespace {
+namespace rule_test {
 
 TEST(Rules, the_built_in_tables) {
   std::set<std::string> ids;
@@ -71,5 +71,5 @@ TEST(Rules, a_users_table) {
   EXPECT_FALSE(read_rules(header + "a.b,,x,,1,1,furlong,,book,verified\n", "r"));
 }
 
-}  // namespace
+}  // namespace rule_test
 }  // namespace taut::catalogue

@@ -14,7 +14,7 @@
 #include "test/paths.hpp"
 
 namespace taut::catalogue {
-namespace {
+namespace section_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -199,5 +199,5 @@ TEST(SectionSearch, lightest_first_within_the_filter) {
   for (const SectionRow& row : select_sections(trusted)) EXPECT_NE(row.trust, Trust::unverified) << row.name;
 }
 
-}  // namespace
+}  // namespace section_test
 }  // namespace taut::catalogue

@@ -5,7 +5,7 @@
 #include <set>
 
 namespace taut::catalogue {
-namespace {
+namespace steel_test {
 
 TEST(Steels, the_built_in_table) {
   std::set<std::string> names;
@@ -82,5 +82,5 @@ TEST(Steels, a_users_table) {
   EXPECT_FALSE(read_steels(header + "X,,own,guess,0,16,700,800,verified\n", "x"));
 }
 
-}  // namespace
+}  // namespace steel_test
 }  // namespace taut::catalogue

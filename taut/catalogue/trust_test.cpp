@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::catalogue {
-namespace {
+namespace trust_test {
 
 TEST(Trust, names_go_both_ways) {
   for (const Trust trust : {Trust::verified, Trust::derived, Trust::unverified}) {
@@ -21,5 +21,5 @@ TEST(Trust, order) {
   EXPECT_EQ(weaker(Trust::derived, Trust::verified), Trust::derived);
 }
 
-}  // namespace
+}  // namespace trust_test
 }  // namespace taut::catalogue

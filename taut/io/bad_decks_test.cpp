@@ -11,7 +11,7 @@
 #include "taut/io/sample_test.hpp"
 
 namespace taut::io {
-namespace {
+namespace bad_decks_test {
 
 Diagnostics mistakes_of(const std::string& text) {
   Diagnostics mistakes;
@@ -56,5 +56,5 @@ TEST(BadDecks, CutAndDamagedDecksNeverThrow) {
   }
 }
 
-}  // namespace
+}  // namespace bad_decks_test
 }  // namespace taut::io

@@ -11,7 +11,7 @@
 #include "taut/io/sample_test.hpp"
 
 namespace taut::io {
-namespace {
+namespace deck_test {
 
 namespace fs = std::filesystem;
 
@@ -235,5 +235,5 @@ TEST_F(Include, AFileIsCutBehindTheLargestDeck) {
   EXPECT_FALSE(read_file(folder_.string()));
 }
 
-}  // namespace
+}  // namespace deck_test
 }  // namespace taut::io

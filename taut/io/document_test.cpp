@@ -7,7 +7,7 @@
 #include <string>
 
 namespace taut::io {
-namespace {
+namespace document_test {
 
 std::string told(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
@@ -174,5 +174,5 @@ TEST(Document, IsNeverSlow) {
   }
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace taut::io

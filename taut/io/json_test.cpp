@@ -9,7 +9,7 @@
 #include "taut/calc/formula.hpp"
 
 namespace taut::io {
-namespace {
+namespace json_test {
 
 Result sample() {
   Result r;
@@ -95,5 +95,5 @@ TEST(Json, TextsThatAreNotUtf8DoNotStopIt) {
   EXPECT_EQ(nlohmann::json::parse(to_json(r))["title"], "a\xEF\xBF\xBD\x01 \"b\"");
 }
 
-}  // namespace
+}  // namespace json_test
 }  // namespace taut::io

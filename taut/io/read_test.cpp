@@ -11,7 +11,7 @@
 #include "taut/io/sample_test.hpp"
 
 namespace taut::io {
-namespace {
+namespace read_test {
 
 struct Told {
   bool good = false;
@@ -270,5 +270,5 @@ TEST(Read, ExamplesAreAllowedByTheirOwnRange) {
   }
 }
 
-}  // namespace
+}  // namespace read_test
 }  // namespace taut::io

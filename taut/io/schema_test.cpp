@@ -17,7 +17,7 @@
 #include "test/paths.hpp"
 
 namespace taut::io {
-namespace {
+namespace schema_test {
 
 namespace fs = std::filesystem;
 
@@ -190,5 +190,5 @@ TEST_F(SchemaScript, RefusesEachOfThese) {
   }
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace taut::io

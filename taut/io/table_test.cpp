@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace taut::io {
-namespace {
+namespace table_test {
 
 TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
   const Table t{"extension",
@@ -68,5 +68,5 @@ TEST(Series, NamesColumnsByTheirLabels) {
   EXPECT_EQ(column_name("µ_s"), "µ_s");
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace taut::io

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace taut {
-namespace {
+namespace roots_test {
 
 TEST(FindRoot, HitsTheLastBits) {
   const auto r = find_root([](double x) { return x * x - 2; }, 0, 2);
@@ -42,5 +42,5 @@ RC_GTEST_PROP(FindRoot, SolvesTheCubicsOfTheMast, ()) {
   RC_ASSERT(std::abs(f(*r)) <= 1e-13 * (160e6 * std::pow(*r, 3) + n * *r + 6 * m));
 }
 
-}  // namespace
+}  // namespace roots_test
 }  // namespace taut

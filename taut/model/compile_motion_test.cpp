@@ -7,7 +7,7 @@
 #include "taut/model/state.hpp"
 
 namespace taut::model {
-namespace {
+namespace compile_motion_test {
 
 using testing::HasSubstr;
 
@@ -294,5 +294,5 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   EXPECT_THAT(complaints_of(m), HasSubstr("the reevings have the numbers 1 to 1"));
 }
 
-}  // namespace
+}  // namespace compile_motion_test
 }  // namespace taut::model

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace taut::model {
-namespace {
+namespace compile_test {
 
 using description::PathElement;
 
@@ -327,5 +327,5 @@ TEST(Compile, TellsAllMistakesAtOnce) {
   EXPECT_EQ(model.error().size(), 4U) << complaints_of(m);
 }
 
-}  // namespace
+}  // namespace compile_test
 }  // namespace taut::model

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace taut::model {
-namespace {
+namespace signal_test {
 
 Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
   return {"r", si::m_per_s, Moves{from, {{start, to, duration, smooth}}}};
@@ -118,5 +118,5 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   RC_ASSERT(std::is_sorted(breaks.begin(), breaks.end()));
 }
 
-}  // namespace
+}  // namespace signal_test
 }  // namespace taut::model

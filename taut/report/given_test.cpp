@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace given_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -36,4 +36,4 @@ TEST(Given, EveryValueIsOnThePage) {
   for (const char* number : {"111", "222", "333"}) EXPECT_NE(html.find(number), std::string::npos) << number;
 }
 
-}  // namespace
+}  // namespace given_test

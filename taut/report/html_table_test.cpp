@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::report {
-namespace {
+namespace html_table_test {
 
 Table wide(std::size_t columns) {
   Table t{"load_path", "Load path", {}, {std::vector<Cell>()}};
@@ -33,5 +33,5 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
   EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
 }
 
-}  // namespace
+}  // namespace html_table_test
 }  // namespace taut::report

@@ -4,7 +4,7 @@
 
 #include "test/golden/made_result.hpp"
 
-namespace {
+namespace html_test {
 
 using namespace taut;
 
@@ -75,4 +75,4 @@ TEST(Html, IsCompleteForEveryStatusAndForNothing) {
   EXPECT_NE(page.find("^~~~~~"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace html_test

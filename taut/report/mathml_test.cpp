@@ -7,7 +7,7 @@
 #include "taut/calc/num.hpp"
 #include "taut/report/formula_width.hpp"
 
-namespace {
+namespace mathml_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -117,4 +117,4 @@ TEST(FormulaWidth, GrowsWithTheFormula) {
   EXPECT_LT(formula_width(*a.formula(), Leaves::numbers), formula_width(*b.formula(), Leaves::numbers));
 }
 
-}  // namespace
+}  // namespace mathml_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace placement_test {
 
 using namespace taut::report;
 
@@ -50,4 +50,4 @@ TEST(Placement, ACrowdedPlaceGetsALeader) {
   EXPECT_NE(to_svg(placed, 12).find("leader"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace placement_test

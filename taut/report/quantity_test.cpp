@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace {
+namespace quantity_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -60,4 +60,4 @@ TEST(Quantity, AColumnHasOneNumberOfDecimals) {
   EXPECT_EQ(column_shown({1e12, 2e12}), (Texts{"1×10¹²", "2×10¹²"}));
 }
 
-}  // namespace
+}  // namespace quantity_test

@@ -4,7 +4,7 @@
 
 #include "taut/calc/num.hpp"
 
-namespace {
+namespace steps_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -52,4 +52,4 @@ TEST(Steps, AVeryLongNoteIsCutAndSaysSo) {
   EXPECT_NE(html.find("more lines are left out here"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace steps_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <regex>
 
-namespace {
+namespace svg_drawing_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -115,4 +115,4 @@ TEST(SvgDrawing, FitsAPageWithItsLabels) {
   EXPECT_LE(std::stod(m[1]), 760);
 }
 
-}  // namespace
+}  // namespace svg_drawing_test

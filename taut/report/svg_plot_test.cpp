@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace svg_plot_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -73,4 +73,4 @@ TEST(SvgPlot, EscapesLabels) {
   EXPECT_EQ(text.find("gone"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace svg_plot_test

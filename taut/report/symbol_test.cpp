@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace symbol_test {
 
 using namespace taut::report;
 using Texts = std::vector<std::string>;
@@ -63,4 +63,4 @@ TEST(Symbol, SvgLowersSubscriptsAndComesBack) {
   EXPECT_NE(svg.find("<tspan class=\"t\" dy=\"-.2em\"> = 1</tspan>"), std::string::npos) << svg;
 }
 
-}  // namespace
+}  // namespace symbol_test

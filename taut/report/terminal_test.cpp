@@ -5,7 +5,7 @@
 
 #include "test/golden/made_result.hpp"
 
-namespace {
+namespace terminal_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -68,4 +68,4 @@ TEST(Terminal, PrintsShortTablesTurnsWideOnesAndNamesLongOnes) {
   EXPECT_NE(text.find("In the report and as CSV with -o: tall (100 rows)"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace terminal_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace text_test {
 
 using namespace taut::report;
 
@@ -52,4 +52,4 @@ TEST(Text, CssStringCannotLeaveTheStyleSheet) {
   EXPECT_EQ(s, "\"a\\22 }\\3c /style\\3e \\5c \"");
 }
 
-}  // namespace
+}  // namespace text_test

@@ -7,7 +7,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace {
+namespace ticks_test {
 
 using namespace taut::report;
 
@@ -36,4 +36,4 @@ RC_GTEST_PROP(Ticks, CoverTheRangeWithAFewSteps, ()) {
   RC_ASSERT(ticks.size() <= 13U);
 }
 
-}  // namespace
+}  // namespace ticks_test

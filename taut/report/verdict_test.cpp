@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace verdict_test {
 
 using namespace taut;
 using namespace taut::report;
@@ -60,4 +60,4 @@ TEST(Verdict, Utilisation) {
   EXPECT_EQ(utilisation_text(std::nan("")), "-");
 }
 
-}  // namespace
+}  // namespace verdict_test

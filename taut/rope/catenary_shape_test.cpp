@@ -10,7 +10,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace catenary_shape_test {
 
 struct Solved {
   CatenaryRope rope;
@@ -112,5 +112,5 @@ TEST(CatenaryShape, OfAVerticalLoopHangsBelowItsLowerEnd) {
   EXPECT_THROW(point_at(s.rope, s.force, 11), ContractViolation);
 }
 
-}  // namespace
+}  // namespace catenary_shape_test
 }  // namespace taut::rope

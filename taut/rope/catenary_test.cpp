@@ -12,7 +12,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace catenary_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -278,5 +278,5 @@ TEST(Catenary, HeatKeepsTheWeight) {
   EXPECT_THROW(heated({100, 10, 1e6}, -1), ContractViolation);
 }
 
-}  // namespace
+}  // namespace catenary_test
 }  // namespace taut::rope

@@ -10,7 +10,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace contact_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -155,5 +155,5 @@ TEST(Contact, RefusesWhatIsNone) {
   EXPECT_THROW(v_groove_friction(0.1, 0), ContractViolation);
 }
 
-}  // namespace
+}  // namespace contact_test
 }  // namespace taut::rope

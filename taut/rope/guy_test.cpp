@@ -10,7 +10,7 @@
 #include "taut/rope/span.hpp"
 
 namespace taut::rope {
-namespace {
+namespace guy_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -96,5 +96,5 @@ TEST(Guy, ThreeEqualGuysAreAlikeInEveryDirection) {
 
 TEST(Guy, RefusesASlackOne) { EXPECT_THROW(ernst_stiffness({40, 0.7, 20, 2.5e7, 0}), ContractViolation); }
 
-}  // namespace
+}  // namespace guy_test
 }  // namespace taut::rope

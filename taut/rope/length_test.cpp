@@ -9,7 +9,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace length_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -77,5 +77,5 @@ TEST(Length, RefusesWhatIsNone) {
   EXPECT_THROW(unstretched_on_arc(1, 0, 1, 1e7), ContractViolation);
 }
 
-}  // namespace
+}  // namespace length_test
 }  // namespace taut::rope

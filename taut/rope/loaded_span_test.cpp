@@ -13,7 +13,7 @@
 #include "taut/rope/span.hpp"
 
 namespace taut::rope {
-namespace {
+namespace loaded_span_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -173,5 +173,5 @@ TEST(LoadedSpan, SaysWhyThereIsNone) {
   EXPECT_THROW(point_at(*solve_loaded_span({10, 5, 1e6}, {9, 0, 0}, {}), -1), ContractViolation);
 }
 
-}  // namespace
+}  // namespace loaded_span_test
 }  // namespace taut::rope

@@ -13,7 +13,7 @@
 #include "taut/rope/span.hpp"
 
 namespace taut::rope {
-namespace {
+namespace parabola_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -116,5 +116,5 @@ TEST(Parabola, RefusesWhatIsNone) {
   EXPECT_THROW(arc_length({100, 0, 5}, 0), ContractViolation);
 }
 
-}  // namespace
+}  // namespace parabola_test
 }  // namespace taut::rope

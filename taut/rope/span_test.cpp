@@ -11,7 +11,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace span_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -132,5 +132,5 @@ TEST(Span, SagsAsItsCatenary) {
   EXPECT_LT((point_at(s, 50) - Vector3(24, 32, -26.547034967)).norm(), 1e-8);
 }
 
-}  // namespace
+}  // namespace span_test
 }  // namespace taut::rope

@@ -11,7 +11,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut::rope {
-namespace {
+namespace tangent_test {
 
 constexpr double pi = std::numbers::pi;
 const Vector3 y = Vector3::UnitY();
@@ -201,5 +201,5 @@ TEST(Tangent, RefusesWhatIsNoSheave) {
   EXPECT_FALSE(to_text(NoLine::inside).empty());
 }
 
-}  // namespace
+}  // namespace tangent_test
 }  // namespace taut::rope

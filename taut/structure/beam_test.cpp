@@ -8,7 +8,7 @@
 #include "taut/catalogue/section_search.hpp"
 
 namespace taut::structure {
-namespace {
+namespace beam_test {
 
 TEST(Beam, EndMomentBendsItToACircle) {
   const BeamSection b = tube_section(0.2, 0.01);
@@ -62,5 +62,5 @@ TEST(Beam, StressOfTubesAndBoxes) {
   EXPECT_NEAR(tube_section(0.508, 0.016).W_x / t.W_x, 1, 1e-3);
 }
 
-}  // namespace
+}  // namespace beam_test
 }  // namespace taut::structure

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace taut {
-namespace {
+namespace any_quantity_test {
 
 TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
   struct Case {
@@ -33,5 +33,5 @@ TEST(AnyQuantity, SaysWhyNot) {
   EXPECT_FALSE(same_kind(si::rad, si::one));
 }
 
-}  // namespace
+}  // namespace any_quantity_test
 }  // namespace taut

@@ -5,7 +5,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut {
-namespace {
+namespace dimension_test {
 
 constexpr Dimension force = dimension(1, 1, -2);
 
@@ -27,5 +27,5 @@ TEST(Dimension, PrintsBaseUnits) {
   EXPECT_EQ(to_text(power(force, 1, 2)), "kg^(3/6) m^(3/6) s^-1");
 }
 
-}  // namespace
+}  // namespace dimension_test
 }  // namespace taut

@@ -9,7 +9,7 @@
 #include "taut/base/expects.hpp"
 
 namespace taut {
-namespace {
+namespace display_test {
 
 TEST(Display, PrintsInTheUnitsOwnUnitOfPrint) {
   const Display d;
@@ -92,5 +92,5 @@ RC_GTEST_PROP(Display, ReadsBackWhatItPrints, (const std::int32_t& whole)) {
   }
 }
 
-}  // namespace
+}  // namespace display_test
 }  // namespace taut

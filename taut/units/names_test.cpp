@@ -5,7 +5,7 @@
 #include <set>
 
 namespace taut {
-namespace {
+namespace names_test {
 
 TEST(Names, AreUniqueAndNeverRefused) {
   std::set<std::string_view> seen;
@@ -13,5 +13,5 @@ TEST(Names, AreUniqueAndNeverRefused) {
   for (const RefusedName& r : refused_names()) EXPECT_TRUE(seen.insert(r.name).second) << r.name;
 }
 
-}  // namespace
+}  // namespace names_test
 }  // namespace taut

@@ -9,7 +9,7 @@
 #include "taut/units/names.hpp"
 
 namespace taut {
-namespace {
+namespace parse_test {
 
 double in_si(std::string_view text, const Unit& unit) {
   const auto v = parse_quantity(text, unit);
@@ -110,5 +110,5 @@ RC_GTEST_PROP(ParseQuantity, NeverThrowsOnAnyText, (const std::string& text)) {
   for (const Unit& unit : {si::N, si::rad, si::one}) parse_quantity(text, unit);
 }
 
-}  // namespace
+}  // namespace parse_test
 }  // namespace taut

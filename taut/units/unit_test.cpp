@@ -5,7 +5,7 @@
 #include "taut/units/parse.hpp"
 
 namespace taut {
-namespace {
+namespace unit_test {
 
 TEST(Unit, EveryCoherentUnitIsShownInOneThatFits) {
   for (const Unit& u : {si::rad,      si::m,       si::m2,       si::m3,      si::m4,    si::s,       si::kg,
@@ -22,5 +22,5 @@ TEST(Unit, AnAngleNeedsItsUnitInTextThoughItHasNoDimension) {
   EXPECT_EQ(si::m.in("mm").shown, "mm");
 }
 
-}  // namespace
+}  // namespace unit_test
 }  // namespace taut

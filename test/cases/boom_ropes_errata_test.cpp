@@ -10,7 +10,7 @@
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
-namespace {
+namespace boom_ropes_errata_test {
 
 using namespace taut::boom_ropes;
 
@@ -195,4 +195,4 @@ TEST(BoomRopesErrata, CylinderHoldsTwiceTheForce) {
   EXPECT_NEAR(p.Fh, 2 * 326.2e3, 0.02 * 2 * 326.2e3);
 }
 
-}  // namespace
+}  // namespace boom_ropes_errata_test

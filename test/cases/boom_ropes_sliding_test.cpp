@@ -8,7 +8,7 @@
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
-namespace {
+namespace boom_ropes_sliding_test {
 
 using namespace taut::boom_ropes;
 
@@ -159,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(QuasiStatic, BoomRopesSlip,
                                          SlipRow{17, 0.3, 0.57, 8.8}, SlipRow{17, 3.3, 0.3, 15.8},
                                          SlipRow{21, 0.3, -0.34, 48.9}, SlipRow{21, 3.3, -0.2, 55.0}));
 
-}  // namespace
+}  // namespace boom_ropes_sliding_test

@@ -9,7 +9,7 @@
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
-namespace {
+namespace boom_ropes_test {
 
 using namespace taut::boom_ropes;
 
@@ -105,4 +105,4 @@ TEST(BoomRopesPaper, SlipAngleWithoutJamming) {
   EXPECT_NEAR(out.beta1_heavy / degree, 1.68, 0.01);
 }
 
-}  // namespace
+}  // namespace boom_ropes_test

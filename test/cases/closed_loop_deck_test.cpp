@@ -13,7 +13,7 @@
 // Decks of the method, read as a user's are.
 
 namespace taut::closed_loop {
-namespace {
+namespace closed_loop_deck_test {
 
 struct ReadDeck {
   Input in;
@@ -81,5 +81,5 @@ TEST(ClosedLoopDecks, TheStarterDeckRunsAndPasses) {
   EXPECT_NE(result.find_table("ropes"), nullptr);
 }
 
-}  // namespace
+}  // namespace closed_loop_deck_test
 }  // namespace taut::closed_loop

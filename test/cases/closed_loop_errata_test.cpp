@@ -13,7 +13,7 @@
 // catenaries.
 
 namespace taut::closed_loop {
-namespace {
+namespace closed_loop_errata_test {
 
 using taut_test::LoopCase;
 using taut_test::LoopForces;
@@ -437,5 +437,5 @@ TEST(ClosedLoopWitness, ClosedFormTierOverTheGrid) {
   EXPECT_GT(share_below(loads, 0.005), 0.95);
 }
 
-}  // namespace
+}  // namespace closed_loop_errata_test
 }  // namespace taut::closed_loop

@@ -7,7 +7,7 @@
 
 // Shoshin et al. 2022 prints no worked example: the numbers are of an independent calculation with plain vectors.
 namespace taut::mast_section {
-namespace {
+namespace mast_section_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -170,5 +170,5 @@ TEST(MastSectionCase, ChecksANamedSection) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
-}  // namespace
+}  // namespace mast_section_test
 }  // namespace taut::mast_section

@@ -10,7 +10,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace closed_loop_any_deck_test {
 
 using namespace taut_test;
 
@@ -92,5 +92,5 @@ TEST(ClosedLoopAnyDeck, NoneGivesANumberThatDoesNotClose) {
   EXPECT_GT(answered, 100);
 }
 
-}  // namespace
+}  // namespace closed_loop_any_deck_test
 }  // namespace taut::closed_loop

@@ -14,7 +14,7 @@
 // give beside exact catenaries.
 
 namespace taut::closed_loop {
-namespace {
+namespace closed_loop_test {
 
 using namespace taut_test;
 
@@ -380,5 +380,5 @@ TEST(ClosedLoopExact, LiftOffIsRefused) {
   EXPECT_EQ(r.find_value("T_lA_exact"), nullptr);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace taut::closed_loop

@@ -6,7 +6,7 @@
 
 // The method and the engine on the same drive.
 namespace taut::app {
-namespace {
+namespace friction_drive_exact_test {
 
 using namespace friction_drive;
 
@@ -129,5 +129,5 @@ TEST(FrictionDriveExact, OneTakeUpOnly) {
   EXPECT_TRUE(complaints(in).empty());
 }
 
-}  // namespace
+}  // namespace friction_drive_exact_test
 }  // namespace taut::app

@@ -13,7 +13,7 @@
 
 // The method and the engine on the same mast: equal where the method's assumptions hold, apart where they do not.
 namespace taut::app {
-namespace {
+namespace mast_section_exact_test {
 
 using namespace mast_section;
 
@@ -189,5 +189,5 @@ TEST(MoreExamples, AllRunAndTheirExactChecksPass) {
   EXPECT_GT(count, 0);
 }
 
-}  // namespace
+}  // namespace mast_section_exact_test
 }  // namespace taut::app

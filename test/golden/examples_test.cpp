@@ -8,7 +8,7 @@
 #include "taut/report/terminal.hpp"
 #include "test/golden/golden.hpp"
 
-namespace {
+namespace examples_test {
 
 using namespace taut;
 using taut_test::golden;
@@ -32,4 +32,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, ExampleReport,
                          testing::Values("mast_section", "closed_loop", "friction_drive", "boom_ropes"),
                          [](const auto& one) { return one.param; });
 
-}  // namespace
+}  // namespace examples_test

@@ -6,7 +6,7 @@
 #include "test/golden/golden.hpp"
 #include "test/golden/made_result.hpp"
 
-namespace {
+namespace report_test {
 
 using namespace taut;
 using taut_test::golden;
@@ -41,4 +41,4 @@ TEST(Golden, NormalisingTakesOutOnlyWhatChanges) {
   EXPECT_EQ(normalised("63 kN at 0.12"), "63 kN at 0.12");
 }
 
-}  // namespace
+}  // namespace report_test

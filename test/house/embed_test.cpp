@@ -9,7 +9,7 @@
 #include "taut_test/embedded/table.hpp"
 #include "test/paths.hpp"
 
-namespace {
+namespace embed_test {
 
 std::string content(std::string_view path) {
   std::ifstream in(taut_test::source_dir() / path, std::ios::binary);
@@ -29,4 +29,4 @@ TEST(Embed, TableIsKeyedByFileNameInTheOrderGiven) {
   EXPECT_EQ(taut_test::embedded::table[1].second, content("test/house/bytes.bin"));
 }
 
-}  // namespace
+}  // namespace embed_test

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace taut::boom_ropes {
-namespace {
+namespace boom_ropes_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -155,5 +155,5 @@ TEST(BoomRopes, NoCaseNoLimit) {
   EXPECT_EQ(run(in).status, Status::ok);
 }
 
-}  // namespace
+}  // namespace boom_ropes_test
 }  // namespace taut::boom_ropes

@@ -5,7 +5,7 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
 namespace taut::boom_ropes {
-namespace {
+namespace description_test {
 
 TEST(BoomDescription, KeysOfTheDeck) {
   for (const char* key : {"section_weight", "pad_friction", "tackle_efficiency", "extension_stiffness",
@@ -71,5 +71,5 @@ TEST(BoomAbout, EveryErratumIsComplete) {
   }
 }
 
-}  // namespace
+}  // namespace description_test
 }  // namespace taut::boom_ropes

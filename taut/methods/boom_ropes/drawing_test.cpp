@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace taut::boom_ropes {
-namespace {
+namespace drawing_test {
 
 Input crane() {
   Input in;
@@ -83,5 +83,5 @@ TEST(BoomDrawing, StaticDeckHasItsOwnFigures) {
   EXPECT_EQ(drawing(all, "boom"), nullptr);
 }
 
-}  // namespace
+}  // namespace drawing_test
 }  // namespace taut::boom_ropes

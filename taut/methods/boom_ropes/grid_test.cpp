@@ -7,7 +7,7 @@
 #include "taut/methods/boom_ropes/sliding.hpp"
 
 namespace taut::boom_ropes {
-namespace {
+namespace grid_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -84,5 +84,5 @@ TEST(BoomGrid, ExtremesAreThoseOfTheGrid) {
   EXPECT_EQ(out.Fh, out.Fh_min);
 }
 
-}  // namespace
+}  // namespace grid_test
 }  // namespace taut::boom_ropes

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace taut::boom_ropes {
-namespace {
+namespace piecewise_test {
 
 TEST(Piecewise, FindsTheOneRisingRoot) {
   const Crossings c = crossings([](double x) { return 2 * x - 3 + std::abs(x); }, {0});
@@ -49,5 +49,5 @@ RC_GTEST_PROP(Piecewise, BracketsTheRootOfARisingFunction, ()) {
   RC_ASSERT(f(c.high) >= 0);
 }
 
-}  // namespace
+}  // namespace piecewise_test
 }  // namespace taut::boom_ropes

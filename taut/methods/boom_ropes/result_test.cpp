@@ -9,7 +9,7 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
 namespace taut::boom_ropes {
-namespace {
+namespace result_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -137,5 +137,5 @@ TEST(BoomRopesComplaints, RopeShorterThanItsBranch) {
   EXPECT_EQ(complaints(in)[0].path, "sliding.extension_length");
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace taut::boom_ropes

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace taut::boom_ropes {
-namespace {
+namespace sliding_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -215,5 +215,5 @@ TEST(BoomSliding, EightFallsWhenLiftingElseSix) {
   EXPECT_EQ(falls_of(q), 4);
 }
 
-}  // namespace
+}  // namespace sliding_test
 }  // namespace taut::boom_ropes

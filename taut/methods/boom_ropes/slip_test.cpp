@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace taut::boom_ropes {
-namespace {
+namespace slip_test {
 
 Input crane() {
   Input in;
@@ -64,5 +64,5 @@ RC_GTEST_PROP(SlipAngle, LessOverlapHoldsSteeper, ()) {
   RC_ASSERT(a.angle >= a.free_angle);
 }
 
-}  // namespace
+}  // namespace slip_test
 }  // namespace taut::boom_ropes

@@ -6,7 +6,7 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
 namespace taut::boom_ropes {
-namespace {
+namespace tensioning_test {
 
 TEST(Tensioning, NoStepsNoRows) { EXPECT_TRUE(tensioning(1270, 0).empty()); }
 
@@ -26,5 +26,5 @@ RC_GTEST_PROP(Tensioning, NeverPullsHarderThanThePadsHold, ()) {
   }
 }
 
-}  // namespace
+}  // namespace tensioning_test
 }  // namespace taut::boom_ropes

@@ -11,7 +11,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace closed_loop_test {
 
 using namespace taut_test;
 
@@ -242,5 +242,5 @@ TEST(ClosedLoopTypes, EveryStepStandsInTheNote) {
   }
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace taut::closed_loop

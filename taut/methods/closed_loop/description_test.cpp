@@ -6,7 +6,7 @@
 #include "taut/methods/closed_loop/closed_loop.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace description_test {
 
 TEST(ClosedLoopDescription, HasTheDeckKeys) {
   for (const char* key : {"span",
@@ -81,5 +81,5 @@ TEST(ClosedLoopAbout, SaysWhereItComesFromAndWhatItLeavesOut) {
   }
 }
 
-}  // namespace
+}  // namespace description_test
 }  // namespace taut::closed_loop

@@ -8,7 +8,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace paper_test {
 
 using namespace taut_test;
 
@@ -88,5 +88,5 @@ RC_GTEST_PROP(ClosedLoopPaper, ALossierSheaveTakesLoadOffTheUpperBranch, ()) {
   RC_ASSERT(smooth.T_n < lossy.T_n);
 }
 
-}  // namespace
+}  // namespace paper_test
 }  // namespace taut::closed_loop

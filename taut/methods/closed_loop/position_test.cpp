@@ -7,7 +7,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace position_test {
 
 using namespace taut_test;
 
@@ -108,5 +108,5 @@ TEST(ClosedLoopPosition, LiftOffBoundaryAtMidspan) {
   EXPECT_EQ(solve(in, out).status, Status::infeasible);
 }
 
-}  // namespace
+}  // namespace position_test
 }  // namespace taut::closed_loop

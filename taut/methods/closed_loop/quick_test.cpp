@@ -8,7 +8,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace quick_test {
 
 using namespace taut_test;
 
@@ -147,5 +147,5 @@ RC_GTEST_PROP(ClosedLoopQuick, SettlesInTheUsualRange, ()) {
   RC_ASSERT(p.passes < 60);
 }
 
-}  // namespace
+}  // namespace quick_test
 }  // namespace taut::closed_loop

@@ -7,7 +7,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace result_test {
 
 using namespace taut_test;
 
@@ -124,5 +124,5 @@ TEST(ClosedLoopResult, NoRopeIsInfeasibleWithoutSteps) {
   EXPECT_FALSE(r.given.empty());
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace taut::closed_loop

@@ -8,7 +8,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace sag_test {
 
 using namespace taut_test;
 
@@ -90,5 +90,5 @@ TEST(ClosedLoopSag, WithoutContactNoSagHelps) {
   EXPECT_NE(o.message.find("no sag is feasible"), std::string::npos) << o.message;
 }
 
-}  // namespace
+}  // namespace sag_test
 }  // namespace taut::closed_loop

@@ -10,7 +10,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace sizing_test {
 
 using namespace taut_test;
 
@@ -171,5 +171,5 @@ TEST(ClosedLoopSizing, PeaksAreTheLargestOfEachRope) {
   EXPECT_EQ(p.return_rope.where, "lower branch at B");
 }
 
-}  // namespace
+}  // namespace sizing_test
 }  // namespace taut::closed_loop

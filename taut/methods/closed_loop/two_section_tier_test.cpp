@@ -7,7 +7,7 @@
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop {
-namespace {
+namespace two_section_tier_test {
 
 using namespace taut_test;
 
@@ -65,5 +65,5 @@ RC_GTEST_PROP(ClosedLoopTwoSectionTier, BothSectionsAreInEquilibrium, ()) {
   RC_ASSERT(std::abs(o.T_uB - 0.9 * o.T_lB) < 1e-9 * o.T_lB);
 }
 
-}  // namespace
+}  // namespace two_section_tier_test
 }  // namespace taut::closed_loop

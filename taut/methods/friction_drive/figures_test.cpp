@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace taut::friction_drive {
-namespace {
+namespace figures_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -84,5 +84,5 @@ TEST(FrictionDriveFigures, MasslessRopeKeepsItsGrip) {
   EXPECT_EQ(speed_plot(in, out).marks.size(), 1u);
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace taut::friction_drive

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace taut::friction_drive {
-namespace {
+namespace friction_drive_test {
 
 rc::Gen<double> between(double low, double high) {
   return rc::gen::map(rc::gen::inRange(0, 1000001), [=](int i) { return low + (high - low) * i * 1e-6; });
@@ -155,5 +155,5 @@ TEST(FrictionDrive, NoReserveAndNoLossLeaveTheSlackBranchEmpty) {
   EXPECT_EQ(exit_code(run(in)), 4);
 }
 
-}  // namespace
+}  // namespace friction_drive_test
 }  // namespace taut::friction_drive

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace taut::friction_drive {
-namespace {
+namespace grip_test {
 
 Input weak() {
   Input in;
@@ -74,5 +74,5 @@ TEST(FrictionDriveGrip, PullAndForceAreInverse) {
   EXPECT_EQ(transmissible_force(-5, 2, 1), 0);
 }
 
-}  // namespace
+}  // namespace grip_test
 }  // namespace taut::friction_drive

@@ -7,7 +7,7 @@
 #include "taut/catalogue/rope_words.hpp"
 
 namespace taut::friction_drive {
-namespace {
+namespace rope_strength_test {
 
 Input saw() {
   Input in;
@@ -83,5 +83,5 @@ TEST(FrictionDriveRope, UnknownRopeIsAComplaint) {
   EXPECT_EQ(complaints(in)[0].path, "rope_area");
 }
 
-}  // namespace
+}  // namespace rope_strength_test
 }  // namespace taut::friction_drive

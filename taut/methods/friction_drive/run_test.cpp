@@ -6,7 +6,7 @@
 #include "taut/methods/friction_drive/friction_drive.hpp"
 
 namespace taut::friction_drive {
-namespace {
+namespace run_test {
 
 Input saw() {
   Input in;
@@ -82,5 +82,5 @@ TEST(FrictionDriveRun, EveryErratumNamesATestOfTheCases) {
   for (const Erratum& e : about().errata) EXPECT_EQ(e.test.rfind("FrictionDriveCase.", 0), 0u);
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace taut::friction_drive

@@ -3,7 +3,7 @@
 #include "taut/methods/mast_section/mast_section.hpp"
 
 namespace taut::mast_section {
-namespace {
+namespace complaints_test {
 
 Input good() {
   Input in;
@@ -97,5 +97,5 @@ TEST(MastSectionComplaints, SectionsThatAreNotThere) {
   EXPECT_EQ(paths(in), Paths{});
 }
 
-}  // namespace
+}  // namespace complaints_test
 }  // namespace taut::mast_section

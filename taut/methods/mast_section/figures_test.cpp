@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace taut::mast_section {
-namespace {
+namespace figures_test {
 
 Input mast() {
   Input in;
@@ -104,5 +104,5 @@ TEST(MastSectionFigures, AnglePlotHoldsTheCaseAtHand) {
   EXPECT_EQ(p.marks[0].y, out.D_tube);
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace taut::mast_section

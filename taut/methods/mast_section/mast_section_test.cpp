@@ -9,7 +9,7 @@
 #include "taut/methods/mast_section/position.hpp"
 
 namespace taut::mast_section {
-namespace {
+namespace mast_section_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -185,5 +185,5 @@ TEST(MastSection, HigherBlockBelowTheLowerOne) {
   EXPECT_NEAR(out.Q, 80e3, 1e-6);
 }
 
-}  // namespace
+}  // namespace mast_section_test
 }  // namespace taut::mast_section

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace taut::mast_section {
-namespace {
+namespace position_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -131,5 +131,5 @@ TEST(MastSectionPosition, SteelGivesTheYieldOfItsThinnestRange) {
   EXPECT_DOUBLE_EQ(out.sigma_allow, 177.5e6);
 }
 
-}  // namespace
+}  // namespace position_test
 }  // namespace taut::mast_section

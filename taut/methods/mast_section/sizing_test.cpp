@@ -5,7 +5,7 @@
 #include "taut/catalogue/steel.hpp"
 
 namespace taut::mast_section {
-namespace {
+namespace sizing_test {
 
 using catalogue::SectionShape;
 
@@ -102,5 +102,5 @@ TEST(MastSectionSizing, TrustOfTheLimit) {
   EXPECT_EQ(trust_of(limit_of(in)).substr(0, 10), "UNVERIFIED");
 }
 
-}  // namespace
+}  // namespace sizing_test
 }  // namespace taut::mast_section
