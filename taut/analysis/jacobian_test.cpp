@@ -111,7 +111,6 @@ TEST(Jacobian, MatchesDifferencesForClampsAndClosedRopes) {
   EXPECT_LT(worst_derivative(loop, {}, 1e-6), 1e-6);
 }
 
-<<<<<<< HEAD
 /// A beam from a body that slides and turns, or the ground, to a free top or another body, with a guy at a lug.
 model::Model with_beam(model::BeamHold base, model::BeamTop top, taut::structure::BeamOrder order, bool on_body) {
   model::Model m;
@@ -153,7 +152,4 @@ TEST(Jacobian, MatchesDifferencesForBeams) {
   }
 }
 
-}  // namespace
-=======
 }  // namespace jacobian_test
->>>>>>> 366b2d8 (tests: several files compile as one; each has a namespace of its own)
