@@ -78,6 +78,10 @@ std::string listed(const std::vector<std::string>& texts, std::size_t count) {
   return out;
 }
 
+tl::unexpected<LookupError> failure(std::string message, std::vector<std::string> candidates) {
+  return tl::unexpected(LookupError{std::move(message), std::move(candidates)});
+}
+
 std::string to_text(const LookupError& error) {
   if (error.candidates.empty()) return error.message;
   constexpr std::size_t most = 3;

@@ -16,6 +16,11 @@ struct LookupError {
 template <class Row>
 using Found = tl::expected<Row, LookupError>;
 
+tl::unexpected<LookupError> failure(std::string message, std::vector<std::string> candidates);
+
+/// How many candidates a message names.
+inline constexpr std::size_t suggested = 5;
+
 /// The message, and the candidates on the same line: `no steel 'S350'; did you mean 'S355' or 'S235'?`
 std::string to_text(const LookupError& error);
 

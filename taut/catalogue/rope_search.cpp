@@ -15,7 +15,6 @@ namespace {
 
 constexpr double same_diameter = 1e-6;  // m: far below the step of any table
 constexpr double same_grade = 0.5e6;    // Pa
-constexpr std::size_t suggested = 5;
 
 using Rows = std::vector<const RopeRow*>;
 
@@ -54,10 +53,6 @@ Rows nearest_diameters(Rows rows, double diameter) {
     return std::abs(a->diameter - diameter) < std::abs(b->diameter - diameter);
   });
   return rows;
-}
-
-tl::unexpected<LookupError> failure(std::string message, std::vector<std::string> candidates) {
-  return tl::unexpected(LookupError{std::move(message), std::move(candidates)});
 }
 
 /// Why no row has the construction, core and standard asked for.

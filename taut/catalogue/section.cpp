@@ -12,7 +12,7 @@
 namespace taut::catalogue {
 namespace {
 
-constexpr double rounding = 1.001;
+constexpr double table_rounding = 1.001;
 constexpr std::array shapes{SectionShape::chs, SectionShape::shs, SectionShape::rhs};
 constexpr std::array formings{Forming::hot, Forming::cold, Forming::seamless, Forming::welded};
 
@@ -28,8 +28,8 @@ void check_plausible(CsvReader& csv, const SectionRow& row) {
   if (row.width > row.height) csv.fail("B_mm", "B is above H: the larger side is H");
   if (2.0 * row.thickness > row.width) csv.fail("t_mm", "two walls are thicker than B");
   if (row.area > row.height * row.width) csv.fail("A_mm2", "the area is above H x B");
-  if (row.W_el_y > rounding * row.W_pl_y) csv.fail("Wely_mm3", "the elastic modulus is above the plastic one");
-  if (row.W_el_z > rounding * row.W_pl_z) csv.fail("Welz_mm3", "the elastic modulus is above the plastic one");
+  if (row.W_el_y > table_rounding * row.W_pl_y) csv.fail("Wely_mm3", "the elastic modulus is above the plastic one");
+  if (row.W_el_z > table_rounding * row.W_pl_z) csv.fail("Welz_mm3", "the elastic modulus is above the plastic one");
 }
 
 SectionRow read_row(CsvReader& csv) {

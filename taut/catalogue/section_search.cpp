@@ -11,7 +11,6 @@ namespace taut::catalogue {
 namespace {
 
 constexpr double same_size = 1e-6;  // m
-constexpr std::size_t suggested = 5;
 
 /// What a section's name says.
 struct SectionName {
@@ -94,10 +93,6 @@ std::vector<std::string> nearest_sections(const SectionName& name, const std::ve
   std::vector<std::string> out;
   for (std::size_t i = 0; i < std::min(suggested, ranking.size()); ++i) out.push_back(ranking[i].second);
   return out;
-}
-
-tl::unexpected<LookupError> failure(std::string message, std::vector<std::string> candidates) {
-  return tl::unexpected(LookupError{std::move(message), std::move(candidates)});
 }
 
 }  // namespace

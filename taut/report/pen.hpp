@@ -8,6 +8,10 @@
 
 namespace taut::report {
 
+/// Of all figures, pixels.
+inline constexpr double font_size = 12.5;
+inline constexpr double paper_width = 660;  ///< what a page takes in its full width
+
 /// How a role is drawn.
 struct Pen {
   std::string_view stroke;

@@ -15,8 +15,6 @@
 namespace taut::report {
 namespace {
 
-constexpr double font_size = 12.5;
-constexpr double paper_width = 660;    ///< what a page takes in its full width
 constexpr double drawing_width = 520;  ///< for the machine itself, before arrows and labels
 constexpr double drawing_height = 380;
 constexpr double polygon_height = 310;

@@ -14,11 +14,9 @@
 namespace taut::report {
 namespace {
 
-constexpr double font_size = 12.5;
-constexpr double paper_width = 660;
 constexpr double axes_height = 270;
 constexpr double character = 0.56 * font_size;
-constexpr int longest_label = 70;
+constexpr int longest_plot_label = 70;
 
 struct Style {
   std::string_view colour;
@@ -143,7 +141,7 @@ std::string tick_text(double v, const std::vector<double>& ticks) {
 }
 
 Runs axis_title(const Axis& axis, const ShownUnit& unit) {
-  Runs runs = label_runs(shortened(clean(axis.label), longest_label));
+  Runs runs = label_runs(shortened(clean(axis.label), longest_plot_label));
   const std::string name = unit_text(unit);
   if (!name.empty()) runs.push_back({fmt::format(" in {}", name), Run::Style::plain});
   return runs;
@@ -160,7 +158,7 @@ std::vector<Entry> entries_of(const Scene& s, const std::vector<Line>& lines) {
   std::vector<Entry> all;
   for (const Line& l : lines) {
     if (l.curve->label.empty()) continue;
-    all.push_back({label_runs(shortened(clean(l.curve->label), longest_label)), l.style, l.curve->points_only});
+    all.push_back({label_runs(shortened(clean(l.curve->label), longest_plot_label)), l.style, l.curve->points_only});
   }
   for (const Mark* m : s.limits_outside) {
     const std::string text = fmt::format("{}: {}, outside the range shown", m->label.empty() ? "limit" : m->label,
@@ -267,7 +265,7 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
   for (const Mark& m : s.plot.marks) {
     const bool outside = std::find(s.limits_outside.begin(), s.limits_outside.end(), &m) != s.limits_outside.end();
     if (outside || !std::isfinite(m.y) || (!m.whole_line && !std::isfinite(m.x))) continue;
-    const Runs runs = label_runs(shortened(clean(m.label), longest_label));
+    const Runs runs = label_runs(shortened(clean(m.label), longest_plot_label));
     if (m.whole_line) {
       const double y = s.y_pixel(s.y_unit.of(m.y));
       out += fmt::format(

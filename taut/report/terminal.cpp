@@ -91,7 +91,7 @@ std::string checks(const Result& r, const TerminalOptions& o) {
   return out;
 }
 
-std::string comparisons(const Result& r) {
+std::string comparison_lines(const Result& r) {
   if (r.comparisons.empty()) return {};
   const Display display = display_of(r);
   std::vector<Row> rows{{"", "as printed", "corrected", "exact", "", ""}};
@@ -105,7 +105,7 @@ std::string comparisons(const Result& r) {
   return fmt::format("\n{}\n", comparison_title(r)) + aligned(rows, {false, true, true, true, false, false});
 }
 
-std::string values(const Result& r) {
+std::string value_lines(const Result& r) {
   if (r.values.empty()) return {};
   const Display display = display_of(r);
   std::vector<Row> rows;
@@ -188,8 +188,8 @@ std::string to_terminal(const Result& r, const TerminalOptions& o) {
   if (!r.warnings.empty()) out += "\nWarnings\n";
   for (const std::string& w : r.warnings) out += hanging("  ! ", w, o.width);
   out += checks(r, o);
-  out += comparisons(r);
-  out += values(r);
+  out += comparison_lines(r);
+  out += value_lines(r);
   out += tables(r, o);
   return out;
 }

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-double mainline_height(const Input& in) { return in.mainline_block_height.value_or(in.skyline_block_height); }
-
 Polyline box(double left, double bottom, double right, double top, Role role) {
   return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, role, true, true};
 }
@@ -61,6 +59,8 @@ void add_forces(std::vector<Shape>& shapes, const Input& in, const Output& out) 
 }
 
 }  // namespace
+
+double mainline_height(const Input& in) { return in.mainline_block_height.value_or(in.skyline_block_height); }
 
 Drawing mast_drawing(const Input& in, const Output& out) {
   const double sky = in.skyline_block_height, main = mainline_height(in), height = std::max(sky, main);

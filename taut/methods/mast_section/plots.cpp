@@ -11,8 +11,6 @@ namespace {
 
 const Unit mm = si::m.in("mm");
 
-double mainline_height(const Input& in) { return in.mainline_block_height.value_or(in.skyline_block_height); }
-
 /// Heights where something happens: clamp, blocks (just below and just above, for the step of N), in ascending order.
 std::vector<double> stations(const Input& in) {
   const double low = std::min(in.skyline_block_height, mainline_height(in));
