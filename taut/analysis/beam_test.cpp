@@ -10,7 +10,7 @@
 #include "taut/analysis/machines_test.hpp"
 #include "taut/model/beam_build.hpp"
 
-namespace {
+namespace beam_test {
 
 using namespace taut_test;
 namespace analysis = taut::analysis;
@@ -81,4 +81,4 @@ TEST(Beam, CriticalFactorIsEulers) {
   }
 }
 
-}  // namespace
+}  // namespace beam_test

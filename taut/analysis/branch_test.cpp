@@ -9,7 +9,7 @@
 
 #include "taut/analysis/branch_force.hpp"
 
-namespace {
+namespace branch_test {
 
 using namespace taut;
 using namespace taut::analysis;
@@ -109,4 +109,4 @@ TEST(Branch, RatesAreDerivatives) {
   }
 }
 
-}  // namespace
+}  // namespace branch_test

@@ -10,7 +10,7 @@
 #include "taut/analysis/load_path.hpp"
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace carriages_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -283,4 +283,4 @@ TEST(AnyDirection, EndsSwapped) {
   EXPECT_NEAR(a.contacts[0].wrap, b.contacts[2].wrap, 1e-10);
 }
 
-}  // namespace
+}  // namespace carriages_test

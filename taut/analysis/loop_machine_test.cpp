@@ -7,7 +7,7 @@
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/running_loop.hpp"
 
-namespace {
+namespace loop_machine_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -182,4 +182,4 @@ TEST(ClosedLoop, TheGridOfSlopesAndSags) {
   EXPECT_GT(cases, 45);
 }
 
-}  // namespace
+}  // namespace loop_machine_test

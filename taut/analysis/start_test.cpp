@@ -4,7 +4,7 @@
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/machines_test.hpp"
 
-namespace {
+namespace start_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
@@ -46,4 +46,4 @@ TEST(Start, ColdBesideASaddleOfAnySize) {
   }
 }
 
-}  // namespace
+}  // namespace start_test

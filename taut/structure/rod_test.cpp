@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace taut::structure {
-namespace {
+namespace rod_test {
 
 Matrix3 turned(const Vector3& by) {
   return by.norm() == 0 ? Matrix3(Matrix3::Identity())
@@ -134,5 +134,5 @@ TEST(Rod, SineOfARotationAndItsDerivatives) {
   }
 }
 
-}  // namespace
+}  // namespace rod_test
 }  // namespace taut::structure
