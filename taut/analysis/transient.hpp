@@ -29,8 +29,8 @@ struct DynamicState {
     Vector3 spin = Vector3::Zero();             ///< angular velocity, ground frame, 1/s
   };
   struct Rope {
-    std::vector<double> length;       ///< by branch: unstretched, m; a broken branch: 0
-    std::vector<std::uint8_t> whole;  ///< by branch: 0 where it is broken
+    std::vector<double> length;       ///< by branch (of a rope in segments: by segment): unstretched, m
+    std::vector<std::uint8_t> whole;  ///< by the same: 0 where it is broken
     std::vector<double> angle;        ///< by node: of the sheave or drum in path sense, rad
     std::vector<double> spin;         ///< by node: its rate against the body that carries it, 1/s
     std::vector<double> passed;       ///< by node: unstretched rope that ran over it along the path, m
@@ -39,7 +39,8 @@ struct DynamicState {
     std::vector<Vector3> inside_velocity;
   };
   struct Drum {
-    double content = 0;          ///< unstretched rope on it, m
+    double content = 0;  ///< unstretched rope on it, m
+    int layer = 1;
     std::vector<double> strain;  ///< by layer: of the rope that lies there
   };
   double t = 0;  ///< s

@@ -103,6 +103,7 @@ struct Reeving {
   int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often
   double damping_ratio = 0;   ///< zeta of the lowest mode in which the rope stretches; 0: not given
   double damping_time = 0;    ///< beta, s: T = EA (e + beta e'); 0: not given
+  int segments = 1;           ///< > 1: in motion each branch is a chain of so many, with the rope's mass at their joints
   int haul = -1;              ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
 };
 

@@ -1,0 +1,109 @@
+#include "taut/analysis/transient.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/analysis/transient_run.hpp"
+#include "taut/base/expects.hpp"
+#include "taut/rope/span.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using namespace dynamics;
+
+/// Inner nodes on the catenaries of the equilibrium.
+void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
+  std::vector<std::size_t> next(model.reevings.size(), 0);
+  for (const SpanResult& span : found.spans) {
+    const auto r = static_cast<std::size_t>(span.reeving);
+    const int segments = model.reevings[r].segments;
+    for (int s = 1; s < segments; ++s) {
+      const double length = span.unstretched * s / segments;
+      start.ropes[r].inside[next[r]++] = model.reevings[r].weight > 0 && !span.slack
+                                             ? Vector3(span.start + rope::point_at(span.shape, length))
+                                             : Vector3(span.start + (span.end - span.start) * s / segments);
+    }
+  }
+}
+
+/// The equilibrium of catenaries as a start, else the machine as described.
+DynamicState near_equilibrium(const model::Model& model) {
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  const EquilibriumResult found = equilibrium(model, at_rest);
+  if (!found.outcome.ok()) return assembled(model);
+  model::Model by_length = model;
+  for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;
+  DynamicState start = state_from(by_length, found.state);
+  place_inside(model, found, start);
+  return start;
+}
+
+Outcome settled(Run& run) {
+  const StepEnd end = settle(run.m, run.before, run.now, run.w, run.newton);
+  if (end == StepEnd::ok) return {};
+  return not_converged(
+      "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
+}
+
+void prepare(Run& run, const DynamicState& start) {
+  Built built = build(run.model, start, run.options);
+  run.result.outcome = built.outcome;
+  run.m = std::move(built.mechanism);
+  run.before = std::move(built.values);
+  run.now = run.before;
+  run.w = work_for(run.m);
+  run.scheme = scheme_of(run.options.rho);
+  run.newton.tolerance = 0.01 * std::min(run.options.tolerance, 1e-3);
+  const std::size_t lines = run.m.lines.size();
+  run.T_old.assign(lines, 0.0);
+  run.T_older = run.T_old;
+  run.rate_old = run.nu_old = run.before.rate;
+  run.T_largest.assign(run.model.reevings.size(), 0.0);
+  run.origin = start;
+}
+
+}  // namespace
+
+TransientResult transient(const model::Model& model, const TransientOptions& given) {
+  expects(given.duration > 0, "a motion lasts");
+  TransientOptions options = given;
+  if (options.output_step <= 0) options.output_step = options.duration / 1000;
+  const bool settles = !options.from && options.start == Start::settled;
+  const DynamicState start = options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model);
+  Run run{.model = model, .options = options};
+  prepare(run, start);
+  run.result.observed.resize(model.observed.size());
+  run.result.extremes.resize(model.observed.size());
+  run.result.ropes.resize(model.reevings.size());
+  run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
+  run.result.frequency.assign(model.reevings.size(), 0.0);
+  if (!run.result.outcome.ok()) return run.result;
+  if (settles) run.result.outcome = settled(run);
+  if (!run.result.outcome.ok()) return run.result;
+  run.happened.assign(model.events.size(), 0);
+  for (std::size_t i = 0; i < start.happened.size() && i < run.happened.size(); ++i) {
+    run.happened[i] = static_cast<char>(start.happened[i]);
+  }
+  run.end = run.before.t + options.duration;
+  run.stops = stops_of(model, run.before.t, run.end);
+  run.h = options.step;
+  for (const LineValues& line : run.before.lines) {
+    const auto r =
+        static_cast<std::size_t>(run.m.lines[static_cast<std::size_t>(&line - run.before.lines.data())].reeving);
+    run.T_largest[r] = std::max(run.T_largest[r], line.T);
+  }
+  march(run);
+  run.result.iterations = run.newton.used;
+  run.result.state = state_of(run.m, run.before, run.origin);
+  run.result.state.happened.assign(run.happened.begin(), run.happened.end());
+  run.result.damping_time.clear();
+  for (const auto& first : run.m.first_line) {
+    run.result.damping_time.push_back(run.m.lines[static_cast<std::size_t>(first.first)].damping);
+  }
+  return run.result;
+}
+
+}  // namespace taut::analysis

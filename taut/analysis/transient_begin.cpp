@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/analysis/bend.hpp"
+#include "taut/analysis/system.hpp"
+#include "taut/analysis/transient_build.hpp"
+#include "taut/base/expects.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+void place_lines(const DynamicState& start, Built& built) {
+  const Mechanism& m = built.mechanism;
+  const model::Model& model = *m.model;
+  Values& v = built.values;
+  v.lines.resize(m.lines.size());
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    LineValues& line = v.lines[i];
+    line.radius = m.lines[i].radius;
+    if (!place_line(m.lines[i], v.bodies, line, line)) {
+      const model::Reeving& rope = model.reevings[at(m.lines[i].reeving)];
+      built.outcome =
+          infeasible(fmt::format("no straight rope goes from '{}' to '{}' of '{}' where the motion begins",
+                                 rope.nodes[at(m.lines[i].from)].name, rope.nodes[at(m.lines[i].to)].name, rope.name));
+      return;
+    }
+    line.angle = {0, 0};
+    line.L = start_length(m, start, static_cast<int>(i));
+    const auto& whole = start.ropes[at(m.lines[i].reeving)].whole;
+    const std::size_t own = i - at(m.first_line[at(m.lines[i].reeving)].first);
+    line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
+    line.e = line.l / line.L - 1;
+    pull(m.lines[i], line);
+    line.end_T = {line.T, line.T};
+  }
+}
+
+void fill_contacts(const DynamicState& start, Built& built) {
+  const Mechanism& m = built.mechanism;
+  const model::Model& model = *m.model;
+  Values& v = built.values;
+  v.contacts.resize(m.contacts.size());
+  std::vector<model::Pose> poses;
+  for (const Motion3& body : v.bodies) poses.push_back({body.x, body.R});
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Contact& contact = m.contacts[i];
+    ContactValues& is = v.contacts[i];
+    is.entry = contact.in >= 0 ? contact.in : contact.out;
+    is.lambda = 1 + std::max(0.0, v.lines[at(is.entry)].e);
+    is.winding = is.lambda;
+    if (contact.in < 0 || contact.out < 0) continue;
+    const model::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    is.wrap = bend(node, end_at(node, poses), v.lines[at(contact.in)].t, v.lines[at(contact.out)].t).wrap;
+    const auto& wraps = start.ropes[at(contact.reeving)].wrap;
+    if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[at(contact.node)] - is.wrap) / (two_pi));
+  }
+}
+
+void fill_drums(const DynamicState& start, Built& built) {
+  const Mechanism& m = built.mechanism;
+  const model::Model& model = *m.model;
+  Values& v = built.values;
+  v.drums.resize(model.drums.size());
+  for (std::size_t d = 0; d < model.drums.size(); ++d) {
+    DrumValues& drum = v.drums[d];
+    drum.layer = model.drums[d].layer;
+    drum.content = model.drums[d].length_on_drum.value_or(0);
+    if (d < start.drums.size()) {
+      drum.content = start.drums[d].content;
+      drum.layer = start.drums[d].layer;
+      drum.strain = start.drums[d].strain;
+    }
+    if (!drum.strain.empty()) continue;
+    double strain = 0;
+    for (const Contact& contact : m.contacts) {
+      if (contact.drum != static_cast<int>(d)) continue;
+      const std::size_t line = at(contact.in >= 0 ? contact.in : contact.out);
+      strain = std::max(0.0, v.lines[line].e);
+      if (model.drums[d].wound_at) strain = *model.drums[d].wound_at / m.lines[line].stiffness;
+    }
+    drum.strain.assign(at(std::max(1, drum.layer)), strain);
+  }
+}
+
+}  // namespace
+
+double start_length(const Mechanism& m, const DynamicState& start, int line) {
+  const int reeving = m.lines[at(line)].reeving;
+  return start.ropes[at(reeving)].length[at(line - m.first_line[at(reeving)].first)];
+}
+
+void fill_values(const DynamicState& start, Built& built) {
+  Mechanism& m = built.mechanism;
+  const model::Model& model = *m.model;
+  Values& v = built.values;
+  v.t = v.when = start.t;
+  v.q.assign(at(m.size), 0.0);
+  v.nu = v.rate = v.q;
+  v.bodies.resize(m.bodies.size());
+  std::size_t inner = 0;
+  std::vector<Vector3> places, velocities;
+  for (const auto& rope : start.ropes) {
+    places.insert(places.end(), rope.inside.begin(), rope.inside.end());
+    velocities.insert(velocities.end(), rope.inside_velocity.begin(), rope.inside_velocity.end());
+  }
+  velocities.resize(places.size(), Vector3::Zero());
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    Motion3& is = v.bodies[b];
+    if (m.bodies[b].model < 0) {
+      expects(inner < places.size(), "a place for each node of a rope in segments");
+      is.v = velocities[inner];
+      is.x = places[inner++];
+    } else {
+      const DynamicState::Body& given = start.bodies[b];
+      is.x = given.position;
+      is.R = given.orientation;
+      is.v = given.velocity;
+      is.w = given.spin;
+    }
+    for (int f = 0; f < m.bodies[b].count; ++f) {
+      const Vector3 &along = m.bodies[b].along[at(f)], &about = m.bodies[b].about[at(f)];
+      v.nu[at(m.bodies[b].first + f)] = is.v.dot(along) + is.w.dot(about);
+    }
+  }
+  v.drum_drive = start.drum_drive;
+  v.motor_drive = start.motor_drive;
+  if (v.drum_drive.empty()) {
+    for (const auto& drum : model.drums) v.drum_drive.push_back(drum.drive);
+  }
+  if (v.motor_drive.empty()) {
+    for (const auto& motor : model.motors) v.motor_drive.push_back(motor.drive);
+  }
+  v.spins.resize(m.spins.size());
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const Contact& contact = m.contacts[at(m.spins[i].contacts.front().first)];
+    const auto& rope = start.ropes[at(contact.reeving)];
+    if (rope.spin.empty()) continue;
+    v.nu[at(m.spins[i].column)] = contact.sense * rope.spin[at(contact.node)];
+    v.q[at(m.spins[i].column)] = contact.sense * rope.angle[at(contact.node)];
+  }
+  v.tensioned.assign(m.tensioner.size(), 0.0);
+  v.tension_rate = v.tensioned;
+  for (std::size_t k = 0; k < m.tensioner.size(); ++k)
+    v.tensioned[k] = model::at(model.tensioners[k].change, v.t).value;
+  place_lines(start, built);
+  fill_contacts(start, built);
+  fill_drums(start, built);
+  for (const Motion3& body : v.bodies) m.size_of_machine = std::max(m.size_of_machine, body.x.norm() * 0);
+  for (const LineValues& line : v.lines) m.size_of_machine = std::max(m.size_of_machine, line.l);
+}
+
+}  // namespace taut::analysis::dynamics

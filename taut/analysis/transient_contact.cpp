@@ -1,0 +1,285 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+/// Columns of a contact: those of its line `in`, those of `out`, its own, its spin's.
+std::size_t own_column(const Mechanism& m, const Contact& contact) {
+  std::size_t k = 0;
+  if (contact.in >= 0) k += at(m.lines[at(contact.in)].columns);
+  if (contact.out >= 0) k += at(m.lines[at(contact.out)].columns);
+  return k;
+}
+
+/// The place of the line's column k in the contact's own list.
+template <class Visit>
+void for_columns(const Mechanism& m, const Contact& contact, const Work& w, Visit visit) {
+  std::size_t k = 0;
+  for (const bool out : {false, true}) {
+    const int i = out ? contact.out : contact.in;
+    if (i < 0) continue;
+    const LineTangent& tangent = w.tangents[at(i)];
+    for (int c = 0; c < m.lines[at(i)].columns; ++c, ++k) {
+      visit(k, out, tangent.end_T[out ? 0 : 1][at(c)], tangent.angle[out ? 0 : 1][at(c)], tangent.e[at(c)]);
+    }
+  }
+}
+
+/// a T_out - b T_in = difference, with the wrap's part.
+void tension_row(Mechanism& m, const Contact& contact, const Work& w, double a, double b, double by_wrap) {
+  auto& values = m.solver.values();
+  for_columns(m, contact, w, [&](std::size_t k, bool out, double T, double angle, double) {
+    values[at(contact.row[k])] += (out ? a : -b) * T + (out ? by_wrap : -by_wrap) * angle;
+  });
+}
+
+/// Rolls with its rim: passed = slipped + rolled.
+void rolling_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
+  const Contact& contact = m.contacts[i];
+  const ContactValues& is = now.contacts[i];
+  auto& values = m.solver.values();
+  const std::size_t c = at(contact.column), own = own_column(m, contact);
+  const double scale = std::max(pressure(m, static_cast<int>(i), now).stiffness, 1.0);
+  w.residual[c] += scale * (now.q[c] - is.slipped - w.q_star[c] - s.reach * is.roll_rate);
+  values[at(contact.row[own])] += scale;
+  if (contact.spin < 0) return;
+  const double rim = contact.sense * working_radius(m, contact, before) / is.lambda;
+  values[at(contact.row[own + 1])] -= scale * s.reach * s.reach * rim;
+  if (is.entry < 0 || now.lines[at(is.entry)].e <= 0) return;
+  for_columns(m, contact, w, [&](std::size_t k, bool out, double, double, double e) {
+    if ((out ? contact.out : contact.in) != is.entry) return;
+    values[at(contact.row[k])] += scale * s.reach * is.roll_rate / is.lambda * e;
+  });
+}
+
+/// The drum's rope has a given tension; a slack one counts as a spring that may push.
+void pull_row(Mechanism& m, const Contact& contact, double given, const Values& now, Work& w) {
+  auto& values = m.solver.values();
+  const int line = contact.in >= 0 ? contact.in : contact.out;
+  const std::size_t end = contact.in >= 0 ? 1 : 0;
+  const LineValues& is = now.lines[at(line)];
+  const bool slack = is.T <= 0;
+  const double EA = m.lines[at(line)].stiffness * is.gone;
+  w.residual[at(contact.column)] += (slack ? EA * is.e : is.end_T[end]) - given;
+  for_columns(m, contact, w, [&](std::size_t k, bool, double T, double, double e) {
+    values[at(contact.row[k])] += slack ? EA * e : T;
+  });
+}
+
+void law_row(Mechanism& m, std::size_t i, const Values& now, Work& w) {
+  const Contact& contact = m.contacts[i];
+  const ContactValues& is = now.contacts[i];
+  const Pressure p = pressure(m, static_cast<int>(i), now);
+  const double ratio = std::exp(is.log_ratio);
+  double& g = w.residual[at(contact.column)];
+  switch (is.grip) {
+    case Grip::forward:
+      g += p.out - ratio * p.in;
+      tension_row(m, contact, w, 1, ratio, -ratio * p.in * is.log_by_wrap);
+      break;
+    case Grip::backward:
+      g += ratio * p.out - p.in;
+      tension_row(m, contact, w, ratio, 1, ratio * p.out * is.log_by_wrap);
+      break;
+    default:
+      g += p.out - p.in;
+      tension_row(m, contact, w, 1, 1, 0);
+      break;
+  }
+}
+
+/// Both sides without tension: the rope stays as it is divided now.
+bool loose(const Pressure& p) { return p.in <= 0 && p.out <= 0; }
+
+void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
+  const Contact& contact = m.contacts[i];
+  if (const auto given = given_tension(m, contact, before, now.when)) {
+    pull_row(m, contact, *given, now, w);
+    return;
+  }
+  if (now.contacts[i].grip == Grip::stuck) {
+    rolling_row(m, s, i, before, now, w);
+    return;
+  }
+  if (loose(pressure(m, static_cast<int>(i), now))) {
+    m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
+    return;
+  }
+  law_row(m, i, now, w);
+}
+
+/// Moment that ropes and drive have on a spin, less what its inertia takes: what the bearing holds.
+double held_moment(const Mechanism& m, const Spin& spin, const SpinValues& is, const Values& before,
+                   const Values& now) {
+  double moment = drive_torque(m, spin, before, now.when) - spin.inertia * is.alpha;
+  if (spin.body >= 0) {
+    const Vector3 axis = now.bodies[at(spin.body)].R * spin.axis;
+    moment -= spin.inertia * axis.dot(acceleration(m, spin.body, now).second);
+  }
+  return moment + rope_moment(m, spin, before, now);
+}
+
+void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
+  const Spin& spin = m.spins[i];
+  const SpinValues& is = now.spins[i];
+  auto& values = m.solver.values();
+  const std::size_t c = at(spin.column);
+  const int first = m.spin_place_first[i];
+  const bool set = prescribed(m, spin, before, now.when).has_value();
+  const bool light = spin.inertia <= 0;
+  if (set || light) {
+    values[at(m.spin_places[at(first)])] += 1;
+    if (light && !set) w.residual[c] += now.rate[c];
+    if (light) return;
+  }
+  const int freedoms = spin.body < 0 ? 0 : m.bodies[at(spin.body)].count;
+  // absolute spin: that of the carrying body about the axis adds
+  double carried = 0;
+  Vector3 axis = spin.axis;
+  if (spin.body >= 0) {
+    axis = now.bodies[at(spin.body)].R * spin.axis;
+    carried = axis.dot(acceleration(m, spin.body, now).second);
+  }
+  const double change = spin.inertia * (is.alpha + carried);
+  for (int r = 0; r < freedoms; ++r) {
+    const Body& body = m.bodies[at(spin.body)];
+    if (!body.turns) break;
+    const double share = axis.dot(body.about[at(r)]);
+    w.residual[at(body.first + r)] += share * change;
+    for (int k = 0; k < freedoms; ++k) {
+      values[at(m.spin_places[at(first + (r + 1) * (freedoms + 1) + k + 1)])] +=
+          share * spin.inertia * axis.dot(body.about[at(k)]);
+    }
+    if (set) continue;
+    values[at(m.spin_places[at(first + (r + 1) * (freedoms + 1))])] += share * spin.inertia;
+    if (is.turns != 0 || is.capacity <= 0) {
+      values[at(m.spin_places[at(first + r + 1)])] += share * spin.inertia;
+    }
+  }
+  if (set) return;
+  if (is.turns == 0 && is.capacity > 0) {  // the bearing sticks
+    const double scale = spin.inertia;
+    w.residual[c] += scale * (s.reach > 0 ? now.nu[c] / s.reach : now.rate[c]);
+    values[at(m.spin_places[at(first)])] += scale;
+    return;
+  }
+  w.residual[c] +=
+      change - drive_torque(m, spin, before, now.when) + is.turns * is.capacity - rope_moment(m, spin, before, now);
+  values[at(m.spin_places[at(first)])] += spin.inertia;
+  for (const auto& [index, sense] : spin.contacts) {
+    const Contact& contact = m.contacts[at(index)];
+    const double lever = sense * contact.copies * working_radius(m, contact, before);
+    const BearingSlope slope = bearing_slope(m, contact, before, now);
+    for_columns(m, contact, w, [&](std::size_t k, bool out, double T, double, double) {
+      values[at(contact.spin_row[k])] += (out ? -lever : lever) * T + is.turns * (out ? slope.out : slope.in) * T;
+    });
+  }
+}
+
+void decide_grip(const Mechanism& m, std::size_t i, const Values& before, Values& now) {
+  const Contact& contact = m.contacts[i];
+  ContactValues& is = now.contacts[i];
+  if (contact.in < 0 || contact.out < 0) {
+    is.grip = given_tension(m, contact, before, now.when) ? Grip::equal : Grip::stuck;
+    return;
+  }
+  const Pressure p = pressure(m, static_cast<int>(i), now);
+  if (std::isinf(is.log_ratio)) {
+    is.grip = Grip::stuck;
+  } else if (is.log_ratio == 0 || p.in <= 0 || p.out <= 0) {
+    is.grip = Grip::equal;
+  } else {
+    const double ratio = std::exp(is.log_ratio);
+    const double slip = is.grip == Grip::stuck ? 0 : p.stiffness * (is.slipped - before.contacts[i].slipped);
+    is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
+              : p.in - ratio * p.out - slip > 0 ? Grip::backward
+                                                : Grip::stuck;
+  }
+}
+
+void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {
+  const Spin& spin = m.spins[i];
+  SpinValues& is = now.spins[i];
+  is.capacity = 0;
+  for (const auto& one : spin.contacts) {
+    is.capacity += bearing_slope(m, m.contacts[at(one.first)], before, now).capacity;
+  }
+  if (is.capacity <= 0 || prescribed(m, spin, before, now.when)) {
+    is.turns = 0;
+    return;
+  }
+  const double moment = is.turns != 0 ? is.turns * is.capacity : held_moment(m, spin, is, before, now);
+  const double pushed = moment + (s.reach > 0 ? spin.inertia / s.reach : 1e300) * is.omega;
+  is.turns = pushed > is.capacity ? 1 : pushed < -is.capacity ? -1 : 0;
+  is.bearing = is.turns != 0 ? is.turns * is.capacity : moment;
+}
+
+}  // namespace
+
+Pressure pressure(const Mechanism& m, int contact, const Values& now) {
+  const Contact& of = m.contacts[at(contact)];
+  Pressure p;
+  if (of.in >= 0) {
+    const LineValues& line = now.lines[at(of.in)];
+    p.in = line.end_T[1] - line.thrust[1];
+    p.stiffness += m.lines[at(of.in)].stiffness / line.L;
+  }
+  if (of.out >= 0) {
+    const LineValues& line = now.lines[at(of.out)];
+    p.out = line.end_T[0] - line.thrust[0];
+    p.stiffness += m.lines[at(of.out)].stiffness / line.L;
+  }
+  return p;
+}
+
+double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now) {
+  double moment = 0;
+  for (const auto& [index, sense] : spin.contacts) {
+    const Contact& contact = m.contacts[at(index)];
+    const double T_in = contact.in >= 0 ? now.lines[at(contact.in)].end_T[1] : 0;
+    const double T_out = contact.out >= 0 ? now.lines[at(contact.out)].end_T[0] : 0;
+    moment += sense * contact.copies * working_radius(m, contact, before) * (T_out - T_in);
+  }
+  return moment;
+}
+
+BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Values& before, const Values& now) {
+  BearingSlope slope;
+  if (contact.in < 0 || contact.out < 0 || contact.efficiency >= 1) return slope;
+  const double share =
+      contact.copies * working_radius(m, contact, before) * (1 - contact.efficiency) / (1 + contact.efficiency);
+  const LineValues &in = now.lines[at(contact.in)], &out = now.lines[at(contact.out)];
+  const Vector3 F = (out.end_T[0] - out.thrust[0]) * out.t - (in.end_T[1] - in.thrust[1]) * in.t;
+  const double size = F.norm();
+  slope.capacity = share * size;
+  if (size == 0) return slope;
+  slope.out = share * F.dot(out.t) / size;
+  slope.in = -share * F.dot(in.t) / size;
+  return slope;
+}
+
+void assemble_contacts(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w) {
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) assemble_flow(m, s, i, before, now, w);
+  for (std::size_t i = 0; i < m.spins.size(); ++i) assemble_spin(m, s, i, before, now, w);
+}
+
+bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
+  bool changed = false;
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Grip was = now.contacts[i].grip;
+    decide_grip(m, i, before, now);
+    changed = changed || was != now.contacts[i].grip;
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const std::int8_t was = now.spins[i].turns;
+    decide_bearing(m, s, i, before, now);
+    changed = changed || was != now.spins[i].turns;
+  }
+  return changed;
+}
+
+}  // namespace taut::analysis::dynamics

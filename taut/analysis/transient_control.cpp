@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/analysis/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+/// Error of the trapezoidal rule in one step, from the prediction of Adams and Bashforth (Gear 1971, sec. 9): a third
+/// of the difference for equal steps.
+double error_by_prediction(const Run& run, double x, double x_before, double rate, double rate_old) {
+  const double h = run.scheme.h, ratio = h / run.h_last;
+  const double predicted = x_before + h / 2 * ((2 + ratio) * rate - ratio * rate_old);
+  return std::abs(x - predicted) / (3 * (1 + 1 / ratio));
+}
+
+}  // namespace
+
+double error_of(const Run& run, bool kink) {
+  if (run.known < 2) return 0;
+  const double h = run.scheme.h;
+  double error = 0;
+  for (const Body& body : run.m.bodies) {
+    for (int k = 0; k < body.count; ++k) {
+      const std::size_t c = at(body.first + k);
+      const double size = body.about[at(k)] == Vector3::Zero() ? run.m.size_of_machine : 1;
+      error = std::max(error,
+                       error_by_prediction(run, run.now.q[c], run.before.q[c], run.before.nu[c], run.nu_old[c]) / size);
+    }
+  }
+  const double h1 = run.h_last, h2 = run.h_older;
+  const double third = h * h / (2 * (h + h1) * (h + h1 + h2));
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const double T0 = run.before.lines[i].T, T1 = run.T_old[i], T2 = run.T_older[i];
+    const double first = (T0 - T1) / h1, second = (first - (T1 - T2) / h2) / (h1 + h2);
+    const double predicted = T0 + h * (first + (h + h1) * second);
+    const double largest = run.T_largest[at(run.m.lines[i].reeving)];
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * run.m.lines[i].stiffness;
+    const double off = std::abs(run.now.lines[i].T - predicted) - rounding * (1 + h / h1) * (1 + h / h2);
+    if (largest > 0) error = std::max(error, third * off / largest);
+  }
+  const double allowed = run.options.tolerance * (kink ? 1 : std::min(1.0, h / run.options.duration));
+  return error / allowed;
+}
+
+void keep_history(Run& run) {
+  run.nu_old = run.before.nu;
+  run.rate_old = run.before.rate;
+  std::swap(run.T_older, run.T_old);
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) run.T_old[i] = run.before.lines[i].T;
+  run.h_older = run.h_last;
+  run.h_last = run.scheme.h;
+  ++run.known;
+}
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/analysis/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr std::size_t most_notes = 20000;  ///< beyond it only breaks and stops are noted
+
+std::string line_name(const Run& run, const Line& line) {
+  const model::Reeving& rope = run.model.reevings[at(line.reeving)];
+  if (rope.nodes.size() == 2 && line.segment < 0) return rope.name;
+  const std::string branch =
+      fmt::format("{}: {} - {}", rope.name, rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name);
+  return line.segment < 0 ? branch : fmt::format("{} ({})", branch, line.segment + 1);
+}
+
+std::string contact_name(const Run& run, const Contact& contact) {
+  return run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name;
+}
+
+bool holds(const Run& run, const Values& v, const model::Condition& condition) {
+  const double value = observe(run, v, condition.of);
+  return condition.above ? value > condition.threshold : value < condition.threshold;
+}
+
+/// The line that an event breaks.
+int breaking_line(const Run& run, const Values& v, const model::Event& event) {
+  const auto [first, lines] = run.m.first_line[at(event.index)];
+  const int pieces = std::max(1, run.model.reevings[at(event.index)].segments);
+  int from = first, to = first + lines;
+  if (event.part >= 0) {
+    from = first + event.part * pieces;
+    to = from + pieces;
+  }
+  int worst = from;
+  for (int i = from; i < to; ++i) {
+    if (v.lines[at(i)].T > v.lines[at(worst)].T) worst = i;
+  }
+  return worst;
+}
+
+void break_rope(Run& run, Values& v, const model::Event& event) {
+  const int line = breaking_line(run, v, event);
+  run.breaking.push_back({line, v.t, event.over});
+  note(run, v.t, "break", line_name(run, run.m.lines[at(line)]), {{"T", v.lines[at(line)].T}});
+}
+
+bool apply_event(Run& run, Values& v, const model::Event& event) {
+  switch (event.kind) {
+    case model::EventKind::breaks:
+      break_rope(run, v, event);
+      break;
+    case model::EventKind::stop:
+      note(run, v.t, "stop", event.words);
+      return true;
+    case model::EventKind::brake: {
+      auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
+      drives[at(event.index)].brake = event.brake_set;
+      note(run, v.t, "brake", event.words);
+      break;
+    }
+    case model::EventKind::drive: {
+      auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
+      drives[at(event.index)] = event.drive;
+      note(run, v.t, "drive", event.words);
+      break;
+    }
+    case model::EventKind::actuator:
+      note(run, v.t, "actuator", event.words);
+      break;
+  }
+  return false;
+}
+
+/// Radius of a drum's layer, with the rope's diameter as it follows from the layer of the description.
+double radius_of_layer(const Contact& contact, const model::Drum& drum, int layer) {
+  const double diameter = (contact.radius - drum.core_radius) / (drum.layer - 0.5);
+  return drum.core_radius + (layer - 0.5) * diameter;
+}
+
+/// The layer on which the end of so much rope lies.
+int layer_of(const Contact& contact, const model::Drum& drum, double content) {
+  const double diameter = (contact.radius - drum.core_radius) / (drum.layer - 0.5);
+  const double turns = std::floor(drum.width / diameter);
+  if (!(diameter > 0) || !(turns >= 1)) return drum.layer;
+  int layer = 1;
+  for (double left = content;; ++layer) {
+    left -= turns * 2 * std::numbers::pi * radius_of_layer(contact, drum, layer);
+    if (left <= 0 || layer >= 100) return layer;
+  }
+}
+
+}  // namespace
+
+void note(Run& run, double t, std::string what, std::string where, std::vector<std::pair<std::string, double>> values) {
+  if (run.result.events.size() >= most_notes && what != "break" && what != "stop") return;
+  run.result.events.push_back({t, std::move(what), std::move(where), std::move(values)});
+}
+
+void note_changes(Run& run) {
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
+    if ((was.e > 0) == (is.e > 0) || is.gone == 0) continue;
+    const double share = was.e / (was.e - is.e);
+    note(run, run.before.t + share * run.scheme.h, is.e > 0 ? "taut" : "slack", line_name(run, run.m.lines[i]));
+  }
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Grip was = run.before.contacts[i].grip, is = run.now.contacts[i].grip;
+    const Contact& contact = run.m.contacts[i];
+    if (was == is || contact.in < 0 || contact.out < 0) continue;
+    if (was == Grip::equal || is == Grip::equal) {
+      const Pressure p = pressure(run.m, static_cast<int>(i), run.now);
+      const double G = run.now.lines[at(contact.out)].thrust[0];
+      if (is == Grip::equal && G > 0 && run.now.contacts[i].log_ratio > 0 && std::max(p.in, p.out) > -G) {
+        note(run, run.now.t, "lift_off", contact_name(run, contact), {{"G", G}});
+      }
+      continue;
+    }
+    note(run, run.now.t, is == Grip::stuck ? "stick" : "slip", contact_name(run, contact));
+  }
+}
+
+bool comes_true(const Run& run, const Values& v) {
+  for (std::size_t i = 0; i < run.model.events.size(); ++i) {
+    const model::Event& event = run.model.events[i];
+    if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;
+  }
+  return false;
+}
+
+bool happen(Run& run, Values& v, bool& stop) {
+  bool any = false;
+  for (std::size_t i = 0; i < run.model.events.size(); ++i) {
+    const model::Event& event = run.model.events[i];
+    if (run.happened[i]) continue;
+    const bool due = (event.at && v.t >= *event.at) || (event.when && holds(run, v, *event.when));
+    if (!due) continue;
+    run.happened[i] = 1;
+    any = true;
+    stop = apply_event(run, v, event) || stop;
+  }
+  if (any) fade(run, v.t, v);
+  return any;
+}
+
+void fade(const Run& run, double t, Values& v) {
+  for (const Run::Breaking& one : run.breaking) {
+    v.lines[at(one.line)].gone = one.over > 0 ? std::clamp(1 - (t - one.from) / one.over, 0.0, 1.0) : 0.0;
+  }
+}
+
+bool change_layers(Run& run, Values& v) {
+  bool any = false;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    if (contact.drum < 0) continue;
+    const model::Drum& drum = run.model.drums[at(contact.drum)];
+    if (!drum.automatic_layers || !drum.length_on_drum) continue;
+    DrumValues& is = v.drums[at(contact.drum)];
+    const int layer = layer_of(contact, drum, is.content);
+    const int line = contact.in >= 0 ? contact.in : contact.out;
+    const std::size_t end = contact.in >= 0 ? 1 : 0;
+    LineValues& rope = v.lines[at(line)];
+    const double radius = radius_of_layer(contact, drum, layer);
+    if (layer == is.layer && rope.radius[end] == radius) continue;
+    // the strain is kept: a rope climbs onto the next layer within a turn
+    while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(std::max(0.0, rope.e));
+    if (layer > is.layer) is.strain[at(layer - 1)] = std::max(0.0, rope.e);
+    is.layer = layer;
+    rope.radius[end] = radius;
+    const LineValues as_was = rope;
+    if (place_line(run.m.lines[at(line)], v.bodies, as_was, rope)) rope.L = rope.l / (1 + rope.e);
+    note(run, v.t, "layer", drum.name, {{"layer", layer}, {"R", radius}});
+    any = true;
+  }
+  return any;
+}
+
+std::vector<double> stops_of(const model::Model& model, double from, double to) {
+  std::vector<double> stops;
+  const auto add = [&](const model::Signal& signal) {
+    for (const double t : model::breakpoints(signal)) stops.push_back(t);
+  };
+  for (const model::Signal& signal : model.signals) add(signal);
+  for (const model::Drum& drum : model.drums) add(drum.drive.signal);
+  for (const model::Motor& motor : model.motors) add(motor.drive.signal);
+  for (const model::Actuator& actuator : model.actuators) add(actuator.signal);
+  for (const model::Tensioner& tensioner : model.tensioners) add(tensioner.change);
+  for (const model::Body& body : model.bodies) {
+    for (const model::DrivenWay& way : body.driven) add(way.signal);
+  }
+  for (const model::Event& event : model.events) {
+    if (event.kind == model::EventKind::drive) add(event.drive.signal);
+    if (!event.at) continue;
+    stops.push_back(*event.at);
+    if (event.over > 0) stops.push_back(*event.at + event.over);
+  }
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  stops.erase(std::remove_if(stops.begin(), stops.end(), [&](double t) { return !(t > from && t < to); }), stops.end());
+  return stops;
+}
+
+}  // namespace taut::analysis::dynamics

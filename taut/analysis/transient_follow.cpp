@@ -1,0 +1,314 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/analysis/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Matrix3 turned_by(const Vector3& rotation) {
+  const double angle = rotation.norm();
+  if (angle == 0) return Matrix3::Identity();
+  return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
+}
+
+/// Place, velocity and acceleration that signals give a body, and its orientation by them.
+void drive_body(const model::Body& shape, double t, Vector3& shift, Matrix3& turn, Motion3& now) {
+  shift.setZero();
+  turn.setIdentity();
+  now.driven_v = now.driven_w = now.driven_a = now.driven_b = Vector3::Zero();
+  for (const model::DrivenWay& way : shape.driven) {
+    const model::SignalValue s = model::at(way.signal, t);
+    shift += s.value * way.along;
+    now.driven_v += s.rate * way.along;
+    now.driven_a += s.acceleration * way.along;
+    if (way.about == Vector3::Zero()) continue;
+    const Matrix3 by = Eigen::AngleAxisd(s.value, way.about).toRotationMatrix();
+    turn = by * turn;
+    // what was turned before is carried along
+    const Vector3 w = by * now.driven_w;
+    now.driven_b = by * now.driven_b + s.acceleration * way.about + s.rate * way.about.cross(w);
+    now.driven_w = w + s.rate * way.about;
+  }
+}
+
+void move_body(const Mechanism& m, const Values& before, std::size_t b, double t, Values& now) {
+  const Body& shape = m.bodies[b];
+  const Motion3& was = before.bodies[b];
+  Motion3& is = now.bodies[b];
+  Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
+  is.v = is.w = Vector3::Zero();
+  for (std::size_t f = 0; f < at(shape.count); ++f) {
+    const std::size_t c = at(shape.first) + f;
+    const double by = now.q[c] - before.q[c];
+    shift += by * shape.along[f];
+    is.v += now.nu[c] * shape.along[f];
+    if (!shape.turns) continue;
+    turn += by * shape.about[f];
+    is.w += now.nu[c] * shape.about[f];
+  }
+  const bool driven = shape.model >= 0 && !m.model->bodies[at(shape.model)].driven.empty();
+  if (!driven) {
+    is.x = was.x + shift;
+    is.turned = turn;
+    is.R = shape.turns ? Matrix3(turned_by(turn) * was.R) : was.R;
+    return;
+  }
+  const model::Body& given = m.model->bodies[at(shape.model)];
+  Vector3 shift_before, shift_now;
+  Matrix3 turn_before, turn_now;
+  drive_body(given, before.when, shift_before, turn_before, is);
+  drive_body(given, t, shift_now, turn_now, is);
+  const Eigen::AngleAxisd carried(Matrix3(turn_now * turn_before.transpose()));
+  is.x = was.x + shift + shift_now - shift_before;
+  is.turned = turn + carried.angle() * carried.axis();
+  is.R = turned_by(turn) * carried.toRotationMatrix() * was.R;
+  is.v += is.driven_v;
+  is.w += is.driven_w;
+}
+
+void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, double t, Values& now) {
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const Spin& spin = m.spins[i];
+    SpinValues& is = now.spins[i];
+    const std::size_t c = at(spin.column);
+    if (const auto set = prescribed(m, spin, before, t)) {
+      now.rate[c] = s.at_rest ? 0 : set->alpha;
+      now.nu[c] = s.at_rest ? 0 : set->omega;
+      now.q[c] = before.q[c] + s.h * (before.nu[c] + now.nu[c]) / 2;
+    }
+    is.angle = now.q[c];
+    is.omega = now.nu[c];
+    is.alpha = now.rate[c];
+  }
+}
+
+/// Unstretched length and strain. The rope that the turning of a line lays on a round lies there at its `winding`.
+void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& now) {
+  const Line& line = m.lines[i];
+  const LineValues& was = before.lines[i];
+  LineValues& is = now.lines[i];
+  is.L = was.L;
+  for (const std::size_t end : {0U, 1U}) {
+    if (line.contact[end] < 0) continue;
+    const ContactValues& contact = before.contacts[at(line.contact[end])];
+    const std::size_t c = at(m.contacts[at(line.contact[end])].column);
+    double out = now.q[c] - before.q[c];
+    if (line.radius[end] > 0) out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
+    is.L += end == 0 ? out : -out;
+  }
+  for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+    if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
+  }
+  is.e = is.l / is.L - 1;
+}
+
+/// Angle of the arc, and what its law allows.
+void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
+  const Contact& contact = m.contacts[i];
+  ContactValues& is = now.contacts[i];
+  is.log_ratio = is.log_by_wrap = 0;
+  if (contact.in < 0 || contact.out < 0) return;
+  const std::size_t in = at(contact.in), out = at(contact.out);
+  if (contact.round) {
+    is.wrap = before.contacts[i].wrap + now.lines[out].angle[0] - before.lines[out].angle[0] - now.lines[in].angle[1] +
+              before.lines[in].angle[1];
+  } else {
+    const Vector3 &a = now.lines[in].t, &b = now.lines[out].t;
+    is.wrap = std::atan2(a.cross(b).norm(), a.dot(b));
+    if ((b - a).dot(contact.support) > 0) is.wrap = -is.wrap;
+  }
+  if (s.lossless) return;
+  const double bearing = contact.spin >= 0 ? infinite : -std::log(contact.efficiency);
+  if (std::isinf(contact.friction)) {
+    is.log_ratio = bearing;
+    return;
+  }
+  const double grip = contact.friction * std::max(0.0, is.wrap);
+  is.log_ratio = std::min(grip, bearing);
+  if (grip < bearing && is.wrap > 0) is.log_by_wrap = contact.friction;
+}
+
+void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t i, Values& now) {
+  const Contact& contact = m.contacts[i];
+  const ContactValues& was = before.contacts[i];
+  ContactValues& is = now.contacts[i];
+  const std::size_t c = at(contact.column);
+  is.entry = was.entry;
+  is.lambda = is.entry >= 0 ? 1 + std::max(0.0, now.lines[at(is.entry)].e) : was.lambda;
+  is.roll_rate = 0;
+  if (contact.spin >= 0) {
+    is.roll_rate = contact.sense * now.spins[at(contact.spin)].omega * working_radius(m, contact, before) / is.lambda;
+  }
+  now.nu[c] = is.roll_rate;
+  now.rate[c] = 0;
+  if (is.grip == Grip::stuck) {
+    is.slipped = was.slipped;
+    is.rolled = now.q[c] - is.slipped;
+    is.slip_rate = 0;
+    is.flow = s.reach > 0 ? (is.rolled - w.q_star[c]) / s.reach : is.roll_rate;
+    return;
+  }
+  is.rolled = w.q_star[c] + s.reach * is.roll_rate;
+  is.slipped = now.q[c] - is.rolled;
+  is.slip_rate = s.slip_now * (is.slipped - was.slipped) + s.slip_before * was.slip_mean;
+  is.flow = is.roll_rate + is.slip_rate;
+}
+
+void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now) {
+  const Line& line = m.lines[i];
+  LineValues& is = now.lines[i];
+  is.e_rate = 0;
+  if (!s.at_rest) {
+    Vector3 apart = Vector3::Zero();
+    double flows = 0;
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.contact[end] >= 0) {
+        const ContactValues& contact = now.contacts[at(line.contact[end])];
+        flows += (end == 0 ? 1 : -1) * contact.flow;
+        is.thrust[end] = m.contacts[at(line.contact[end])].mass * contact.lambda * contact.flow * contact.flow;
+      }
+      if (line.body[end] < 0) continue;
+      const Motion3& body = now.bodies[at(line.body[end])];
+      apart += (end == 1 ? 1 : -1) * (body.v + body.w.cross(is.touch[end] - body.x));
+    }
+    for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+      if (m.tensioner[k].first == static_cast<int>(i)) flows += now.tension_rate[k];
+    }
+    is.apart = apart;
+    is.e_rate = (is.t.dot(apart) - (1 + is.e) * flows) / is.L;
+  }
+  pull(line, is);
+  const double hangs = is.T > 0 ? line.weight * is.L * is.t.z() / 2 : 0;
+  is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
+}
+
+}  // namespace
+
+Scheme scheme_of(double rho) {
+  Scheme s;
+  s.alpha_m = (3 - rho) / (2 * (1 + rho));
+  s.alpha_f = 1 / (1 + rho);
+  s.gamma = 0.5 + s.alpha_m - s.alpha_f;
+  return s;
+}
+
+void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work& w) {
+  if (s.at_rest) {
+    w.q_star = before.q;
+    std::fill(w.nu_star.begin(), w.nu_star.end(), 0.0);
+    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+      w.q_star[at(m.contacts[i].column)] = before.contacts[i].rolled;
+    }
+    return;
+  }
+  const double of_mean = s.h * (1 - s.gamma / s.alpha_m), of_rate = s.h * s.gamma * (1 - s.alpha_f) / s.alpha_m;
+  // the auxiliary rates stand (alpha_m - alpha_f) h beyond the start of the step
+  const double reach = w.mean_step > 0 ? s.h / w.mean_step : 1;
+  const auto mean = [&](double of_last, double now) { return now + reach * (of_last - now); };
+  for (std::size_t c = 0; c < at(m.size); ++c) {
+    w.q_star[c] = before.q[c] + of_mean * mean(w.q_mean[c], before.nu[c]) + of_rate * before.nu[c];
+    w.nu_star[c] = before.nu[c] + of_mean * mean(w.nu_mean[c], before.rate[c]) + of_rate * before.rate[c];
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const std::size_t c = at(m.contacts[i].column);
+    const double rate = before.contacts[i].roll_rate;
+    w.q_star[c] = before.contacts[i].rolled + of_mean * mean(w.q_mean[c], rate) + of_rate * rate;
+  }
+}
+
+void end_step(const Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w) {
+  const double reach = w.mean_step > 0 ? s.h / w.mean_step : 1;
+  const auto next = [&](double mean, double was, double is) {
+    return (s.alpha_f * is + (1 - s.alpha_f) * was - (1 - s.alpha_m) * (was + reach * (mean - was))) / s.alpha_m;
+  };
+  for (std::size_t c = 0; c < at(m.size); ++c) {
+    w.q_mean[c] = next(w.q_mean[c], before.nu[c], now.nu[c]);
+    w.nu_mean[c] = next(w.nu_mean[c], before.rate[c], now.rate[c]);
+  }
+  w.mean_step = s.h;
+}
+
+bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now) {
+  now.t = t;
+  now.when = s.h > 0 ? t - 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), s.h) : t;
+  for (const Body& body : m.bodies) {
+    for (int c = body.first; c < body.first + body.count; ++c) {
+      now.nu[at(c)] = w.nu_star[at(c)] + s.reach * now.rate[at(c)];
+      now.q[at(c)] = w.q_star[at(c)] + s.reach * now.nu[at(c)];
+    }
+  }
+  for (const Spin& spin : m.spins) {
+    const std::size_t c = at(spin.column);
+    now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
+    now.q[c] = w.q_star[c] + s.reach * now.nu[c];
+  }
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) move_body(m, before, b, now.when, now);
+  turn_spins(m, s, before, now.when, now);
+  for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+    const model::SignalValue change = model::at(m.model->tensioners[k].change, now.when);
+    now.tensioned[k] = change.value;
+    now.tension_rate[k] = change.rate;
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    now.lines[i].radius = before.lines[i].radius;
+    if (!place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
+    stretch(m, before, i, now);
+    if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    bound(m, s, before, i, now);
+    flow(m, s, before, w, i, now);
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, i, now);
+  return true;
+}
+
+double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
+  const bool leaves = contact.out >= 0;
+  return v.lines[at(leaves ? contact.out : contact.in)].radius[leaves ? 0 : 1];
+}
+
+std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
+  if (drive.kind != model::DriveKind::speed) return std::nullopt;
+  const model::SignalValue speed = model::at(drive.signal, t);
+  const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
+  return Turning{speed.value / radius, speed.rate / radius};
+}
+
+double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return 0;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind != model::DriveKind::torque) return 0;
+  return model::at(drive.signal, t).value;
+}
+
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t) {
+  if (contact.drum < 0) return std::nullopt;
+  const Spin& spin = m.spins[at(contact.spin)];
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
+  if (drive.kind == model::DriveKind::pull) return model::at(drive.signal, t).value;
+  if (spin.inertia > 0) return std::nullopt;
+  return drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
+}
+
+std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now) {
+  const Body& shape = m.bodies[at(body)];
+  Vector3 a = now.bodies[at(body)].driven_a, b = now.bodies[at(body)].driven_b;
+  for (std::size_t f = 0; f < at(shape.count); ++f) {
+    const double rate = now.rate[at(shape.first) + f];
+    a += rate * shape.along[f];
+    if (shape.turns) b += rate * shape.about[f];
+  }
+  return {a, b};
+}
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,282 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+using model::Quantity;
+
+ContactState state_of_contact(const Contact& contact, const ContactValues& v, const Pressure& p, double omega) {
+  if (contact.round && v.wrap < 0) return ContactState::lifted;
+  if (p.in <= 0 && p.out <= 0) return ContactState::lifted;
+  if (v.grip == Grip::forward || v.grip == Grip::backward) {
+    return contact.spin < 0 && v.log_by_wrap == 0 ? ContactState::turning : ContactState::slipping;
+  }
+  if (v.grip == Grip::equal) return ContactState::turning;
+  return contact.spin >= 0 && omega != 0 ? ContactState::turning : ContactState::stuck;
+}
+
+TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::size_t i) {
+  const Contact& contact = m.contacts[i];
+  const ContactValues& is = v.contacts[i];
+  const LineValues &in = v.lines[at(contact.in)], &out = v.lines[at(contact.out)];
+  TransientFrame::Contact c;
+  c.reeving = contact.reeving;
+  c.node = contact.node;
+  c.T_in = in.end_T[1];
+  c.T_out = out.end_T[0];
+  c.wrap = is.wrap;
+  if (contact.spin >= 0) {
+    c.angle = contact.sense * v.spins[at(contact.spin)].angle;
+    c.spin = contact.sense * v.spins[at(contact.spin)].omega;
+  } else if (contact.radius > 0 && contact.efficiency > 0) {
+    c.angle = v.q[at(contact.column)] * is.lambda / contact.radius;
+    c.spin = is.flow * is.lambda / contact.radius;
+  }
+  c.flow = is.lambda * is.flow;
+  const bool light = contact.spin < 0 && contact.efficiency > 0;
+  c.slip = light ? 0 : is.lambda * (is.flow - is.roll_rate);
+  c.state = state_of_contact(contact, is, pressure(m, static_cast<int>(i), v), c.spin);
+  c.force = (c.T_out - out.thrust[0]) * out.t - (c.T_in - in.thrust[1]) * in.t;
+  return c;
+}
+
+TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t spin) {
+  const Spin& of = m.spins[spin];
+  TransientFrame::Drum d;
+  for (const auto& one : of.contacts) {
+    const Contact& contact = m.contacts[at(one.first)];
+    const double T = std::max(contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1],
+                              contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0]);
+    d.T = std::max(d.T, T);
+  }
+  const Contact& first = m.contacts[at(of.contacts.front().first)];
+  const double radius = working_radius(m, first, v);
+  d.speed = v.spins[spin].omega * radius;
+  if (given_tension(m, first, v, v.when)) {
+    const ContactValues& contact = v.contacts[at(of.contacts.front().first)];
+    d.speed = first.sense * contact.flow * contact.lambda;
+    d.torque = d.T * radius * first.copies;
+  } else {
+    d.torque = drive_moment(m, static_cast<int>(spin), v);
+  }
+  d.power = d.torque * d.speed / radius;
+  return d;
+}
+
+/// Largest and its branch, at the start, at the end.
+double rope_tension(const Mechanism& m, const Values& v, int reeving, int* branch) {
+  const auto [first, lines] = m.first_line[at(reeving)];
+  double largest = 0;
+  for (int i = 0; i < lines; ++i) {
+    const LineValues& line = v.lines[at(first + i)];
+    const double T = std::max(line.end_T[0], line.end_T[1]);
+    if (T <= largest) continue;
+    largest = T;
+    if (branch != nullptr) *branch = i;
+  }
+  return largest;
+}
+
+void extend(Extreme& e, double value, double t, bool first) {
+  if (first || value < e.min) {
+    e.min = value;
+    e.t_min = t;
+  }
+  if (first || value > e.max) {
+    e.max = value;
+    e.t_max = t;
+  }
+  e.end = value;
+}
+
+int contact_at(const Mechanism& m, int reeving, int node) {
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    if (m.contacts[i].reeving == reeving && m.contacts[i].node == node) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int spin_of_drum(const Mechanism& m, int drum) {
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    if (m.spins[i].drum == drum) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/// Angles about the fixed axes x, y, z, one after the other.
+Vector3 angles_of(const Matrix3& R) {
+  const double ry = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
+  return {std::atan2(R(2, 1), R(2, 2)), ry, std::atan2(R(1, 0), R(0, 0))};
+}
+
+double observe_place(const Run& run, const Values& v, const model::Observable& what) {
+  static const Motion3 still;
+  const Motion3& body = what.index < 0 ? still : v.bodies[at(what.index)];
+  const Vector3 arm = body.R * what.at;
+  const int k = static_cast<int>(what.quantity);
+  const auto in = [&](Quantity first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
+  const auto axis = [&](Quantity first) { return k - static_cast<int>(first); };
+  (void)run;
+  if (in(Quantity::x)) return (body.x + arm)[axis(Quantity::x)];
+  if (in(Quantity::vx)) return (body.v + body.w.cross(arm))[axis(Quantity::vx)];
+  if (in(Quantity::rx)) return angles_of(body.R)[axis(Quantity::rx)];
+  return body.w[axis(Quantity::wx)];
+}
+
+double observe_rope(const Run& run, const Values& v, const model::Observable& what) {
+  const auto [first, lines] = run.m.first_line[at(what.index)];
+  const int pieces = std::max(1, run.model.reevings[at(what.index)].segments);
+  double T = 0, L = 0;
+  switch (what.quantity) {
+    case Quantity::T_start:
+      return v.lines[at(first)].end_T[0];
+    case Quantity::T_end:
+      return v.lines[at(first + lines - 1)].end_T[1];
+    case Quantity::T_max:
+      return rope_tension(run.m, v, what.index, nullptr);
+    case Quantity::length:
+      for (int i = first; i < first + lines; ++i) L += v.lines[at(i)].L;
+      return L;
+    default:
+      for (int i = first + what.part * pieces; i < first + (what.part + 1) * pieces; ++i) {
+        T = std::max({T, v.lines[at(i)].end_T[0], v.lines[at(i)].end_T[1]});
+        L += v.lines[at(i)].L;
+      }
+      return what.quantity == Quantity::branch_T ? T : L;
+  }
+}
+
+double observe_sheave(const Run& run, const Values& v, const model::Observable& what) {
+  const int i = contact_at(run.m, what.index, what.part);
+  if (i < 0 || run.m.contacts[at(i)].in < 0 || run.m.contacts[at(i)].out < 0) return 0;
+  const TransientFrame::Contact c = contact_of(run.m, v, at(i));
+  switch (what.quantity) {
+    case Quantity::T_in:
+      return c.T_in;
+    case Quantity::T_out:
+      return c.T_out;
+    case Quantity::sheave_speed:
+      return c.spin * run.m.contacts[at(i)].radius;
+    case Quantity::sheave_omega:
+      return c.spin;
+    case Quantity::sheave_angle:
+      return c.angle;
+    default:
+      return c.slip;
+  }
+}
+
+double observe_drum(const Run& run, const Values& v, const model::Observable& what) {
+  const int spin = spin_of_drum(run.m, what.index);
+  if (spin < 0) return 0;
+  if (what.quantity == Quantity::drum_length) return v.drums[at(what.index)].content;
+  const TransientFrame::Drum d = turning_of(run.m, v, at(spin));
+  switch (what.quantity) {
+    case Quantity::drum_T:
+      return d.T;
+    case Quantity::drum_speed:
+      return d.speed;
+    case Quantity::drum_torque:
+      return d.torque;
+    default:
+      return d.power;
+  }
+}
+
+double observe_energy(const Run& run, Quantity what) {
+  const EnergyLedger e = told(run.ledger);
+  switch (what) {
+    case Quantity::kinetic:
+      return e.kinetic;
+    case Quantity::elastic:
+      return e.elastic;
+    case Quantity::potential:
+      return e.potential;
+    case Quantity::dissipated:
+      return e.damped + e.slipped + e.bearings + e.broken + e.contacts;
+    case Quantity::supplied:
+      return e.supplied;
+    default:
+      return e.residual;
+  }
+}
+
+}  // namespace
+
+double observe(const Run& run, const Values& v, const model::Observable& what) {
+  if (what.quantity <= Quantity::wz) return observe_place(run, v, what);
+  if (what.quantity <= Quantity::length) return observe_rope(run, v, what);
+  if (what.quantity <= Quantity::slip) return observe_sheave(run, v, what);
+  if (what.quantity <= Quantity::drum_power) return observe_drum(run, v, what);
+  if (what.quantity == Quantity::signal) return model::at(run.model.signals[at(what.index)], v.t).value;
+  if (what.quantity >= Quantity::kinetic) return observe_energy(run, what.quantity);
+  return 0;
+}
+
+TransientFrame frame_of(const Mechanism& m, const Values& v) {
+  TransientFrame f;
+  f.t = v.t;
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (m.bodies[b].model < 0) continue;
+    const Motion3& is = v.bodies[b];
+    f.bodies.push_back({is.x, is.v, acceleration(m, static_cast<int>(b), v).first, is.R, is.w});
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    f.branches.push_back({line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, is.l, is.touch[0],
+                          is.touch[1], is.gone > 0});
+  }
+  for (const auto& inside : m.inside) {
+    f.inside.emplace_back();
+    for (const int body : inside) f.inside.back().push_back(v.bodies[at(body)].x);
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    if (m.contacts[i].in >= 0 && m.contacts[i].out >= 0) f.contacts.push_back(contact_of(m, v, i));
+  }
+  f.drums.resize(m.model->drums.size());
+  f.motors.resize(m.model->motors.size());
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const Spin& spin = m.spins[i];
+    if (spin.drum >= 0) {
+      f.drums[at(spin.drum)] = turning_of(m, v, i);
+      f.drums[at(spin.drum)].content = v.drums[at(spin.drum)].content;
+      f.drums[at(spin.drum)].layer = v.drums[at(spin.drum)].layer;
+    } else if (spin.motor >= 0) {
+      f.motors[at(spin.motor)] = turning_of(m, v, i);
+    }
+  }
+  f.faces.resize(m.model->contacts.size());
+  f.actuators.resize(m.model->actuators.size());
+  return f;
+}
+
+void record_frame(Run& run, const Values& v) {
+  run.result.frames.push_back(frame_of(run.m, v));
+  run.result.frames.back().energy = told(run.ledger);
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    run.result.observed[i].push_back(observe(run, v, run.model.observed[i]));
+  }
+}
+
+void record_extremes(Run& run, const Values& v) {
+  const bool first = run.result.steps == 0;
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    extend(run.result.extremes[i], observe(run, v, run.model.observed[i]), v.t, first);
+  }
+  for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
+    RopeExtreme& of = run.result.ropes[r];
+    int branch = 0;
+    const double T = rope_tension(run.m, v, static_cast<int>(r), &branch);
+    if (first || T > of.T.max) of.branch = branch;
+    extend(of.T, T, v.t, first);
+    if (first) of.T_static = T;
+    run.T_largest[r] = std::max(run.T_largest[r], T);
+  }
+}
+
+}  // namespace taut::analysis::dynamics

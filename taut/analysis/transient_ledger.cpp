@@ -1,0 +1,202 @@
+#include "taut/analysis/transient_ledger.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace taut::analysis::dynamics {
+namespace {
+
+double elastic_tension(const Line& line, const LineValues& v) { return line.stiffness * v.gone * std::max(0.0, v.e); }
+
+/// What a metre of unstretched rope takes out of a line at one end, J/m: the tension's work less its strain energy.
+double per_metre(const Line& line, const LineValues& v, std::size_t end) {
+  return v.end_T[end] * (1 + v.e) - elastic_tension(line, v) * v.e / 2;
+}
+
+void add_contact(const Mechanism& m, std::size_t i, const Values& v, Powers& p) {
+  const Contact& contact = m.contacts[i];
+  const ContactValues& is = v.contacts[i];
+  const bool both = contact.in >= 0 && contact.out >= 0;
+  const double out = contact.out < 0 ? 0 : per_metre(m.lines[at(contact.out)], v.lines[at(contact.out)], 0);
+  const double in = contact.in < 0 ? 0 : per_metre(m.lines[at(contact.in)], v.lines[at(contact.in)], 1);
+  const double T_out = contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0];
+  const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
+  double loss = is.flow * (out - in) - (T_out - T_in) * is.lambda * is.roll_rate;
+  if (!both) {
+    const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
+    const double strain = is.lambda - 1;
+    const double lies = m.lines[line].stiffness * strain * strain / 2;
+    const double onto = contact.in < 0 ? -is.flow : is.flow;
+    if (given_tension(m, contact, v, v.when)) {
+      const double T = T_in + T_out;
+      p.supplied += contact.copies * T * (1 + v.lines[line].e) * onto;
+      loss += (contact.in < 0 ? -1 : 1) * T * (1 + v.lines[line].e) * is.flow;
+    }
+    p.laid_by += contact.copies * lies * onto;
+    loss -= lies * onto;
+  } else {
+    const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
+    p.laid_by -= contact.copies * m.lines[at(contact.in)].weight * is.flow * lifted;
+  }
+  const bool bearing = contact.spin < 0 && is.log_by_wrap == 0;
+  (bearing ? p.bearings : p.slipped) += contact.copies * loss;
+}
+
+/// A body that signals move: its drive gives what inertia and weights ask and the ropes do not.
+void add_driven(const Mechanism& m, const Values& v, Powers& p) {
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Motion3& body = v.bodies[b];
+    if (m.bodies[b].model < 0 || m.model->bodies[at(m.bodies[b].model)].driven.empty()) continue;
+    p.supplied += inertia_power(m, static_cast<int>(b), v, body.driven_v, body.driven_w);
+    for (std::size_t i = 0; i < m.lines.size(); ++i) {
+      const Line& line = m.lines[i];
+      const LineValues& is = v.lines[i];
+      for (const std::size_t end : {0U, 1U}) {
+        if (line.body[end] != static_cast<int>(b)) continue;
+        const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
+        const Vector3 force = (end == 0 ? 1 : -1) * (is.T - is.thrust[end]) * is.t - line.weight * is.L / 2 * up();
+        p.supplied -= line.copies * force.dot(moves);
+      }
+    }
+  }
+}
+
+/// Strain energy and height of what the turning of lines has laid on rounds in a step.
+double wound(const Mechanism& m, const Values& before, const Values& now) {
+  double energy = 0;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.contact[end] < 0 || now.lines[i].radius[end] == 0) continue;
+      const LineValues &a = before.lines[i], &b = now.lines[i];
+      const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
+      const double winding = before.contacts[at(line.contact[end])].winding;
+      const auto rate = [&](const LineValues& v) {
+        return v.T * (1 - (1 + v.e) / winding) + elastic_tension(line, v) * v.e / (2 * winding) +
+               line.weight * v.touch[end].z() / winding;
+      };
+      energy += line.copies * onto * (rate(a) + rate(b)) / 2;
+    }
+  }
+  return energy;
+}
+
+}  // namespace
+
+double drive_moment(const Mechanism& m, int spin, const Values& v) {
+  const Spin& of = m.spins[at(spin)];
+  if (!prescribed(m, of, v, v.when)) return drive_torque(m, of, v, v.when);
+  double alpha = v.spins[at(spin)].alpha;
+  if (of.body >= 0) alpha += (v.bodies[at(of.body)].R * of.axis).dot(acceleration(m, of.body, v).second);
+  return of.inertia * alpha - rope_moment(m, of, v, v);
+}
+
+Powers powers(const Mechanism& m, const Values& v) {
+  Powers p;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    if (is.T_rate != 0 || is.T != 0) p.damped += line.copies * (is.T - elastic_tension(line, is)) * is.L * is.e_rate;
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, v, p);
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const SpinValues& is = v.spins[i];
+    p.bearings += is.turns * is.capacity * is.omega;
+    if (m.spins[i].drum < 0 && m.spins[i].motor < 0) continue;
+    const bool light = m.spins[i].inertia <= 0 && !prescribed(m, m.spins[i], v, v.when);
+    if (!light) p.supplied += drive_moment(m, static_cast<int>(i), v) * is.omega;
+  }
+  for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+    const auto [line, end] = m.tensioner[k];
+    p.supplied -=
+        m.lines[at(line)].copies * per_metre(m.lines[at(line)], v.lines[at(line)], at(end)) * v.tension_rate[k];
+  }
+  add_driven(m, v, p);
+  return p;
+}
+
+Stored stored(const Mechanism& m, const Values& v) {
+  Stored s;
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Body& shape = m.bodies[b];
+    const Motion3& is = v.bodies[b];
+    if (shape.mass > 0) {
+      const Vector3 velocity = is.v + is.w.cross(is.R * shape.centre);
+      s.kinetic += shape.mass * velocity.squaredNorm() / 2;
+    }
+    if (shape.turns || is.w != Vector3::Zero()) {
+      const Vector3 w = is.R.transpose() * is.w;
+      s.kinetic += w.dot(shape.inertia * w) / 2;
+    }
+    if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
+  }
+  for (const model::Load& load : m.model->loads) {
+    if (load.at.body < 0) continue;
+    const Motion3& is = v.bodies[at(load.at.body)];
+    s.potential -= load.force.dot(is.x + is.R * load.at.at);
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const Spin& spin = m.spins[i];
+    double omega = v.spins[i].omega;
+    if (spin.body >= 0) omega += (v.bodies[at(spin.body)].R * spin.axis).dot(v.bodies[at(spin.body)].w);
+    s.kinetic += spin.inertia * omega * omega / 2;
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
+    s.potential += line.copies * line.weight * is.L * (is.touch[0].z() + is.touch[1].z()) / 2;
+  }
+  return s;
+}
+
+Ledger open_ledger(const Mechanism& m, const Values& v) {
+  Ledger ledger;
+  ledger.start = ledger.now = stored(m, v);
+  ledger.last = powers(m, v);
+  return ledger;
+}
+
+void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
+  const double half = (now.t - before.t) / 2;
+  const Powers p = powers(m, now);
+  const auto add = [&](double Powers::*what) { return half * (p.*what + ledger.last.*what); };
+  ledger.damped += add(&Powers::damped);
+  ledger.slipped += add(&Powers::slipped);
+  ledger.bearings += add(&Powers::bearings);
+  ledger.supplied += add(&Powers::supplied);
+  ledger.laid_by += add(&Powers::laid_by) + wound(m, before, now);
+  ledger.last = p;
+  ledger.now = stored(m, now);
+  const double change = std::max(
+      {std::abs(ledger.now.kinetic - ledger.start.kinetic), std::abs(ledger.now.elastic - ledger.start.elastic),
+       std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
+       ledger.damped + ledger.slipped + ledger.bearings + ledger.broken, ledger.now.elastic, ledger.now.kinetic});
+  ledger.turnover = std::max(ledger.turnover, change);
+}
+
+void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger) {
+  const Stored s = stored(m, now);
+  where += ledger.now.kinetic + ledger.now.elastic + ledger.now.potential - s.kinetic - s.elastic - s.potential;
+  ledger.now = s;
+  ledger.last = powers(m, now);
+}
+
+EnergyLedger told(const Ledger& l) {
+  EnergyLedger e;
+  e.kinetic = l.now.kinetic;
+  e.elastic = l.now.elastic + l.laid_by;
+  e.potential = l.now.potential;
+  e.damped = l.damped;
+  e.slipped = l.slipped;
+  e.bearings = l.bearings;
+  e.broken = l.broken;
+  e.supplied = l.supplied;
+  e.turnover = l.turnover;
+  const double before = l.start.kinetic + l.start.elastic + l.start.potential;
+  e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings + l.broken;
+  return e;
+}
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,36 @@
+#pragma once
+#include "taut/analysis/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+
+/// What goes where at one time, W.
+struct Powers {
+  double damped = 0, slipped = 0, bearings = 0, supplied = 0;
+  double laid_by = 0;  ///< strain energy of the rope that comes onto drums
+};
+Powers powers(const Mechanism& m, const Values& v);
+
+/// What is stored at one time, J.
+struct Stored {
+  double kinetic = 0, elastic = 0, potential = 0;
+};
+Stored stored(const Mechanism& m, const Values& v);
+
+/// The ledger over a run.
+struct Ledger {
+  Stored start, now;
+  double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0, laid_by = 0;
+  double turnover = 0;
+  Powers last;
+};
+Ledger open_ledger(const Mechanism& m, const Values& v);
+/// After a step.
+void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+/// After a restart at one time: what light sheaves have passed at once, or a break has set free, goes to `where`.
+void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger);
+EnergyLedger told(const Ledger& ledger);
+
+/// Power of a drive into its spin, and its torque.
+double drive_moment(const Mechanism& m, int spin, const Values& v);
+
+}  // namespace taut::analysis::dynamics

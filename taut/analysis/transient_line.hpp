@@ -1,0 +1,46 @@
+#pragma once
+#include "taut/analysis/transient_mechanism.hpp"
+
+namespace taut::analysis::dynamics {
+
+/// A line as it is at one time.
+struct LineValues {
+  std::array<Vector3, 2> centre;      ///< of its rounds, ground frame, m
+  std::array<Vector3, 2> touch;       ///< where the free rope begins and ends, m
+  Vector3 t = Vector3::UnitX();       ///< direction
+  double l = 1;                       ///< length, m
+  std::array<double, 2> angle{0, 0};  ///< of the touching points against the bodies, path sense, from the start on, rad
+  Vector3 axis = Vector3::UnitY();    ///< planar: the common axis
+  Vector3 flat = Vector3::UnitX();    ///< planar: direction in the plane across it
+  double flat_l = 1;                  ///< planar: length there, m
+  std::array<double, 2> skew_angle{0, 0};  ///< skew: about the rounds' zeros, rad
+  std::array<double, 2> radius{0, 0};      ///< of its rounds: a drum's layer counts, m
+  Vector3 apart = Vector3::Zero();     ///< velocity of the rope's touching points, fixed to their bodies, apart, m/s
+  double L = 1;                        ///< unstretched, m
+  double e = 0, e_rate = 0;            ///< strain, 1/s
+  double T = 0;                        ///< in the middle, N
+  double T_e = 0, T_rate = 0;          ///< derivatives of T by strain and by its rate
+  std::array<double, 2> end_T{0, 0};   ///< at its ends: with half its weight's component, N
+  std::array<double, 2> thrust{0, 0};  ///< G: what the rope's momentum takes of it there, N
+  double gone = 1;                     ///< share that is left of a breaking rope
+};
+
+/// Geometry from the poses; `before`: the same line at the start of the step, for angles. False: there is no line.
+bool place_line(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now);
+
+/// How a line follows one local freedom of a body at one of its ends.
+struct LineColumn {
+  double l = 0;
+  std::array<double, 2> angle{0, 0};
+  Vector3 t = Vector3::Zero();
+  std::array<Vector3, 2> touch{Vector3::Zero(), Vector3::Zero()};  ///< seen from the origin of its own body
+  Vector3 velocity = Vector3::Zero();                              ///< of the touching point, fixed to the body
+};
+/// For all freedoms: columns 0 .. freedoms[0] + freedoms[1] - 1.
+void line_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
+                  const LineValues& now, std::array<LineColumn, 14>& columns);
+
+/// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
+void pull(const Line& line, LineValues& now);
+
+}  // namespace taut::analysis::dynamics

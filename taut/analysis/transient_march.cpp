@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it ends the run
+constexpr double growth = 2;
+constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
+
+Outcome failure(const Run& run, StepEnd end, double t) {
+  if (end == StepEnd::no_place) {
+    for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+      const LineValues& line = run.before.lines[i];
+      if (line.L > 1e-3 * run.m.size_of_machine && line.l > 1e-3 * run.m.size_of_machine) continue;
+      const model::Reeving& rope = run.model.reevings[at(run.m.lines[i].reeving)];
+      return infeasible(
+          fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
+                      rope.nodes[at(run.m.lines[i].from)].name, rope.nodes[at(run.m.lines[i].to)].name, rope.name));
+    }
+    return infeasible(fmt::format(
+        "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
+  }
+  if (end == StepEnd::singular) {
+    return infeasible(fmt::format("at t = {:.6g} s a part of the machine is held by nothing and has no inertia", t));
+  }
+  return not_converged(fmt::format(
+      "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));
+}
+
+/// Consistent accelerations at the time reached; what slips at once goes to `where`.
+StepEnd begin_again(Run& run, double& where) {
+  fade(run, run.before.t, run.now);
+  const StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
+  if (end != StepEnd::ok) return end;
+  add_jump(run.m, run.before, where, run.ledger);
+  run.known = 0;
+  for (ContactValues& contact : run.before.contacts) contact.slip_mean = contact.slip_rate;
+  if (run.options.step <= 0) {
+    const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
+    run.h = std::min({std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100,
+                      run.h > 0 ? run.h : run.options.duration});
+  }
+  return end;
+}
+
+/// A step of h to the time t, which is before.t + h but for rounding.
+StepEnd try_step(Run& run, double h, double t) {
+  Scheme& s = run.scheme;
+  s.h = h;
+  s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
+  const double more = run.known > 0 ? h / (h + run.h_last) : 0;
+  s.slip_now = (1 + more) / h;
+  s.slip_before = -more;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    ContactValues& contact = run.before.contacts[i];
+    const bool rope = contact.entry >= 0;
+    contact.winding =
+        contact.lambda +
+        (rope && run.before.lines[at(contact.entry)].e > 0 ? h / 2 * run.before.lines[at(contact.entry)].e_rate : 0);
+  }
+  // accelerations go on as they changed
+  const double slope = run.known > 0 ? h / run.h_last : 0;
+  for (std::size_t c = 0; c < run.now.rate.size(); ++c) {
+    run.now.rate[c] = run.before.rate[c] + slope * (run.before.rate[c] - run.rate_old[c]);
+  }
+  run.now.drum_drive = run.before.drum_drive;
+  run.now.motor_drive = run.before.motor_drive;
+  fade(run, t, run.now);
+  const double share = run.options.step > 0 ? 1e-3 : std::min(1.0, h / run.options.duration);
+  run.newton.tolerance = 0.02 * run.options.tolerance * share;
+  run.newton.largest = *std::max_element(run.T_largest.begin(), run.T_largest.end());
+  for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
+  return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
+}
+
+/// From which side the rope comes next, what drums hold.
+void commit_contacts(Run& run) {
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    ContactValues& is = run.now.contacts[i];
+    is.slip_mean = (is.slipped - run.before.contacts[i].slipped) / run.scheme.h;
+    const int from = is.flow >= 0 ? contact.in : contact.out;
+    const int other = is.flow >= 0 ? contact.out : contact.in;
+    is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
+    if (contact.drum < 0) continue;
+    DrumValues& drum = run.now.drums[at(contact.drum)];
+    const double onto = (contact.in < 0 ? -1 : 1) * (run.now.q[at(contact.column)] - run.before.q[at(contact.column)]);
+    drum.content = run.before.drums[at(contact.drum)].content + onto;
+    if (is.entry < 0) is.lambda = 1 + drum.strain[at(drum.layer - 1)];
+  }
+}
+
+void accept(Run& run) {
+  commit_contacts(run);
+  end_step(run.m, run.scheme, run.before, run.now, run.w);
+  add_step(run.m, run.before, run.now, run.ledger);
+  keep_history(run);
+  note_changes(run);
+  ++run.result.steps;
+  const double h = run.scheme.h;
+  run.result.smallest_step = run.result.smallest_step > 0 ? std::min(run.result.smallest_step, h) : h;
+  run.result.largest_step = std::max(run.result.largest_step, h);
+  std::swap(run.before, run.now);
+  record_extremes(run, run.before);
+}
+
+/// One accepted step, at most to `limit`. Steps that fail or err are tried again, shorter.
+StepEnd advance(Run& run, double limit) {
+  const bool fixed = run.options.step > 0;
+  double last_error = 0, last_h = 0;
+  bool kink = false;
+  for (;;) {
+    const double left = limit - run.before.t;
+    double h = fixed ? std::min(run.options.step, run.h) : run.h;
+    if (h > 0.999999 * left)
+      h = left;
+    else if (!fixed && h > left / 2)
+      h = left / 2;
+    const StepEnd end = try_step(run, h, h == left ? limit : run.before.t + h);
+    if (end != StepEnd::ok) {
+      ++run.result.rejected;
+      run.h = h / 4;
+      if (run.h < smallest_share * run.options.duration) return end;
+      continue;
+    }
+    if (h > at_once * run.options.duration && comes_true(run, run.now)) {  // halve the way to the moment
+      run.h = h / 2;
+      ++run.result.rejected;
+      continue;
+    }
+    if (fixed) {
+      run.h = run.options.step;
+      accept(run);
+      return StepEnd::ok;
+    }
+    const double error = error_of(run, kink);
+    if (error > 1 && h > 1e-12 * run.options.duration) {
+      ++run.result.rejected;
+      if (last_h > 0 && !kink && error > last_error * (h / last_h)) kink = true;
+      last_error = error;
+      last_h = h;
+      run.h = h * std::clamp(0.9 / std::sqrt(error), 0.1, 0.7);
+      continue;
+    }
+    const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, growth) : growth;
+    const bool shortened = h < 0.9 * run.h;
+    accept(run);
+    if (kink) run.known = 0;
+    if (!shortened || factor < 1) run.h = h * factor;
+    return StepEnd::ok;
+  }
+}
+
+}  // namespace
+
+void march(Run& run) {
+  bool stop = false;
+  StepEnd end = begin_again(run, run.ledger.slipped);
+  run.ledger = open_ledger(run.m, run.before);
+  record_extremes(run, run.before);
+  record_frame(run, run.before);
+  const double first = run.before.t, step = run.options.output_step;
+  long frame = 1;
+  std::size_t next = 0;
+  while (end == StepEnd::ok && !stop) {
+    const double output = std::min(run.end, first + static_cast<double>(frame) * step);
+    while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
+    const double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
+    if (run.before.t >= run.end) break;
+    end = advance(run, limit);
+    if (end != StepEnd::ok) break;
+    if (run.before.t >= limit) run.before.t = limit;
+    const bool at_output = run.before.t >= output;
+    if (at_output) {
+      record_frame(run, run.before);
+      ++frame;
+      if (run.options.progress && !run.options.progress(run.before.t)) {
+        run.result.interrupted = true;
+        break;
+      }
+    }
+    double broken = 0;
+    const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
+    const bool jump = next < run.stops.size() && run.before.t >= run.stops[next];
+    if ((event || jump) && !stop && run.before.t < run.end) {
+      end = begin_again(run, broken);
+      (event ? run.ledger.broken : run.ledger.slipped) += broken;
+    }
+    if (run.result.steps + run.result.rejected > run.options.most_steps) {
+      run.result.outcome = not_converged(fmt::format(
+          "{} steps and only t = {:.6g} s is reached: a coarser 'tolerance' or a shorter 'duration' is needed",
+          run.options.most_steps, run.before.t));
+      break;
+    }
+  }
+  if (end != StepEnd::ok) run.result.outcome = failure(run, end, run.before.t);
+  if (run.result.frames.back().t < run.before.t) record_frame(run, run.before);
+  run.result.t_end = run.before.t;
+}
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,132 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "taut/analysis/transient.hpp"
+#include "taut/math/static_lu.hpp"
+#include "taut/model/model.hpp"
+
+/// Inside of the transient analysis: the machine as arrays. docs/theory/dynamics.md.
+namespace taut::analysis::dynamics {
+
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A body of the model, or an inner node of a rope in segments (model < 0: a point mass free in x, y, z). Columns
+/// [first, first + count) of the unknowns are the accelerations of its freedoms.
+struct Body {
+  int model = -1;
+  int first = 0, count = 0;
+  std::array<Vector3, 6> along, about;  ///< of each freedom, unit velocities
+  bool turns = false;                   ///< by a freedom
+  bool point = false;                   ///< free in x, y, z, in this order, and without turning
+  double mass = 0;                      ///< with the rope masses that lie on it, kg
+  Vector3 centre = Vector3::Zero();     ///< of that mass, body frame, m
+  Matrix3 inertia = Matrix3::Zero();    ///< about that centre, body frame, kg m2
+  double own_mass = 0;                  ///< its weight acts at `own_centre`
+  Vector3 own_centre = Vector3::Zero();
+};
+
+/// Where a body is and how it moves.
+struct Motion3 {
+  Vector3 x = Vector3::Zero();         ///< origin, m
+  Matrix3 R = Matrix3::Identity();     ///< body to ground
+  Vector3 v = Vector3::Zero();         ///< of the origin, m/s
+  Vector3 w = Vector3::Zero();         ///< angular velocity, 1/s
+  Vector3 driven_v = Vector3::Zero();  ///< the parts that signals give
+  Vector3 driven_w = Vector3::Zero();
+  Vector3 driven_a = Vector3::Zero();  ///< and their accelerations
+  Vector3 driven_b = Vector3::Zero();
+  Vector3 turned = Vector3::Zero();  ///< rotation since the start of the step, rad
+};
+
+/// How the free line between two rounds is found.
+enum class LineKind {
+  points,  ///< both radii 0
+  planar,  ///< rounds with parallel axes that stay so, or a round and a point
+  skew
+};
+
+/// One free branch of a rope, or one segment of it. Ends: 0 where the path enters it, 1 where it leaves it.
+struct Line {
+  int reeving = 0, from = 0, to = 0;  ///< nodes
+  int segment = -1;                   ///< of a branch in segments
+  LineKind kind = LineKind::points;
+  bool between_points = false;  ///< from a point body to another one, without flow
+  std::array<int, 2> body{-1, -1};
+  std::array<Vector3, 2> place;        ///< centre in the body's frame, m
+  std::array<Vector3, 2> axis;         ///< body's frame
+  std::array<Vector3, 2> zero;         ///< body's frame, for angles on skew rounds
+  std::array<double, 2> radius{0, 0};  ///< at the start
+  std::array<int, 2> side{1, 1};
+  std::array<int, 2> contact{-1, -1};
+  double stiffness = 0;  ///< EA, N
+  double damping = 0;    ///< beta, s
+  double weight = 0;     ///< N per unstretched metre that hangs on its ends; 0: without
+  double mass = 0;       ///< kg per unstretched metre
+  double copies = 1;
+  int columns = 0;                  ///< local unknowns: freedoms of body 0, of body 1, the flows of its contacts
+  std::array<int, 14> column{};     ///< their columns
+  std::array<int, 2> freedoms{};    ///< how many of them are body 0's and body 1's
+  std::array<int, 2> flow{-1, -1};  ///< local index of the flow at each end
+  std::vector<int> places;          ///< of the local matrix, row by row, in the values of the solver
+};
+
+/// What turns: a sheave with inertia or a motor, a drum. Its angle is counted against the body that carries it, in path
+/// sense (a sheave) or taking in (a drum).
+struct Spin {
+  int body = -1;
+  Vector3 axis = Vector3::UnitY();  ///< body frame; in the sense of the angle
+  double inertia = 0;
+  int column = -1;  ///< -1: prescribed
+  int drum = -1, motor = -1;
+  std::vector<std::pair<int, double>> contacts;  ///< and their sense: +1 where the path runs with the angle
+};
+
+/// What the rope meets at a node: a round it runs over, or a drum at its end (`in` or `out` < 0).
+struct Contact {
+  int reeving = 0, node = 0;
+  int in = -1, out = -1;  ///< lines
+  int body = -1;
+  double radius = 0;
+  int spin = -1;     ///< -1: light, turns with the rope or not at all
+  double sense = 1;  ///< of the spin's angle along the path
+  int column = -1;   ///< of the flow
+  double friction = 0, efficiency = 1;
+  bool round = false;                 ///< has a wrap about its axis; else the angle between the directions
+  Vector3 support = Vector3::Zero();  ///< as of a node of the model
+  double mass = 0;                    ///< kg per unstretched metre, for the pressure of a rope that runs over it
+  double copies = 1;
+  int drum = -1;                   ///< an end on a drum
+  std::vector<int> columns;        ///< all that its rows depend on
+  std::vector<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
+};
+
+/// How a contact is in the step.
+enum class Grip : std::int8_t {
+  stuck,
+  forward,  ///< the rope runs along the path faster than the rim, or is at that bound
+  backward,
+  equal  ///< both tensions are the same: no loss, or no pressure
+};
+
+/// The compiled machine.
+struct Mechanism {
+  const model::Model* model = nullptr;
+  std::vector<Body> bodies;
+  std::vector<Line> lines;
+  std::vector<Contact> contacts;
+  std::vector<Spin> spins;
+  std::vector<std::pair<int, int>> first_line;  ///< by reeving: first line and count
+  std::vector<std::vector<int>> inside;         ///< by reeving: bodies that are inner nodes
+  std::vector<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
+  std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
+  std::vector<int> body_places;
+  std::vector<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row
+  int size = 0;
+  double size_of_machine = 1;  ///< m
+  StaticLu solver;
+};
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,70 @@
+#pragma once
+#include "taut/analysis/transient_build.hpp"
+#include "taut/analysis/transient_ledger.hpp"
+#include "taut/analysis/transient_step.hpp"
+
+namespace taut::analysis::dynamics {
+
+/// A run under way.
+struct Run {
+  const model::Model& model;
+  const TransientOptions& options;
+  Mechanism m{};
+  Values before{}, now{};  ///< at the start and at the end of the step
+  Work w{};
+  Newton newton{};
+  Scheme scheme{};
+  Ledger ledger{};
+  TransientResult result{};
+  DynamicState origin{};         ///< what the state is completed from
+  std::vector<double> stops{};   ///< times to step onto, growing
+  std::vector<char> happened{};  ///< by event
+  struct Breaking {
+    int line = 0;
+    double from = 0, over = 0;  ///< s
+  };
+  std::vector<Breaking> breaking{};
+  double end = 0;
+  double h = 0;
+  // what the control of the error looks back on
+  int known = 0;                             ///< steps since the last restart
+  std::vector<double> nu_old{}, rate_old{};  ///< at the start of the last step
+  std::vector<double> T_old{}, T_older{};    ///< by line
+  double h_last = 0, h_older = 0;
+  std::vector<double> T_largest{};  ///< by reeving, N
+};
+
+/// The value of an observable now.
+double observe(const Run& run, const Values& v, const model::Observable& what);
+
+/// Writes down one output step; extremes at every step.
+void record_frame(Run& run, const Values& v);
+void record_extremes(Run& run, const Values& v);
+TransientFrame frame_of(const Mechanism& m, const Values& v);
+
+/// Notes what has changed in a step: slack and taut, stick and slip, lift-off.
+void note_changes(Run& run);
+void note(Run& run, double t, std::string what, std::string where,
+          std::vector<std::pair<std::string, double>> values = {});
+
+/// Events of the model: those due at t happen. Whether any did (a restart is needed); `stop`: the run is over.
+bool happen(Run& run, Values& v, bool& stop);
+/// Whether a condition of an event not yet happened holds.
+bool comes_true(const Run& run, const Values& v);
+/// Drums whose rope has come onto another layer take its radius; whether any did.
+bool change_layers(Run& run, Values& v);
+/// Times of events and breakpoints of signals, without those before `from`.
+std::vector<double> stops_of(const model::Model& model, double from, double to);
+
+/// Sets what is left of breaking lines at t.
+void fade(const Run& run, double t, Values& v);
+
+/// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
+double error_of(const Run& run, bool kink);
+/// Keeps what the next one needs.
+void keep_history(Run& run);
+
+/// Steps until the end. Fills the outcome.
+void march(Run& run);
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "taut/analysis/transient_build.hpp"
+#include "taut/rope/tangent.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+rope::Round round_at(const model::State& state, const model::Node& node) {
+  const Vector3 centre = model::in_ground(state, node.at);
+  if (node.radius == 0) return rope::point(centre);
+  const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[at(node.at.body)].orientation;
+  return rope::sheave(centre, turned * node.axis, node.radius, node.side);
+}
+
+/// Inner nodes on the straight line of a branch.
+void add_inside(const model::State& state, const model::Node& from, const model::Node& to, int segments,
+                DynamicState::Rope& rope) {
+  if (segments <= 1) return;
+  const auto line = rope::tangent_line(round_at(state, from), round_at(state, to));
+  const Vector3 start = line ? line->from : model::in_ground(state, from.at);
+  const Vector3 end = line ? line->to : model::in_ground(state, to.at);
+  for (int s = 1; s < segments; ++s) rope.inside.emplace_back(start + (end - start) * s / segments);
+}
+
+}  // namespace
+
+DynamicState state_from(const model::Model& model, const model::State& state) {
+  DynamicState start;
+  for (const model::Pose& pose : state.bodies) {
+    start.bodies.push_back({pose.position, pose.orientation, Vector3::Zero(), Vector3::Zero()});
+  }
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const model::Reeving& given = model.reevings[r];
+    DynamicState::Rope rope;
+    const int segments = std::max(1, given.segments);
+    const double by_tension = given.given == model::Given::length ? 1 : 1 / (1 + given.value / given.stiffness);
+    for (std::size_t k = 0; k < state.branches[r].size(); ++k) {
+      const model::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
+      const double length = given.given == model::Given::length ? state.branches[r][k].length
+                                                                : model::straight_length(state, from, to) * by_tension;
+      for (int s = 0; s < segments; ++s) rope.length.push_back(length / segments);
+      add_inside(state, from, to, segments, rope);
+    }
+    rope.whole.assign(rope.length.size(), 1);
+    rope.inside_velocity.assign(rope.inside.size(), Vector3::Zero());
+    start.ropes.push_back(std::move(rope));
+  }
+  return start;
+}
+
+DynamicState assembled(const model::Model& model) { return state_from(model, model::initial_state(model)); }
+
+DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& before) {
+  DynamicState state = before;
+  state.t = v.t;
+  const model::Model& model = *m.model;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Motion3& is = v.bodies[b];
+    state.bodies[b] = {is.x, is.R, is.v, is.w};
+  }
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    DynamicState::Rope& rope = state.ropes[r];
+    const auto [first, lines] = m.first_line[r];
+    rope.whole.resize(at(lines));
+    for (int i = 0; i < lines; ++i) {
+      rope.length[at(i)] = v.lines[at(first + i)].L;
+      rope.whole[at(i)] = v.lines[at(first + i)].gone > 0 ? 1 : 0;
+    }
+    const std::size_t nodes = model.reevings[r].nodes.size();
+    rope.angle.assign(nodes, 0.0);
+    rope.spin = rope.passed = rope.wrap = rope.angle;
+    rope.inside.clear();
+    rope.inside_velocity.clear();
+    for (const int body : m.inside[r]) {
+      rope.inside.push_back(v.bodies[at(body)].x);
+      rope.inside_velocity.push_back(v.bodies[at(body)].v);
+    }
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Contact& contact = m.contacts[i];
+    DynamicState::Rope& rope = state.ropes[at(contact.reeving)];
+    rope.passed[at(contact.node)] = v.q[at(contact.column)];
+    rope.wrap[at(contact.node)] = v.contacts[i].wrap;
+    if (contact.spin < 0) continue;
+    rope.angle[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].angle;
+    rope.spin[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].omega;
+  }
+  state.drums.clear();
+  for (const DrumValues& drum : v.drums) state.drums.push_back({drum.content, drum.layer, drum.strain});
+  state.drum_drive = v.drum_drive;
+  state.motor_drive = v.motor_drive;
+  return state;
+}
+
+}  // namespace taut::analysis::dynamics

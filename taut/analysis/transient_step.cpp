@@ -1,0 +1,178 @@
+#include "taut/analysis/transient_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr double rounding = 1e-14;
+constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
+
+/// Rope passed at each contact, as it went on before.
+void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, Values& now) {
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const ContactValues& was = before.contacts[i];
+    const std::size_t c = at(m.contacts[i].column);
+    now.contacts[i].grip = was.grip;
+    now.q[c] =
+        was.grip == Grip::stuck ? was.slipped + w.q_star[c] + s.reach * was.roll_rate : before.q[c] + s.h * was.flow;
+  }
+}
+
+void apply(const Mechanism& m, const std::vector<double>& step, Values& now) {
+  for (const Body& body : m.bodies) {
+    for (int c = body.first; c < body.first + body.count; ++c) now.rate[at(c)] -= step[at(c)];
+  }
+  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= step[at(contact.column)];
+  for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= step[at(spin.column)];
+}
+
+/// Largest move of a freedom and of a contact's rope by the step.
+double move_of(const Mechanism& m, const Scheme& s, const std::vector<double>& step) {
+  double largest = 0;
+  for (const Body& body : m.bodies) {
+    for (int c = body.first; c < body.first + body.count; ++c) {
+      largest = std::max(largest, s.reach * s.reach * std::abs(step[at(c)]));
+    }
+  }
+  for (const Contact& contact : m.contacts) largest = std::max(largest, std::abs(step[at(contact.column)]));
+  return largest;
+}
+
+}  // namespace
+
+Work work_for(const Mechanism& m) {
+  Work w;
+  const std::vector<double> zero(at(m.size), 0.0);
+  w.q_star = w.nu_star = w.q_mean = w.nu_mean = w.residual = zero;
+  w.tangents.resize(m.lines.size());
+  return w;
+}
+
+StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
+                   Newton& newton) {
+  begin_step(m, s, before, w);
+  guess_flows(m, s, before, w, now);
+  w.tension.resize(m.lines.size());
+  double last_change = std::numeric_limits<double>::infinity(), moved = 0;
+  for (int i = 0; i <= newton.most; ++i) {
+    if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
+    const bool changed = decide(m, s, before, now);
+    double change = 0;
+    double floor = 0;
+    for (std::size_t k = 0; k < m.lines.size(); ++k) {
+      change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
+      w.tension[k] = now.lines[k].T;
+      newton.largest = std::max(newton.largest, now.lines[k].T);
+      floor = std::max(floor, m.lines[k].stiffness);
+    }
+    floor *= rounding;
+    if (!std::isfinite(change)) return StepEnd::not_converged;
+    if (i > 0 && !changed) {
+      const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
+      const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
+      if (close && moved * contraction <= newton.tolerance * m.size_of_machine) {
+        newton.used += i;
+        return StepEnd::ok;
+      }
+      last_change = change;
+    }
+    if (i == newton.most) break;
+    assemble(m, s, before, now, w);
+    if (!m.solver.factor()) return StepEnd::singular;
+    m.solver.solve(w.residual);
+    apply(m, w.residual, now);
+    moved = move_of(m, s, w.residual);
+  }
+  newton.used += newton.most;
+  return StepEnd::not_converged;
+}
+
+StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton) {
+  s.h = s.reach = 0;
+  s.slip_now = 0;
+  s.slip_before = 1;
+  now.rate = before.rate;
+  const StepEnd end = solve_step(m, s, before, before.t, now, w, newton);
+  if (end != StepEnd::ok) return end;
+  w.mean_step = 0;
+  w.q_mean = now.nu;
+  w.nu_mean = now.rate;
+  std::swap(before, now);
+  return end;
+}
+
+StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newton) {
+  Scheme s;
+  s.lossless = s.at_rest = true;
+  const double t = before.t;
+  double h = 1 / std::max(highest_frequency(m, before), 1e-3);
+  constexpr int most = 400;
+  StepEnd end = StepEnd::ok;
+  int quiet = 0;
+  for (int i = 0; i < most; ++i) {
+    s.h = s.reach = h;
+    std::fill(before.nu.begin(), before.nu.end(), 0.0);
+    std::fill(now.rate.begin(), now.rate.end(), 0.0);
+    end = solve_step(m, s, before, t, now, w, newton);
+    if (end != StepEnd::ok) {
+      h /= 8;
+      quiet = 0;
+      if (h < 1e-12) return end;
+      continue;
+    }
+    double moved = 0;
+    for (const Body& body : m.bodies) {
+      for (int c = body.first; c < body.first + body.count; ++c) {
+        moved = std::max(moved, std::abs(now.q[at(c)] - before.q[at(c)]));
+      }
+    }
+    for (std::size_t k = 0; k < now.contacts.size(); ++k) {
+      moved = std::max(moved, std::abs(now.q[at(m.contacts[k].column)] - before.q[at(m.contacts[k].column)]));
+    }
+    std::swap(before, now);
+    quiet = moved < 1e-13 * m.size_of_machine ? quiet + 1 : 0;
+    if (quiet >= 2 && h > 1e3) break;
+    if (!(moved < 1e3 * m.size_of_machine)) return StepEnd::singular;
+    if (moved < 0.1 * m.size_of_machine) h = std::min(h * 4, 1e6);
+  }
+  std::fill(before.nu.begin(), before.nu.end(), 0.0);
+  std::fill(before.rate.begin(), before.rate.end(), 0.0);
+  return quiet >= 2 ? StepEnd::ok : StepEnd::not_converged;
+}
+
+double highest_frequency(const Mechanism& m, const Values& v) {
+  // each mass is shared by the lines at it in proportion to their stiffness
+  std::vector<double> share(m.bodies.size(), 0.0);
+  const auto stiffness = [&](std::size_t i) { return m.lines[i].copies * m.lines[i].stiffness / v.lines[i].L; };
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    for (const int body : m.lines[i].body) {
+      if (body >= 0) share[at(body)] += stiffness(i);
+    }
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    double square = 0;
+    for (const int body : m.lines[i].body) {
+      if (body < 0 || m.bodies[at(body)].count == 0) continue;
+      if (m.bodies[at(body)].mass > 0) square += share[at(body)] / m.bodies[at(body)].mass;
+    }
+    largest = std::max(largest, square);
+  }
+  for (const Spin& spin : m.spins) {
+    if (!(spin.inertia > 0)) continue;
+    double k = 0;
+    for (const auto& one : spin.contacts) {
+      const Contact& contact = m.contacts[at(one.first)];
+      for (const int line : {contact.in, contact.out}) {
+        if (line >= 0) k += stiffness(at(line)) * contact.radius * contact.radius;
+      }
+    }
+    largest = std::max(largest, 2 * k / spin.inertia);
+  }
+  return std::sqrt(largest);
+}
+
+}  // namespace taut::analysis::dynamics

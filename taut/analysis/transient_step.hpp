@@ -1,0 +1,37 @@
+#pragma once
+#include "taut/analysis/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+
+/// How the solution of a step ended.
+enum class StepEnd {
+  ok,
+  no_place,      ///< a line has no place: rounds inside each other, or a branch without rope
+  singular,      ///< something is not held by anything
+  not_converged  ///< the laws of contacts found no common answer
+};
+
+/// Newton's iteration for the state at t = before.t + s.h, from the guess in `now.rate` and the flows of `before`. All
+/// laws of contacts are decided within it. `largest`: of the tensions, N; `tolerance`: relative, of tensions and
+/// places.
+struct Newton {
+  double largest = 0;
+  double tolerance = 1e-9;
+  int most = 25;
+  int used = 0;
+  int line = -1;  ///< that has no place
+};
+StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);
+
+/// Accelerations, and what light sheaves pass at once, at an unchanged time: after a start or an event.
+StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton);
+
+/// The machine's equilibrium: implicit steps from rest to rest that grow. Without friction.
+StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newton);
+
+Work work_for(const Mechanism& m);
+
+/// An upper bound of the largest natural frequency, 1/s: of the stiffest line with its share of the masses at its ends.
+double highest_frequency(const Mechanism& m, const Values& v);
+
+}  // namespace taut::analysis::dynamics

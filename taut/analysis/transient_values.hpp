@@ -1,0 +1,143 @@
+#pragma once
+#include <optional>
+
+#include "taut/analysis/transient_line.hpp"
+#include "taut/analysis/transient_mechanism.hpp"
+
+namespace taut::analysis::dynamics {
+
+/// A contact as it is at one time. Flows are unstretched rope along the path, m/s, without what the turning of the
+/// line's direction winds on or off.
+struct ContactValues {
+  double rolled = 0;     ///< rope passed by the rim's own turning, m
+  double slipped = 0;    ///< beyond that, m: passed = rolled + slipped
+  double flow = 0;       ///< m/s
+  double roll_rate = 0;  ///< of the rim: R omega/lambda, m/s
+  double slip_rate = 0;  ///< of `slipped`, m/s
+  double slip_mean = 0;  ///< the same, mean of the last step
+  double wrap = 0;       ///< rad
+  double log_ratio = 0;  ///< what the tensions' logarithms can differ by
+  double log_by_wrap = 0;
+  double lambda = 1;   ///< stretch of the rope that arrives
+  int entry = 0;       ///< its line; -1: from a drum
+  double winding = 1;  ///< the stretch that counts for winding on and off in this step
+  Grip grip = Grip::stuck;
+};
+
+struct SpinValues {
+  double angle = 0, omega = 0, alpha = 0;
+  double bearing = 0;     ///< its moment against the turning, N m
+  double capacity = 0;    ///< the largest that it can have
+  double torque = 0;      ///< of the drive, N m
+  double speed = 0;       ///< prescribed, of the rope, m/s
+  std::int8_t turns = 0;  ///< the sense in which the bearing slides; 0: it sticks
+};
+
+struct DrumValues {
+  double content = 0;  ///< unstretched rope on it, m
+  int layer = 1;
+  std::vector<double> strain;  ///< of the rope in each layer
+};
+
+/// All that changes, at one time. By column: q position (of a flow: rope passed), nu velocity (of a flow: roll_rate),
+/// rate acceleration.
+struct Values {
+  double t = 0;
+  double when = 0;  ///< for signals: just before t at the end of a step, t itself after a restart
+  std::vector<Motion3> bodies;
+  std::vector<double> q, nu, rate;
+  std::vector<LineValues> lines;
+  std::vector<ContactValues> contacts;
+  std::vector<SpinValues> spins;
+  std::vector<DrumValues> drums;
+  std::vector<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
+  std::vector<model::Drive> drum_drive, motor_drive;
+  const model::Drive& drive(const Spin& spin) const {
+    return spin.drum >= 0 ? drum_drive[at(spin.drum)] : motor_drive[at(spin.motor)];
+  }
+};
+
+/// One step of the generalised-alpha method for first-order equations (Jansen, Whiting, Hulbert 2000), written for the
+/// end of the step: x = x_star + reach x', for positions, velocities and rolled rope alike.
+struct Scheme {
+  double h = 0;      ///< s; 0: nothing moves, only accelerations and what slips at once are found
+  double reach = 0;  ///< h gamma alpha_f/alpha_m
+  double alpha_m = 0.5, alpha_f = 0.5, gamma = 0.5;
+  double slip_now = 0, slip_before = 0;  ///< slip_rate = slip_now * (slipped since the start of the step) + slip_before
+                                         ///< * slip_mean of the step before
+  bool lossless = false;                 ///< no friction: looking for the start
+  bool at_rest = false;                  ///< without velocities: looking for the start
+};
+Scheme scheme_of(double rho);
+
+/// Line's derivatives by its local columns.
+struct LineTangent {
+  std::array<std::array<double, 14>, 2> end_T{};
+  std::array<std::array<double, 14>, 2> angle{};
+  std::array<double, 14> e{};
+};
+
+/// Room to work in.
+struct Work {
+  std::vector<double> q_star, nu_star;  ///< by column
+  std::vector<double> q_mean, nu_mean;  ///< the method's auxiliary rates at the start of the step
+  double mean_step = 0;                 ///< the step to which they belong, s; 0: they are the rates
+  std::vector<double> residual;         ///< by column, N, N m
+  std::vector<LineTangent> tangents;
+  std::array<LineColumn, 14> columns;
+  std::vector<double> tension;  ///< by line, of the last iteration
+};
+
+/// Puts the star values of a step from `before` into the work.
+void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work& w);
+/// The auxiliary rates at the end of an accepted step.
+void end_step(const Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w);
+
+/// From the rates of freedoms and spins and the rope passed at each contact: poses, lines, strains, tensions, bounds.
+/// False where a line has no place.
+bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now);
+
+/// Decides how each contact and each bearing is, by what they carry and how they move (semismooth Newton). Whether any
+/// has changed.
+bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
+
+/// Where a contact's tensions stand against its law; T less thrust.
+struct Pressure {
+  double in = 0, out = 0;
+  double stiffness = 0;  ///< of both lines, N/m
+};
+Pressure pressure(const Mechanism& m, int contact, const Values& now);
+
+/// The residual of every row and its derivatives by the unknowns, into the work and the solver.
+void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w);
+
+/// Adds the rows of contacts and spins.
+void assemble_contacts(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w);
+
+/// What the inertia and the dead forces of a body ask of a virtual velocity (along, about): N or W.
+double inertia_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about);
+/// Acceleration of a body's origin, and its angular acceleration.
+std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now);
+
+/// Radius of the rope on a round; of a drum that of the layer being wound, m.
+double working_radius(const Mechanism& m, const Contact& contact, const Values& v);
+
+/// How a spin turns where its drive prescribes that (held, braked, by speed); and the torque of one that has it.
+struct Turning {
+  double omega = 0, alpha = 0;
+};
+std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t);
+double drive_torque(const Mechanism& m, const Spin& spin, const Values& v, double t);
+/// The tension that a drum without inertia, or one that pulls, gives its rope.
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t);
+
+/// Moment of the ropes on a spin, in its sense, N m.
+double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now);
+
+/// Largest moment of a bearing at one contact, R (1 - eta)/(1 + eta) |F|, N m, and its derivatives by the tensions.
+struct BearingSlope {
+  double capacity = 0, in = 0, out = 0;
+};
+BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Values& before, const Values& now);
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,126 @@
+#include "taut/math/static_lu.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+
+namespace taut {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void add_sorted(std::vector<int>& set, int value) {
+  const auto place = std::lower_bound(set.begin(), set.end(), value);
+  if (place == set.end() || *place != value) set.insert(place, value);
+}
+
+}  // namespace
+
+StaticLu::StaticLu(int size, const std::vector<std::vector<int>>& cliques) : size_(size) {
+  std::vector<std::vector<int>> neighbours(at(size));
+  for (const auto& clique : cliques) {
+    for (const int i : clique) {
+      for (const int j : clique) {
+        if (i != j) add_sorted(neighbours[at(i)], j);
+      }
+    }
+  }
+  order(neighbours);
+  int count = 0;
+  places_.resize(at(size));
+  for (int k = 0; k < size; ++k) {
+    const int p = order_[at(k)];
+    places_[at(p)].emplace_back(p, count++);
+    for (const int u : upper_[at(k)]) {
+      places_[at(p)].emplace_back(u, count++);
+      places_[at(u)].emplace_back(p, count++);
+    }
+  }
+  for (auto& row : places_) std::sort(row.begin(), row.end());
+  values_.assign(at(count), 0.0);
+  list_operations();
+}
+
+/// Least degree first; of equals the first. Elimination joins the neighbours.
+void StaticLu::order(std::vector<std::vector<int>>& neighbours) {
+  std::vector<bool> gone(at(size_), false);
+  for (int k = 0; k < size_; ++k) {
+    int best = -1;
+    for (int i = 0; i < size_; ++i) {
+      if (gone[at(i)]) continue;
+      if (best < 0 || neighbours[at(i)].size() < neighbours[at(best)].size()) best = i;
+    }
+    gone[at(best)] = true;
+    order_.push_back(best);
+    upper_.push_back(neighbours[at(best)]);
+    for (const int i : upper_.back()) {
+      auto& of = neighbours[at(i)];
+      of.erase(std::lower_bound(of.begin(), of.end(), best));
+      for (const int j : upper_.back()) {
+        if (i != j) add_sorted(of, j);
+      }
+    }
+  }
+}
+
+void StaticLu::list_operations() {
+  for (int k = 0; k < size_; ++k) {
+    const int p = order_[at(k)];
+    const auto& row = upper_[at(k)];
+    pivots_.push_back({place(p, p), static_cast<int>(unknowns_.size()), static_cast<int>(row.size()),
+                       static_cast<int>(targets_.size())});
+    for (const int u : row) {
+      unknowns_.push_back(u);
+      right_.push_back(place(p, u));
+      below_.push_back(place(u, p));
+    }
+    for (const int i : row) {
+      for (const int j : row) targets_.push_back(place(i, j));
+    }
+  }
+}
+
+int StaticLu::place(int row, int column) const {
+  const auto& of = places_[at(row)];
+  const auto found = std::lower_bound(of.begin(), of.end(), std::pair{column, -1});
+  expects(found != of.end() && found->first == column, "an entry of the pattern");
+  return found->second;
+}
+
+void StaticLu::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+
+bool StaticLu::factor() {
+  double* const v = values_.data();
+  for (const Pivot& pivot : pivots_) {
+    const double d = v[pivot.diagonal];
+    if (d == 0 || !std::isfinite(d)) return false;
+    const double inverse = 1 / d;
+    const int* const right = right_.data() + pivot.first;
+    const int* const below = below_.data() + pivot.first;
+    const int* target = targets_.data() + pivot.operations;
+    for (int i = 0; i < pivot.count; ++i, target += pivot.count) {
+      const double factor = v[below[i]] *= inverse;
+      if (factor == 0) continue;
+      for (int j = 0; j < pivot.count; ++j) v[target[j]] -= factor * v[right[j]];
+    }
+  }
+  return true;
+}
+
+void StaticLu::solve(std::vector<double>& x) const {
+  const double* const v = values_.data();
+  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+    const Pivot& pivot = pivots_[k];
+    const double value = x[at(order_[k])];
+    for (int i = pivot.first; i < pivot.first + pivot.count; ++i) x[at(unknowns_[at(i)])] -= v[below_[at(i)]] * value;
+  }
+  for (std::size_t k = pivots_.size(); k-- > 0;) {
+    const Pivot& pivot = pivots_[k];
+    double value = x[at(order_[k])];
+    for (int i = pivot.first; i < pivot.first + pivot.count; ++i) value -= v[right_[at(i)]] * x[at(unknowns_[at(i)])];
+    x[at(order_[k])] = value / v[pivot.diagonal];
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,45 @@
+#pragma once
+#include <vector>
+
+namespace taut {
+
+/// Gauss elimination for one sparse pattern and many matrices: ordering, fill and the list of all operations are found
+/// once. No pivoting: for matrices that are (nearly) symmetric in structure and whose pivots stay away from zero, as
+/// those of mechanics with masses. Nothing is allocated after the construction.
+class StaticLu {
+ public:
+  StaticLu() = default;
+  /// `cliques`: sets of unknowns that all depend on each other (those of one element). Every diagonal entry is there.
+  StaticLu(int size, const std::vector<std::vector<int>>& cliques);
+
+  int size() const { return size_; }
+  /// Where the entry of a row and a column lies in `values`; both have to be in one clique.
+  int place(int row, int column) const;
+  void set_zero();
+  std::vector<double>& values() { return values_; }
+  const std::vector<double>& values() const { return values_; }
+
+  /// Factors what is in `values`, in place. False where a pivot is zero or not finite.
+  bool factor();
+  /// Solves for one right side, in place.
+  void solve(std::vector<double>& x) const;
+
+ private:
+  struct Pivot {
+    int diagonal = 0, first = 0, count = 0, operations = 0;
+  };
+  void order(std::vector<std::vector<int>>& neighbours);
+  void list_operations();
+
+  int size_ = 0;
+  std::vector<int> order_;                                // unknown eliminated at each step
+  std::vector<std::vector<int>> upper_;                   // by step: unknowns that remain beside it
+  std::vector<std::vector<std::pair<int, int>>> places_;  // by row: column and place, sorted
+  std::vector<Pivot> pivots_;
+  std::vector<int> unknowns_;       // of the pivots' rows, one after the other
+  std::vector<int> right_, below_;  // places of (pivot, unknown) and (unknown, pivot)
+  std::vector<int> targets_;        // of each product, row by row
+  std::vector<double> values_;
+};
+
+}  // namespace taut
