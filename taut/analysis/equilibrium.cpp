@@ -12,6 +12,7 @@
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
+#include "taut/analysis/stability.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
 
@@ -102,7 +103,28 @@ struct Solved {
   int steps = 0;
 };
 
-/// From `start`, with every means but a change of the losses.
+/// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
+/// `wanted`: whether an answer will do.
+template <class Wanted>
+Iteration come_to_rest(const System& system, const model::State& state, const Configuration& start,
+                       const EquilibriumOptions& options, Solved& s, const Wanted& wanted) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  Iteration it;
+  for (const auto& [growth, from_taut] : {std::pair{any, false}, {30.0, false}, {any, true}, {3.0, false}}) {
+    s.c = from_taut ? taut_start(system, state) : start;
+    it = relax(system, s.c, s.e, relaxing_steps, growth);
+    s.steps += it.steps;
+    if (!it.converged) continue;
+    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+    it.converged = it.converged && wanted();
+    if (it.converged) return it;
+  }
+  return it;
+}
+
+/// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
+/// is no other, and said in s.outcome.
 Iteration find(const System& system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
   Configuration start = configuration_of(s.layout, state);
   s.c = start;
@@ -112,21 +134,29 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   }
   s.steps += it.steps;
-  if (it.converged) return it;
-  const bool singular = it.singular;
-  // quick, careful, from taut ropes, very careful
-  constexpr double any = std::numeric_limits<double>::infinity();
-  for (const auto& [growth, from_taut] : {std::pair{any, false}, {30.0, false}, {any, true}, {3.0, false}}) {
-    s.c = from_taut ? taut_start(system, state) : start;
-    it = relax(system, s.c, s.e, relaxing_steps, growth);
-    s.steps += it.steps;
-    if (!it.converged) continue;
-    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
-    s.steps += it.steps;
-    if (it.converged) return it;
+  Stability found;
+  const auto stable = [&] {
+    found = stability(system, s.c, s.e);
+    s.outcome = found.outcome;
+    return s.outcome.ok();
+  };
+  const Iteration first = it;
+  if (it.converged && stable()) return it;
+  const Solved unstable = s;
+  if (it.converged && found.rope) {
+    // which way a rope runs off is a matter of chance
+    const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
+    move(system, unstable.c, {found.push, no_change}, 1, start);
   }
-  it.singular = singular;  // a drag hides it
-  return it;
+  it = come_to_rest(system, state, start, options, s, stable);
+  if (it.converged || !first.converged) {
+    it.singular = first.singular;  // a drag hides it
+    return it;
+  }
+  const int steps = s.steps;
+  s = unstable;
+  s.steps = steps;
+  return first;
 }
 
 /// From the lossless answer, the losses brought on by parts. False where a part has no answer.
@@ -139,6 +169,7 @@ bool bring_on_losses(System system, const model::State& state, const Equilibrium
     s.steps += it.steps;
     if (!it.converged) return false;
   }
+  s.outcome = {};
   return true;
 }
 
