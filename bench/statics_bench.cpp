@@ -208,6 +208,7 @@ struct Tally {
 
 void six_span_line(benchmark::State& state) {
   std::vector<model::Model> lines;
+  lines.reserve(spans);
   for (int k = 0; k < spans; ++k) lines.push_back(line(k));
   Tally tally;
   for (auto _ : state) {

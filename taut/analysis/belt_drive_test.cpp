@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::analysis {
-namespace belt_drive_test {
+namespace taut::analysis::belt_drive_test {
 
 BeltDrive saw() {
   BeltDrive d;
@@ -118,5 +117,4 @@ TEST(BeltDrive, SpeedTakesTheGripOfAScrewNotOfAWeight) {
   EXPECT_NE(o.message.find("lifts off"), std::string::npos);
 }
 
-}  // namespace belt_drive_test
-}  // namespace taut::analysis
+}  // namespace taut::analysis::belt_drive_test

@@ -9,8 +9,7 @@
 
 #include "taut/analysis/mast_witness_test.hpp"
 
-namespace taut::analysis {
-namespace guyed_mast_test {
+namespace taut::analysis::guyed_mast_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -287,5 +286,4 @@ TEST(GuyedMast, OwnWeightIsCarriedByTheFoot) {
   EXPECT_GT(with.base_force.z(), solved(m).base_force.z() + 0.9 * 760 * 12);
 }
 
-}  // namespace guyed_mast_test
-}  // namespace taut::analysis
+}  // namespace taut::analysis::guyed_mast_test

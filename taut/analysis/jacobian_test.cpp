@@ -21,6 +21,7 @@ void settle(const analysis::System& system, analysis::Configuration& c, analysis
 double worst_derivative(const model::Model& m, std::optional<analysis::Prescribed> prescribed, double step) {
   model::State state = model::initial_state(m);
   std::vector<std::vector<int>> flow;
+  flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 1);
   const analysis::Layout layout = analysis::layout(m, state, prescribed, flow);
   const analysis::System system{m, layout, prescribed ? prescribed->x : 0};

@@ -38,7 +38,7 @@ class Model {
  public:
   int add_node(const Vector3& at, bool fixed) {
     places_.push_back(at);
-    forces_.push_back(Vector3::Zero());
+    forces_.emplace_back(Vector3::Zero());
     fixed_.push_back(fixed);
     return static_cast<int>(places_.size()) - 1;
   }

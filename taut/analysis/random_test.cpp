@@ -34,7 +34,7 @@ Line random_line(unsigned seed) {
   std::vector<Vector3> p{origin};
   for (int i = 0; i < spans; ++i) {
     const double dx = dice.in(10, 150);
-    p.push_back({p.back().x() + dx, dice.in(-2, 2), p.back().z() + dx * dice.in(-0.8, 0.8)});
+    p.emplace_back(p.back().x() + dx, dice.in(-2, 2), p.back().z() + dx * dice.in(-0.8, 0.8));
     line.chords += (p[p.size() - 1] - p[p.size() - 2]).norm();
   }
   const double weight = dice.below(6) == 0 ? 0 : std::pow(10, dice.in(0, 2)), EA = std::pow(10, dice.in(6, 9));

@@ -10,8 +10,7 @@
 
 #include "taut/rope/catenary_shape.hpp"
 
-namespace taut::analysis {
-namespace running_loop_test {
+namespace taut::analysis::running_loop_test {
 
 constexpr double kgf = 9.80665;
 constexpr double degree = std::numbers::pi / 180;
@@ -273,5 +272,4 @@ TEST(RunningLoop, AStartNearbyChangesNothing) {
   EXPECT_NEAR(warm.lower_A.T_start, cold.lower_A.T_start, 1e-11 * cold.lower_A.T_start);
 }
 
-}  // namespace running_loop_test
-}  // namespace taut::analysis
+}  // namespace taut::analysis::running_loop_test

@@ -137,6 +137,7 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   std::vector<double> lengths;
+  lengths.reserve(r.spans.size());
   for (const SpanResult& s : r.spans) lengths.push_back(s.unstretched);
   const double h = 1e-4, force = r.ropes[0].T_max;
   // rope passed over each contact of the skyline
@@ -218,7 +219,7 @@ TEST(Witness, SameAnswerWithTheRopeRunTheOtherWay) {
     options.motion = Motion::hoist;
     auto T = tensions(equilibrium(m, options));
     const auto B = tensions(equilibrium(back, options));
-    std::reverse(T.begin(), T.begin() + 2 * model::branch_count(r));
+    std::reverse(T.begin(), T.begin() + std::ptrdiff_t{2} * model::branch_count(r));
     expect_same(T, B);
   }
 }

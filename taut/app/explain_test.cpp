@@ -7,8 +7,7 @@
 
 #include "test/paths.hpp"
 
-namespace taut::app {
-namespace explain_test {
+namespace taut::app::explain_test {
 
 TEST(Explain, TellsEquationsKeysValuesAndErrata) {
   const std::string text = explain_text(*find_method("mast_section"));
@@ -25,5 +24,4 @@ TEST(Explain, TheReferencePageIsWhatTheProgramSays) {
       << "the page is stale; run: build/bin/taut explain all --markdown > docs/guide/reference.md";
 }
 
-}  // namespace explain_test
-}  // namespace taut::app
+}  // namespace taut::app::explain_test

@@ -5,8 +5,7 @@
 
 #include "taut/app/job.hpp"
 
-namespace taut::app {
-namespace files_test {
+namespace taut::app::files_test {
 
 Result sample() {
   Result r;
@@ -38,5 +37,4 @@ TEST(Files, SaysWhyItCannotWrite) {
   std::filesystem::remove(file);
 }
 
-}  // namespace files_test
-}  // namespace taut::app
+}  // namespace taut::app::files_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::app {
-namespace job_test {
+namespace taut::app::job_test {
 
 const std::string mast =
     "taut: 1\ntitle: case A\nmethod: mast_section\ndisplay: {force: N}\ninput:\n  skyline_force: 100 kN\n  "
@@ -41,5 +40,4 @@ TEST(Job, AMissingIncludeIsAMistake) {
 
 TEST(Job, MissingFileIsAFileError) { EXPECT_FALSE(read_job("/nowhere/at/all.yaml").has_value()); }
 
-}  // namespace job_test
-}  // namespace taut::app
+}  // namespace taut::app::job_test

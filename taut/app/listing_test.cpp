@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace taut::app {
-namespace listing_test {
+namespace taut::app::listing_test {
 
 TEST(Listing, AlignsNumbersRightAndWordsLeft) {
   EXPECT_EQ(aligned({{"id", "d"}, {"ab", "1.5"}, {"c", "100"}}), "id  d\nab  1.5\nc   100\n");
@@ -51,5 +50,4 @@ TEST(Listing, VerifiedOnlyIsFewer) {
   EXPECT_LT(list_text("ropes", f)->size(), all);
 }
 
-}  // namespace listing_test
-}  // namespace taut::app
+}  // namespace taut::app::listing_test

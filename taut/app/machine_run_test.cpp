@@ -10,8 +10,7 @@
 #include "taut/app/job.hpp"
 #include "test/paths.hpp"
 
-namespace taut::app {
-namespace machine_run_test {
+namespace taut::app::machine_run_test {
 
 namespace fs = std::filesystem;
 
@@ -279,5 +278,4 @@ TEST(MachineRun, TheExamplesRunAndClose) {
   EXPECT_EQ(count, 6);
 }
 
-}  // namespace machine_run_test
-}  // namespace taut::app
+}  // namespace taut::app::machine_run_test

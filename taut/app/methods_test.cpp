@@ -10,8 +10,7 @@
 #include "taut/app/job.hpp"
 #include "test/paths.hpp"
 
-namespace taut::app {
-namespace methods_test {
+namespace taut::app::methods_test {
 
 TEST(Methods, AreFoundByName) {
   EXPECT_EQ(find_method("mast_section")->about->name, "mast_section");
@@ -81,5 +80,4 @@ TEST(Methods, EveryValueOfAResultIsDescribed) {
   }
 }
 
-}  // namespace methods_test
-}  // namespace taut::app
+}  // namespace taut::app::methods_test

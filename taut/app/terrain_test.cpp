@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::app {
-namespace terrain_test {
+namespace taut::app::terrain_test {
 
 TEST(Terrain, ReadsTheColumnsThatItNeeds) {
   for (const char* text :
@@ -37,5 +36,4 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
   }
 }
 
-}  // namespace terrain_test
-}  // namespace taut::app
+}  // namespace taut::app::terrain_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut {
-namespace diagnostic_test {
+namespace taut::diagnostic_test {
 
 TEST(Diagnostic, PutsTheCaretUnderTheColumn) {
   const Diagnostic d{"deck.yaml", {12, 5}, "unknown key", "    diamter: 12 mm", 7};
@@ -37,5 +36,4 @@ TEST(Diagnostic, KeepsTabsAndControlCharactersHarmless) {
   EXPECT_NE(to_text(d).find("\ta?b"), std::string::npos);
 }
 
-}  // namespace diagnostic_test
-}  // namespace taut
+}  // namespace taut::diagnostic_test

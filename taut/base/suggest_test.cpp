@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace taut {
-namespace suggest_test {
+namespace taut::suggest_test {
 
 TEST(Suggest, CountsEdits) {
   EXPECT_EQ(edit_distance("diamter", "diameter"), 1);
@@ -25,5 +24,4 @@ RC_GTEST_PROP(Suggest, DistanceIsSymmetricAndZeroOnlyForEqualWords, (const std::
   RC_ASSERT((edit_distance(a, b) == 0) == (a == b));
 }
 
-}  // namespace suggest_test
-}  // namespace taut
+}  // namespace taut::suggest_test

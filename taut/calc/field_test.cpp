@@ -4,8 +4,7 @@
 
 #include <numbers>
 
-namespace taut {
-namespace field_test {
+namespace taut::field_test {
 
 enum class Wrap { geometric, paper };
 
@@ -94,5 +93,4 @@ TEST(Field, RangesKnowTheirOpenEnds) {
   EXPECT_TRUE(Range{}.contains(-1e300));
 }
 
-}  // namespace field_test
-}  // namespace taut
+}  // namespace taut::field_test

@@ -4,8 +4,7 @@
 
 #include "taut/calc/num.hpp"
 
-namespace taut {
-namespace formula_test {
+namespace taut::formula_test {
 
 const Num a = Num::named("a", si::one, 2);
 const Num b = Num::named("b", si::one, -3);
@@ -44,5 +43,4 @@ TEST(Formula, NumbersHaveSixDigits) {
   EXPECT_EQ(number_text(-0.0), "-0");
 }
 
-}  // namespace formula_test
-}  // namespace taut
+}  // namespace taut::formula_test

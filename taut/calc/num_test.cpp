@@ -8,8 +8,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut {
-namespace num_test {
+namespace taut::num_test {
 
 /// A formula that uses every operation; written once, as a method's would be.
 template <class T>
@@ -70,5 +69,4 @@ TEST(Num, ComparesByValue) {
   EXPECT_TRUE(Num(3) > Num(2));
 }
 
-}  // namespace num_test
-}  // namespace taut
+}  // namespace taut::num_test

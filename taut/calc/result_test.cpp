@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut {
-namespace result_test {
+namespace taut::result_test {
 
 struct Part {
   double falls = 8;
@@ -140,5 +139,4 @@ TEST(Result, GivenOfNamedStructsCarriesTheirNames) {
   EXPECT_EQ(all[3].text, "x, z");
 }
 
-}  // namespace result_test
-}  // namespace taut
+}  // namespace taut::result_test

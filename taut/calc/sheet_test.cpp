@@ -4,8 +4,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut {
-namespace sheet_test {
+namespace taut::sheet_test {
 
 struct Input {
   double cutting_force = 2500;
@@ -91,5 +90,4 @@ TEST(Sheet, NoRootIsEmptyAndRecordsNothing) {
   EXPECT_TRUE(s.steps().empty());
 }
 
-}  // namespace sheet_test
-}  // namespace taut
+}  // namespace taut::sheet_test

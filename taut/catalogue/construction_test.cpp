@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::catalogue {
-namespace construction_test {
+namespace taut::catalogue::construction_test {
 
 TEST(Construction, is_taken_apart) {
   const auto simple = parse_construction("6 x 36 WS - IWRC");
@@ -63,5 +62,4 @@ TEST(Construction, but_not_by_others) {
   EXPECT_TRUE(matches_construction("6x37m", "6x37M"));
 }
 
-}  // namespace construction_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::construction_test

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace taut::catalogue {
-namespace lookup_test {
+namespace taut::catalogue::lookup_test {
 
 TEST(Lookup, normalised_names) {
   EXPECT_EQ(normalised("CHS 508\u00d716"), "chs508x16");
@@ -38,5 +37,4 @@ TEST(Lookup, texts) {
   EXPECT_EQ(to_text(LookupError{"no steel 'oak'", {}}), "no steel 'oak'");
 }
 
-}  // namespace lookup_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::lookup_test

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace taut::catalogue {
-namespace rope_search_test {
+namespace taut::catalogue::rope_search_test {
 
 using testing::HasSubstr;
 
@@ -116,5 +115,4 @@ TEST(RopeSearch, smallest_first_whatever_the_order_of_the_table) {
   EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.area < b.area; }));
 }
 
-}  // namespace rope_search_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::rope_search_test

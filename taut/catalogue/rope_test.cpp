@@ -1,5 +1,6 @@
 #include "taut/catalogue/rope.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,8 +9,7 @@
 #include "taut/catalogue/rope_factor.hpp"
 #include "taut/catalogue/rope_search.hpp"
 
-namespace taut::catalogue {
-namespace rope_test {
+namespace taut::catalogue::rope_test {
 
 TEST(Ropes, the_built_in_table_is_read_whole) {
   EXPECT_EQ(ropes().size(), 1613U);
@@ -128,5 +128,4 @@ TEST(RopeFactors, table) {
   EXPECT_FALSE(find_rope_factors("6x36", "oak"));
 }
 
-}  // namespace rope_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::rope_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::catalogue {
-namespace rope_words_test {
+namespace taut::catalogue::rope_words_test {
 
 TEST(RopeWords, AnyOrder) {
   for (const char* text : {"EN 12385-4|6x36-IWRC|16|1960", "6x36-IWRC 16 mm 1960 MPa", "16mm 6x36 IWRC 1960MPa",
@@ -31,5 +30,4 @@ TEST(RopeWords, SaysWhatIsMissing) {
   EXPECT_FALSE(rope.error().message.empty());
 }
 
-}  // namespace rope_words_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::rope_words_test

@@ -1,13 +1,13 @@
 #include "taut/catalogue/rule.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <set>
 
-namespace taut::catalogue {
-namespace rule_test {
+namespace taut::catalogue::rule_test {
 
 TEST(Rules, the_built_in_tables) {
   std::set<std::string> ids;
@@ -71,5 +71,4 @@ TEST(Rules, a_users_table) {
   EXPECT_FALSE(read_rules(header + "a.b,,x,,1,1,furlong,,book,verified\n", "r"));
 }
 
-}  // namespace rule_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::rule_test

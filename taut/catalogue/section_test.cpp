@@ -13,8 +13,7 @@
 #include "taut/catalogue/section_search.hpp"
 #include "test/paths.hpp"
 
-namespace taut::catalogue {
-namespace section_test {
+namespace taut::catalogue::section_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -199,5 +198,4 @@ TEST(SectionSearch, lightest_first_within_the_filter) {
   for (const SectionRow& row : select_sections(trusted)) EXPECT_NE(row.trust, Trust::unverified) << row.name;
 }
 
-}  // namespace section_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::section_test

@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace taut::catalogue {
-namespace steel_test {
+namespace taut::catalogue::steel_test {
 
 TEST(Steels, the_built_in_table) {
   std::set<std::string> names;
@@ -82,5 +81,4 @@ TEST(Steels, a_users_table) {
   EXPECT_FALSE(read_steels(header + "X,,own,guess,0,16,700,800,verified\n", "x"));
 }
 
-}  // namespace steel_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::steel_test

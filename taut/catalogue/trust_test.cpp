@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::catalogue {
-namespace trust_test {
+namespace taut::catalogue::trust_test {
 
 TEST(Trust, names_go_both_ways) {
   for (const Trust trust : {Trust::verified, Trust::derived, Trust::unverified}) {
@@ -21,5 +20,4 @@ TEST(Trust, order) {
   EXPECT_EQ(weaker(Trust::derived, Trust::verified), Trust::derived);
 }
 
-}  // namespace trust_test
-}  // namespace taut::catalogue
+}  // namespace taut::catalogue::trust_test

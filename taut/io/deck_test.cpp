@@ -10,8 +10,7 @@
 #include "taut/io/read.hpp"
 #include "taut/io/sample_test.hpp"
 
-namespace taut::io {
-namespace deck_test {
+namespace taut::io::deck_test {
 
 namespace fs = std::filesystem;
 
@@ -212,7 +211,7 @@ TEST_F(Include, TellsWhatCanNotBeIncluded) {
       {"include: [a.yaml, [b.yaml]]", "is expected, not a list"},
   };
   for (const auto& [text, expected] : rows) {
-    const Told t = run(text + "\n" + good);
+    const Told t = run(fmt::format("{}\n{}", text, good));
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
   }
 }
@@ -235,5 +234,4 @@ TEST_F(Include, AFileIsCutBehindTheLargestDeck) {
   EXPECT_FALSE(read_file(folder_.string()));
 }
 
-}  // namespace deck_test
-}  // namespace taut::io
+}  // namespace taut::io::deck_test

@@ -6,8 +6,7 @@
 #include <ctime>
 #include <string>
 
-namespace taut::io {
-namespace document_test {
+namespace taut::io::document_test {
 
 std::string told(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
@@ -174,5 +173,4 @@ TEST(Document, IsNeverSlow) {
   }
 }
 
-}  // namespace document_test
-}  // namespace taut::io
+}  // namespace taut::io::document_test

@@ -8,8 +8,7 @@
 
 #include "taut/calc/formula.hpp"
 
-namespace taut::io {
-namespace json_test {
+namespace taut::io::json_test {
 
 Result sample() {
   Result r;
@@ -95,5 +94,4 @@ TEST(Json, TextsThatAreNotUtf8DoNotStopIt) {
   EXPECT_EQ(nlohmann::json::parse(to_json(r))["title"], "a\xEF\xBF\xBD\x01 \"b\"");
 }
 
-}  // namespace json_test
-}  // namespace taut::io
+}  // namespace taut::io::json_test

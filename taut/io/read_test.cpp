@@ -10,8 +10,7 @@
 #include "taut/io/document.hpp"
 #include "taut/io/sample_test.hpp"
 
-namespace taut::io {
-namespace read_test {
+namespace taut::io::read_test {
 
 struct Told {
   bool good = false;
@@ -270,5 +269,4 @@ TEST(Read, ExamplesAreAllowedByTheirOwnRange) {
   }
 }
 
-}  // namespace read_test
-}  // namespace taut::io
+}  // namespace taut::io::read_test

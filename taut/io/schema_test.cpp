@@ -16,8 +16,7 @@
 #include "taut/units/parse.hpp"
 #include "test/paths.hpp"
 
-namespace taut::io {
-namespace schema_test {
+namespace taut::io::schema_test {
 
 namespace fs = std::filesystem;
 
@@ -39,7 +38,7 @@ TEST(Schema, AQuantitysPatternAgreesWithItsReader) {
         EXPECT_TRUE(matches || !read) << text << " as " << u.kind;
         // products of units are accepted without knowing their dimension; single names are not
         const bool single =
-            unit.find_first_of("/*^ 1234") == std::string::npos && unit.find("\xC2") == std::string::npos;
+            unit.find_first_of("/*^ 1234") == std::string::npos && unit.find('\xC2') == std::string::npos;
         EXPECT_TRUE(!single || matches == read) << text << " as " << u.kind;
       }
     }
@@ -171,16 +170,19 @@ TEST_F(SchemaScript, RefusesEachOfThese) {
       "cases: [{name: ''}]",
   };
   for (const std::string& one : inputs) {
-    std::string text = head + "input:\n  " + one + "\n";
+    std::string text = fmt::format("{}input:\n  {}\n", head, one);
     if (one.substr(0, 5) != "span:") text += "  span: 1 m\n";
     if (one.substr(0, 5) != "rope:") text += rope;
     decks.push_back(text);
   }
   const std::string input = "input:\n  span: 1 m\n" + rope;
-  for (const std::string& text : {"taut: 2\nmethod: sample\n" + input, "method: sample\n" + input, "taut: 1\n" + input,
-                                  "taut: 1\nmethod: other\n" + input, head + "x: 1\n" + input, head,
-                                  head + "display: {force: mm}\n" + input, head + "display: {forse: N}\n" + input}) {
-    decks.push_back(text);
+  for (const char* no_head :
+       {"taut: 2\nmethod: sample\n", "method: sample\n", "taut: 1\n", "taut: 1\nmethod: other\n"}) {
+    decks.push_back(no_head + input);
+  }
+  decks.push_back(head);
+  for (const char* wrong : {"x: 1\n", "display: {force: mm}\n", "display: {forse: N}\n"}) {
+    decks.push_back(fmt::format("{}{}{}", head, wrong, input));
   }
   EXPECT_FALSE(accepts(decks));
   const std::string told = log();
@@ -190,5 +192,4 @@ TEST_F(SchemaScript, RefusesEachOfThese) {
   }
 }
 
-}  // namespace schema_test
-}  // namespace taut::io
+}  // namespace taut::io::schema_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut::io {
-namespace table_test {
+namespace taut::io::table_test {
 
 TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
   const Table t{"extension",
@@ -68,5 +67,4 @@ TEST(Series, NamesColumnsByTheirLabels) {
   EXPECT_EQ(column_name("µ_s"), "µ_s");
 }
 
-}  // namespace table_test
-}  // namespace taut::io
+}  // namespace taut::io::table_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut {
-namespace roots_test {
+namespace taut::roots_test {
 
 TEST(FindRoot, HitsTheLastBits) {
   const auto r = find_root([](double x) { return x * x - 2; }, 0, 2);
@@ -42,5 +41,4 @@ RC_GTEST_PROP(FindRoot, SolvesTheCubicsOfTheMast, ()) {
   RC_ASSERT(std::abs(f(*r)) <= 1e-13 * (160e6 * std::pow(*r, 3) + n * *r + 6 * m));
 }
 
-}  // namespace roots_test
-}  // namespace taut
+}  // namespace taut::roots_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::model {
-namespace carriage_span_test {
+namespace taut::model::carriage_span_test {
 
 Node node(const std::string& name, NodeKind kind, double x, double z, int body = ground) {
   Node n;
@@ -62,5 +61,4 @@ TEST(CarriageSpan, OfTwoSpansAboveEachOtherTheNearerOneInThePath) {
   EXPECT_EQ(order(with_carriage_at(m, 0, 150)), "head jack1 car jack2 tail back ");
 }
 
-}  // namespace carriage_span_test
-}  // namespace taut::model
+}  // namespace taut::model::carriage_span_test

@@ -10,8 +10,7 @@
 #include "taut/model/compile.hpp"
 #include "taut/model/dragged.hpp"
 
-namespace taut::model {
-namespace carriages_test {
+namespace taut::model::carriages_test {
 
 using description::Hold;
 using description::PathElement;
@@ -203,5 +202,4 @@ TEST(Dragged, LimitsByHand) {
   EXPECT_NEAR((force_of({0.8, 0.5, 0.6, M_PI_2 - 0.8, {1, 0}}, 1000, 9.81) + W * up()).norm(), 0, 1e-9);
 }
 
-}  // namespace carriages_test
-}  // namespace taut::model
+}  // namespace taut::model::carriages_test

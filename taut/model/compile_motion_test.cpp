@@ -6,8 +6,7 @@
 #include "taut/model/compile.hpp"
 #include "taut/model/state.hpp"
 
-namespace taut::model {
-namespace compile_motion_test {
+namespace taut::model::compile_motion_test {
 
 using testing::HasSubstr;
 
@@ -294,5 +293,4 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   EXPECT_THAT(complaints_of(m), HasSubstr("the reevings have the numbers 1 to 1"));
 }
 
-}  // namespace compile_motion_test
-}  // namespace taut::model
+}  // namespace taut::model::compile_motion_test

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::model {
-namespace compile_test {
+namespace taut::model::compile_test {
 
 using description::PathElement;
 
@@ -327,5 +326,4 @@ TEST(Compile, TellsAllMistakesAtOnce) {
   EXPECT_EQ(model.error().size(), 4U) << complaints_of(m);
 }
 
-}  // namespace compile_test
-}  // namespace taut::model
+}  // namespace taut::model::compile_test

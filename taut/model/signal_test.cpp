@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::model {
-namespace signal_test {
+namespace taut::model::signal_test {
 
 Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
   return {"r", si::m_per_s, Moves{from, {{start, to, duration, smooth}}}};
@@ -118,5 +117,4 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   RC_ASSERT(std::is_sorted(breaks.begin(), breaks.end()));
 }
 
-}  // namespace signal_test
-}  // namespace taut::model
+}  // namespace taut::model::signal_test

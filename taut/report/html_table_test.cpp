@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace taut::report {
-namespace html_table_test {
+namespace taut::report::html_table_test {
 
 Table wide(std::size_t columns) {
   Table t{"load_path", "Load path", {}, {std::vector<Cell>()}};
@@ -33,5 +32,4 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
   EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
 }
 
-}  // namespace html_table_test
-}  // namespace taut::report
+}  // namespace taut::report::html_table_test

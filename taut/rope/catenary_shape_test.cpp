@@ -9,8 +9,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace catenary_shape_test {
+namespace taut::rope::catenary_shape_test {
 
 struct Solved {
   CatenaryRope rope;
@@ -112,5 +111,4 @@ TEST(CatenaryShape, OfAVerticalLoopHangsBelowItsLowerEnd) {
   EXPECT_THROW(point_at(s.rope, s.force, 11), ContractViolation);
 }
 
-}  // namespace catenary_shape_test
-}  // namespace taut::rope
+}  // namespace taut::rope::catenary_shape_test

@@ -11,8 +11,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace catenary_test {
+namespace taut::rope::catenary_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -278,5 +277,4 @@ TEST(Catenary, HeatKeepsTheWeight) {
   EXPECT_THROW(heated({100, 10, 1e6}, -1), ContractViolation);
 }
 
-}  // namespace catenary_test
-}  // namespace taut::rope
+}  // namespace taut::rope::catenary_test

@@ -9,8 +9,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace contact_test {
+namespace taut::rope::contact_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -155,5 +154,4 @@ TEST(Contact, RefusesWhatIsNone) {
   EXPECT_THROW(v_groove_friction(0.1, 0), ContractViolation);
 }
 
-}  // namespace contact_test
-}  // namespace taut::rope
+}  // namespace taut::rope::contact_test

@@ -9,8 +9,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace drum_test {
+namespace taut::rope::drum_test {
 
 constexpr double pi = std::numbers::pi;
 const DrumLayers winch{.core_diameter = 0.3, .rope_diameter = 0.02, .width = 0.4, .flange_diameter = 0.5};
@@ -74,5 +73,4 @@ TEST(Drum, RefusesWhatIsNone) {
   EXPECT_THROW(on_drum(winch, -1), ContractViolation);
 }
 
-}  // namespace drum_test
-}  // namespace taut::rope
+}  // namespace taut::rope::drum_test

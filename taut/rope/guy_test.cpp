@@ -9,8 +9,7 @@
 #include "taut/rope/parabola.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::rope {
-namespace guy_test {
+namespace taut::rope::guy_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -96,5 +95,4 @@ TEST(Guy, ThreeEqualGuysAreAlikeInEveryDirection) {
 
 TEST(Guy, RefusesASlackOne) { EXPECT_THROW(ernst_stiffness({40, 0.7, 20, 2.5e7, 0}), ContractViolation); }
 
-}  // namespace guy_test
-}  // namespace taut::rope
+}  // namespace taut::rope::guy_test

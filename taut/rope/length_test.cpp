@@ -8,8 +8,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace length_test {
+namespace taut::rope::length_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -77,5 +76,4 @@ TEST(Length, RefusesWhatIsNone) {
   EXPECT_THROW(unstretched_on_arc(1, 0, 1, 1e7), ContractViolation);
 }
 
-}  // namespace length_test
-}  // namespace taut::rope
+}  // namespace taut::rope::length_test

@@ -12,8 +12,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::rope {
-namespace loaded_span_test {
+namespace taut::rope::loaded_span_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -173,5 +172,4 @@ TEST(LoadedSpan, SaysWhyThereIsNone) {
   EXPECT_THROW(point_at(*solve_loaded_span({10, 5, 1e6}, {9, 0, 0}, {}), -1), ContractViolation);
 }
 
-}  // namespace loaded_span_test
-}  // namespace taut::rope
+}  // namespace taut::rope::loaded_span_test

@@ -12,8 +12,7 @@
 #include "taut/rope/loaded_span.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::rope {
-namespace parabola_test {
+namespace taut::rope::parabola_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -116,5 +115,4 @@ TEST(Parabola, RefusesWhatIsNone) {
   EXPECT_THROW(arc_length({100, 0, 5}, 0), ContractViolation);
 }
 
-}  // namespace parabola_test
-}  // namespace taut::rope
+}  // namespace taut::rope::parabola_test

@@ -10,8 +10,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace span_test {
+namespace taut::rope::span_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -132,5 +131,4 @@ TEST(Span, SagsAsItsCatenary) {
   EXPECT_LT((point_at(s, 50) - Vector3(24, 32, -26.547034967)).norm(), 1e-8);
 }
 
-}  // namespace span_test
-}  // namespace taut::rope
+}  // namespace taut::rope::span_test

@@ -10,8 +10,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::rope {
-namespace tangent_test {
+namespace taut::rope::tangent_test {
 
 constexpr double pi = std::numbers::pi;
 const Vector3 y = Vector3::UnitY();
@@ -201,5 +200,4 @@ TEST(Tangent, RefusesWhatIsNoSheave) {
   EXPECT_FALSE(to_text(NoLine::inside).empty());
 }
 
-}  // namespace tangent_test
-}  // namespace taut::rope
+}  // namespace taut::rope::tangent_test

@@ -7,8 +7,7 @@
 
 #include "taut/catalogue/section_search.hpp"
 
-namespace taut::structure {
-namespace beam_test {
+namespace taut::structure::beam_test {
 
 TEST(Beam, EndMomentBendsItToACircle) {
   const BeamSection b = tube_section(0.2, 0.01);
@@ -62,5 +61,4 @@ TEST(Beam, StressOfTubesAndBoxes) {
   EXPECT_NEAR(tube_section(0.508, 0.016).W_x / t.W_x, 1, 1e-3);
 }
 
-}  // namespace beam_test
-}  // namespace taut::structure
+}  // namespace taut::structure::beam_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::structure {
-namespace rod_test {
+namespace taut::structure::rod_test {
 
 Matrix3 turned(const Vector3& by) {
   return by.norm() == 0 ? Matrix3(Matrix3::Identity())
@@ -134,5 +133,4 @@ TEST(Rod, SineOfARotationAndItsDerivatives) {
   }
 }
 
-}  // namespace rod_test
-}  // namespace taut::structure
+}  // namespace taut::structure::rod_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace taut {
-namespace any_quantity_test {
+namespace taut::any_quantity_test {
 
 TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
   struct Case {
@@ -33,5 +32,4 @@ TEST(AnyQuantity, SaysWhyNot) {
   EXPECT_FALSE(same_kind(si::rad, si::one));
 }
 
-}  // namespace any_quantity_test
-}  // namespace taut
+}  // namespace taut::any_quantity_test

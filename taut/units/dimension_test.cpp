@@ -4,8 +4,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut {
-namespace dimension_test {
+namespace taut::dimension_test {
 
 constexpr Dimension force = dimension(1, 1, -2);
 
@@ -27,5 +26,4 @@ TEST(Dimension, PrintsBaseUnits) {
   EXPECT_EQ(to_text(power(force, 1, 2)), "kg^(3/6) m^(3/6) s^-1");
 }
 
-}  // namespace dimension_test
-}  // namespace taut
+}  // namespace taut::dimension_test

@@ -8,8 +8,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut {
-namespace display_test {
+namespace taut::display_test {
 
 TEST(Display, PrintsInTheUnitsOwnUnitOfPrint) {
   const Display d;
@@ -92,5 +91,4 @@ RC_GTEST_PROP(Display, ReadsBackWhatItPrints, (const std::int32_t& whole)) {
   }
 }
 
-}  // namespace display_test
-}  // namespace taut
+}  // namespace taut::display_test

@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace taut {
-namespace names_test {
+namespace taut::names_test {
 
 TEST(Names, AreUniqueAndNeverRefused) {
   std::set<std::string_view> seen;
@@ -13,5 +12,4 @@ TEST(Names, AreUniqueAndNeverRefused) {
   for (const RefusedName& r : refused_names()) EXPECT_TRUE(seen.insert(r.name).second) << r.name;
 }
 
-}  // namespace names_test
-}  // namespace taut
+}  // namespace taut::names_test

@@ -8,8 +8,7 @@
 
 #include "taut/units/names.hpp"
 
-namespace taut {
-namespace parse_test {
+namespace taut::parse_test {
 
 double in_si(std::string_view text, const Unit& unit) {
   const auto v = parse_quantity(text, unit);
@@ -110,5 +109,4 @@ RC_GTEST_PROP(ParseQuantity, NeverThrowsOnAnyText, (const std::string& text)) {
   for (const Unit& unit : {si::N, si::rad, si::one}) parse_quantity(text, unit);
 }
 
-}  // namespace parse_test
-}  // namespace taut
+}  // namespace taut::parse_test

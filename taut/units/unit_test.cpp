@@ -4,8 +4,7 @@
 
 #include "taut/units/parse.hpp"
 
-namespace taut {
-namespace unit_test {
+namespace taut::unit_test {
 
 TEST(Unit, EveryCoherentUnitIsShownInOneThatFits) {
   for (const Unit& u : {si::rad,      si::m,       si::m2,       si::m3,      si::m4,    si::s,       si::kg,
@@ -22,5 +21,4 @@ TEST(Unit, AnAngleNeedsItsUnitInTextThoughItHasNoDimension) {
   EXPECT_EQ(si::m.in("mm").shown, "mm");
 }
 
-}  // namespace unit_test
-}  // namespace taut
+}  // namespace taut::unit_test

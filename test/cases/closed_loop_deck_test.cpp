@@ -12,8 +12,7 @@
 
 // Decks of the method, read as a user's are.
 
-namespace taut::closed_loop {
-namespace closed_loop_deck_test {
+namespace taut::closed_loop::closed_loop_deck_test {
 
 struct ReadDeck {
   Input in;
@@ -81,5 +80,4 @@ TEST(ClosedLoopDecks, TheStarterDeckRunsAndPasses) {
   EXPECT_NE(result.find_table("ropes"), nullptr);
 }
 
-}  // namespace closed_loop_deck_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::closed_loop_deck_test

@@ -12,8 +12,7 @@
 // The paper's mistakes shown wrong by witnesses that do not come from the paper: moments of a thread, energy,
 // catenaries.
 
-namespace taut::closed_loop {
-namespace closed_loop_errata_test {
+namespace taut::closed_loop::closed_loop_errata_test {
 
 using taut_test::LoopCase;
 using taut_test::LoopForces;
@@ -437,5 +436,4 @@ TEST(ClosedLoopWitness, ClosedFormTierOverTheGrid) {
   EXPECT_GT(share_below(loads, 0.005), 0.95);
 }
 
-}  // namespace closed_loop_errata_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::closed_loop_errata_test

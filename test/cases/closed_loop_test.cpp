@@ -9,8 +9,7 @@
 
 // Every number of the paper's example, as published where it holds and as re-derived where it does not.
 
-namespace taut::closed_loop {
-namespace closed_loop_test {
+namespace taut::closed_loop::closed_loop_test {
 
 using namespace taut_test;
 
@@ -136,5 +135,4 @@ TEST(ClosedLoop, FreeRunningSag) {
   EXPECT_NEAR(out.T_lLB / kgf, 3000, 1e-6);
 }
 
-}  // namespace closed_loop_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::closed_loop_test

@@ -7,8 +7,7 @@
 
 // Ryabukhin et al. 2022 prints no worked example: the numbers are of an independent calculation; the witness here
 // integrates the paper's own differential equation.
-namespace taut::friction_drive {
-namespace friction_drive_test {
+namespace taut::friction_drive::friction_drive_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -184,5 +183,4 @@ TEST(FrictionDriveCase, NoGripIsInfeasible) {
   EXPECT_EQ(exit_code(run(in)), 3);
 }
 
-}  // namespace friction_drive_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::friction_drive_test

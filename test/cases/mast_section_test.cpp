@@ -6,8 +6,7 @@
 #include <numbers>
 
 // Shoshin et al. 2022 prints no worked example: the numbers are of an independent calculation with plain vectors.
-namespace taut::mast_section {
-namespace mast_section_test {
+namespace taut::mast_section::mast_section_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -170,5 +169,4 @@ TEST(MastSectionCase, ChecksANamedSection) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
-}  // namespace mast_section_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::mast_section_test

@@ -9,8 +9,7 @@
 #include "taut/methods/closed_loop/position.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace closed_loop_any_deck_test {
+namespace taut::closed_loop::closed_loop_any_deck_test {
 
 using namespace taut_test;
 
@@ -92,5 +91,4 @@ TEST(ClosedLoopAnyDeck, NoneGivesANumberThatDoesNotClose) {
   EXPECT_GT(answered, 100);
 }
 
-}  // namespace closed_loop_any_deck_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::closed_loop_any_deck_test

@@ -5,8 +5,7 @@
 #include <cmath>
 
 // The method and the engine on the same drive.
-namespace taut::app {
-namespace friction_drive_exact_test {
+namespace taut::app::friction_drive_exact_test {
 
 using namespace friction_drive;
 
@@ -129,5 +128,4 @@ TEST(FrictionDriveExact, OneTakeUpOnly) {
   EXPECT_TRUE(complaints(in).empty());
 }
 
-}  // namespace friction_drive_exact_test
-}  // namespace taut::app
+}  // namespace taut::app::friction_drive_exact_test

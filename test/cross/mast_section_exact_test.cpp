@@ -12,8 +12,7 @@
 #include "test/paths.hpp"
 
 // The method and the engine on the same mast: equal where the method's assumptions hold, apart where they do not.
-namespace taut::app {
-namespace mast_section_exact_test {
+namespace taut::app::mast_section_exact_test {
 
 using namespace mast_section;
 
@@ -189,5 +188,4 @@ TEST(MoreExamples, AllRunAndTheirExactChecksPass) {
   EXPECT_GT(count, 0);
 }
 
-}  // namespace mast_section_exact_test
-}  // namespace taut::app
+}  // namespace taut::app::mast_section_exact_test

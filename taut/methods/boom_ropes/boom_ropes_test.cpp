@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::boom_ropes {
-namespace boom_ropes_test {
+namespace taut::boom_ropes::boom_ropes_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -155,5 +154,4 @@ TEST(BoomRopes, NoCaseNoLimit) {
   EXPECT_EQ(run(in).status, Status::ok);
 }
 
-}  // namespace boom_ropes_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::boom_ropes_test

@@ -4,8 +4,7 @@
 
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
-namespace taut::boom_ropes {
-namespace description_test {
+namespace taut::boom_ropes::description_test {
 
 TEST(BoomDescription, KeysOfTheDeck) {
   for (const char* key : {"section_weight", "pad_friction", "tackle_efficiency", "extension_stiffness",
@@ -71,5 +70,4 @@ TEST(BoomAbout, EveryErratumIsComplete) {
   }
 }
 
-}  // namespace description_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::description_test

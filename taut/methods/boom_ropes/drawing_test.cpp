@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::boom_ropes {
-namespace drawing_test {
+namespace taut::boom_ropes::drawing_test {
 
 Input crane() {
   Input in;
@@ -83,5 +82,4 @@ TEST(BoomDrawing, StaticDeckHasItsOwnFigures) {
   EXPECT_EQ(drawing(all, "boom"), nullptr);
 }
 
-}  // namespace drawing_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::drawing_test

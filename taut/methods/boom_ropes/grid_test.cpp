@@ -6,8 +6,7 @@
 
 #include "taut/methods/boom_ropes/sliding.hpp"
 
-namespace taut::boom_ropes {
-namespace grid_test {
+namespace taut::boom_ropes::grid_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -84,5 +83,4 @@ TEST(BoomGrid, ExtremesAreThoseOfTheGrid) {
   EXPECT_EQ(out.Fh, out.Fh_min);
 }
 
-}  // namespace grid_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::grid_test

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::boom_ropes {
-namespace piecewise_test {
+namespace taut::boom_ropes::piecewise_test {
 
 TEST(Piecewise, FindsTheOneRisingRoot) {
   const Crossings c = crossings([](double x) { return 2 * x - 3 + std::abs(x); }, {0});
@@ -49,5 +48,4 @@ RC_GTEST_PROP(Piecewise, BracketsTheRootOfARisingFunction, ()) {
   RC_ASSERT(f(c.high) >= 0);
 }
 
-}  // namespace piecewise_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::piecewise_test

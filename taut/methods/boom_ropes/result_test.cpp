@@ -8,8 +8,7 @@
 
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
-namespace taut::boom_ropes {
-namespace result_test {
+namespace taut::boom_ropes::result_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -137,5 +136,4 @@ TEST(BoomRopesComplaints, RopeShorterThanItsBranch) {
   EXPECT_EQ(complaints(in)[0].path, "sliding.extension_length");
 }
 
-}  // namespace result_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::result_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::boom_ropes {
-namespace sliding_test {
+namespace taut::boom_ropes::sliding_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -122,8 +121,8 @@ RC_GTEST_PROP(BoomSliding, ForcesScale, ()) {
   const SlidingPoint p = slid(q);
   Input in = crane();
   in.section_weight *= 3;
-  for (double* x :
-       {&q.suspended_weight[0], &q.section2_weight, &q.S10, &q.S20, &q.extension_stiffness, &q.retraction_stiffness}) {
+  for (double* x : {q.suspended_weight.data(), &q.section2_weight, &q.S10, &q.S20, &q.extension_stiffness,
+                    &q.retraction_stiffness}) {
     *x *= 3;
   }
   Sheet<double> s;
@@ -215,5 +214,4 @@ TEST(BoomSliding, EightFallsWhenLiftingElseSix) {
   EXPECT_EQ(falls_of(q), 4);
 }
 
-}  // namespace sliding_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::sliding_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::boom_ropes {
-namespace slip_test {
+namespace taut::boom_ropes::slip_test {
 
 Input crane() {
   Input in;
@@ -64,5 +63,4 @@ RC_GTEST_PROP(SlipAngle, LessOverlapHoldsSteeper, ()) {
   RC_ASSERT(a.angle >= a.free_angle);
 }
 
-}  // namespace slip_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::slip_test

@@ -5,8 +5,7 @@
 
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
-namespace taut::boom_ropes {
-namespace tensioning_test {
+namespace taut::boom_ropes::tensioning_test {
 
 TEST(Tensioning, NoStepsNoRows) { EXPECT_TRUE(tensioning(1270, 0).empty()); }
 
@@ -26,5 +25,4 @@ RC_GTEST_PROP(Tensioning, NeverPullsHarderThanThePadsHold, ()) {
   }
 }
 
-}  // namespace tensioning_test
-}  // namespace taut::boom_ropes
+}  // namespace taut::boom_ropes::tensioning_test

@@ -6,8 +6,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace case_test {
+namespace taut::closed_loop::case_test {
 
 using namespace taut_test;
 
@@ -59,5 +58,4 @@ TEST(ClosedLoopCase, WeightsPerHorizontalMetreGrowWithTheSlope) {
   EXPECT_NEAR(case_of(in).w_b, 2 * kgf, 1e-6);
 }
 
-}  // namespace case_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::case_test

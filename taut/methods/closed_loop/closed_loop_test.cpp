@@ -10,8 +10,7 @@
 #include "taut/methods/closed_loop/engine.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace closed_loop_test {
+namespace taut::closed_loop::closed_loop_test {
 
 using namespace taut_test;
 
@@ -201,6 +200,7 @@ RC_GTEST_PROP(ClosedLoopTypes, DoubleAndNumAgreeToTheLastBit, ()) {
   const Outcome second = compute(in, note, b);
   RC_ASSERT(first.status == second.status);
   RC_ASSERT(first.message == second.message);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit-identical, also where both are NaN
   RC_ASSERT(std::memcmp(&a, &b, sizeof a) == 0);
 }
 
@@ -242,5 +242,4 @@ TEST(ClosedLoopTypes, EveryStepStandsInTheNote) {
   }
 }
 
-}  // namespace closed_loop_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::closed_loop_test

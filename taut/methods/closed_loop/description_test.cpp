@@ -5,8 +5,7 @@
 
 #include "taut/methods/closed_loop/closed_loop.hpp"
 
-namespace taut::closed_loop {
-namespace description_test {
+namespace taut::closed_loop::description_test {
 
 TEST(ClosedLoopDescription, HasTheDeckKeys) {
   for (const char* key : {"span",
@@ -81,5 +80,4 @@ TEST(ClosedLoopAbout, SaysWhereItComesFromAndWhatItLeavesOut) {
   }
 }
 
-}  // namespace description_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::description_test

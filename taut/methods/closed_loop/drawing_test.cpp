@@ -8,8 +8,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace drawing_test {
+namespace taut::closed_loop::drawing_test {
 
 using namespace taut_test;
 
@@ -106,5 +105,4 @@ TEST(ClosedLoopDrawing, ErrorsCrossZeroOnTheLevel) {
   EXPECT_LT(p.curves[2].y.front(), -0.02);  // and (9) unsafe
 }
 
-}  // namespace drawing_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::drawing_test

@@ -7,8 +7,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace paper_test {
+namespace taut::closed_loop::paper_test {
 
 using namespace taut_test;
 
@@ -88,5 +87,4 @@ RC_GTEST_PROP(ClosedLoopPaper, ALossierSheaveTakesLoadOffTheUpperBranch, ()) {
   RC_ASSERT(smooth.T_n < lossy.T_n);
 }
 
-}  // namespace paper_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::paper_test

@@ -6,8 +6,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace position_test {
+namespace taut::closed_loop::position_test {
 
 using namespace taut_test;
 
@@ -108,5 +107,4 @@ TEST(ClosedLoopPosition, LiftOffBoundaryAtMidspan) {
   EXPECT_EQ(solve(in, out).status, Status::infeasible);
 }
 
-}  // namespace position_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::position_test

@@ -7,8 +7,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace quick_test {
+namespace taut::closed_loop::quick_test {
 
 using namespace taut_test;
 
@@ -147,5 +146,4 @@ RC_GTEST_PROP(ClosedLoopQuick, SettlesInTheUsualRange, ()) {
   RC_ASSERT(p.passes < 60);
 }
 
-}  // namespace quick_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::quick_test

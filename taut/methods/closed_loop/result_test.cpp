@@ -6,8 +6,7 @@
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace result_test {
+namespace taut::closed_loop::result_test {
 
 using namespace taut_test;
 
@@ -124,5 +123,4 @@ TEST(ClosedLoopResult, NoRopeIsInfeasibleWithoutSteps) {
   EXPECT_FALSE(r.given.empty());
 }
 
-}  // namespace result_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::result_test

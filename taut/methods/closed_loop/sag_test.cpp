@@ -7,8 +7,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace sag_test {
+namespace taut::closed_loop::sag_test {
 
 using namespace taut_test;
 
@@ -90,5 +89,4 @@ TEST(ClosedLoopSag, WithoutContactNoSagHelps) {
   EXPECT_NE(o.message.find("no sag is feasible"), std::string::npos) << o.message;
 }
 
-}  // namespace sag_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::sag_test

@@ -57,7 +57,8 @@ Outcome areas(const Input& in, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
   const T below_8 = s.eq("8", "D_8", si::N_per_m, strength - own * (c.l + 2.0 * bend));
   const T below_10 = s.eq("10", "D_10", si::N_per_m, 2.0 * strength - own * toward_A(3));
   const T below_b = s.eq("8*", "D_8c", si::N_per_m, eta * strength - own * toward_B(2));
-  if (!(value(below_8) > 0 && value(below_10) > 0 && value(below_b) > 0)) {
+  const bool all_positive = value(below_8) > 0 && value(below_10) > 0 && value(below_b) > 0;
+  if (!all_positive) {
     return too_shallow(words_of(c), *in.safety_factor);
   }
   const T F_bp = s.eq("8", "F_return_paper", si::m2, 2.0 * P_b * n * c.cos_a * (c.l + bend) / below_8);

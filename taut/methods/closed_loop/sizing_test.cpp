@@ -9,8 +9,7 @@
 #include "taut/methods/closed_loop/position.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace sizing_test {
+namespace taut::closed_loop::sizing_test {
 
 using namespace taut_test;
 
@@ -171,5 +170,4 @@ TEST(ClosedLoopSizing, PeaksAreTheLargestOfEachRope) {
   EXPECT_EQ(p.return_rope.where, "lower branch at B");
 }
 
-}  // namespace sizing_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::sizing_test

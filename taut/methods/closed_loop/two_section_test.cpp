@@ -7,8 +7,7 @@
 
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace two_section_test {
+namespace taut::closed_loop::two_section_test {
 
 using namespace taut_test;
 
@@ -115,5 +114,4 @@ RC_GTEST_PROP(ClosedLoopTwoSection, ForcesScaleWithForces, ()) {
   RC_ASSERT(std::abs(b.T_lA - k * a.T_lA) < 1e-9 * k * a.T_n);
 }
 
-}  // namespace two_section_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::two_section_test

@@ -6,8 +6,7 @@
 #include "taut/methods/closed_loop/two_section.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
-namespace taut::closed_loop {
-namespace two_section_tier_test {
+namespace taut::closed_loop::two_section_tier_test {
 
 using namespace taut_test;
 
@@ -65,5 +64,4 @@ RC_GTEST_PROP(ClosedLoopTwoSectionTier, BothSectionsAreInEquilibrium, ()) {
   RC_ASSERT(std::abs(o.T_uB - 0.9 * o.T_lB) < 1e-9 * o.T_lB);
 }
 
-}  // namespace two_section_tier_test
-}  // namespace taut::closed_loop
+}  // namespace taut::closed_loop::two_section_tier_test

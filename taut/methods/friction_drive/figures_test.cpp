@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::friction_drive {
-namespace figures_test {
+namespace taut::friction_drive::figures_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -84,5 +83,4 @@ TEST(FrictionDriveFigures, MasslessRopeKeepsItsGrip) {
   EXPECT_EQ(speed_plot(in, out).marks.size(), 1u);
 }
 
-}  // namespace figures_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::figures_test

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::friction_drive {
-namespace friction_drive_test {
+namespace taut::friction_drive::friction_drive_test {
 
 rc::Gen<double> between(double low, double high) {
   return rc::gen::map(rc::gen::inRange(0, 1000001), [=](int i) { return low + (high - low) * i * 1e-6; });
@@ -155,5 +154,4 @@ TEST(FrictionDrive, NoReserveAndNoLossLeaveTheSlackBranchEmpty) {
   EXPECT_EQ(exit_code(run(in)), 4);
 }
 
-}  // namespace friction_drive_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::friction_drive_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace taut::friction_drive {
-namespace grip_test {
+namespace taut::friction_drive::grip_test {
 
 Input weak() {
   Input in;
@@ -74,5 +73,4 @@ TEST(FrictionDriveGrip, PullAndForceAreInverse) {
   EXPECT_EQ(transmissible_force(-5, 2, 1), 0);
 }
 
-}  // namespace grip_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::grip_test

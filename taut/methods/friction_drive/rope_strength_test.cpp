@@ -6,8 +6,7 @@
 
 #include "taut/catalogue/rope_words.hpp"
 
-namespace taut::friction_drive {
-namespace rope_strength_test {
+namespace taut::friction_drive::rope_strength_test {
 
 Input saw() {
   Input in;
@@ -83,5 +82,4 @@ TEST(FrictionDriveRope, UnknownRopeIsAComplaint) {
   EXPECT_EQ(complaints(in)[0].path, "rope_area");
 }
 
-}  // namespace rope_strength_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::rope_strength_test

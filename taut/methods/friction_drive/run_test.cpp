@@ -5,8 +5,7 @@
 
 #include "taut/methods/friction_drive/friction_drive.hpp"
 
-namespace taut::friction_drive {
-namespace run_test {
+namespace taut::friction_drive::run_test {
 
 Input saw() {
   Input in;
@@ -82,5 +81,4 @@ TEST(FrictionDriveRun, EveryErratumNamesATestOfTheCases) {
   for (const Erratum& e : about().errata) EXPECT_EQ(e.test.rfind("FrictionDriveCase.", 0), 0u);
 }
 
-}  // namespace run_test
-}  // namespace taut::friction_drive
+}  // namespace taut::friction_drive::run_test

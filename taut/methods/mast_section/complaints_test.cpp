@@ -2,8 +2,7 @@
 
 #include "taut/methods/mast_section/mast_section.hpp"
 
-namespace taut::mast_section {
-namespace complaints_test {
+namespace taut::mast_section::complaints_test {
 
 Input good() {
   Input in;
@@ -97,5 +96,4 @@ TEST(MastSectionComplaints, SectionsThatAreNotThere) {
   EXPECT_EQ(paths(in), Paths{});
 }
 
-}  // namespace complaints_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::complaints_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace taut::mast_section {
-namespace figures_test {
+namespace taut::mast_section::figures_test {
 
 Input mast() {
   Input in;
@@ -104,5 +103,4 @@ TEST(MastSectionFigures, AnglePlotHoldsTheCaseAtHand) {
   EXPECT_EQ(p.marks[0].y, out.D_tube);
 }
 
-}  // namespace figures_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::figures_test

@@ -8,8 +8,7 @@
 
 #include "taut/methods/mast_section/position.hpp"
 
-namespace taut::mast_section {
-namespace mast_section_test {
+namespace taut::mast_section::mast_section_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -185,5 +184,4 @@ TEST(MastSection, HigherBlockBelowTheLowerOne) {
   EXPECT_NEAR(out.Q, 80e3, 1e-6);
 }
 
-}  // namespace mast_section_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::mast_section_test

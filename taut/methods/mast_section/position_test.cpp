@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::mast_section {
-namespace position_test {
+namespace taut::mast_section::position_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -131,5 +130,4 @@ TEST(MastSectionPosition, SteelGivesTheYieldOfItsThinnestRange) {
   EXPECT_DOUBLE_EQ(out.sigma_allow, 177.5e6);
 }
 
-}  // namespace position_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::position_test

@@ -5,8 +5,7 @@
 
 #include "taut/methods/mast_section/mast_section.hpp"
 
-namespace taut::mast_section {
-namespace run_test {
+namespace taut::mast_section::run_test {
 
 Input yarder() {
   Input in;
@@ -124,5 +123,4 @@ TEST(MastSectionRun, EveryErratumNamesATestOfTheCases) {
   for (const Erratum& e : about().errata) EXPECT_EQ(e.test.rfind("MastSectionCase.", 0), 0u);
 }
 
-}  // namespace run_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::run_test

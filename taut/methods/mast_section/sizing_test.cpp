@@ -4,8 +4,7 @@
 
 #include "taut/catalogue/steel.hpp"
 
-namespace taut::mast_section {
-namespace sizing_test {
+namespace taut::mast_section::sizing_test {
 
 using catalogue::SectionShape;
 
@@ -102,5 +101,4 @@ TEST(MastSectionSizing, TrustOfTheLimit) {
   EXPECT_EQ(trust_of(limit_of(in)).substr(0, 10), "UNVERIFIED");
 }
 
-}  // namespace sizing_test
-}  // namespace taut::mast_section
+}  // namespace taut::mast_section::sizing_test
