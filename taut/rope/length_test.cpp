@@ -43,6 +43,7 @@ TEST(Length, OfASpanIsThatOfItsPieces) {
   const CatenaryForce f = solve_catenary(warm, 90, 40)->force;
   const int n = 4000;
   std::vector<TensionPiece> pieces;
+  pieces.reserve(n);
   const auto T = [&](int i) { return std::hypot(f.H, f.V + warm.weight * warm.length * (1.0 * i / n - 0.5)); };
   for (int i = 0; i < n; ++i) pieces.push_back({rope.length / n, T(i), T(i + 1)});
   const RopeLengths sum = path_lengths(pieces, rope.stiffness, heat), span = stretched_span(rope, f, heat);

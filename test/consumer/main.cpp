@@ -1,10 +1,11 @@
 // A stranger's whole program: it calls one published method and reads a quantity from text.
-#include <cstdio>
+#include <iostream>
 
 #include "taut/base/version.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/units/parse.hpp"
 
+// NOLINTNEXTLINE(bugprone-exception-escape): a text that is no quantity may end it
 int main() {
   namespace boom = taut::boom_ropes;
   boom::Input in;
@@ -16,6 +17,6 @@ int main() {
   in.cases = {{"retract 3 t", boom::Operation::retract, 0.087, 32.4e3, 6}};
   boom::Output out;
   const auto outcome = boom::solve(in, out);
-  std::printf("taut %s: S20 >= %g N\n", taut::version.data(), out.S20_min);
+  std::cout << "taut " << taut::version << ": S20 >= " << out.S20_min << " N\n";
   return outcome.ok() && out.S20_min > 0 ? 0 : 1;
 }
