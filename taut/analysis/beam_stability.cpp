@@ -246,7 +246,8 @@ std::vector<int> number_freedoms(const Layout& layout) {
   std::vector<int> coordinates;
   int next = 0;
   for (const Layout::Dof& dof : layout.dofs) {
-    const bool kept = layout.coordinate_row >= 0 && dof.body == layout.coordinate_body && dof.way.along.x() == 1;
+    const bool kept = layout.coordinate_row >= 0 && dof.body == layout.coordinate_body &&
+                      dof.way.along.dot(layout.coordinate_along) != 0;
     coordinates.push_back(kept ? -1 : next++);
   }
   return coordinates;

@@ -12,6 +12,7 @@
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
+#include "taut/analysis/roll.hpp"
 #include "taut/analysis/stability.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
@@ -228,6 +229,29 @@ Solved solve_touching(const model::Model& model, model::State& state, const Equi
   return s;
 }
 
+/// A carriage that nothing holds, and that was not found between its neighbours: from where it rolls to rest, or the
+/// reason.
+void roll(const model::Model& model, const EquilibriumOptions& options, const Flow& flow, model::State& state,
+          Solved& s) {
+  if (options.prescribed) return;
+  const std::string away = s.outcome.ok() ? rolled_away(model, state) : std::string();
+  if (s.outcome.ok() && away.empty()) return;
+  if (const auto rest = roll_to_rest(model, options)) {
+    if (!rest->state) {
+      s.outcome = infeasible(rest->reason);
+      return;
+    }
+    model::State near = *rest->state;
+    Solved rolled = solve_touching(model, near, options, flow);
+    if (rolled.outcome.ok() && rolled_away(model, near).empty()) {
+      s = std::move(rolled);
+      state = std::move(near);
+      return;
+    }
+  }
+  if (!away.empty()) s.outcome = infeasible(away);
+}
+
 /// Whether a carriage prescribed by its mainline stands where the mainline would have to push: found out by a hold
 /// along the track in the mainline's place. Empty where that is not the reason.
 std::string pushes(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
@@ -300,7 +324,8 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   EquilibriumResult result;
   result.state = start ? *start : first_state(model, options);
   const Flow flow = options.flow.empty() ? flow_of(model, options.motion) : options.flow;
-  const Solved s = solve_touching(model, result.state, options, flow);
+  Solved s = solve_touching(model, result.state, options, flow);
+  roll(model, options, flow, result.state, s);
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
   if (!s.outcome.ok()) {

@@ -53,7 +53,8 @@ Coordinates coordinates_of(const System& s, const Evaluation& e) {
   Coordinates all;
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const Layout::Dof& dof = s.layout.dofs[at(i)];
-    const bool kept = s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.x() != 0;
+    const bool kept =
+        s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
     if (kept) continue;
     all.rows.push_back({i, -1});
     all.residual.push_back(i);
