@@ -27,7 +27,7 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
     for (const SpanResult& s : e.spans) {
       if (s.reeving != 0) continue;
       for (int i = 0; i <= 20000; ++i) {
-        const Vector3 p = s.start + taut::rope::point_at(s.shape, s.shape.rope.length * i / 20000);
+        const Vector3 p = s.start + taut::rope::point_at(s.shape, s.shape.rope.length * (i / 20000.0));
         if (p.x() < std::min(from, to) || p.x() > std::max(from, to)) continue;
         least = std::min(least, p.z() - ground_height(m.terrain, p.x()));
       }

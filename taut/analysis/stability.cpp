@@ -196,7 +196,7 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
       for (Eigen::Index i = k - 1; i >= 0; --i) {
         for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= L(j, i) * v[j];
       }
-      return Eigen::VectorXd(v / v.cwiseAbs().maxCoeff());
+      return Eigen::VectorXd(scale.cwiseProduct(v));
     }
     if (pivot <= rounding) continue;  // neutral: nothing holds it, nothing drives it
     for (Eigen::Index i = k + 1; i < n; ++i) {
@@ -220,8 +220,10 @@ Stability stability(const System& s, const Configuration& c, const Evaluation& e
   Eigen::Index most = 0;
   double size = -1;
   for (Eigen::Index i = 0; i < direction->size(); ++i) {
-    const bool body = curvature->rows[static_cast<std::size_t>(i)].freedom >= 0;
-    const double weight = std::abs((*direction)[i]) * (body ? weight_of_bodies : 1);
+    const int freedom = curvature->rows[static_cast<std::size_t>(i)].freedom;
+    const bool turns = freedom >= 0 && s.layout.dofs[at(freedom)].way.about != Vector3::Zero();
+    const double unit = freedom < 0 ? 1 : weight_of_bodies * (turns ? s.layout.length : 1);
+    const double weight = unit * std::abs((*direction)[i]);
     if (weight <= size) continue;
     size = weight;
     most = i;

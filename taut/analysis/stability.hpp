@@ -25,8 +25,8 @@ struct EnergyCurvature {
 /// holds the carriage.
 std::optional<EnergyCurvature> energy_curvature(const System& system, const Configuration& c, const Evaluation& e);
 
-/// A direction in which a symmetric matrix is negative, of unit size in the matrix scaled to a unit diagonal; empty
-/// where there is none beyond rounding. By elimination (Sylvester's law of inertia).
+/// A direction in which a symmetric matrix is negative; empty where there is none beyond rounding. By elimination
+/// (Sylvester's law of inertia).
 std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix);
 
 struct Stability {

@@ -8,6 +8,8 @@
 namespace taut::rope {
 namespace {
 
+constexpr double upright = 1e-3;  ///< x/z of a chord below which a distance under it says nothing
+
 double start_V(const CatenaryRope& rope, const CatenaryForce& f) { return f.V - rope.weight * rope.length / 2; }
 
 /// Unstretched length from the start to where the vertical tension is V, within the rope.
@@ -57,7 +59,7 @@ double sag_at(const CatenaryRope& rope, const CatenaryForce& f, double x) {
 
 Sag largest_sag(const CatenaryRope& rope, const CatenaryForce& f) {
   const EndPosition end = end_position(rope, f);
-  if (!(end.x > 0)) {
+  if (!(end.x > upright * std::abs(end.z))) {
     const double s = lowest_point(rope, f);
     return {std::min(0.0, end.z) - point_at(rope, f, s).z, 0, s};
   }

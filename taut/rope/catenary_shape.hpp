@@ -20,8 +20,9 @@ double length_to(const CatenaryRope& rope, const CatenaryForce& force, double x)
 /// Vertical distance of the rope below its chord at `x`, m. Negative only by rounding.
 double sag_at(const CatenaryRope& rope, const CatenaryForce& force, double x);
 
-/// Where the rope is parallel to its chord: the largest sag below it. For a vertical chord there is no such thing as a
-/// distance below it; `depth` is then how far a loop hangs below the lower end.
+/// Where the rope is parallel to its chord: the largest sag below it. For a vertical chord (steeper than 1000 : 1; the
+/// stretch alone, larger where the rope carries more of itself, sets a point off it by metres) there is no such thing
+/// as a distance below it; `depth` is then how far a loop hangs below the lower end, 0 for a taut rope.
 struct Sag {
   double depth = 0;  ///< m
   double x = 0;      ///< m

@@ -90,6 +90,22 @@ RC_GTEST_PROP(CatenaryShape, LowestPointIsTheLowest, ()) {
   }
 }
 
+TEST(CatenaryShape, ATautUprightRopeHasNoSag) {
+  // a point off the vertical by rounding or by millimetres, either end up
+  for (const double x : {0.0, 1e-17, 1e-9, 0.01}) {
+    for (const double z : {20.0, -20.0}) {
+      const CatenaryRope rope{20, 50, 1e6};
+      const auto s = solve_catenary(rope, x, z * (1 + 5e-3));
+      ASSERT_TRUE(s);
+      EXPECT_NEAR(largest_sag(rope, s->force).depth, 0, 1e-9) << x << ", " << z;
+    }
+  }
+  // a loop hangs below its lower end
+  const CatenaryRope rope{20, 50, 1e6};
+  const auto loop = solve_catenary(rope, 1e-6, 4);
+  EXPECT_NEAR(largest_sag(rope, loop->force).depth, 8, 0.05);
+}
+
 TEST(CatenaryShape, OfAWeightlessRopeIsItsChord) {
   const Solved s = solved({10, 0, 1e6}, 9, 6);
   EXPECT_NEAR(largest_sag(s.rope, s.force).depth, 0, 1e-14);

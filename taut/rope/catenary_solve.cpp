@@ -30,39 +30,48 @@ tl::expected<CatenarySolution, NoCatenary> solve_vertical(const CatenaryRope& ro
   return CatenarySolution{{0, V}, 0, 0};
 }
 
-/// Starting values: Peyrot and Goulois, Computers and Structures 10 (1979), with the rope's stretch taken into account.
-CatenaryForce first_guess(const CatenaryRope& rope, double x, double z) {
-  const double chord = std::hypot(x, z);
-  const double w = rope.weight;
-  // a steep rope is longer by what its own weight stretches it
-  const double L = rope.length * (1 + w * z / (2 * rope.stiffness));
-  const double sag_tension = std::cbrt(rope.stiffness * w * w * L * L / 24);
-  if (L <= chord) {
-    // the straight spring, with the tension that its sag alone would give added in
-    const bool rigid = std::isinf(rope.stiffness);
-    const double T = rigid ? w * L : rope.stiffness * (chord - L) / L + sag_tension;
-    return {T * x / chord, T * z / chord};
-  }
-  const double y = std::sqrt((L - z) * (L + z)) / x;
-  double lambda = y > 3 ? std::log(2 * y) + std::log(std::log(2 * y))
-                        : std::sqrt(std::max(6 * (y - 1) * (1 - 0.15 * (y - 1)), 1e-12));
-  // sinh(lambda)/lambda = y: Newton on its logarithm
+double size_of(double x, double z) { return std::sqrt(x * x + z * z); }
+
+/// lambda from sinh(lambda)/lambda = y > 1. Below 3 by log y = lambda^2/6 - lambda^4/180 + .., turned round: lambda^2 =
+/// 6 e (1 + 0.202 e), e = log y, is good to 2e-4 there; above by Newton on the logarithm.
+double sinh_ratio_root(double y) {
   const double log_y = std::log(y);
+  if (y <= 3) return std::sqrt(std::max(6 * log_y * (1 + 0.20193 * log_y), 1e-16));
+  double lambda = std::log(2 * y) + std::log(std::log(2 * y));
   for (int i = 0; i < 2; ++i) {
     const double g = lambda > 30 ? lambda - std::log(2 * lambda) : std::log(std::sinh(lambda) / lambda);
     lambda -= (g - log_y) / (1 / std::tanh(lambda) - 1 / lambda);
-    lambda = std::max(lambda, 1e-8);
   }
-  double H = w * x / (2 * lambda);
-  if (!std::isinf(rope.stiffness)) {            // a nearly straight rope is held by its stretch, not by its sag
-    const double steep = std::cbrt(x / chord);  // only the weight across the chord makes it sag
-    H = std::min(H, 2 * sag_tension * steep * steep * x / chord);
-    lambda = w * x / (2 * H);
-  }
-  return {H, w / 2 * z / std::tanh(lambda)};
+  return lambda;
 }
 
-double size_of(double x, double z) { return std::sqrt(x * x + z * z); }
+/// Starting values: Peyrot and Goulois, Computers and Structures 10 (1979), with the rope's stretch taken into account.
+CatenaryForce first_guess(const CatenaryRope& rope, double x, double z) {
+  const double chord = size_of(x, z);
+  const double w = rope.weight;
+  const bool rigid = std::isinf(rope.stiffness);
+  // a steep rope is longer by what its own weight stretches it
+  const double L = rope.length * (1 + w * z / (2 * rope.stiffness));
+  const double sag = w * L;
+  if (L <= chord) {
+    // the straight spring, with the tension that its sag alone would give added in
+    const double T = rigid ? sag : rope.stiffness * (chord - L) / L + std::cbrt(rope.stiffness * sag * sag / 24);
+    return {T * x / chord, T * z / chord};
+  }
+  const double y = std::sqrt((L - z) * (L + z)) / x, lambda = sinh_ratio_root(y);
+  const double H = w * x / (2 * lambda);
+  if (!rigid) {  // a nearly straight rope is held by its stretch, not by its sag
+    const double level = x / chord;
+    // only the weight across the chord makes it sag: H is at most 2 (EA w^2 L^2/24)^(1/3) level^(5/3)
+    const double most = rope.stiffness * sag * sag / 3 * level * level * level * level * level;
+    if (H * H * H > most) {
+      const double held = std::cbrt(most);
+      return {held, w / 2 * z / std::tanh(w * x / (2 * held))};
+    }
+  }
+  // coth(lambda), with sinh(lambda) = lambda y
+  return {H, w / 2 * z * std::sqrt(1 + 1 / (lambda * y * lambda * y))};
+}
 
 struct Residual {
   double x, z, size;
@@ -144,7 +153,7 @@ CatenarySolution iterate(const CatenaryRope& rope, double x, double z, CatenaryF
 /// z >= 0: the rope rises from its start to its end.
 tl::expected<CatenarySolution, NoCatenary> solve_rising(const CatenaryRope& rope, double x, double z,
                                                         const std::optional<CatenaryForce>& start) {
-  const double chord = std::hypot(x, z);
+  const double chord = size_of(x, z);
   const double scale = std::max(chord, rope.length);
   if (x <= least_offset * scale) return solve_vertical(rope, z);
   if (std::isinf(rope.stiffness) && rope.length <= chord) return tl::unexpected(NoCatenary::too_short);
