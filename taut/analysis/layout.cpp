@@ -81,7 +81,7 @@ void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribe
     l.coordinate_row = l.ropes.at(at(rope)).row;
   } else {
     l.hold_turn = turn;
-    l.hold_last = turn + carriage.rollers - 1;
+    l.hold_last = turn_at(l, carriage.reeving, carriage.node + carriage.rollers - 1);
     l.hold = l.coordinate_row = l.size++;
   }
 }

@@ -10,17 +10,26 @@
 namespace taut::model {
 namespace {
 
+/// Where a node stands at the start; empty on a carriage, which may stand anywhere.
+std::optional<Vector3> stands_at(const Model& model, const Node& node) {
+  if (node.at.body == ground) return node.at.at;
+  const auto rides = [&](const Carriage& car) { return car.body == node.at.body; };
+  if (std::any_of(model.carriages.begin(), model.carriages.end(), rides)) return std::nullopt;
+  const Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
+  return Vector3(body.position + body.orientation * node.at.at);
+}
+
 /// The index in `nodes` (without the carriage) behind which x lies; nearest to `old`. Node n + 1 of an endless rope is
 /// its first.
-std::optional<std::size_t> span_of(const std::vector<Node>& nodes, bool closed, double x, const Vector3& along,
-                                   std::size_t old) {
+std::optional<std::size_t> span_of(const Model& model, const std::vector<Node>& nodes, bool closed, double x,
+                                   const Vector3& along, std::size_t old) {
   std::optional<std::size_t> best;
   const auto far = [&](std::size_t k) { return k + 1 > old ? k + 1 - old : old - (k + 1); };
   const std::size_t spans = closed ? nodes.size() : nodes.size() - 1;
   for (std::size_t k = 0; k < spans; ++k) {
-    const Place &from = nodes[k].at, &to = nodes[(k + 1) % nodes.size()].at;
-    if (from.body != ground || to.body != ground) continue;
-    const auto [low, high] = std::minmax({from.at.dot(along), to.at.dot(along)});
+    const auto from = stands_at(model, nodes[k]), to = stands_at(model, nodes[(k + 1) % nodes.size()]);
+    if (!from || !to) continue;
+    const auto [low, high] = std::minmax({from->dot(along), to->dot(along)});
     if (x < low || x > high || low == high) continue;
     if (!best || far(k) < far(*best)) best = k;
   }
@@ -42,10 +51,9 @@ std::vector<double> ways(const Model& model, const Reeving& rope) {
   return all;
 }
 
-/// The place of the straight line from one node to the next at x.
-Vector3 at_coordinate(const Node& from, const Node& to, double x, const Vector3& along) {
-  const double start = from.at.at.dot(along), end = to.at.at.dot(along);
-  return from.at.at + (x - start) / (end - start) * (to.at.at - from.at.at);
+/// The place of the straight line from one place to another at x.
+Vector3 at_coordinate(const Vector3& from, const Vector3& to, double x, const Vector3& along) {
+  return from + (x - from.dot(along)) / (to - from).dot(along) * (to - from);
 }
 
 /// Finds every carriage's nodes again after a change of a rope's path.
@@ -84,11 +92,11 @@ Moved move_nodes(Model& model, int reeving, int first, int count, double x, cons
   const auto begin = nodes.begin() + first;
   const std::vector<Node> own(begin, begin + count);
   nodes.erase(begin, begin + count);
-  const auto before = span_of(nodes, rope.closed, x, along, static_cast<std::size_t>(first));
+  const auto before = span_of(model, nodes, rope.closed, x, along, static_cast<std::size_t>(first));
   if (!before) return {};
-  const Node &from = nodes[*before], &to = nodes[(*before + 1) % nodes.size()];
+  const Vector3 from = *stands_at(model, nodes[*before]), to = *stands_at(model, nodes[(*before + 1) % nodes.size()]);
   const bool passes = static_cast<int>(*before) + 1 != first;
-  const Moved moved{true, passes, from.at.at, to.at.at, at_coordinate(from, to, x, along)};
+  const Moved moved{true, passes, from, to, at_coordinate(from, to, x, along)};
   if (!passes) return moved;
   nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(*before + 1), own.begin(), own.end());
   rope.nodes = std::move(nodes);

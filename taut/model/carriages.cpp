@@ -109,6 +109,8 @@ std::vector<Stop> stops_of(const description::Carriage& car, int index, const Pl
   std::vector<Stop> all;
   for (int i = 0; i < car.rollers; ++i) {
     stop.roller = i;
+    // a rope sags away from rollers between the outer ones of a rigid carriage
+    stop.node.may_lift = i > 0 && i + 1 < car.rollers;
     const double forward = car.rollers > 1 ? car.wheelbase.value_or(0) * (i / (car.rollers - 1.0) - 0.5) : 0;
     stop.node.at.at = place.at + Vector3(forward, 0, car.height);
     if (car.rollers > 1) stop.node.name = fmt::format("{}.roller{}", car.name, i + 1);
