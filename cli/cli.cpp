@@ -40,10 +40,10 @@ void add_check(CLI::App& app, std::function<int()>& action) {
 }
 
 void add_list(CLI::App& app, std::function<int()>& action) {
-  auto* verb = app.add_subcommand("list", "List methods, ropes, sections, steels, rules or units");
+  auto* verb = app.add_subcommand("list", "List methods, machines, ropes, sections, steels, rules or units");
   auto what = std::make_shared<std::string>();
   auto f = std::make_shared<app::ListFilter>();
-  verb->add_option("what", *what, "methods | ropes | sections | steels | rules | units")->required();
+  verb->add_option("what", *what, "methods | machines | ropes | sections | steels | rules | units")->required();
   verb->add_option("--construction", f->construction, "ropes: 6x36, 6x19S, 18x7, ...");
   verb->add_option("--core", f->core, "ropes: FC, IWRC, WSC");
   verb->add_option("--grade", f->grade, "ropes: '1960 MPa'");
@@ -63,13 +63,17 @@ void add_list(CLI::App& app, std::function<int()>& action) {
 
 void add_texts(CLI::App& app, std::function<int()>& action) {
   auto name = std::make_shared<std::string>();
-  auto* starter = app.add_subcommand("new", "Print a commented starter deck of a method");
-  starter->add_option("name", *name, "the method, see 'taut list methods'")->required();
+  auto* starter = app.add_subcommand("new", "Print a commented starter deck of a method or a machine");
+  starter->add_option("name", *name, "see 'taut list methods' and 'taut list machines'")->required();
   starter->callback([name, &action] { action = [name] { return print_new(*name); }; });
 
   auto markdown = std::make_shared<bool>(false);
-  auto* explain = app.add_subcommand("explain", "A method's formulas, source, range, deck keys, results and errata");
-  explain->add_option("method", *name, "the method, see 'taut list methods'; 'all' with --markdown")->required();
+  auto* explain =
+      app.add_subcommand("explain",
+                         "A method's formulas, source, range, deck keys, results and errata; the parts, laws "
+                         "and analyses of machines");
+  explain->add_option("method", *name, "a method; machine, one of its parts, an analysis; 'all' with --markdown")
+      ->required();
   explain->add_flag("--markdown", *markdown, "the keys and results as Markdown tables");
   explain->callback(
       [name, markdown, &action] { action = [name, markdown] { return print_explain(*name, *markdown); }; });

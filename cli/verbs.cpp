@@ -5,9 +5,11 @@
 #include <cstdio>
 
 #include "taut/app/explain.hpp"
+#include "taut/app/explain_machine.hpp"
 #include "taut/app/job.hpp"
 #include "taut/app/methods.hpp"
 #include "taut/app/schema.hpp"
+#include "taut/app/starters.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/io/json.hpp"
 #include "taut/report/terminal.hpp"
@@ -33,11 +35,14 @@ int file_failure(const app::FileError& error, const RunOptions& options) {
   return print(io::to_json(r), file_trouble);
 }
 
-const app::MethodEntry* named_method(const std::string& name) {
+/// `others`: what else could have been meant.
+const app::MethodEntry* named_method(const std::string& name, const std::vector<std::string>& others) {
   const app::MethodEntry* entry = app::find_method(name);
   if (entry == nullptr) {
-    fmt::print(stderr, "taut: there is no method '{}'{}; see 'taut list methods'\n", name,
-               did_you_mean(name, app::method_names()));
+    std::vector<std::string> names = app::method_names();
+    names.insert(names.end(), others.begin(), others.end());
+    fmt::print(stderr, "taut: there is no method '{}'{}; see 'taut list methods' and 'taut list machines'\n", name,
+               did_you_mean(name, names));
   }
   return entry;
 }
@@ -96,8 +101,10 @@ int check(const RunOptions& options) {
   return code;
 }
 
-int print_new(const std::string& method) {
-  const app::MethodEntry* entry = named_method(method);
+int print_new(const std::string& name) {
+  const app::Starter* starter = app::find_method(name) == nullptr ? app::find_starter(name) : nullptr;
+  if (starter != nullptr) return print(std::string(starter->text), computed);
+  const app::MethodEntry* entry = named_method(name, app::starter_names());
   return entry == nullptr ? static_cast<int>(usage_or_deck) : print(std::string(entry->example), computed);
 }
 
@@ -108,9 +115,11 @@ int print_list(const std::string& what, const app::ListFilter& filter) {
   return usage_or_deck;
 }
 
-int print_explain(const std::string& method, bool markdown) {
-  if (markdown && method == "all") return print(app::reference_guide(), computed);
-  const app::MethodEntry* entry = named_method(method);
+int print_explain(const std::string& name, bool markdown) {
+  if (markdown && name == "all") return print(app::reference_guide(), computed);
+  const auto machine = markdown ? std::nullopt : app::explain_machine(name);
+  if (machine) return print(*machine, computed);
+  const app::MethodEntry* entry = named_method(name, app::machine_topics());
   if (entry == nullptr) return usage_or_deck;
   if (markdown) return print(app::reference_markdown(*entry), computed);
   return print(app::explain_text(*entry), computed);

@@ -13,6 +13,7 @@
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
 #include "taut/analysis/roll.hpp"
+#include "taut/analysis/running.hpp"
 #include "taut/analysis/stability.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
@@ -29,15 +30,6 @@ constexpr int most_changes = 40;  ///< of what touches what
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-Flow flow_of(const model::Model& model, Motion motion) {
-  Flow flow;
-  const int sense = motion == Motion::hoist || motion == Motion::in ? 1 : -1;
-  for (const model::Reeving& rope : model.reevings) {
-    flow.emplace_back(rope.nodes.size(), motion == Motion::at_rest ? 0 : sense * rope.haul);
-  }
-  return flow;
-}
-
 bool has_losses(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {
     for (const model::Node& node : rope.nodes) {
@@ -50,6 +42,7 @@ bool has_losses(const model::Model& model) {
 Configuration configuration_of(const Layout& layout, const model::State& state) {
   Configuration c;
   c.bodies = state.bodies;
+  c.open_loads.assign(layout.ropes.size(), 0);
   for (const Layout::Link& link : layout.links) c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
   for (const Layout::Piece& p : layout.pieces) c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
   return c;
@@ -283,10 +276,11 @@ std::string pushes(const model::Model& model, const EquilibriumOptions& options,
 
 /// The tensions of both directions of motion beside the answer at rest.
 void add_band(const model::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
+  const model::Model held = with_loads_held(model);
   for (const Motion motion : {Motion::in, Motion::out}) {
     EquilibriumOptions moving = options;
     moving.motion = motion;
-    const EquilibriumResult other = equilibrium(model, moving, result.state);
+    const EquilibriumResult other = equilibrium(held, moving, result.state);
     if (!other.outcome.ok() || other.spans.size() != result.spans.size()) {
       result.band = false;
       continue;
@@ -317,13 +311,11 @@ void add_band(const model::Model& model, const EquilibriumOptions& options, Equi
   }
 }
 
-}  // namespace
-
-EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
-                              const std::optional<model::State>& start) {
+/// The machine with its ropes' flow known; no rope's running counts.
+EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& options, const Flow& flow,
+                           const std::optional<model::State>& start) {
   EquilibriumResult result;
   result.state = start ? *start : first_state(model, options);
-  const Flow flow = options.flow.empty() ? flow_of(model, options.motion) : options.flow;
   Solved s = solve_touching(model, result.state, options, flow);
   roll(model, options, flow, result.state, s);
   result.outcome = s.outcome;
@@ -336,9 +328,30 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
   fill_tables(system, s.c, s.e, result.state, result);
   result.outcome = check_beams(system, s.c, result.beams);
-  if (!result.outcome.ok()) return result;
+  return result;
+}
+
+}  // namespace
+
+EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
+                              const std::optional<model::State>& start) {
+  const Flow flow = flow_of(model, options);
+  bool runs = false;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
+  EquilibriumResult result;
+  if (runs) {
+    const auto moving = running(model, flow);
+    if (!moving) {
+      result.outcome = taut::infeasible(moving.error());
+      return result;
+    }
+    result = standing(*moving, options, flow, start);
+    if (result.outcome.ok()) add_centrifugal(model, flow, result);
+  } else {
+    result = standing(model, options, flow, start);
+  }
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
-  if (band && has_losses(model)) {
+  if (result.outcome.ok() && band && has_losses(model)) {
     result.band = true;
     add_band(model, options, result);
   }

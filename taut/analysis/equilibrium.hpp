@@ -39,7 +39,8 @@ struct EquilibriumOptions {
 };
 
 /// One branch. Tensions at its ends and the components there: H along the horizontal of the branch, V upwards (positive
-/// where the rope rises along its path), N.
+/// where the rope rises along its path), N. Of a running rope (Reeving::speed) T contains the centrifugal tension, H
+/// and V, what its ends feel, do not.
 struct SpanResult {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   double T_from = 0, T_to = 0, H = 0, V_from = 0, V_to = 0;
@@ -69,6 +70,15 @@ struct ContactResult {
   double T_in_min = 0, T_in_max = 0, T_out_min = 0, T_out_max = 0;  ///< the band at rest; else the tension itself
 };
 
+/// A force along the free rope.
+struct RopeLoadResult {
+  int reeving = 0, node = 0;
+  Vector3 at = Vector3::Zero();     ///< where on the rope, m
+  Vector3 force = Vector3::Zero();  ///< on the rope (one copy), N
+  double along_path = 0;            ///< the same with its sign by the order of the path, N
+  double T_in = 0, T_out = 0;       ///< N, by the order of the path
+};
+
 /// A rope as a whole.
 struct RopeResult {
   double unstretched = 0;    ///< at the reference temperature, arcs counted, m
@@ -90,9 +100,10 @@ struct Closure {
 struct EquilibriumResult {
   Outcome outcome;
   model::State state;
-  std::vector<SpanResult> spans;        ///< by reeving, along its path
-  std::vector<ContactResult> contacts;  ///< by reeving, along its path; nodes between the ends
-  std::vector<RopeResult> ropes;        ///< by reeving
+  std::vector<SpanResult> spans;           ///< by reeving, along its path
+  std::vector<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
+  std::vector<RopeLoadResult> rope_loads;  ///< by reeving, along its path
+  std::vector<RopeResult> ropes;           ///< by reeving
   /// By body: force on the body by what holds it where it is not free, N; in free directions about 0.
   std::vector<Vector3> reactions;
   std::vector<BeamResult> beams;   ///< as in the model
@@ -103,7 +114,9 @@ struct EquilibriumResult {
 
 /// The equilibrium of the machine, from `start` (default: initial_state) on. Damped Newton with exact derivatives over
 /// the freedoms of the bodies and the unstretched length of every branch; where it fails from the start given, load and
-/// rope weight are stepped. docs/theory/equilibrium.md.
+/// rope weight are stepped. Ropes with a speed run where the motion makes them flow: their tensions contain the
+/// centrifugal one, m v^2, which no support feels. At rest the loads that go by the motion act as if the ropes hauled
+/// in, also in the band. docs/theory/equilibrium.md, docs/theory/drives.md.
 EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options = {},
                               const std::optional<model::State>& start = std::nullopt);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "taut/analysis/beam_piece.hpp"
+#include "taut/analysis/rope_load.hpp"
 #include "taut/analysis/system.hpp"
 
 namespace taut::analysis {
@@ -179,6 +180,25 @@ void add_tension(Assembly& a, int link, bool start, int row) {
   }
 }
 
+/// What is given of a rope as a row.
+void add_given(Assembly& a, const Layout::Rope& rope, model::Given given, int row) {
+  switch (given) {
+    case model::Given::length:
+      for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, row);
+      for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) add_arc(a, t, row);
+      break;
+    case model::Given::tension_at_start:
+      add_tension(a, rope.first, true, row);
+      break;
+    case model::Given::tension_at_end:
+      add_tension(a, rope.first + rope.count - 1, false, row);
+      break;
+    case model::Given::torque:
+      add_turn(a, rope.drive, row, 1, -1, 0);
+      break;
+  }
+}
+
 void add_laws(Assembly& a) {
   const Layout& layout = a.system.layout;
   for (std::size_t r = 0; r < layout.ropes.size(); ++r) {
@@ -188,21 +208,17 @@ void add_laws(Assembly& a) {
     for (int t = rope.first_turn; t < last; ++t) {
       const Layout::Turn& turn = layout.turns[at(t)];
       if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
-      if (reeving.nodes[at(turn.node)].kind == model::NodeKind::contact) {
-        add_contact(a, t);
-        continue;
-      }
+      const model::NodeKind kind = reeving.nodes[at(turn.node)].kind;
+      if (kind == model::NodeKind::contact) add_contact(a, t);
+      if (kind != model::NodeKind::clamp) continue;
       for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
       for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
     }
-    if (rope.row == layout.coordinate_row || rope.row == layout.height_row) continue;
-    if (reeving.given == model::Given::length) {
-      for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, rope.row);
-      for (int t = rope.first_turn; t < last; ++t) add_arc(a, t, rope.row);
-    } else {
-      const bool start = reeving.given == model::Given::tension_at_start;
-      add_tension(a, start ? rope.first : rope.first + rope.count - 1, start, rope.row);
+    if (rope.row != layout.coordinate_row && rope.row != layout.height_row) {
+      add_given(a, rope, reeving.given, rope.row);
     }
+    if (rope.drive < 0 || layout.turns[at(rope.drive)].row < 0) continue;
+    add_given(a, rope, reeving.also ? reeving.also->first : model::Given::torque, layout.turns[at(rope.drive)].row);
   }
 }
 
@@ -250,6 +266,7 @@ void jacobian(const System& system, const Configuration& c, const Evaluation& e,
   add_ropes(a);
   add_dead_forces(a);
   add_laws(a);
+  add_rope_loads(system, c, e, columns, J);
   add_coordinate(a);
   add_beam_rates(system, c, J);
 }

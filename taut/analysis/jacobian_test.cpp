@@ -31,6 +31,7 @@ double worst_derivative(const model::Model& m, std::optional<analysis::Prescribe
     c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   c.hold = 700;
+  c.open_loads.assign(layout.ropes.size(), 300);
   for (const auto& p : layout.pieces) {
     model::PieceState piece = state.beams[static_cast<std::size_t>(p.beam)][static_cast<std::size_t>(p.piece)];
     piece.force = {3, -2, -40};
@@ -151,6 +152,50 @@ TEST(Jacobian, MatchesDifferencesForBeams) {
       }
     }
   }
+}
+
+TEST(Jacobian, MatchesDifferencesForRopeLoadsAndTorques) {
+  model::Model m;
+  m.bodies.push_back(body("take-up", {6, 0, 0.1}, 500, "x"));
+  m.bodies.push_back(body("load", {4.06, 0, 1.69}, 0, "xyz"));
+  m.bodies.push_back(body("spread", {4.96, 0.02, 1.11}, 0, "xyz"));
+  model::Node drive = sheave("drive", {0, 0, 0}, 0.4, 1);
+  drive.kind = model::NodeKind::drive;
+  drive.tension_drop = 800;
+  model::Node load = anchor_on("load", 1), spread = anchor_on("spread", 2);
+  load.kind = spread.kind = model::NodeKind::load;
+  load.load = {0.3, 600, 0, 0, -1, true, false};
+  spread.load = {0.6, 0, 50, 0.4, 1, false, false};
+  m.reevings.push_back(
+      reeve("saw", {drive, sheave("top", {3, 0, 2}, 0.3, 1, 0.98), load, spread, sheave("idler", origin, 0.3, 1, 1, 0)},
+            15, 4, 2e6));
+  m.reevings[0].closed = true;
+  EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-6);
+  m.reevings[0].nodes[2].load.open = true;
+  EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-6);
+  auto& nodes = m.reevings[0].nodes;
+  nodes.erase(nodes.begin() + 2, nodes.begin() + 4);
+  m.reevings[0].given = model::Given::torque;
+  m.bodies.resize(1);
+  m.bodies[0].free.clear();
+  m.reevings[0].weight = 0;  // as described it lies straight, without tension
+  EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-6);
+}
+
+TEST(Jacobian, MatchesDifferencesForDrivenRopesWithEnds) {
+  model::Model m;
+  m.bodies.push_back(body("cabin", {-0.5, 0, -20}, 900, "z"));
+  m.bodies.push_back(body("weight", {0.5, 0, -30}, 700, "z"));
+  model::Node drive = sheave("drive", {0, 0, 0}, 0.5, 1);
+  drive.kind = model::NodeKind::drive;
+  drive.tension_drop = 1500;
+  m.reevings.push_back(reeve("hoist", {anchor_on("cabin", 0), drive, anchor_on("weight", 1)}, 51.6, 10, 5e6));
+  EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-6);
+  m.reevings[0].nodes[1].tension_drop.reset();
+  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].value = 9000;
+  m.reevings[0].also = std::pair(model::Given::length, 51.6);
+  EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-6);
 }
 
 }  // namespace jacobian_test

@@ -17,8 +17,18 @@ void check(const model::Reeving& rope) {
   expects(rope.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
   expects(rope.weight > 0 || std::isfinite(rope.stiffness), "a rope without weight stretches");
   expects(!rope.closed || rope.nodes.front().kind == NodeKind::drive, "a closed rope begins at its drive");
-  expects(!rope.closed || rope.given == model::Given::length, "a closed rope is given by its length");
+  const bool torque = rope.given == model::Given::torque;
+  expects(!rope.closed || torque || rope.given == model::Given::length, "a closed rope is given by length or torque");
+  expects(!torque || (rope.closed && rope.nodes.front().tension_drop), "a given torque needs a closed rope's drive");
 }
+
+/// Which way along the path the force of a load points.
+int sense_of(const model::Reeving& rope, const model::RopeLoad& load, int flow) {
+  return load.by_motion ? load.sense * (flow == 0 ? rope.haul : flow) : load.sense;
+}
+
+/// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
+bool has_row(const model::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
 
 void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vector<bool>& touched,
               const std::vector<int>& flow) {
@@ -28,23 +38,31 @@ void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vecto
     if (touched[at(k)]) nodes.push_back(k);
   }
   const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
-  Layout::Rope r{count(l.links.size()), links, count(l.turns.size()), 0, 0};
+  Layout::Rope r;
+  r.first = count(l.links.size());
+  r.count = links;
+  r.first_turn = count(l.turns.size());
   for (int k = 0; k < links; ++k) {
     l.links.push_back({index, nodes[at(k)], nodes[at((k + 1) % count(nodes.size()))], l.size + k});
   }
   int row = l.size;
+  const auto is_open = [](const model::Node& node) { return node.kind == NodeKind::load && node.load.open; };
+  if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + links;
   for (int k = rope.closed ? 0 : 1; k < links; ++k) {
     const int node = nodes[at(k)];
     const NodeKind kind = rope.nodes[at(node)].kind;
-    expects(kind != NodeKind::anchor && (kind == NodeKind::drive) == (rope.closed && k == 0),
+    expects(kind != NodeKind::anchor && (!rope.closed || (kind == NodeKind::drive) == (k == 0)),
             "anchors stand at the ends of a rope, its drive at the start of a closed one");
     const int before = k > 0 ? r.first + k - 1 : r.first + links - 1;
-    const int runs = kind == NodeKind::contact && !flow.empty() ? flow[at(node)] : 0;
-    l.turns.push_back({index, node, before, r.first + k, kind == NodeKind::drive ? -1 : row++, runs});
+    const bool drives = kind == NodeKind::drive;
+    int runs = flow.empty() || drives ? 0 : flow[at(node)];
+    if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[at(node)].load, runs);
+    if (drives) r.drive = count(l.turns.size());
+    l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs});
   }
   r.turn_count = count(l.turns.size()) - r.first_turn;
   r.row = row;
-  l.size += links;
+  l.size += links + (r.open_load >= 0 ? 1 : 0);
   l.ropes.push_back(r);
 }
 
@@ -90,6 +108,11 @@ void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribe
 void measure(Layout& l, const model::Model& model, const model::State& state) {
   for (const model::Body& body : model.bodies) l.heaviest = std::max(l.heaviest, body.mass * model.gravity);
   for (const model::Load& load : model.loads) l.heaviest = std::max(l.heaviest, load.force.norm());
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      l.heaviest = std::max({l.heaviest, node.load.force, std::abs(node.tension_drop.value_or(0))});
+    }
+  }
   for (const Layout::Link& link : l.links) {
     const model::Reeving& rope = model.reevings[at(link.reeving)];
     const Vector3 chord =

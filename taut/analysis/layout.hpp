@@ -6,8 +6,9 @@
 namespace taut::analysis {
 
 /// Which unknown and which equation is where. Unknowns: the freedoms of the bodies, the unstretched length of each
-/// branch, the hold of a prescribed carriage. Equations: the balance of each freedom, then for each rope the law of
-/// each contact or the place of each clamp and what is given of the rope, last the prescribed coordinate.
+/// branch, the open load of a rope, the hold of a prescribed carriage. Equations: the balance of each freedom, then for
+/// each rope the law of each contact or drive or the place of each clamp or load and what is given of the rope, last
+/// the prescribed coordinate.
 struct Layout {
   struct Dof {
     int body = 0;
@@ -17,13 +18,16 @@ struct Layout {
   struct Link {
     int reeving = 0, from = 0, to = 0, unknown = 0;
   };
-  /// A touched node between two links. `row` < 0: a drive, which takes what comes.
+  /// A touched node between two links. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and the
+  /// sense along the path of a load's force.
   struct Turn {
     int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
   };
   /// A whole rope: links first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
   struct Rope {
     int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
+    int drive = -1;      ///< turn of its drive; -1: none
+    int open_load = -1;  ///< unknown force of its open load; -1: none
   };
 
   /// A piece of a beam. Unknowns: the force at its start, then the moment there; at a hinged start the torque and a

@@ -25,6 +25,9 @@ class Linear {
     for (std::size_t i = 0; i < system.layout.dofs.size(); ++i) {
       if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
     }
+    for (const Layout::Rope& rope : system.layout.ropes) {
+      if (rope.open_load >= 0) columns_[rope.open_load] = std::max(1.0, system.layout.heaviest);
+    }
     if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
     scale_beams(system, columns_);
   }

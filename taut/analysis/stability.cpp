@@ -17,9 +17,14 @@ constexpr double pushed = 0.01;  ///< of the longest span
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Losses, and forces along a rope or torques that follow it: they have no potential.
 bool loses(const System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
-    const model::ContactLaw& law = s.model.reevings[at(t.reeving)].nodes[at(t.node)].law;
+    const model::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+    if (node.kind == model::NodeKind::load || (node.kind == model::NodeKind::drive && t.row >= 0)) return true;
+    if (node.kind == model::NodeKind::drive && s.model.reevings[at(t.reeving)].given == model::Given::torque)
+      return true;
+    const model::ContactLaw& law = node.law;
     return s.losses > 0 && t.flow != 0 && law.efficiency < 1 && law.friction > 0;
   });
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/analysis/beam_piece.hpp"
+#include "taut/analysis/rope_load.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -56,6 +57,20 @@ void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
   }
 }
 
+/// What the tensions beside a drive are off its torque, N.
+double drop_misfit(const System& s, const Evaluation& e, int turn) {
+  const Layout::Turn& t = s.layout.turns[at(turn)];
+  return e.branches[at(t.before)].T_to - e.branches[at(t.after)].T_from - node_of(s, t).tension_drop.value_or(0);
+}
+
+/// Whether the row of a turn is a length.
+bool is_length(const System& s, const Layout::Turn& t) {
+  const model::NodeKind kind = node_of(s, t).kind;
+  const auto& also = reeving_of(s, t.reeving).also;
+  return kind == model::NodeKind::clamp || kind == model::NodeKind::load ||
+         (kind == model::NodeKind::drive && also && also->first == model::Given::length);
+}
+
 /// Laws of the contacts, places of the clamps, given quantities.
 void add_laws(const System& s, const Configuration& c, Evaluation& e) {
   for (const Layout::Rope& rope : s.layout.ropes) {
@@ -69,24 +84,30 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       const double T_in = e.branches[at(turn.before)].T_to, T_out = e.branches[at(turn.after)].T_from;
       if (node.kind == model::NodeKind::clamp) {
         e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
-      } else if (turn.row >= 0) {
+      } else if (node.kind == model::NodeKind::contact) {
         const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
         e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t);
     }
     for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
-    switch (reeving.given) {
-      case model::Given::length:
-        e.residual[rope.row] = length - reeving.value * (1 + reeving.thermal_strain);
-        break;
-      case model::Given::tension_at_start:
-        e.residual[rope.row] = e.branches[at(rope.first)].T_from - reeving.value;
-        break;
-      case model::Given::tension_at_end:
-        e.residual[rope.row] = e.branches[at(rope.first + rope.count - 1)].T_to - reeving.value;
-        break;
-    }
+    const auto open = [&](model::Given given, double value) {
+      switch (given) {
+        case model::Given::length:
+          return length - value * (1 + reeving.thermal_strain);
+        case model::Given::tension_at_start:
+          return e.branches[at(rope.first)].T_from - value;
+        case model::Given::tension_at_end:
+          return e.branches[at(rope.first + rope.count - 1)].T_to - value;
+        case model::Given::torque:
+          break;
+      }
+      return drop_misfit(s, e, rope.drive);
+    };
+    e.residual[rope.row] = open(reeving.given, reeving.value);
+    if (rope.drive < 0 || s.layout.turns[at(rope.drive)].row < 0) continue;
+    e.residual[s.layout.turns[at(rope.drive)].row] =
+        reeving.also ? open(reeving.also->first, reeving.also->second) : drop_misfit(s, e, rope.drive);
   }
 }
 
@@ -160,6 +181,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   add_dead_forces(s, c, e.residual);
   add_ropes(s, c, e);
   add_laws(s, c, e);
+  add_rope_loads(s, c, e);
   add_coordinate(s, c, e);
   add_beams(s, c, e);
   return std::nullopt;
@@ -204,6 +226,10 @@ void move(const System& s, const Configuration& c, const Change& change, double 
       link.force->V += part * by.V;
     }
   }
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const int open = s.layout.ropes[r].open_load;
+    if (open >= 0) moved.open_loads[r] += part * change.step[open];
+  }
   if (s.layout.hold >= 0) moved.hold += part * change.step[s.layout.hold];
   move_beams(s, change.step, part, moved);
 }
@@ -218,7 +244,7 @@ Misfit misfit(const System& s, const Evaluation& e) {
   const auto force = [&](int row) { m.force = std::max(m.force, std::abs(e.residual[row])); };
   for (const Layout::Turn& turn : s.layout.turns) {
     if (turn.row < 0) continue;
-    node_of(s, turn).kind == model::NodeKind::clamp ? length(turn.row) : force(turn.row);
+    is_length(s, turn) ? length(turn.row) : force(turn.row);
   }
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
     const int row = s.layout.ropes[r].row;

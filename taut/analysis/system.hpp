@@ -15,6 +15,7 @@ struct Configuration {
   std::vector<model::BranchState> links;       ///< by Layout::links
   double hold = 0;                             ///< N along the track
   std::vector<model::PieceState> pieces = {};  ///< by Layout::pieces
+  std::vector<double> open_loads = {};         ///< by reeving, N, of those that have one
 };
 
 /// Everything that follows from a configuration, and how far it is from equilibrium.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/analysis/beam_tables.hpp"
+#include "taut/analysis/rope_load.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -81,6 +82,24 @@ ContactResult contact_of(const System& s, const Evaluation& e, int index) {
   r.T_in_min = r.T_in_max = r.T_in;
   r.T_out_min = r.T_out_max = r.T_out;
   return r;
+}
+
+void fill_rope_loads(const System& s, const Configuration& c, const Evaluation& e, EquilibriumResult& result) {
+  for (int i = 0; i < static_cast<int>(s.layout.turns.size()); ++i) {
+    const Layout::Turn& turn = s.layout.turns[at(i)];
+    const model::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+    if (node.kind != model::NodeKind::load) continue;
+    const Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+    RopeLoadResult r;
+    r.reeving = turn.reeving;
+    r.node = turn.node;
+    r.at = c.bodies[at(node.at.body)].position;
+    r.along_path = rope_load(s, c, e, i);
+    r.force = r.along_path * (in.arrives + out.leaves).normalized();
+    r.T_in = in.T_to;
+    r.T_out = out.T_from;
+    result.rope_loads.push_back(r);
+  }
 }
 
 void fill_contacts(const System& s, const Evaluation& e, const model::State& state, EquilibriumResult& result) {
@@ -166,6 +185,10 @@ void fill_balance(const System& s, const Configuration& c, const Evaluation& e, 
   for (const model::Load& load : s.model.loads) {
     if (load.at.body != model::ground) dead(load.at.body, load.force);
   }
+  for (const RopeLoadResult& load : result.rope_loads) {
+    const model::Reeving& rope = s.model.reevings[at(load.reeving)];
+    dead(rope.nodes[at(load.node)].at.body, rope.copies * load.force);
+  }
   if (s.layout.hold >= 0) {
     result.hold = c.hold * track(s, e);
     dead(s.layout.coordinate_body, result.hold);
@@ -183,6 +206,7 @@ void fill_tables(const System& s, const Configuration& c, const Evaluation& e, c
                  EquilibriumResult& result) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) result.spans.push_back(span_of(s, c, e, k));
   fill_contacts(s, e, state, result);
+  fill_rope_loads(s, c, e, result);
   fill_ropes(s, e, result);
   fill_balance(s, c, e, result);
   result.beams = beam_results(s, c);

@@ -2,3 +2,7 @@
 file(GLOB example_decks CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples/*.yaml)
 list(FILTER example_decks EXCLUDE REGEX "\\.part\\.yaml$")
 taut_embed(TARGET taut NAMESPACE taut::app::embedded NAME examples FILES ${example_decks})
+# Decks of machines: `taut new` prints those that run alone.
+file(GLOB machine_decks CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples/machines/*.yaml)
+list(FILTER machine_decks EXCLUDE REGEX "\\.part\\.yaml$")
+taut_embed(TARGET taut NAMESPACE taut::app::embedded NAME machine_examples FILES ${machine_decks})

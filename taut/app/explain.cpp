@@ -119,6 +119,15 @@ std::string exact_values(const Description& d) {
 
 }  // namespace
 
+std::string keys_text(const std::string& prefix, const Description& description) {
+  std::string text;
+  walk(prefix, description, [&](const std::string& key, const Description& d, const Field& f) {
+    text += fmt::format("  {:<32}{:<24}{:<14}{}{}\n", key, kind_text(f), default_of(d, f),
+                        f.symbol.empty() ? "" : f.symbol + ": ", words_of(f));
+  });
+  return text;
+}
+
 std::string explain_text(const MethodEntry& method) {
   const Method& about = *method.about;
   const Result example = run(Job{std::string(method.example), about.name + ".yaml", {}});
@@ -128,10 +137,7 @@ std::string explain_text(const MethodEntry& method) {
   text += "\nEquations (numbers of the source; * is a correction)\n";
   text += equations(example);
   text += "\nDeck keys below `input:`\n";
-  walk("", *method.input, [&](const std::string& key, const Description& d, const Field& f) {
-    text += fmt::format("  {:<32}{:<24}{:<14}{}{}\n", key, kind_text(f), default_of(d, f),
-                        f.symbol.empty() ? "" : f.symbol + ": ", words_of(f));
-  });
+  text += keys_text("", *method.input);
   text += "\nResult values\n";
   walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("  {:<24}{:<8}{}{}\n", key, f.unit.symbol, f.words, f.source.empty() ? "" : "  " + f.source);

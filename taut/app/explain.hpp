@@ -10,6 +10,9 @@ namespace taut::app {
 /// result's names, the errata of the published text.
 std::string explain_text(const MethodEntry& method);
 
+/// The keys of a description and its nested ones, one line each with unit, default and words; `prefix` before each.
+std::string keys_text(const std::string& prefix, const Description& description);
+
 /// The keys and names alone, as a Markdown section of the reference guide.
 std::string reference_markdown(const MethodEntry& method);
 

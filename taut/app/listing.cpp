@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "taut/app/methods.hpp"
+#include "taut/app/starters.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rule.hpp"
@@ -141,6 +142,14 @@ Listing method_rows(const ListFilter& f) {
   return rows;
 }
 
+Listing machines(const ListFilter& f) {
+  Rows rows = {{"name", "title"}};
+  for (const Starter& one : starters()) {
+    if (contains(one.name, f.name) || contains(one.title, f.name)) rows.push_back({one.name, one.title});
+  }
+  return rows;
+}
+
 Listing rows_of(const std::string& what, const ListFilter& f) {
   if (what == "methods") return method_rows(f);
   if (what == "ropes") return ropes(f);
@@ -148,10 +157,11 @@ Listing rows_of(const std::string& what, const ListFilter& f) {
   if (what == "steels") return steels(f);
   if (what == "rules") return rules(f);
   if (what == "units") return units(f);
-  const std::vector<std::string> lists = {"methods", "ropes", "sections", "steels", "rules", "units"};
+  if (what == "machines") return machines(f);
+  const std::vector<std::string> lists = {"methods", "machines", "ropes", "sections", "steels", "rules", "units"};
   return tl::unexpected(
-      fmt::format("there is no list of '{}'{}; the lists are methods, ropes, sections, steels, rules, units", what,
-                  did_you_mean(what, lists)));
+      fmt::format("there is no list of '{}'{}; the lists are methods, machines, ropes, sections, steels, rules, units",
+                  what, did_you_mean(what, lists)));
 }
 
 bool looks_like_a_number(const std::string& text) {

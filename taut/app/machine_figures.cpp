@@ -84,7 +84,10 @@ std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResu
     if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
     if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, pull_on_end(s));
   }
-  for (const auto& c : e.contacts) add(c.reeving, c.node, c.force);
+  for (const auto& c : e.contacts) {
+    const auto& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
+    if (rope.nodes[static_cast<std::size_t>(c.node)].kind != model::NodeKind::load) add(c.reeving, c.node, c.force);
+  }
   return all;
 }
 
@@ -139,6 +142,29 @@ void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e,
   }
 }
 
+/// Forces along the ropes; a rate as one arrow in the middle of its parts.
+void draw_rope_loads(Drawing& d, const EquilibriumResult& e, const model::Model& m, const View& view) {
+  for (std::size_t i = 0; i < e.rope_loads.size();) {
+    const auto load_of = [&](std::size_t k) -> const model::Node& {
+      const auto& one = e.rope_loads[k];
+      return m.reevings[static_cast<std::size_t>(one.reeving)].nodes[static_cast<std::size_t>(one.node)];
+    };
+    const std::string name = load_of(i).name.substr(0, load_of(i).name.find('['));
+    Vector3 force = Vector3::Zero(), place = Vector3::Zero();
+    std::size_t last = i;
+    for (; last < e.rope_loads.size() && load_of(last).name.substr(0, load_of(last).name.find('[')) == name; ++last) {
+      force += e.rope_loads[last].force;
+      place += e.rope_loads[last].at;
+    }
+    place /= static_cast<double>(last - i);
+    const Point f = view.point(force);
+    if (std::hypot(f.x, f.y) > 0) {
+      d.shapes.emplace_back(ForceArrow{view.point(place), f.x, f.y, name, Role::second_force, false});
+    }
+    i = last;
+  }
+}
+
 void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
   const auto draw = [&](const model::Place& place, const Vector3& force, const char* label) {
     const Point f = view.point(force);
@@ -181,6 +207,7 @@ Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View
   draw_ropes(d, e, view);
   draw_holders(d, m, e, view, box.size().norm());
   draw_weights(d, m, e, view);
+  draw_rope_loads(d, e, m, view);
   return d;
 }
 
@@ -281,6 +308,7 @@ void add_figures(const MachineRun& run, Result& r) {
   add_drawings(*drawn.model, *drawn.result, line_of(run),
                (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
   for (const LoadPathRun& path : run.paths) add_plots(run.model, path, r);
+  add_path_plots(run, r);
 }
 
 }  // namespace taut::app

@@ -8,4 +8,8 @@ namespace taut::app {
 /// carriage over the ground, the tensions and the clearance.
 void add_figures(const MachineRun& run, Result& r);
 
+/// Of a machine without a load path: the tension along each rope's way, arcs counted; of one rope all equilibria in one
+/// plot, with the names of its path.
+void add_path_plots(const MachineRun& run, Result& r);
+
 }  // namespace taut::app

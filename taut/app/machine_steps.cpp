@@ -38,8 +38,8 @@ void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& spa
   const Num V_0 = s.named("V_0", si::N, span.V_from);
   const Num w = s.named("w", si::N_per_m, rope.weight / (1 + rope.thermal_strain));
   const Num V_1 = s.eq("", "V_1", si::N, V_0 + w * L, catenary);
-  const Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
-  const Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
+  Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
+  Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
   if (rope.weight > 0 && span.H > 0 && std::isfinite(rope.stiffness)) {
     s.eq("", "x", si::m, H * L / EA + H / w * (asinh(V_1 / H) - asinh(V_0 / H)), catenary);
     s.eq("", "z", si::m, (V_0 * L + w * square(L) / 2) / EA + (T_1 - T_0) / w, catenary);

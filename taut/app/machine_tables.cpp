@@ -83,6 +83,7 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
           {}};
   if (e.band) add_band(t.columns, {"T_in", "T_out"});
   for (const auto& c : e.contacts) {
+    if (rope(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == model::NodeKind::load) continue;
     std::vector<Cell> row = {node(m, c.reeving, c.node),
                              c.T_in,
                              c.T_out,
@@ -120,6 +121,7 @@ Table bodies(const model::Model& m, const EquilibriumResult& e) {
            {"Rz", si::N}},
           {}};
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    if (m.bodies[i].of_rope) continue;
     const auto& [position, orientation] = e.state.bodies[i];
     const Vector3 turn = angles_of(orientation);
     const Vector3& hold = e.reactions[i];
@@ -179,12 +181,14 @@ struct Turn {
   std::string name;
   long nth = 0;
   bool fixed = false;  ///< an end of the rope
+  bool load = false;   ///< a force on it
 };
 std::vector<Turn> turns_of(const model::Reeving& r) {
   std::vector<Turn> all;
   for (const model::Node& node : r.nodes) {
     const auto same = [&](const Turn& other) { return !other.fixed && other.name == node.name; };
-    all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == model::NodeKind::anchor});
+    all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == model::NodeKind::anchor,
+                   node.kind == model::NodeKind::load});
   }
   return all;
 }
@@ -225,7 +229,7 @@ std::vector<Column> load_path_columns(const model::Model& m) {
   }
   for (const model::Reeving& r : m.reevings) {
     for (const Turn& turn : turns_of(r)) {
-      if (turn.fixed) continue;
+      if (turn.fixed || turn.load) continue;
       const std::string which =
           fmt::format("{}.{}{}", r.name, turn.name, turn.nth == 0 ? std::string{} : fmt::format("[{}]", turn.nth + 1));
       columns.push_back({which + ".T_in", si::N});
@@ -252,7 +256,7 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
   }
   for (int i = 0; i < count; ++i) {
     for (const Turn& turn : turns_of(rope(all, i))) {
-      if (turn.fixed) continue;
+      if (turn.fixed || turn.load) continue;
       const auto* c = contact(m, e, i, turn);
       if (c == nullptr) {
         row.insert(row.end(), {none, none, none, none, none});
@@ -311,6 +315,7 @@ void add_tables(const MachineRun& run, Result& r) {
     add(bodies(one.model, one.result), one.ending, one.words);
     add(anchors(one.model, one.result), one.ending, one.words);
     add(ropes(one.model, one.result), one.ending, one.words);
+    add_drive_tables(one, [&](Table t) { add(std::move(t), one.ending, one.words); });
     add(closure(one.result), one.ending, one.words);
   }
   for (const LoadPathRun& one : run.paths) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
 /// NAME.safety_factor with a check; clearance_min; of the first equilibrium the places of free bodies and the
 /// unstretched lengths. Warnings of supports that are pulled upwards and ropes that hang loose.
 void add_values(const MachineRun& run, Result& r);
+
+/// Of one equilibrium, where the machine has them: rope_loads, drives, drums.
+void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)>& add);
+
+/// Values of the driven sheaves (torque, power), and checks over all analyses: grip, a motor's torque that is no more
+/// than a limit, what drums hold.
+void add_drives(const MachineRun& run, Result& r);
 
 /// What the calculation takes for granted, the carriages' models by name.
 std::vector<std::string> assumptions_of(const MachineDeck& deck);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "taut/analysis/rope_clearance.hpp"
@@ -101,7 +100,7 @@ void add_places(const MachineRun& run, Result& r) {
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const model::Body& body = run.model.bodies[i];
-    if (body.free.empty()) continue;
+    if (body.free.empty() || body.of_rope) continue;
     const Vector3& p = first->result.state.bodies[i].position;
     const auto add = [&](const char* axis, double value) {
       const std::string name = fmt::format("{}.{}", body.name, axis);
@@ -145,24 +144,6 @@ void add_ends(const MachineRun& run, Result& r) {
       add("T_end", last->to, last->T_to);
     }
   }
-}
-
-/// The grip of driven sheaves whose friction is known, at its worst: T_large/T_small against exp(mu theta).
-void add_grip(const MachineRun& run, Result& r) {
-  std::map<std::string, Check> worst;
-  for (const Answer& a : answers_of(run)) {
-    for (const auto& c : a.result->contacts) {
-      const auto& node = a.model->reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
-      if (node.kind != model::NodeKind::drive || !std::isfinite(node.law.friction)) continue;
-      const double low = std::min(c.T_in, c.T_out);
-      Check check = make_check(node.name + ".grip", low > 0 ? std::max(c.T_in, c.T_out) / low : HUGE_VAL,
-                               Sense::at_most, std::exp(node.law.friction * c.wrap), si::one,
-                               "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein", "derived");
-      const auto at = worst.find(node.name);
-      if (at == worst.end() || check.utilisation > at->second.utilisation) worst[node.name] = std::move(check);
-    }
-  }
-  for (auto& [name, check] : worst) r.checks.push_back(std::move(check));
 }
 
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
@@ -227,7 +208,7 @@ void add_values(const MachineRun& run, Result& r) {
   add_rope_clearance(run, r);
   add_places(run, r);
   add_ends(run, r);
-  add_grip(run, r);
+  add_drives(run, r);
   add_warnings(run, r);
 }
 
@@ -260,6 +241,18 @@ std::vector<std::string> assumptions_of(const MachineDeck& deck) {
     if (thin)
       all.push_back(
           fmt::format("Drum {}: its rope's diameter is not known; the rope lies on the core's radius.", drum.name));
+  }
+  const auto runs = [](const auto& one) { return one.motor && one.motor->speed; };
+  if (std::any_of(m.sheaves.begin(), m.sheaves.end(), runs)) {
+    all.emplace_back(
+        "A rope with a speed carries the centrifugal tension m v^2 where the motion makes it run; supports, contact "
+        "laws "
+        "and its shape know the tension less that. At rest it stands.");
+  }
+  if (!m.rope_loads.empty()) {
+    all.emplace_back(
+        "Forces along a rope act at a share of the unstretched rope of their span; a rate is divided into equal point "
+        "forces, each in the middle of its part.");
   }
   if (!m.guys.empty()) {
     all.emplace_back(

@@ -68,7 +68,8 @@ analysis::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
       const model::Reeving& rope = model.reevings[r];
       for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
-        if (rope.nodes[n].kind != model::NodeKind::contact) continue;
+        const model::NodeKind kind = rope.nodes[n].kind;
+        if (kind != model::NodeKind::contact && kind != model::NodeKind::load) continue;
         contacts.push_back(rope.nodes[n].name);
         if (!one.name.empty() && rope.nodes[n].name != one.name && rope.name != one.name) continue;
         options.flow[r][n] = sign != signs.end() ? sign->second : flow_of(named->second, rope);

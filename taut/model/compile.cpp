@@ -10,16 +10,18 @@
 #include "taut/model/carriages.hpp"
 #include "taut/model/compile_motion.hpp"
 #include "taut/model/dragged.hpp"
+#include "taut/model/drives.hpp"
+#include "taut/model/drums.hpp"
+#include "taut/model/given.hpp"
 #include "taut/model/links.hpp"
 #include "taut/model/motion_links.hpp"
 #include "taut/model/path.hpp"
+#include "taut/model/rope_loads.hpp"
 #include "taut/model/rope_of.hpp"
 #include "taut/model/signals_of.hpp"
 
 namespace taut::model {
 namespace {
-
-using description::Haul;
 
 Vector3 axis_of(const std::string& letter) {
   return letter == "x" ? Vector3::UnitX() : letter == "y" ? Vector3::UnitY() : Vector3::UnitZ();
@@ -55,7 +57,11 @@ class Compiler {
     for (std::size_t i = 0; i < machine_.carriages.size(); ++i)
       model_.carriages.push_back(carriage_of(machine_, i, model_.reevings, stops_, complaints_));
     if (complaints_.empty()) place_carriages(machine_, stops_, model_);
+    check_drums(machine_, complaints_);
+    check_rope_loads(machine_, complaints_);
     if (complaints_.empty()) finish_nodes();
+    if (complaints_.empty()) finish_drives(machine_, rope_of_reeving_, model_);
+    if (complaints_.empty()) add_rope_loads(machine_, model_, complaints_);
     if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
     add_loads();
     add_take_ups();
@@ -144,43 +150,6 @@ class Compiler {
     reeving.damping_time = rope.damping_time;
   }
 
-  /// The pull of the drum at the first or last element of a path.
-  std::optional<double> pull_of(const description::PathElement& e) const {
-    if (!e.drum) return std::nullopt;
-    const int i = index_of(machine_.drums, *e.drum);
-    if (i < 0) return std::nullopt;
-    const Drive& drive = model_.drums[static_cast<std::size_t>(i)].drive;
-    return drive.kind == DriveKind::pull ? std::optional(at(drive.signal, 0).value) : std::nullopt;
-  }
-
-  void set_given(Reeving& reeving, const description::Reeving& given, const std::string& path) {
-    std::vector<std::string> said;
-    const auto take = [&](const std::optional<double>& value, Given what, const char* words) {
-      if (!value) return;
-      reeving.given = what;
-      reeving.value = *value;
-      said.emplace_back(words);
-    };
-    take(given.length, Given::length, "length");
-    take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
-    take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
-    if (given.closed && !given.length) complain(path, "an endless rope is given by its 'length'");
-    if (!given.path.empty() && !given.closed) {
-      take(pull_of(given.path.front()), Given::tension_at_start, "the pull of its first drum");
-      take(pull_of(given.path.back()), Given::tension_at_end, "the pull of its last drum");
-    }
-    if (said.empty()) complain(path, "needs one of length, tension_at_start, tension_at_end (or a drum with a pull)");
-    if (said.size() > 1) complain(path, fmt::format("is told {}; give one of them", fmt::join(said, " and ")));
-  }
-
-  static int haul_of(const description::Reeving& given, const Reeving& reeving) {
-    if (given.haul != Haul::automatic) return given.haul == Haul::to_end ? 1 : -1;
-    if (given.closed) return 1;
-    if (given.path.front().drum) return -1;
-    if (given.path.back().drum) return 1;
-    return reeving.given == Given::tension_at_end ? 1 : -1;
-  }
-
   void add_reeving(const description::Reeving& given, std::size_t i) {
     const std::string path = fmt::format("reevings[{}]", i);
     Reeving reeving;
@@ -189,9 +158,9 @@ class Compiler {
     reeving.closed = given.closed;
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
-    set_given(reeving, given, path);
-    if (!given.path.empty()) reeving.haul = haul_of(given, reeving);
-    stops_.push_back(stops_of(machine_, links_, given, data == nullptr ? 0 : data->diameter, path, complaints_));
+    rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
+    set_given(machine_, model_, given, rope_of_reeving_.back(), path, reeving, complaints_);
+    stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), path, complaints_));
     model_.reevings.push_back(std::move(reeving));
   }
 
@@ -329,6 +298,7 @@ class Compiler {
   std::vector<Complaint> complaints_;
   Links links_;
   std::vector<RopeData> ropes_;
+  std::vector<RopeData> rope_of_reeving_;
   std::vector<std::vector<Stop>> stops_;
   Model model_;
 };

@@ -252,7 +252,7 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
     Drum drum;
     drum.name = given.name;
     drum.core_radius = given.core_diameter / 2;
-    drum.layer = given.layer;
+    drum.layer = given.layer.value_or(1);
     drum.inertia = given.inertia;
     drum.drive = drive_of(given, model.signals, complaints);
     model.drums.push_back(std::move(drum));
@@ -263,7 +263,11 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
       if (!given.motor) continue;
       const std::string path = fmt::format("{}.{}.motor", list, given.name);
       const auto drive = drive_of(given.motor->speed, given.motor->torque, {}, model.signals, path, complaints);
-      model.motors.push_back({given.name, drive.value_or(Drive{})});
+      const Motor motor{given.name, drive.value_or(Drive{}), given.motor->working_arc};
+      if (motor.drive.kind == DriveKind::torque && given.diameter == 0) {
+        complaints.push_back({path + ".torque", "a torque needs the sheave's 'diameter'"});
+      }
+      model.motors.push_back(motor);
     }
   }
 }

@@ -261,7 +261,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        "path[2].between: two sheaves"},
       {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
        "carriages.car: the path of the rope it rides on goes past"},
-      {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0].path[2].over: 'jack' has a motor"},
+      {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0]: runs over a sheave with a motor: needs two of"},
       {[](Machine& m) { m.carriages[0].rides = "main"; }, "carriages.car: rides on 'main', but the path of 'skyline'"},
       {[](Machine& m) { m.carriages[0].mainline = "skyline"; },
        "carriages.car.mainline: the path of 'skyline' does not"},

@@ -1,5 +1,7 @@
 #include "taut/model/machine.hpp"
 
+#include "taut/model/machine_limits.hpp"
+
 namespace taut::model {
 
 const Description& Machine::describe() {
@@ -21,11 +23,11 @@ const Description& Machine::describe() {
           .named_records(&Machine::carriages, "carriages", "carriages on a rope")
           .record(&Machine::reevings, "reevings", "which rope runs where")
           .record(&Machine::loads, "loads", "dead loads")
+          .record(&Machine::rope_loads, "rope_loads", "forces along a rope between two of its neighbours")
           .record(&Machine::take_up, "take_up", "weights and screws that keep ropes tight")
           .named_records(&Machine::guys, "guys", "ropes from anchor to anchor, put up by tension or length")
           .record(&Machine::terrain, "terrain", "ground under the line")
           .later("beams", "elastic masts; until then a mast is a rigid body on a hinge")
-          .later("rope_loads", "forces along a rope between two sheaves")
           .named_records(&Machine::signals, "signals", "quantities over time; where they are not used they do nothing")
           .shorthand("constant")
           .named_records(&Machine::markers, "markers", "places on bodies for contacts and observers")
@@ -43,15 +45,6 @@ const Description& Machine::describe() {
 }  // namespace taut::model
 
 namespace taut::model::description {
-
-namespace {
-
-/// No machine of this earth is larger (m), heavier (kg, kg/m) or pulled harder (N); beyond, numbers lose their meaning.
-constexpr double farthest = 1e6;
-constexpr double heaviest = 1e9;
-constexpr double strongest = 1e12;
-
-}  // namespace
 
 const Description& Point::describe() {
   static const Description d =
@@ -112,15 +105,6 @@ const Description& Body::describe() {
   return d;
 }
 
-const Description& Motor::describe() {
-  static const Description d =
-      Describe<Motor>()
-          .field(&Motor::speed, "speed",
-                 "of its rim, along the path: a signal, or a speed; statics does not depend on it")
-          .field(&Motor::torque, "torque", "along the path: a signal, or a moment");
-  return d;
-}
-
 const Description& Round::describe() {
   static const Description d =
       Describe<Round>()
@@ -146,43 +130,7 @@ const Description& Round::describe() {
                   "it lift off")
           .field(&Round::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
           .at_least(0)
-          .record(&Round::motor, "motor", "the sheave drives an endless rope, in statics with whatever torque it takes")
-          .later("torque", "driven sheaves with a given torque");
-  return d;
-}
-
-const Description& Drive::describe() {
-  static const Description d =
-      Describe<Drive>()
-          .field(&Drive::speed, "speed", "of the rope, taking in > 0: a signal, or a speed; in statics the drum holds")
-          .field(&Drive::torque, "torque", "taking in > 0: a signal, or a moment")
-          .field(&Drive::pull, "pull", "tension of the rope where it leaves the drum: a signal, or a force")
-          .choice(&Drive::brake, "brake", {{"set", Brake::set}, {"open", Brake::open}},
-                  "set: it holds, whatever drives it; open and nothing else: it turns freely");
-  return d;
-}
-
-const Description& Drum::describe() {
-  static const Description d =
-      Describe<Drum>()
-          .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
-          .at_least(-farthest)
-          .at_most(farthest)
-          .required()
-          .field(&Drum::body, "body", "the body it sits on; without it the ground")
-          .field(&Drum::axis, "axis", "", si::one, "direction of its axis")
-          .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "of the bare drum; 0: a point")
-          .at_most(farthest)
-          .at_least(0)
-          .field(&Drum::layer, "layer", "k", si::one, "the layer that the rope leaves")
-          .at_least(1)
-          .record(&Drum::drive, "drive", "what drives it; nothing: it holds its rope")
-          .later("layers", "layers by the length on the drum; give the 'layer' that the rope leaves")
-          .later("wound_at", "layers by the length on the drum; give the 'layer' that the rope leaves")
-          .later("length_on_drum", "layers by the length on the drum; give the 'layer' that the rope leaves")
-          .field(&Drum::inertia, "inertia", "J", si::kg_m2,
-                 "with all that turns with it; statics does not depend on it")
-          .at_least(0);
+          .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
 }
 

@@ -51,10 +51,12 @@ enum class RoundLaw { usual, sheave, saddle };
 /// `usual`: a saddle reports, a sheave holds.
 enum class Uplift { usual, hold, report, lift };
 
-/// What drives a sheave of an endless rope: in statics whatever torque it takes.
+/// What drives a sheave: whatever torque it takes, or a given one. Speed and torque are quantities, or names of
+/// signals (drive_value.hpp).
 struct Motor {
-  std::optional<std::string> speed;   ///< a signal, or a speed, for dynamics
-  std::optional<std::string> torque;  ///< a signal, or a moment, for dynamics
+  std::optional<std::string> speed;   ///< of the rim, along the path: a signal, or a speed
+  std::optional<std::string> torque;  ///< along the path: a signal, or a moment
+  std::optional<double> working_arc;  ///< part of the wrap that can pull, rad (Andreev); default: all of it
   static const Description& describe();
 };
 
@@ -83,15 +85,24 @@ struct Drive {
   static const Description& describe();
 };
 
+enum class Layers { automatic };
+
 struct Drum {
   std::string name;
   std::optional<std::string> body;
   Triple at{};
   Triple axis{0, 1, 0};
   double core_diameter = 0;  ///< m
-  int layer = 1;
+  std::optional<int> layer;
   std::optional<Drive> drive;
-  double inertia = 0;  ///< kg m2, for dynamics
+  double inertia = 0;                     ///< kg m2, for dynamics
+  std::optional<Layers> layers;           ///< automatic: by the rope on the drum
+  std::optional<double> length_on_drum;   ///< unstretched, m
+  std::optional<double> wound_at;         ///< tension at which it was wound, N; default: 0
+  std::optional<double> face_width;       ///< between the flanges, m
+  std::optional<double> flange_diameter;  ///< m; default: not limited
+  std::optional<double> pitch;            ///< from wrap to wrap, m; default: the rope's diameter
+  std::optional<double> layer_height;     ///< m; default: the rope's diameter
   static const Description& describe();
 };
 
@@ -163,6 +174,24 @@ struct Load {
   static const Description& describe();
 };
 
+/// Which way a force along a rope points: by the rope's motion (at rest: as if it hauled in), or by its path.
+enum class RopeLoadDirection { against_motion, with_motion, along_path, against_path };
+
+/// A force along the free rope, at a place of a span or spread over a part of it. Without `tangential` and `rate`: as
+/// much as the motor's given torque overcomes.
+struct RopeLoad {
+  std::optional<std::string> name;
+  std::string rope;                  ///< a reeving
+  std::vector<std::string> between;  ///< two neighbours of its path
+  std::optional<double> tangential;  ///< N
+  std::optional<double> rate;        ///< N per unstretched metre
+  RopeLoadDirection direction = RopeLoadDirection::against_motion;
+  std::optional<double> position;  ///< share of the span's unstretched rope, from the first of `between` on
+  std::optional<double> from, to;  ///< shares between which a rate acts
+  std::optional<int> elements;     ///< parts into which a rate is divided
+  static const Description& describe();
+};
+
 /// A force that keeps a rope tight: a weight over a deflection, or a screw.
 struct TakeUp {
   std::string body;
@@ -217,6 +246,7 @@ struct Machine {
   std::vector<description::Carriage> carriages;
   std::vector<description::Reeving> reevings;
   std::vector<description::Load> loads;
+  std::vector<description::RopeLoad> rope_loads;
   std::vector<description::TakeUp> take_up;
   std::vector<description::Guy> guys;
   std::optional<description::Terrain> terrain;

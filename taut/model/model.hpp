@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/math/vector.hpp"
@@ -28,6 +29,7 @@ struct Body {
   Vector3 position = Vector3::Zero();         ///< of its origin at the start, m; kept along what is not free
   Matrix3 orientation = Matrix3::Identity();  ///< body to ground at the start
   std::vector<Freedom> free;                  ///< none: fixed
+  bool of_rope = false;                       ///< a point of a rope where a load acts: no body of the deck
   double mass = 0;                            ///< kg, >= 0; its weight acts at `centre`
   Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
@@ -46,7 +48,20 @@ enum class NodeKind {
   anchor,   ///< an end of the rope: a pin (radius 0) or a drum (pitch radius of the layer, axis, side)
   contact,  ///< the rope runs over it: a sheave, a saddle that does not turn, the wheels of a rolling carriage
   clamp,    ///< the rope is held there: `length_before` of it lies before; a clamped carriage, a locked capstan
-  drive     ///< of a closed rope: a sheave with whatever torque it needs; just one per closed rope
+  drive,    ///< a sheave with a motor: with whatever torque it needs, or a given one; at most one per rope, the first
+            ///< node of a closed one
+  load      ///< a point of the free rope on which a force acts along it; sits on a body of its own
+};
+
+/// The force at a node of kind load, along the rope.
+struct RopeLoad {
+  double share = 0.5;      ///< of the unstretched rope between the next nodes of other kinds, from the first of them on
+  double force = 0;        ///< N
+  double rate = 0;         ///< N per unstretched metre of that rope, on `part` of it
+  double part = 0;         ///< share
+  int sense = 1;           ///< +1: along the path; -1: against it; by_motion: times the flow, at rest the haul
+  bool by_motion = false;  ///< along or against the rope's motion
+  bool open = false;       ///< the force is unknown: what the given torque of the rope's drive overcomes
 };
 
 /// Loss of tension at a contact, with the flow in the sense of growing tension: T_out = r T_in,
@@ -77,6 +92,10 @@ struct Node {
   double inertia = 0;  ///< of a sheave that turns, kg m2
   int drum = -1;       ///< of an anchor: the drum it is; -1: none
   int motor = -1;      ///< of a sheave: the motor that drives it; -1: none
+  RopeLoad load;       ///< of a load
+  /// Of a drive: T_in - T_out by its given torque, of one copy, N; empty: whatever comes. The torque of a closed rope
+  /// that is given by its length needs an open load.
+  std::optional<double> tension_drop;
 };
 
 /// What is known of a rope besides its path.
@@ -84,7 +103,8 @@ enum class Given {
   length,            ///< `value`: unstretched length at the rope's reference temperature, m, arcs on contacts counted;
                      ///< at a drum it starts where the rope leaves the drum
   tension_at_start,  ///< `value`: N; the length follows
-  tension_at_end     ///< `value`: N
+  tension_at_end,    ///< `value`: N
+  torque             ///< of a closed rope: its drive's tension_drop; the length follows
 };
 
 /// One rope on its path, in the order of which "in" and "out" speak. Parallel parts are already written out: a tackle
@@ -94,8 +114,10 @@ struct Reeving {
   std::vector<Node> nodes;  ///< open: first and last are anchors, none between; closed: the first is the drive, then
                             ///< contacts and clamps, and the rope runs from the last back to the first
   bool closed = false;
-  Given given = Given::length;  ///< a closed rope: length
+  Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
+  /// Of a rope with ends over a drive without a given torque: what is known of it besides.
+  std::optional<std::pair<Given, double>> also;
   double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0
   double stiffness = 0;       ///< EA, N, > 0; infinite is allowed for a rope with weight
   double breaking_force = 0;  ///< N; 0: not known, no safety factor
@@ -103,8 +125,11 @@ struct Reeving {
   int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often
   double damping_ratio = 0;   ///< zeta of the lowest mode in which the rope stretches; 0: not given
   double damping_time = 0;    ///< beta, s: T = EA (e + beta e'); 0: not given
-  int segments = 1;           ///< > 1: in motion each branch is a chain of so many, with the rope's mass at their joints
-  int haul = -1;              ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
+  int segments = 1;     ///< > 1: in motion each branch is a chain of so many, with the rope's mass at their joints
+  double speed = 0;     ///< of the running rope, m/s, >= 0: its centrifugal tension is mass speed^2
+  double mass = 0;      ///< per unstretched length, kg/m
+  double diameter = 0;  ///< m; 0: not known
+  int haul = -1;        ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
 };
 
 /// A carriage that a load path moves along its line.

@@ -41,6 +41,9 @@ struct Drum {
   double width = 0;                      ///< between the flanges, m; 0: not known
   std::optional<double> length_on_drum;  ///< at the start, m
   std::optional<double> wound_at;        ///< tension at which the rope on it was wound, N; none: that at the start
+  double pitch = 0;                      ///< from wrap to wrap, m; 0: the rope's diameter
+  double layer_height = 0;               ///< m; 0: the rope's diameter
+  double flange_diameter = 0;            ///< m; 0: not limited
   double inertia = 0;                    ///< kg m2
   Drive drive;
 };
@@ -49,6 +52,7 @@ struct Drum {
 struct Motor {
   std::string name;
   Drive drive;
+  std::optional<double> working_arc;  ///< part of the wrap that can pull, rad; none: all of it
 };
 
 /// A strip of a plane on a body, or of the ground.

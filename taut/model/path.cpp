@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "taut/model/carriages.hpp"
+#include "taut/model/drums.hpp"
 
 namespace taut::model {
 namespace {
@@ -58,9 +59,9 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
 
 class PathReader {
  public:
-  PathReader(const Machine& machine, const Links& links, std::string reeving, double diameter,
+  PathReader(const Machine& machine, const Links& links, std::string reeving, const RopeData& rope,
              std::vector<Complaint>& complaints)
-      : machine_(machine), links_(links), reeving_(std::move(reeving)), diameter_(diameter), complaints_(complaints) {}
+      : machine_(machine), links_(links), reeving_(std::move(reeving)), rope_(rope), complaints_(complaints) {}
 
   /// An element of an endless rope.
   void add_closed(const PathElement& e, const std::string& at) {
@@ -115,7 +116,7 @@ class PathReader {
     stop.node.at = t->place;
     stop.node.axis = unit_axis(drum.axis);
     stop.node.drum = t->index;
-    stop.node.radius = drum.core_diameter / 2 + (drum.layer - 0.5) * diameter_;
+    stop.node.radius = radius_of(drum, rope_);
     stops.push_back(std::move(stop));
   }
 
@@ -129,6 +130,12 @@ class PathReader {
     }
     const bool grips = carries && (grip || car.rides != reeving_);
     for (Stop& stop : model::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
+  }
+
+  /// One motor per rope with ends.
+  void drive(const std::string& at) {
+    const bool another = std::any_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
+    if (another) complain(at + ".over", "another sheave of this rope has a motor already");
   }
 
   /// The other sheave of a tackle.
@@ -152,13 +159,14 @@ class PathReader {
     const PathElement& e = path[i];
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
     if (own == nullptr) return;
-    if (round_stop(machine_, *own, e.side).drives) {
-      complain(at + ".over", fmt::format("'{}' has a motor; on a rope with ends that is not computed yet", *e.over));
-    }
+    const Stop single = round_stop(machine_, *own, e.side);
     if (e.parts == 1) {
-      stops.push_back(round_stop(machine_, *own, e.side));
+      if (single.drives) drive(at);
+      stops.push_back(single);
+      if (single.drives) stops.back().node.kind = NodeKind::drive;
       return;
     }
+    if (single.drives) complain(at + ".over", fmt::format("'{}' has a motor; a tackle's sheaves have none", *e.over));
     const auto name = partner(path, i, at);
     if (!name) return;
     const Target* other = links_.find(*name, {Thing::sheave}, at + ".between", complaints_);
@@ -171,7 +179,7 @@ class PathReader {
   const Machine& machine_;
   const Links& links_;
   std::string reeving_;  ///< its name
-  double diameter_;
+  const RopeData& rope_;
   std::vector<Complaint>& complaints_;
 };
 
@@ -208,8 +216,8 @@ void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vect
 }  // namespace
 
 std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                           double diameter, const std::string& path, std::vector<Complaint>& complaints) {
-  PathReader reader(machine, links, reeving.name.value_or(reeving.rope), diameter, complaints);
+                           const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
+  PathReader reader(machine, links, reeving.name.value_or(reeving.rope), rope, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   for (std::size_t i = 0; i < reeving.path.size(); ++i) {
     const std::string at = fmt::format("{}.path[{}]", path, i);

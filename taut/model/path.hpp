@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/model/links.hpp"
+#include "taut/model/rope_of.hpp"
 
 namespace taut::model {
 
@@ -20,10 +21,9 @@ struct Stop {
 
 /// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
 /// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
-/// the first part. Sides are not set. `diameter`: of the rope, 0 when not known (a rope on a drum lies half a diameter
-/// above the core).
+/// the first part. Sides are not set. `rope`: lies on a drum half a diameter above the core.
 std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                           double diameter, const std::string& path, std::vector<Complaint>& complaints);
+                           const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
 
 /// Sets the side of every round. As the deck says; else a saddle carries the rope on its upper side, a sheave lies on
 /// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside

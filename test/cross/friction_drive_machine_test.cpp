@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "taut/app/job.hpp"
+
+// The method's exact column and the same drive written as a machine deck.
+namespace friction_drive_machine_test {
+
+using namespace taut;
+
+struct Case {
+  double cutting_force = 4000, friction = 0.35, speed = 15, idler_loss = 1, pull = 13e3;
+  bool screw = false, reversed = false;
+  int start = 0;  ///< where the machine deck's path begins
+};
+
+Result method(const Case& k) {
+  const std::string deck =
+      fmt::format(R"(taut: 1
+method: friction_drive
+input:
+  cutting_force: {} N
+  friction: {}
+  wrap: 180 deg
+  rope_mass: 0.6 kg/m
+  speed: {} m/s
+  grip_reserve: 1
+  idler_loss: {}
+  sheave_radius: 250 mm
+  take_up: {{{}: {} N}}
+  rope_stiffness: 6.5 MN
+  centre_distance: 9 m
+  cut: in_tight_branch
+)",
+                  k.cutting_force, k.friction, k.speed, k.idler_loss, k.screw ? "screw" : "weight", k.pull);
+  return app::run(app::Job{deck, "method.yaml", {}});
+}
+
+Result machine(const Case& k) {
+  // a screw: the length with which the rope pulls the idler with that force at rest
+  const double rest = (2 * 9 + 2 * M_PI * 0.25) / (1 + k.pull / 2 / 6.5e6);
+  const std::string side = k.reversed ? "right" : "left";
+  const std::string drive = fmt::format("{{over: drive, side: {}}}", side);
+  const std::string idler = fmt::format("{{over: idler, side: {}}}", side);
+  const std::string deck =
+      fmt::format(R"(taut: 1
+machine:
+  gravity: 0 m/s^2
+  ropes: {{saw: {{mass: 0.6 kg/m, stiffness: 6.5 MN}}}}
+  bodies: {{slide: {{at: [9 m, 0 m, 0 m]{}}}}}
+  sheaves:
+    drive: {{at: [0 m, 0 m, 0 m], diameter: 500 mm, friction: {}, motor: {{speed: {} m/s}}}}
+    idler: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 500 mm, efficiency: {:.17g}}}
+  reevings: [{{rope: saw, path: [{}, {}], closed: true, length: {:.17g} m}}]
+  {}
+  rope_loads: [{{rope: saw, between: [idler, drive], tangential: {} N}}]
+analyses: [equilibrium: {{motion: in}}]
+)",
+                  k.screw ? "" : ", free: [x]", k.friction, k.speed, 1 / k.idler_loss, k.start == 0 ? drive : idler,
+                  k.start == 0 ? idler : drive, rest,
+                  k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull), k.cutting_force);
+  return app::run(app::Job{deck, "machine.yaml", {}});
+}
+
+double value(const Result& r, const std::string& name) {
+  const Value* v = r.find_value(name);
+  EXPECT_NE(v, nullptr) << name << ' ' << r.message << to_text(r.errors);
+  return v == nullptr ? std::nan("") : v->value;
+}
+
+double drive(const Result& r, const std::string& column) {
+  for (const Table& t : r.tables) {
+    for (std::size_t i = 0; t.name == "drives" && i < t.columns.size(); ++i) {
+      if (t.columns[i].name == column) return std::get<double>(t.rows.at(0).at(i));
+    }
+  }
+  ADD_FAILURE() << column << ' ' << r.message << to_text(r.errors);
+  return std::nan("");
+}
+
+void expect_same(const Case& k, double tolerance) {
+  const Result a = method(k), b = machine(k);
+  const auto near = [&](const char* paper, const char* column) {
+    const double wanted = value(a, paper);
+    EXPECT_NEAR(drive(b, column), wanted, tolerance * std::abs(wanted)) << column;
+  };
+  near("T_1_exact", "T_in");
+  near("T_2_exact", "T_out");
+  near("slip_arc_exact", "slip_arc");
+  near("creep_exact", "creep");
+  EXPECT_NEAR(drive(b, "power"), k.cutting_force * k.speed,
+              2e-3 * drive(b, "power") + k.speed * 600 * (k.idler_loss - 1) * 12);
+}
+
+TEST(FrictionDriveMachine, AWeightSetsTheSameTensions) {
+  for (const double speed : {0.01, 15.0, 40.0}) {
+    for (const double force : {1000.0, 4000.0}) {
+      Case k;
+      k.speed = speed;
+      k.cutting_force = force;
+      expect_same(k, 1e-6);
+    }
+  }
+}
+
+TEST(FrictionDriveMachine, ALossOfTheIdlerToo) {
+  Case k;
+  k.speed = 0.01;  // the method's loss counts the centrifugal tension in, the machine's bearing does not feel it
+  k.idler_loss = 1.08;
+  expect_same(k, 1e-6);
+}
+
+TEST(FrictionDriveMachine, FixedCentres) {
+  // the machine stretches its arcs by their mean tension, the method by the creeping one
+  for (const double speed : {0.01, 15.0, 40.0}) {
+    Case k;
+    k.screw = true;
+    k.speed = speed;
+    expect_same(k, 2e-3);
+  }
+}
+
+TEST(FrictionDriveMachine, TheOtherWayRoundAndFromAnotherStart) {
+  Case k;
+  const Result a = machine(k);
+  for (const bool reversed : {false, true}) {
+    for (const int start : {0, 1}) {
+      k.reversed = reversed;
+      k.start = start;
+      const Result b = machine(k);
+      for (const char* column : {"T_in", "T_out", "torque", "power", "slip_arc", "ratio"}) {
+        EXPECT_NEAR(drive(b, column), drive(a, column), 1e-8 * std::abs(drive(a, column))) << column;
+      }
+    }
+  }
+}
+
+TEST(FrictionDriveMachine, BothSayWhenItSlips) {
+  Case k;
+  k.cutting_force = 9000;
+  const Result a = method(k), b = machine(k);
+  EXPECT_EQ(value(a, "slips_exact"), 1);
+  bool fails = false;
+  for (const Check& c : b.checks) fails = fails || (c.name == "drive.grip" && !c.passes);
+  EXPECT_TRUE(fails);
+}
+
+}  // namespace friction_drive_machine_test
