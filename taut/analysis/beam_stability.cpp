@@ -101,42 +101,55 @@ class Assembly {
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
+    collect();
   }
 
   /// With the forces of one beam, or of every one, multiplied.
   bool definite(int beam, double factor) const {
     SkylineMatrix K(inner_ + static_cast<int>(rest_.rows()));
-    const auto index = [&](int i) { return i < 0 ? inner_ - 1 - i : i; };
-    for (int i = 0; i < rest_.rows(); ++i) {
-      for (int j = 0; j <= i; ++j) K.add(inner_ + i, inner_ + j, (rest_(i, j) + rest_(j, i)) / 2);
-    }
-    for (const Element& e : elements_) {
-      const Matrix12 k = e.elastic + (scaled(e.beam, beam) ? factor : 1) * e.geometric;
-      std::vector<std::pair<int, Vector12>> all;
-      for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
-      for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
-      for (const auto& [i, a] : all) {
-        for (const auto& [j, b] : all) {
-          if (j <= i) K.add(i, j, a.dot(k * b));
-        }
-      }
-    }
-    for (const Arm& arm : arms_) {
-      const double by = scaled(arm.beam, beam) ? factor : 1;
-      for (const auto& [i, a] : arm.body) {
-        for (const auto& [j, b] : arm.body) {
-          const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
-          const double value =
-              -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
-          if (index(j) <= index(i)) K.add(index(i), index(j), by * value);
-        }
-      }
+    for (const Term& t : terms_) {
+      const bool scaled = t.beam >= 0 && (beam == every || beam == t.beam);
+      K.add(t.row, t.column, t.elastic + (scaled ? factor : 1) * t.geometric);
     }
     return K.definite();
   }
 
  private:
-  static bool scaled(int beam, int which) { return which == every || which == beam; }
+  /// What an entry of the stiffness is made of.
+  struct Term {
+    int row = 0, column = 0, beam = -1;
+    double elastic = 0, geometric = 0;
+  };
+
+  int index(int i) const { return i < 0 ? inner_ - 1 - i : i; }
+
+  void collect() {
+    for (int i = 0; i < rest_.rows(); ++i) {
+      for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, -1, (rest_(i, j) + rest_(j, i)) / 2, 0});
+    }
+    for (const Element& e : elements_) {
+      std::vector<std::pair<int, Vector12>> all;
+      for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
+      for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
+      for (const auto& [i, a] : all) {
+        const Vector12 elastic = e.elastic * a, geometric = e.geometric * a;
+        for (const auto& [j, b] : all) {
+          if (j <= i) terms_.push_back({i, j, e.beam, b.dot(elastic), b.dot(geometric)});
+        }
+      }
+    }
+    for (const Arm& arm : arms_) {
+      for (const auto& [i, a] : arm.body) {
+        for (const auto& [j, b] : arm.body) {
+          if (index(j) > index(i)) continue;
+          const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
+          const double value =
+              -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
+          terms_.push_back({index(i), index(j), arm.beam, 0, value});
+        }
+      }
+    }
+  }
 
   Motion body_motion(int body, const Vector3& arm) const {
     Motion m;
@@ -220,6 +233,7 @@ class Assembly {
   std::vector<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
   std::vector<Element> elements_;
   std::vector<Arm> arms_;
+  std::vector<Term> terms_;
   int inner_ = 0;
 };
 
@@ -241,25 +255,30 @@ double critical_factor(const Assembly& machine, int beam, bool stable) {
   return (low + high) / 2;
 }
 
-/// The freedoms that are not prescribed, numbered; -1: the one that is. Its balance gives the force that keeps it.
-std::vector<int> number_freedoms(const Layout& layout) {
-  std::vector<int> coordinates;
-  int next = 0;
-  for (const Layout::Dof& dof : layout.dofs) {
-    const bool kept = layout.coordinate_row >= 0 && dof.body == layout.coordinate_body &&
-                      dof.way.along.dot(layout.coordinate_along) != 0;
-    coordinates.push_back(kept ? -1 : next++);
+/// The machine without its beams, and without what prescribes a place: its ropes as long as they are. `kept`: the
+/// freedom along which a force held a carriage; -1: none.
+Layout without_beams(const Layout& layout, int& kept) {
+  Layout bare = layout;
+  bare.pieces.clear();
+  if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
+  kept = -1;
+  if (bare.hold >= 0) {
+    --bare.size;  // the last one before the beams
+    double most = 0;
+    for (int i = bare.first_dof[at(bare.coordinate_body)]; i < bare.first_dof[at(bare.coordinate_body) + 1]; ++i) {
+      const double along = std::abs(bare.dofs[at(i)].way.along.dot(bare.coordinate_along));
+      if (along > most) most = along, kept = i;
+    }
   }
-  return coordinates;
+  bare.hold = bare.coordinate_row = bare.height_row = -1;
+  return bare;
 }
 
 }  // namespace
 
 std::optional<BeamStability> beam_stability(const System& s, const Configuration& c) {
-  // everything but the beams
-  Layout bare = s.layout;
-  bare.pieces.clear();
-  for (const Layout::Piece& p : s.layout.pieces) bare.size -= p.count();
+  int kept = -1;
+  const Layout bare = without_beams(s.layout, kept);
   const System rest{s.model, bare, s.coordinate, s.losses};
   Configuration now = c;
   Evaluation e;
@@ -267,11 +286,14 @@ std::optional<BeamStability> beam_stability(const System& s, const Configuration
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
   jacobian(rest, now, e, J, columns);
-  const std::vector<int> coordinates = number_freedoms(bare);
-  std::vector<int> order, left;
+  std::vector<int> coordinates(s.layout.dofs.size(), -1), order, left;
   for (int i = 0; i < bare.size; ++i) {
-    const bool freedom = at(i) < coordinates.size() && coordinates[at(i)] >= 0;
-    (freedom ? left : order).push_back(i);
+    if (i >= static_cast<int>(coordinates.size())) {
+      order.push_back(i);
+    } else if (i != kept) {
+      coordinates[at(i)] = static_cast<int>(left.size());
+      left.push_back(i);
+    }
   }
   const auto eliminated = static_cast<int>(order.size());
   order.insert(order.end(), left.begin(), left.end());

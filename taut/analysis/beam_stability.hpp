@@ -14,8 +14,9 @@ struct BeamStability {
 /// Tangent stiffness of the machine around an equilibrium: ropes and dead forces as in the Jacobian, the unknowns that
 /// are no places eliminated; each beam by short straight elements on its deflected axis, with the textbook's geometric
 /// stiffness of their axial forces (Przemieniecki, Theory of Matrix Structural Analysis, 1968, ch. 15), so that it may
-/// buckle between what holds it. With losses, which make it unsymmetric, its symmetric part. A prescribed coordinate is
-/// kept. Empty where the ropes alone leave it undetermined.
+/// buckle between what holds it. With losses, which make it unsymmetric, its symmetric part. A carriage prescribed by
+/// its ropes may move as they let it; one that a force holds may not. Empty where the ropes alone leave it
+/// undetermined.
 std::optional<BeamStability> beam_stability(const System& system, const Configuration& c);
 
 }  // namespace taut::analysis

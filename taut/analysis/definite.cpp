@@ -13,7 +13,7 @@ constexpr double undetermined = 1e-14;  ///< of the row as it was
 }  // namespace
 
 SkylineMatrix::SkylineMatrix(int size)
-    : values_(Eigen::MatrixXd::Zero(size, size)), first_(static_cast<std::size_t>(size), size) {}
+    : values_(decltype(values_)::Zero(size, size)), first_(static_cast<std::size_t>(size), size) {}
 
 void SkylineMatrix::add(int row, int column, double value) {
   if (value == 0) return;
@@ -31,7 +31,7 @@ bool SkylineMatrix::definite() const {
     scale[i] = d > 0 ? 1 / std::sqrt(d) : 1;
   }
   // rows of L, with L D L' = the scaled matrix
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> L(n, n);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> L(n, n);  // the rest is never read
   Eigen::VectorXd pivot(n);
   for (int i = 0; i < n; ++i) {
     const int from = std::min(first_[static_cast<std::size_t>(i)], i);

@@ -15,7 +15,7 @@ class SkylineMatrix {
   bool definite() const;
 
  private:
-  Eigen::MatrixXd values_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values_;
   std::vector<int> first_;  ///< column with something in it, by row
 };
 

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/mast_witness_test.hpp"
+#include "taut/model/beam_build.hpp"
 
 namespace taut::analysis::guyed_mast_test {
 
@@ -284,6 +286,107 @@ TEST(GuyedMast, OwnWeightIsCarriedByTheFoot) {
   EXPECT_LT(with.moment_balance, 1e-4 * 760 * 12 * with.top.norm()) << "the trapezoidal rule's error";
   m.section.weight = 0;
   EXPECT_GT(with.base_force.z(), solved(m).base_force.z() + 0.9 * 760 * 12);
+}
+
+/// The same mast as a machine: a beam, and its guys as ropes of the lengths that they were put up with.
+model::Model machine_of(const GuyedMast& m) {
+  model::StraightBeam b;
+  b.name = "mast";
+  b.to.at = {0, 0, m.height};
+  b.section = m.section;
+  b.base = m.base == MastBase::hinged ? model::BeamHold::hinged : model::BeamHold::clamped;
+  for (const Guy& guy : m.guys) b.stations.push_back(guy.height / m.height);
+  for (const MastLoad& load : m.loads) b.stations.push_back(load.height / m.height);
+  b.stations = model::cuts_of(b, m.height);
+  model::Model machine;
+  model::add_beam(machine, b);
+  const auto section_at = [&](double height) {
+    for (std::size_t k = 0; k < machine.bodies.size(); ++k) {
+      if (std::abs(machine.bodies[k].position.z() - height) < 1e-5) return static_cast<int>(k);
+    }
+    return -1;
+  };
+  for (const MastLoad& load : m.loads)
+    machine.loads.push_back({{section_at(load.height), Vector3::Zero()}, load.force});
+  for (const Guy& guy : m.guys) {
+    model::Reeving rope;
+    rope.name = guy.name;
+    rope.nodes.resize(2);
+    rope.nodes[0].at.at = guy.anchor;
+    rope.nodes[1].at.body = section_at(guy.height);
+    rope.value = *installed_length(guy);
+    rope.weight = guy.weight;
+    rope.stiffness = guy.stiffness;
+    machine.reevings.push_back(rope);
+  }
+  return machine;
+}
+
+/// A tower yarder with four guys at unequal plan angles, pulled out of their middle until one of them is loose.
+GuyedMast slewed(MastBase base) {
+  GuyedMast m = yarder();
+  m.base = base;
+  m.guys.clear();
+  for (const double angle : {40.0, 115.0, 200.0, 290.0}) {
+    m.guys.push_back(guy_at(angle * degree, 12, 13, GuyTension{6e3, GuyEnd::top}, angle > 180 ? -1.5 : 0.8));
+  }
+  m.loads = {{12, {45e3, 22e3, -90e3}}, {10.8, {15e3, -6e3, -45e3}}};
+  return m;
+}
+
+TEST(GuyedMast, OfADeckIsTheSame) {
+  GuyedMast slim = yarder();
+  slim.section = structure::tube_section(0.1937, 0.008);
+  slim.guys[1].height = 6;
+  GuyedMast heavy = slewed(MastBase::hinged);
+  heavy.section.weight = 760;
+  for (const GuyedMast& m : {yarder(), slim, slewed(MastBase::clamped), slewed(MastBase::hinged), heavy}) {
+    const GuyedMastResult r = solved(m);
+    const EquilibriumResult e = equilibrium(machine_of(m));
+    ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
+    const BeamResult& beam = e.beams[0];
+    EXPECT_LT((beam.points.back().deflection - r.top).norm(), 1e-6 * r.top.norm());
+    EXPECT_LT((beam.base_force - r.base_force).norm(), 1e-6 * r.base_force.norm());
+    EXPECT_NEAR(beam.points[beam.most_bent].M, bending(r.points[r.most_bent]), 1e-3 * bending(r.points[r.most_bent]));
+    EXPECT_LT((beam.base_moment - r.base_moment).norm(), 1e-6 * bending(r.points[r.most_bent]));
+    double largest = 0;
+    for (const GuyState& g : r.guys) largest = std::max(largest, g.tension_top);
+    for (std::size_t i = 0; i < m.guys.size(); ++i) EXPECT_NEAR(e.spans[i].T_to, r.guys[i].tension_top, 1e-6 * largest);
+    EXPECT_LT(e.closure.balance, 1e-8 * r.base_force.norm());
+  }
+}
+
+TEST(GuyedMast, OfADeckAgreesWithTheHandModelWhereAGuyGoesSlack) {
+  for (const MastBase base : {MastBase::clamped, MastBase::hinged}) {
+    const GuyedMast m = slewed(base);
+    const EquilibriumResult e = equilibrium(machine_of(m));
+    ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
+    const witness::Answer w = witness::solve(m, 80, 20);
+    ASSERT_TRUE(w.settled);
+    const Vector3 top = e.beams[0].points.back().deflection;
+    EXPECT_GT(std::abs(top.y()), 0.1 * top.norm()) << "in space";
+    EXPECT_LT((top - w.top).norm(), 1e-3 * top.norm()) << top.transpose() << " : " << w.top.transpose();
+    double largest = 0, least = 1e9;
+    for (const auto& span : e.spans) largest = std::max(largest, span.T_to), least = std::min(least, span.T_to);
+    EXPECT_LT(least, 500) << "one is loose";
+    for (std::size_t i = 0; i < m.guys.size(); ++i) EXPECT_NEAR(e.spans[i].T_to, w.tension_top[i], 1e-3 * largest);
+    if (base == MastBase::clamped) {
+      EXPECT_NEAR(e.beams[0].points.front().M, w.foot_moment, 1e-3 * e.beams[0].points[e.beams[0].most_bent].M);
+    }
+  }
+}
+
+TEST(GuyedMast, OfADeckBucklesWhereItDoes) {
+  GuyedMast m = slewed(MastBase::hinged);
+  m.section = structure::tube_section(0.1937, 0.008);
+  const EquilibriumResult e = equilibrium(machine_of(m));
+  ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
+  EXPECT_GT(e.beams[0].critical_factor, 1);
+  // with the loads as large as it says, about: its guys press it too, and do not grow in the same way
+  GuyedMastResult r;
+  for (MastLoad& load : m.loads) load.force *= 1.5 * e.beams[0].critical_factor;
+  EXPECT_FALSE(solve(m, r).ok());
+  EXPECT_FALSE(equilibrium(machine_of(m)).outcome.ok());
 }
 
 }  // namespace taut::analysis::guyed_mast_test

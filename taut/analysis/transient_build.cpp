@@ -351,6 +351,10 @@ void Builder::list_places() {
 
 void Builder::check() {
   const Mechanism& m = built_.mechanism;
+  if (!model_.beams.empty()) {
+    built_.outcome = infeasible("elastic beams are not computed in motion yet; make them rigid bodies");
+    return;
+  }
   for (const Body& body : m.bodies) {
     if (body.count == 0) continue;
     const std::string name = body.model >= 0 ? model_.bodies[at(body.model)].name : "a node of a rope";

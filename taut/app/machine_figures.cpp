@@ -11,6 +11,7 @@
 #include <set>
 
 #include "taut/analysis/rope_clearance.hpp"
+#include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_tables.hpp"
 
 namespace taut::app {
@@ -53,6 +54,9 @@ Box box_of(const EquilibriumResult& e) {
   Box box;
   for (const auto& s : e.spans) {
     for (const Vector3& v : line_of(s)) box.add(v);
+  }
+  for (const auto& line : beam_lines(e)) {
+    for (const Vector3& v : line) box.add(v);
   }
   return box;
 }
@@ -131,6 +135,20 @@ void draw_bodies(Drawing& d, const model::Model& m, const EquilibriumResult& e, 
   }
 }
 
+/// Beams as they stand, and beside them with deflections so many times as large.
+void draw_beams(Drawing& d, const EquilibriumResult& e, const View& view, double times) {
+  const auto draw = [&](const std::vector<std::vector<Vector3>>& lines, Role role) {
+    for (const auto& points : lines) {
+      Polyline line;
+      line.role = role;
+      for (const Vector3& v : points) line.points.push_back(view.point(v));
+      d.shapes.emplace_back(std::move(line));
+    }
+  };
+  draw(beam_lines(e), Role::structure);
+  if (times > 0) draw(beam_lines(e, times), Role::highlight);
+}
+
 void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
   for (const auto& [name, h] : held_of(m, e)) {
     const bool round = h.radius > 0 && !view.plan;
@@ -186,7 +204,7 @@ void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e,
         draw(load.at, load.force, "P");
       }
     }
-    draw({index, body.centre}, own, "W");
+    draw({index, body.centre}, own, body.mass > 0 ? "W" : "P");
   }
 }
 
@@ -197,13 +215,16 @@ Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View
   d.name = plan ? "plan" : "machine";
   d.title = plan ? "Plan" : "Side view";
   d.caption = fmt::format("{}. Forces as they are seen in this view.", words);
-  d.legend = {{Role::rope, m.reevings.front().name},
+  d.legend = {{Role::rope, m.reevings.empty() ? "rope" : m.reevings.front().name},
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
               {Role::force, "ropes on what holds them"},
               {Role::second_force, "weights and loads"},
               {Role::ground, "ground"}};
+  const double times = shown_times(e, box.size().norm());
+  if (times > 0) d.legend.emplace_back(Role::highlight, fmt::format("beams, deflections {:g} times", times));
   draw_ground(d, m, view, box);
   draw_bodies(d, m, e, view);
+  draw_beams(d, e, view, times);
   draw_ropes(d, e, view);
   draw_holders(d, m, e, view, box.size().norm());
   draw_weights(d, m, e, view);

@@ -9,6 +9,7 @@
 
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_figures.hpp"
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
@@ -229,9 +230,12 @@ Result compute(const MachineDeck& deck, MachineRun run) {
     r.message = more.message;
   }
   add_tables(run, r);
+  add_beam_tables(run, r);
   add_values(run, r);
+  add_beam_values(deck, run, r);
   add_steps(deck, run, r);
   add_figures(run, r);
+  add_beam_plots(run, r);
   append(more, r);
   return r;
 }

@@ -275,7 +275,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     }
     ++count;
   }
-  EXPECT_EQ(count, 10);
+  EXPECT_EQ(count, 11);
 }
 
 }  // namespace taut::app::machine_run_test

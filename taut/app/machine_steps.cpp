@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/calc/sheet.hpp"
 
@@ -83,18 +84,14 @@ void write_contact(Sheet<Num>& s, const model::Node& node, const analysis::Conta
   }
 }
 
-}  // namespace
-
-void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
-  const Answer state = governing(run);
-  if (state.result == nullptr) return;
+/// The span with the largest tension, and the contacts at their limits.
+void write_ropes(Sheet<Num>& s, const Answer& state) {
   const EquilibriumResult& e = *state.result;
   const auto worst =
       std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
   const SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
   const model::Reeving& rope = state.model->reevings[static_cast<std::size_t>(span.reeving)];
   const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
-  Sheet<Num> s("statics", MachineDeck::describe(), &deck);
   s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
                         name(span.to), state.words));
   write_span(s, rope, span);
@@ -106,6 +103,15 @@ void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
     if (written.size() == 1) s.section(fmt::format("Losses where a rope runs over something ({})", state.words));
     write_contact(s, node, c);
   }
+}
+
+}  // namespace
+
+void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
+  Sheet<Num> s("statics", MachineDeck::describe(), &deck);
+  const Answer state = governing(run);
+  if (state.result != nullptr) write_ropes(s, state);
+  write_beams(s, run);
   s.move_to(r);
 }
 

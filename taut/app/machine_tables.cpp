@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "taut/analysis/rope_clearance.hpp"
+#include "taut/app/machine_beams.hpp"
 
 namespace taut::app {
 namespace {
@@ -121,7 +122,7 @@ Table bodies(const model::Model& m, const EquilibriumResult& e) {
            {"Rz", si::N}},
           {}};
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
-    if (m.bodies[i].of_rope) continue;
+    if (m.bodies[i].of_rope || !told(m.bodies[i])) continue;
     const auto& [position, orientation] = e.state.bodies[i];
     const Vector3 turn = angles_of(orientation);
     const Vector3& hold = e.reactions[i];

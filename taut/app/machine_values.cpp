@@ -6,6 +6,7 @@
 #include <set>
 
 #include "taut/analysis/rope_clearance.hpp"
+#include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_tables.hpp"
 
 namespace taut::app {
@@ -43,6 +44,7 @@ void add_tensions(const MachineRun& run, Result& r) {
     r.checks.push_back(make_check(symbol, T_max, Sense::at_most, rope.breaking_force, si::N,
                                   "minimum breaking force of the rope", "user"));
   }
+  if (run.model.reevings.empty()) return;
   r.values.insert(r.values.begin(), {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({})", where), {}});
 }
 
@@ -100,7 +102,7 @@ void add_places(const MachineRun& run, Result& r) {
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const model::Body& body = run.model.bodies[i];
-    if (body.free.empty() || body.of_rope) continue;
+    if (body.free.empty() || body.of_rope || !told(body)) continue;
     const Vector3& p = first->result.state.bodies[i].position;
     const auto add = [&](const char* axis, double value) {
       const std::string name = fmt::format("{}.{}", body.name, axis);
@@ -257,8 +259,9 @@ std::vector<std::string> assumptions_of(const MachineDeck& deck) {
   if (!m.guys.empty()) {
     all.emplace_back(
         "Guys are put up on the unloaded machine with its bodies held where they are given; then their "
-        "lengths are kept. A mast is a rigid body.");
+        "lengths are kept.");
   }
+  for (std::string& text : beam_assumptions(m)) all.push_back(std::move(text));
   return all;
 }
 

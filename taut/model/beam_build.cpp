@@ -15,7 +15,7 @@ namespace {
 constexpr double same_station = 1e-6;  ///< of the length
 constexpr double strongest = 400e6;    ///< a stress, Pa
 constexpr double longest_decay = 5;    ///< of a piece, in lengths sqrt(EI/N) of decay
-constexpr int most_cuts = 24;
+constexpr int most_cuts = 6;
 constexpr int least_steps = 48;  ///< along the whole beam
 
 Vector3 in_ground(const Model& m, const Place& place) {
@@ -105,7 +105,7 @@ std::vector<double> cuts_of(const StraightBeam& beam, double length) {
 void add_beam(Model& model, const StraightBeam& b) {
   const Axis axis = axis_of(model, b);
   const double length = axis.bow.length;
-  std::vector<double> ends = cuts_of(b, length);
+  std::vector<double> ends = b.stations;
   ends.push_back(1);
   const int index = static_cast<int>(model.beams.size());
   Beam beam;

@@ -19,10 +19,11 @@ struct StraightBeam {
   BeamHold base = BeamHold::clamped;
   BeamTop top = BeamTop::free;
   int elements = 16;
-  double bow = 0;                     ///< e/L of a half wave of sine, free of stress
-  double sway = 0;                    ///< inclination of the whole beam as built, tan; of a free top
-  Vector3 sense = Vector3::UnitX();   ///< of bow and sway; what of it is across the axis counts
-  std::vector<double> stations = {};  ///< where something is fixed to it: shares of its length, in (0, 1)
+  double bow = 0;                    ///< e/L of a half wave of sine, free of stress
+  double sway = 0;                   ///< inclination of the whole beam as built, tan; of a free top
+  Vector3 sense = Vector3::UnitX();  ///< of bow and sway; what of it is across the axis counts
+  /// Where it is cut, as `cuts_of` has them: where something is fixed to it. Shares of its length in (0, 1), growing.
+  std::vector<double> stations = {};
 };
 
 /// The stations at which the beam is cut: those given, and more where a piece would be so slender that forces up to its

@@ -49,6 +49,9 @@ class Compiler {
     add_body_motion(machine_, model_, complaints_);
     add_drives(machine_, model_, complaints_);
     for (const auto& given : machine_.carriages) model_.bodies.push_back(body_of(given));
+    if (complaints_.empty()) {
+      for (const StraightBeam& beam : links_.beams().in_order()) add_beam(model_, beam);
+    }
     check_axes();
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
     for (const auto& guy : machine_.guys) add_guy(guy);
@@ -66,7 +69,8 @@ class Compiler {
     add_loads();
     add_take_ups();
     add_terrain();
-    if (model_.reevings.empty()) complain("", "the machine has no rope: say 'reevings' or 'guys'");
+    if (model_.reevings.empty() && machine_.beams.empty())
+      complain("", "the machine has no rope: say 'reevings' or 'guys'");
     if (!complaints_.empty()) return tl::unexpected(complaints_);
     return std::move(model_);
   }
@@ -117,7 +121,8 @@ class Compiler {
                            [&](const Stop& stop) { return stop.node.at.body == static_cast<int>(i); });
       });
       // what lies on faces or hangs on a cylinder needs no rope
-      const bool otherwise = !machine_.contacts.empty() || !machine_.actuators.empty();
+      const bool on_beam = links_.beams().hold(static_cast<int>(i));
+      const bool otherwise = !machine_.contacts.empty() || !machine_.actuators.empty() || on_beam;
       if (held || otherwise || model_.bodies[i].free.empty()) continue;
       complain(fmt::format("bodies.{}", machine_.bodies[i].name), "may move, but no rope runs to it");
     }

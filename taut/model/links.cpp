@@ -32,10 +32,13 @@ bool among(const std::vector<Thing>& kinds, Thing thing) {
 
 }  // namespace
 
-Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
+Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
+    : beams_(machine, static_cast<int>(machine.bodies.size() + machine.carriages.size()), complaints) {
   std::vector<std::string> bodies;
   bodies.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) bodies.push_back(body.name);
+  std::vector<std::string> known = bodies;
+  for (const auto& beam : machine.beams) known.push_back(beam.name);
   const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
     Place place{ground, vector_of(one.at)};
     if (one.body) {
@@ -50,9 +53,11 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
                                             "'height', to have places on it",
                                             car->name)});
         }
+      } else if (at == bodies.end() && beams_.knows(*one.body)) {
+        place = beams_.place(*one.body, place.at);
       } else if (at == bodies.end()) {
         complaints.push_back({fmt::format("{}.{}.body", list, one.name),
-                              fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, bodies))});
+                              fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, known))});
       } else {
         place.body = static_cast<int>(at - bodies.begin());
       }
@@ -82,6 +87,7 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints) {
   }
   index = 0;
   for (const auto& drum : machine.drums) add(Thing::drum, "drums", drum, index++);
+  for (const auto& [name, body] : beams_.tops()) all_.push_back({Thing::body, name, body, {body, Vector3::Zero()}});
 }
 
 const Target* Links::find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
@@ -99,6 +105,12 @@ const Target* Links::find(const std::string& name, const std::vector<Thing>& kin
   if (other != all_.end()) {
     complaints.push_back(
         {path, fmt::format("'{}' is a {}; here a {} is named", name, words(other->thing), kinds_text)});
+    return nullptr;
+  }
+  if (beams_.knows(name)) {
+    complaints.push_back({path, fmt::format("'{}' is a beam: name its free top '{}.top', or a point on it, 'points: "
+                                            "{{p: {{body: {}, at: [...]}}}}'",
+                                            name, name, name)});
     return nullptr;
   }
   std::vector<std::string> names;

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/model/beam_links.hpp"
 #include "taut/model/machine.hpp"
 #include "taut/model/model.hpp"
 
@@ -18,7 +19,7 @@ struct Target {
   Place place;
 };
 
-/// All names of a machine.
+/// All names of a machine. A beam is known by places on it and by its free top, "NAME.top", a body.
 class Links {
  public:
   /// Complains of bodies that points and sheaves name and that are not there.
@@ -29,7 +30,10 @@ class Links {
   const Target* find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
                      std::vector<Complaint>& complaints) const;
 
+  const BeamPlans& beams() const { return beams_; }
+
  private:
+  BeamPlans beams_;
   std::vector<Target> all_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/calc/field.hpp"
+#include "taut/model/beam_keys.hpp"
 #include "taut/model/motion_keys.hpp"
 
 /// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
@@ -249,6 +250,7 @@ struct Machine {
   std::vector<description::RopeLoad> rope_loads;
   std::vector<description::TakeUp> take_up;
   std::vector<description::Guy> guys;
+  std::vector<description::Beam> beams;
   std::optional<description::Terrain> terrain;
   std::vector<description::Signal> signals;
   std::vector<description::Marker> markers;

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "taut/calc/field.hpp"
+
+/// What a deck says of an elastic beam: plain values, names as links, one `describe` table each.
+namespace taut::model::description {
+
+/// How a beam differs from a straight one as it is built, free of stress.
+struct Imperfection {
+  std::optional<double> bow;   ///< e/L of a half wave of sine
+  std::optional<double> sway;  ///< inclination, tan
+  std::optional<Triple> towards;
+  static const Description& describe();
+};
+
+enum class BeamBase { clamped, hinge };
+enum class BeamEnd { usual, free, clamped, hinge };
+enum class Order { first, second };
+
+struct Beam {
+  std::string name;
+  std::string from;
+  std::string to;
+  std::optional<std::string> section;  ///< in the catalogue
+  std::optional<double> A;             ///< m2
+  std::optional<double> I;             ///< m4
+  std::optional<double> I_weak;        ///< m4; default: I
+  std::optional<double> J;             ///< torsion, m4; default: I + I_weak
+  std::optional<double> W;             ///< m3
+  std::optional<double> W_weak;        ///< m3; default: W
+  double E = 210e9;                    ///< Pa
+  std::optional<double> mass;          ///< kg/m; default: the catalogue's, or A times 7850 kg/m3
+  std::optional<std::string> steel;
+  std::optional<Triple> strong;
+  int elements = 16;
+  BeamBase base = BeamBase::clamped;
+  BeamEnd top = BeamEnd::usual;
+  Order order = Order::second;
+  std::optional<Imperfection> imperfection;
+  static const Description& describe();
+};
+
+}  // namespace taut::model::description
