@@ -55,7 +55,12 @@ Curve along(const model::Model& m, const EquilibriumResult& e, int reeving, std:
     way += s.stretched;
     const auto* c = contact_at(e, reeving, s.to);
     if (c != nullptr) way += std::max(0.0, c->wrap) * rope.nodes[static_cast<std::size_t>(s.to)].radius;
-    if (!rope.closed || s.to != 0) name(s.to);
+    if (!rope.closed || s.to != 0) {
+      name(s.to);
+    } else if (c != nullptr) {
+      curve.x.push_back(way);
+      curve.y.push_back(c->T_out);
+    }
   }
   return curve;
 }

@@ -30,30 +30,39 @@ Answer governing(const MachineRun& run) {
   return worst;
 }
 
+/// How well a written law has to give the tension back that the solver found; a contact that is not at its law's limit
+/// (at rest, or lifted) is not written.
+constexpr double same_tension = 1e-6;
+
 /// The elastic catenary of one span from its start on.
 void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& span) {
   const std::string catenary = "Irvine 1981, elastic catenary";
   const Num L = s.named("L", si::m, span.unstretched);
-  const Num EA = s.named("EA", si::N, rope.stiffness);
+  // a running rope's shape knows the tension less c (docs/theory/drives.md)
+  const double above = span.T_from - std::hypot(span.H, span.V_from);
+  const double running = above > same_tension * span.T_from ? above : 0;
+  const Num EA = s.named("EA", si::N, rope.stiffness + running);
   const Num H = s.named("H", si::N, span.H);
   const Num V_0 = s.named("V_0", si::N, span.V_from);
-  const Num w = s.named("w", si::N_per_m, rope.weight / (1 + rope.thermal_strain));
+  const Num w = s.named("w", si::N_per_m, rope.weight / (1 + rope.thermal_strain) / (1 + running / rope.stiffness));
   const Num V_1 = s.eq("", "V_1", si::N, V_0 + w * L, catenary);
-  Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
-  Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
+  const Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
+  const Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
   if (rope.weight > 0 && span.H > 0 && std::isfinite(rope.stiffness)) {
     s.eq("", "x", si::m, H * L / EA + H / w * (asinh(V_1 / H) - asinh(V_0 / H)), catenary);
     s.eq("", "z", si::m, (V_0 * L + w * square(L) / 2) / EA + (T_1 - T_0) / w, catenary);
   }
   if (rope.breaking_force > 0) {
     const Num F_min = s.named("F_min", si::N, rope.breaking_force);
-    s.eq("", "S", si::one, F_min / max(T_0, T_1), "breaking force over the largest tension");
+    if (running > 0) {
+      const Num m = s.named("m", si::kg_per_m, rope.mass), v = s.named("v", si::m_per_s, rope.speed);
+      const Num c = s.eq("", "c", si::N, m * square(v), "centrifugal tension of the running rope, in addition");
+      s.eq("", "S", si::one, F_min / (max(T_0, T_1) + c), "breaking force over the largest tension");
+    } else {
+      s.eq("", "S", si::one, F_min / max(T_0, T_1), "breaking force over the largest tension");
+    }
   }
 }
-
-/// How well a written law has to give the tension back that the solver found; a contact that is not at its law's limit
-/// (at rest, or lifted) is not written.
-constexpr double same_tension = 1e-6;
 
 /// The factor by which a contact at its limit raises the tension.
 double limit_of(const model::Node& node, double wrap) {

@@ -60,12 +60,43 @@ std::string cell(std::string_view inside, std::string_view kind) {
 
 namespace {
 
+/// Characters that stand side by side on a page, and those between two columns; a number takes no fewer than these.
+constexpr std::size_t most_characters = 120;
+constexpr std::size_t between_columns = 2;
+constexpr std::size_t number_characters = 6;
+
+std::size_t longest_word(const std::string& text) {
+  std::size_t longest = 0, length = 0;
+  for (const char c : text) {
+    length = c == ' ' ? 0 : length + 1;
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+/// What does not break into two lines: the longest word of a column's head and cells.
+std::size_t width_of(const Table& t, std::size_t k) {
+  std::size_t width = std::max(longest_word(heading(t.columns[k].name)), number_characters);
+  for (const auto& row : t.rows) {
+    const auto* words = k < row.size() ? std::get_if<std::string>(&row[k]) : nullptr;
+    if (words != nullptr) width = std::max(width, longest_word(*words));
+  }
+  return width + between_columns;
+}
+
 /// The table's columns in parts that fit a page: the first column leads each.
-std::vector<std::vector<std::size_t>> parts_of(std::size_t columns) {
+std::vector<std::vector<std::size_t>> parts_of(const Table& t) {
   std::vector<std::vector<std::size_t>> parts(1);
-  for (std::size_t k = 0; k < columns; ++k) {
-    if (parts.back().size() == most_columns) parts.push_back({0});
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+    const std::size_t own = width_of(t, k);
+    const std::size_t used = parts.back().size();
+    if (used == most_columns || (used > 1 && width + own > most_characters)) {
+      parts.push_back({0});
+      width = width_of(t, 0);
+    }
     parts.back().push_back(k);
+    width += own;
   }
   return parts;
 }
@@ -101,7 +132,7 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
 
 std::string table_html(const Table& t, const Display& display) {
   const auto rows = shown_rows(t);
-  const auto parts = parts_of(t.columns.size());
+  const auto parts = parts_of(t);
   const std::string title = prose_html(t.title.empty() ? t.name : t.title);
   std::string out;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -32,4 +32,15 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
   EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
 }
 
+TEST(HtmlTable, LongNamesAndWordsTakeFewerColumnsToAPage) {
+  Table t = wide(6);
+  for (Column& c : t.columns) c.name = "analyses.payload.limits.mainline." + c.name;
+  EXPECT_EQ(times(table_html(t, {}), "<table"), 3U);
+  t = wide(6);
+  for (std::size_t k = 3; k < 6; ++k) t.rows[0][k] = std::string(60, 'x');
+  EXPECT_EQ(times(table_html(t, {}), "<table"), 3U);
+  for (std::size_t k = 3; k < 6; ++k) t.rows[0][k] = "words that break into lines where there is no room for them all";
+  EXPECT_EQ(times(table_html(t, {}), "<table"), 1U);
+}
+
 }  // namespace taut::report::html_table_test

@@ -13,7 +13,8 @@ using namespace taut;
 struct Case {
   double cutting_force = 4000, friction = 0.35, speed = 15, idler_loss = 1, pull = 13e3;
   bool screw = false, reversed = false;
-  int start = 0;  ///< where the machine deck's path begins
+  double radius = 0.25;  ///< m
+  int start = 0;         ///< where the machine deck's path begins
 };
 
 Result method(const Case& k) {
@@ -28,19 +29,19 @@ input:
   speed: {} m/s
   grip_reserve: 1
   idler_loss: {}
-  sheave_radius: 250 mm
+  sheave_radius: {} m
   take_up: {{{}: {} N}}
   rope_stiffness: 6.5 MN
   centre_distance: 9 m
   cut: in_tight_branch
 )",
-                  k.cutting_force, k.friction, k.speed, k.idler_loss, k.screw ? "screw" : "weight", k.pull);
+                  k.cutting_force, k.friction, k.speed, k.idler_loss, k.radius, k.screw ? "screw" : "weight", k.pull);
   return app::run(app::Job{deck, "method.yaml", {}});
 }
 
 Result machine(const Case& k) {
   // a screw: the length with which the rope pulls the idler with that force at rest
-  const double rest = (2 * 9 + 2 * M_PI * 0.25) / (1 + k.pull / 2 / 6.5e6);
+  const double rest = (2 * 9 + 2 * M_PI * k.radius) / (1 + k.pull / 2 / 6.5e6);
   const std::string side = k.reversed ? "right" : "left";
   const std::string drive = fmt::format("{{over: drive, side: {}}}", side);
   const std::string idler = fmt::format("{{over: idler, side: {}}}", side);
@@ -51,15 +52,15 @@ machine:
   ropes: {{saw: {{mass: 0.6 kg/m, stiffness: 6.5 MN}}}}
   bodies: {{slide: {{at: [9 m, 0 m, 0 m]{}}}}}
   sheaves:
-    drive: {{at: [0 m, 0 m, 0 m], diameter: 500 mm, friction: {}, motor: {{speed: {} m/s}}}}
-    idler: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 500 mm, efficiency: {:.17g}}}
+    drive: {{at: [0 m, 0 m, 0 m], diameter: {} m, friction: {}, motor: {{speed: {} m/s}}}}
+    idler: {{body: slide, at: [0 m, 0 m, 0 m], diameter: {} m, efficiency: {:.17g}}}
   reevings: [{{rope: saw, path: [{}, {}], closed: true, length: {:.17g} m}}]
   {}
   rope_loads: [{{rope: saw, between: [idler, drive], tangential: {} N}}]
 analyses: [equilibrium: {{motion: in}}]
 )",
-                  k.screw ? "" : ", free: [x]", k.friction, k.speed, 1 / k.idler_loss, k.start == 0 ? drive : idler,
-                  k.start == 0 ? idler : drive, rest,
+                  k.screw ? "" : ", free: [x]", 2 * k.radius, k.friction, k.speed, 2 * k.radius, 1 / k.idler_loss,
+                  k.start == 0 ? drive : idler, k.start == 0 ? idler : drive, rest,
                   k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull), k.cutting_force);
   return app::run(app::Job{deck, "machine.yaml", {}});
 }
@@ -113,12 +114,14 @@ TEST(FrictionDriveMachine, ALossOfTheIdlerToo) {
 }
 
 TEST(FrictionDriveMachine, FixedCentres) {
-  // the machine stretches its arcs by their mean tension, the method by the creeping one
+  // the machine stretches its arcs by their mean tension, the method by the creeping one: on large sheaves between near
+  // centres that would tell
   for (const double speed : {0.01, 15.0, 40.0}) {
     Case k;
     k.screw = true;
     k.speed = speed;
-    expect_same(k, 2e-3);
+    k.radius = 0.05;
+    expect_same(k, 1.5e-3);
   }
 }
 
@@ -139,7 +142,7 @@ TEST(FrictionDriveMachine, TheOtherWayRoundAndFromAnotherStart) {
 
 TEST(FrictionDriveMachine, BothSayWhenItSlips) {
   Case k;
-  k.cutting_force = 9000;
+  k.cutting_force = 14e3;
   const Result a = method(k), b = machine(k);
   EXPECT_EQ(value(a, "slips_exact"), 1);
   bool fails = false;
