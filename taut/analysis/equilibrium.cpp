@@ -98,23 +98,30 @@ struct Solved {
 };
 
 /// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
-/// `wanted`: whether an answer will do.
-template <class Wanted>
+/// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
+/// fall, which tells best where things go.
 Iteration come_to_rest(const System& system, const model::State& state, const Configuration& start,
-                       const EquilibriumOptions& options, Solved& s, const Wanted& wanted) {
+                       const EquilibriumOptions& options, Solved& s) {
   constexpr double any = std::numeric_limits<double>::infinity();
-  Iteration it;
+  Iteration it, told;
+  std::optional<Solved> ends;
   for (const auto& [growth, from_taut] : {std::pair{any, false}, {30.0, false}, {any, true}, {3.0, false}}) {
     s.c = from_taut ? taut_start(system, state) : start;
     it = relax(system, s.c, s.e, relaxing_steps, growth);
     s.steps += it.steps;
-    if (!it.converged) continue;
-    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
-    s.steps += it.steps;
-    it.converged = it.converged && wanted();
-    if (it.converged) return it;
+    if (it.converged) {
+      it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+      s.steps += it.steps;
+    }
+    s.outcome = it.converged ? stability(system, s.c, s.e).outcome : Outcome();
+    if (it.converged && s.outcome.ok()) return it;
+    if (ends && (told.converged || !it.converged)) continue;
+    ends = s;
+    told = it;
   }
-  return it;
+  ends->steps = s.steps;
+  s = *std::move(ends);
+  return told;
 }
 
 /// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
@@ -128,29 +135,28 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   }
   s.steps += it.steps;
-  Stability found;
-  const auto stable = [&] {
-    found = stability(system, s.c, s.e);
-    s.outcome = found.outcome;
-    return s.outcome.ok();
-  };
   const Iteration first = it;
-  if (it.converged && stable()) return it;
-  const Solved unstable = s;
-  if (it.converged && found.rope) {
-    // which way a rope runs off is a matter of chance
-    const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
-    move(system, unstable.c, {found.push, no_change}, 1, start);
+  std::optional<Solved> unstable;
+  if (it.converged) {
+    const Stability found = stability(system, s.c, s.e);
+    s.outcome = found.outcome;
+    if (s.outcome.ok()) return it;
+    unstable = s;
+    if (found.rope) {
+      // which way a rope runs off is a matter of chance
+      const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
+      move(system, unstable->c, {found.push, no_change}, 1, start);
+    }
   }
-  it = come_to_rest(system, state, start, options, s, stable);
-  if (it.converged || !first.converged) {
-    it.singular = first.singular;  // a drag hides it
-    return it;
+  it = come_to_rest(system, state, start, options, s);
+  if (it.converged && s.outcome.ok()) return it;
+  if (unstable) {
+    unstable->steps = s.steps;
+    s = *std::move(unstable);
+    return first;
   }
-  const int steps = s.steps;
-  s = unstable;
-  s.steps = steps;
-  return first;
+  it.singular = first.singular;  // a drag hides it
+  return it;
 }
 
 /// From the lossless answer, the losses brought on by parts. False where a part has no answer.

@@ -11,6 +11,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double vanishing = 1e-2;  // of the longest span
+constexpr double wide_open = 1e-3;  // of a given tension
 
 /// "along x", "about (0, 0.6, 0.8)".
 std::string direction(const model::Freedom& way) {
@@ -46,7 +47,10 @@ Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
     return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
                                   branch_words(s, no.link), chord.norm(), radii));
   }
-  return not_converged(fmt::format("{} did not converge", branch_words(s, no.link)));
+  return not_converged(fmt::format(
+      "no equilibrium found: {} finds no line on the way there ({:.6g} m of rope, centres {:.6g} m apart); hold the "
+      "bodies it runs to, or change its length",
+      branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
 }
 
 /// The ropes that carry nothing, as words; empty if none.
@@ -87,6 +91,51 @@ int vanished(const System& s, const Configuration& c) {
   return -1;
 }
 
+/// A rope whose given tension its own weight does not allow, in words; empty without one.
+std::string impossible_tension(const System& s, const Evaluation& e) {
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const model::Reeving& rope = s.model.reevings[r];
+    const Layout::Rope& l = s.layout.ropes[r];
+    if (rope.given == model::Given::length || l.row == s.layout.coordinate_row) continue;
+    const double open = e.residual[l.row];
+    if (!(open > wide_open * rope.value)) continue;
+    const bool start = rope.given == model::Given::tension_at_start;
+    const model::Node& node = start ? rope.nodes.front() : rope.nodes.back();
+    return fmt::format(
+        "rope '{}' does not come down to {:.6g} N at '{}': its own weight keeps it above (last tried: {:.6g} N); give "
+        "it more tension there, or a length",
+        rope.name, rope.value, node.name, rope.value + open);
+  }
+  return {};
+}
+
+/// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
+std::string drawn_up(const System& s, const Configuration& c) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    if (c.links[k].length >= vanishing * s.layout.length) continue;
+    for (const bool first : {true, false}) {
+      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                        &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      return fmt::format(
+          "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
+          "give the rope more length, or pull less",
+          s.model.bodies[at(own.at.body)].name, other.name, rope.name, c.links[k].length);
+    }
+  }
+  return {};
+}
+
+/// Whether a rope that a body hangs on has its tension given.
+bool hangs_on_given_tension(const System& s, int body) {
+  return std::any_of(s.model.reevings.begin(), s.model.reevings.end(), [&](const model::Reeving& rope) {
+    return rope.given != model::Given::length &&
+           std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& n) { return n.at.body == body; });
+  });
+}
+
 }  // namespace
 
 Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
@@ -95,6 +144,7 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
   const std::string slack = slack_ropes(s, e);
   const Misfit m = misfit(s, e);
   if (worst < 0) {
+    if (const std::string why = impossible_tension(s, e); !why.empty()) return infeasible(why);
     return not_converged(
         fmt::format("the ropes did not settle: {:.3g} N and {:.3g} m are open after the last step; are the given "
                     "lengths and tensions possible on these paths?",
@@ -110,17 +160,23 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
                     "mainline, or clamp it",
                     branch_words(s, link)));
   }
+  if (const std::string why = impossible_tension(s, e); !why.empty()) return infeasible(why);
+  if (const std::string why = drawn_up(s, c); !why.empty()) return infeasible(why);
   if (!slack.empty()) {
     return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",
                                   open, unit, body, direction(dof.way), slack));
   }
-  if (iteration.singular) {
+  const bool given = hangs_on_given_tension(s, dof.body);
+  if (iteration.singular && !given) {
     return infeasible(
         fmt::format("body '{}' is not held {}: {:.6g} {} stay open; add a rope, or take that freedom away", body,
                     direction(dof.way), open, unit));
   }
-  return not_converged(
-      fmt::format("no equilibrium found: {:.6g} {} stay open on body '{}' {}", open, unit, body, direction(dof.way)));
+  const std::string_view advice =
+      given ? "the tensions given do not balance its load, whatever the place: give other tensions, or lengths"
+            : "try other lengths or weights, or hold the body by another rope";
+  return not_converged(fmt::format("no equilibrium found: {:.6g} {} stay open on body '{}' {}; {}", open, unit, body,
+                                   direction(dof.way), advice));
 }
 
 }  // namespace taut::analysis

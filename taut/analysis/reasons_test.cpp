@@ -1,0 +1,52 @@
+#include "taut/analysis/reasons.hpp"
+
+#include <gtest/gtest.h>
+
+#include "taut/analysis/equilibrium.hpp"
+#include "taut/analysis/machines_test.hpp"
+
+namespace reasons_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+using taut::Status;
+
+void expect_reason(const model::Model& m, const std::string& words) {
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_FALSE(r.outcome.ok());
+  EXPECT_NE(r.outcome.message.find(words), std::string::npos) << r.outcome.message;
+  EXPECT_TRUE(r.spans.empty());
+}
+
+/// A line whose counterweight hangs behind a sheave.
+model::Model with_counterweight(double mass) {
+  model::Model m;
+  m.bodies.push_back(body("counterweight", {-1, 0, -12}, mass, "z"));
+  m.reevings.push_back(reeve(
+      "track", {anchor_on("cw", 0), sheave("deflection", origin, 1, 1), anchor("end", {200, 0, 30})}, 220, 40, 50e6));
+  return m;
+}
+
+TEST(Reasons, ACounterweightTooLightIsDrawnUpToItsSheave) {
+  EXPECT_TRUE(equilibrium(with_counterweight(8e3)).outcome.ok());
+  expect_reason(with_counterweight(200), "body 'counterweight' is drawn up to 'deflection'");
+}
+
+TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
+  model::Model m;
+  m.reevings.push_back(reeve("guy", {anchor("top", {0, 0, 40}), anchor("foot", {30, 0, 0})}, 0, 40, 5e6));
+  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].value = 300;  // 40 m of height alone weigh 1600 N
+  expect_reason(m, "rope 'guy' does not come down to 300 N at 'top'");
+  m.reevings[0].value = 3000;
+  EXPECT_TRUE(equilibrium(m).outcome.ok());
+}
+
+TEST(Reasons, APullThatDoesNotCarryTheLoadIsNamed) {
+  model::Model m = tackle(4, 1, 3000);
+  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].value = 5e3;  // of 7355 N
+  expect_reason(m, "the tensions given do not balance its load");
+}
+
+}  // namespace reasons_test
