@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "taut/analysis/transient_damping.hpp"
 #include "taut/analysis/transient_run.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
@@ -12,6 +13,8 @@ namespace taut::analysis {
 namespace {
 
 using namespace dynamics;
+
+constexpr double verlet_share = 0.8;  ///< of the stability limit
 
 /// Inner nodes on the catenaries of the equilibrium.
 void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
@@ -65,6 +68,25 @@ void prepare(Run& run, const DynamicState& start) {
   run.origin = start;
 }
 
+/// The damping time of each rope: given, kept from before, or from its damping ratio and the lowest mode.
+void damp(Run& run) {
+  std::vector<double> time = run.origin.damping_time, frequency;
+  const std::size_t ropes = run.model.reevings.size();
+  for (std::size_t r = time.size(); r < ropes; ++r) {
+    const model::Reeving& rope = run.model.reevings[r];
+    time.push_back(rope.damping_time);
+    const double ratio = rope.damping_ratio > 0 ? rope.damping_ratio : run.options.damping_ratio;
+    if (rope.damping_time > 0 || !(ratio > 0)) continue;
+    if (frequency.empty()) frequency = stretching_frequencies(run.m, run.before, run.w);
+    if (!(frequency[r] > 0)) continue;
+    run.result.frequency[r] = frequency[r];
+    time[r] = 2 * ratio / frequency[r];
+  }
+  for (Line& line : run.m.lines) line.damping = time[static_cast<std::size_t>(line.reeving)];
+  run.m.lossless = run.m.lossless && std::all_of(time.begin(), time.end(), [](double beta) { return beta == 0; });
+  run.origin.damping_time = run.result.damping_time = std::move(time);
+}
+
 }  // namespace
 
 TransientResult transient(const model::Model& model, const TransientOptions& given) {
@@ -83,12 +105,16 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   if (!run.result.outcome.ok()) return run.result;
   if (settles) run.result.outcome = settled(run);
   if (!run.result.outcome.ok()) return run.result;
+  damp(run);
   run.happened.assign(model.events.size(), 0);
   for (std::size_t i = 0; i < start.happened.size() && i < run.happened.size(); ++i) {
     run.happened[i] = static_cast<char>(start.happened[i]);
   }
   run.end = run.before.t + options.duration;
   run.stops = stops_of(model, run.before.t, run.end);
+  run.result.stability_limit = stability_limit(run.m, run.before);
+  if (options.method == TimeMethod::verlet && options.step <= 0)
+    options.step = verlet_share * run.result.stability_limit;
   run.h = options.step;
   for (const LineValues& line : run.before.lines) {
     const auto r =
@@ -99,10 +125,6 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.result.iterations = run.newton.used;
   run.result.state = state_of(run.m, run.before, run.origin);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
-  run.result.damping_time.clear();
-  for (const auto& first : run.m.first_line) {
-    run.result.damping_time.push_back(run.m.lines[static_cast<std::size_t>(first.first)].damping);
-  }
   return run.result;
 }
 

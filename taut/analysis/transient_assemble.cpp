@@ -170,7 +170,7 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[at(k)].t.z() : 0;
-    const double hangs = now.T > 0 ? line.weight / 2 * (d.L[at(k)] * now.t.z() + turned) : 0;
+    const double hangs = now.T > 0 && line.segment < 0 ? line.weight / 2 * (d.L[at(k)] * now.t.z() + turned) : 0;
     tangent.end_T[0][at(k)] = now.end_T[0] > 0 ? d.T[at(k)] - hangs : 0;
     tangent.end_T[1][at(k)] = now.end_T[1] > 0 ? d.T[at(k)] + hangs : 0;
   }
@@ -212,6 +212,14 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
 }
 
 }  // namespace
+
+Vector3 dead_load(const Mechanism& m, int model_body) {
+  Vector3 force = Vector3::Zero();
+  for (const model::Load& load : m.model->loads) {
+    if (load.at.body == model_body) force += load.force;
+  }
+  return force;
+}
 
 double inertia_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about) {
   const Inertia of = inertia_of(m, body, now);

@@ -180,7 +180,7 @@ void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
   }
 }
 
-void decide_grip(const Mechanism& m, std::size_t i, const Values& before, Values& now) {
+void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {
   const Contact& contact = m.contacts[i];
   ContactValues& is = now.contacts[i];
   if (contact.in < 0 || contact.out < 0) {
@@ -194,7 +194,9 @@ void decide_grip(const Mechanism& m, std::size_t i, const Values& before, Values
     is.grip = Grip::equal;
   } else {
     const double ratio = std::exp(is.log_ratio);
-    const double slip = is.grip == Grip::stuck ? 0 : p.stiffness * (is.slipped - before.contacts[i].slipped);
+    const double damping = m.lines[at(contact.in)].damping;
+    const double stiffness = p.stiffness * (1 + damping * std::max(0.0, s.slip_now));
+    const double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
     is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
               : p.in - ratio * p.out - slip > 0 ? Grip::backward
                                                 : Grip::stuck;
@@ -271,7 +273,7 @@ bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& n
   bool changed = false;
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Grip was = now.contacts[i].grip;
-    decide_grip(m, i, before, now);
+    decide_grip(m, s, i, before, now);
     changed = changed || was != now.contacts[i].grip;
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {

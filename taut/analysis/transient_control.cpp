@@ -7,6 +7,8 @@
 namespace taut::analysis::dynamics {
 namespace {
 
+constexpr double least_share = 1e-5;  ///< of the tolerance that any step may use
+
 /// Error of the trapezoidal rule in one step, from the prediction of Adams and Bashforth (Gear 1971, sec. 9): a third
 /// of the difference for equal steps.
 double error_by_prediction(const Run& run, double x, double x_before, double rate, double rate_old) {
@@ -29,6 +31,13 @@ double error_of(const Run& run, bool kink) {
                        error_by_prediction(run, run.now.q[c], run.before.q[c], run.before.nu[c], run.nu_old[c]) / size);
     }
   }
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    if (run.m.contacts[i].spin < 0) continue;
+    const std::size_t c = at(run.m.contacts[i].column);
+    error = std::max(error, error_by_prediction(run, run.now.contacts[i].rolled, run.before.contacts[i].rolled,
+                                                run.before.contacts[i].roll_rate, run.nu_old[c]) /
+                                run.m.size_of_machine);
+  }
   const double h1 = run.h_last, h2 = run.h_older;
   const double third = h * h / (2 * (h + h1) * (h + h1 + h2));
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
@@ -36,11 +45,14 @@ double error_of(const Run& run, bool kink) {
     const double first = (T0 - T1) / h1, second = (first - (T1 - T2) / h2) / (h1 + h2);
     const double predicted = T0 + h * (first + (h + h1) * second);
     const double largest = run.T_largest[at(run.m.lines[i].reeving)];
-    const double rounding = 8 * std::numeric_limits<double>::epsilon() * run.m.lines[i].stiffness;
+    // differences of slip amplify what rounding leaves of a length
+    const Line& line = run.m.lines[i];
+    const double rates = line.contact[0] >= 0 || line.contact[1] >= 0 ? run.scheme.slip_now : 0;
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * line.stiffness * (1 + line.damping * rates);
     const double off = std::abs(run.now.lines[i].T - predicted) - rounding * (1 + h / h1) * (1 + h / h2);
     if (largest > 0) error = std::max(error, third * off / largest);
   }
-  const double allowed = run.options.tolerance * (kink ? 1 : std::min(1.0, h / run.options.duration));
+  const double allowed = run.options.tolerance * (kink ? 1 : std::clamp(h / run.options.duration, least_share, 1.0));
   return error / allowed;
 }
 

@@ -14,33 +14,56 @@ double per_metre(const Line& line, const LineValues& v, std::size_t end) {
   return v.end_T[end] * (1 + v.e) - elastic_tension(line, v) * v.e / 2;
 }
 
-void add_contact(const Mechanism& m, std::size_t i, const Values& v, Powers& p) {
+/// What the energy of a contact depends on at one time: J per metre passed and per metre rolled.
+struct Prices {
+  double passed = 0, rolled = 0;     ///< lost
+  double laid_by = 0, supplied = 0;  ///< per metre passed
+};
+
+Prices prices(const Mechanism& m, std::size_t i, const Values& v) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
-  const bool both = contact.in >= 0 && contact.out >= 0;
   const double out = contact.out < 0 ? 0 : per_metre(m.lines[at(contact.out)], v.lines[at(contact.out)], 0);
   const double in = contact.in < 0 ? 0 : per_metre(m.lines[at(contact.in)], v.lines[at(contact.in)], 1);
   const double T_out = contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0];
   const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
-  double loss = is.flow * (out - in) - (T_out - T_in) * is.lambda * is.roll_rate;
-  if (!both) {
-    const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
-    const double strain = is.lambda - 1;
-    const double lies = m.lines[line].stiffness * strain * strain / 2;
-    const double onto = contact.in < 0 ? -is.flow : is.flow;
-    if (given_tension(m, contact, v, v.when)) {
-      const double T = T_in + T_out;
-      p.supplied += contact.copies * T * (1 + v.lines[line].e) * onto;
-      loss += (contact.in < 0 ? -1 : 1) * T * (1 + v.lines[line].e) * is.flow;
-    }
-    p.laid_by += contact.copies * lies * onto;
-    loss -= lies * onto;
-  } else {
+  Prices p;
+  p.passed = out - in;
+  p.rolled = -(T_out - T_in) * is.lambda;
+  if (contact.in >= 0 && contact.out >= 0) {
     const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
-    p.laid_by -= contact.copies * m.lines[at(contact.in)].weight * is.flow * lifted;
+    p.laid_by = -m.lines[at(contact.in)].weight * lifted;
+    return p;
   }
-  const bool bearing = contact.spin < 0 && is.log_by_wrap == 0;
-  (bearing ? p.bearings : p.slipped) += contact.copies * loss;
+  const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
+  const double onto = contact.in < 0 ? -1 : 1, strain = is.lambda - 1;
+  if (given_tension(m, contact, v, v.when)) {
+    p.supplied = onto * (T_in + T_out) * (1 + v.lines[line].e);
+    p.passed += p.supplied;
+  }
+  p.laid_by = onto * m.lines[line].stiffness * strain * strain / 2;
+  p.passed -= p.laid_by;
+  return p;
+}
+
+void add_contact(const Mechanism& m, std::size_t i, const Values& before, const Values& now, Ledger& ledger) {
+  const Contact& contact = m.contacts[i];
+  const Prices a = prices(m, i, before), b = prices(m, i, now);
+  const std::size_t c = at(contact.column);
+  const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
+  const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
+  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0;
+  (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
+  ledger.laid_by += passed * (a.laid_by + b.laid_by);
+  ledger.supplied += passed * (a.supplied + b.supplied);
+}
+
+/// Work of the dampers of a line.
+double damped(const Mechanism& m, std::size_t i, const Values& before, const Values& now) {
+  const Line& line = m.lines[i];
+  const LineValues &a = before.lines[i], &b = now.lines[i];
+  const double more_a = a.T - elastic_tension(line, a), more_b = b.T - elastic_tension(line, b);
+  return line.copies * (more_a * a.L + more_b * b.L) / 2 * (b.e - a.e);
 }
 
 /// A body that signals move: its drive gives what inertia and weights ask and the ropes do not.
@@ -94,12 +117,6 @@ double drive_moment(const Mechanism& m, int spin, const Values& v) {
 
 Powers powers(const Mechanism& m, const Values& v) {
   Powers p;
-  for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const Line& line = m.lines[i];
-    const LineValues& is = v.lines[i];
-    if (is.T_rate != 0 || is.T != 0) p.damped += line.copies * (is.T - elastic_tension(line, is)) * is.L * is.e_rate;
-  }
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, v, p);
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const SpinValues& is = v.spins[i];
     p.bearings += is.turns * is.capacity * is.omega;
@@ -162,11 +179,13 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   const double half = (now.t - before.t) / 2;
   const Powers p = powers(m, now);
   const auto add = [&](double Powers::*what) { return half * (p.*what + ledger.last.*what); };
-  ledger.damped += add(&Powers::damped);
-  ledger.slipped += add(&Powers::slipped);
   ledger.bearings += add(&Powers::bearings);
   ledger.supplied += add(&Powers::supplied);
-  ledger.laid_by += add(&Powers::laid_by) + wound(m, before, now);
+  ledger.laid_by += wound(m, before, now);
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
   ledger.last = p;
   ledger.now = stored(m, now);
   const double change = std::max(

@@ -3,10 +3,9 @@
 
 namespace taut::analysis::dynamics {
 
-/// What goes where at one time, W.
+/// What the bearings of spins take and drives give at one time, W.
 struct Powers {
-  double damped = 0, slipped = 0, bearings = 0, supplied = 0;
-  double laid_by = 0;  ///< strain energy of the rope that comes onto drums
+  double bearings = 0, supplied = 0;
 };
 Powers powers(const Mechanism& m, const Values& v);
 
@@ -19,7 +18,8 @@ Stored stored(const Mechanism& m, const Values& v);
 /// The ledger over a run.
 struct Ledger {
   Stored start, now;
-  double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0, laid_by = 0;
+  double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0;
+  double laid_by = 0;  ///< of the rope on drums and arcs
   double turnover = 0;
   Powers last;
 };

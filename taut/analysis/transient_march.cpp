@@ -12,11 +12,17 @@ constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it 
 constexpr double growth = 2;
 constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
 
+constexpr double no_rope = 1e-3;  ///< of a line's first length
+
+bool used_up(const Run& run, std::size_t i) {
+  const LineValues& line = run.before.lines[i];
+  return !(line.L > no_rope * run.L_first[i] && line.l > no_rope * run.L_first[i]);
+}
+
 Outcome failure(const Run& run, StepEnd end, double t) {
   if (end == StepEnd::no_place) {
     for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
-      const LineValues& line = run.before.lines[i];
-      if (line.L > 1e-3 * run.m.size_of_machine && line.l > 1e-3 * run.m.size_of_machine) continue;
+      if (!used_up(run, i)) continue;
       const model::Reeving& rope = run.model.reevings[at(run.m.lines[i].reeving)];
       return infeasible(
           fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
@@ -34,6 +40,9 @@ Outcome failure(const Run& run, StepEnd end, double t) {
 
 /// Consistent accelerations at the time reached; what slips at once goes to `where`.
 StepEnd begin_again(Run& run, double& where) {
+  run.now.drums = run.before.drums;
+  run.now.drum_drive = run.before.drum_drive;
+  run.now.motor_drive = run.before.motor_drive;
   fade(run, run.before.t, run.now);
   const StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
   if (end != StepEnd::ok) return end;
@@ -71,10 +80,17 @@ StepEnd try_step(Run& run, double h, double t) {
   run.now.drum_drive = run.before.drum_drive;
   run.now.motor_drive = run.before.motor_drive;
   fade(run, t, run.now);
-  const double share = run.options.step > 0 ? 1e-3 : std::min(1.0, h / run.options.duration);
+  const double share = run.options.step > 0 ? 1e-3 : std::clamp(h / run.options.duration, 1e-5, 1.0);
   run.newton.tolerance = 0.02 * run.options.tolerance * share;
   run.newton.largest = *std::max_element(run.T_largest.begin(), run.T_largest.end());
   for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
+  if (run.options.method == TimeMethod::verlet) {
+    s.reach = 0;
+    s.slip_now = 1 / h;
+    s.slip_before = 0;
+    run.newton.tolerance = 1e-10;
+    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton);
+  }
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }
 
@@ -97,9 +113,10 @@ void commit_contacts(Run& run) {
 
 void accept(Run& run) {
   commit_contacts(run);
-  end_step(run.m, run.scheme, run.before, run.now, run.w);
-  add_step(run.m, run.before, run.now, run.ledger);
-  keep_history(run);
+  const bool implicit = run.options.method == TimeMethod::implicit;
+  if (implicit) end_step(run.m, run.scheme, run.before, run.now, run.w);
+  if (!run.m.lossless || !run.breaking.empty()) add_step(run.m, run.before, run.now, run.ledger);
+  if (implicit) keep_history(run);
   note_changes(run);
   ++run.result.steps;
   const double h = run.scheme.h;
@@ -111,7 +128,7 @@ void accept(Run& run) {
 
 /// One accepted step, at most to `limit`. Steps that fail or err are tried again, shorter.
 StepEnd advance(Run& run, double limit) {
-  const bool fixed = run.options.step > 0;
+  const bool fixed = run.options.step > 0;  // of Verlet always
   double last_error = 0, last_h = 0;
   bool kink = false;
   for (;;) {
@@ -160,6 +177,7 @@ StepEnd advance(Run& run, double limit) {
 
 void march(Run& run) {
   bool stop = false;
+  for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
   StepEnd end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);
   record_extremes(run, run.before);
@@ -177,6 +195,7 @@ void march(Run& run) {
     if (run.before.t >= limit) run.before.t = limit;
     const bool at_output = run.before.t >= output;
     if (at_output) {
+      if (run.m.lossless && run.breaking.empty()) add_step(run.m, run.before, run.before, run.ledger);
       record_frame(run, run.before);
       ++frame;
       if (run.options.progress && !run.options.progress(run.before.t)) {
@@ -191,9 +210,15 @@ void march(Run& run) {
       end = begin_again(run, broken);
       (event ? run.ledger.broken : run.ledger.slipped) += broken;
     }
+    for (std::size_t i = 0; i < run.m.lines.size() && end == StepEnd::ok; ++i) {
+      if (!used_up(run, i)) continue;
+      const Line& line = run.m.lines[i];
+      note(run, run.before.t, "length_zero", run.model.reevings[at(line.reeving)].name, {{"L", run.before.lines[i].L}});
+      end = StepEnd::no_place;
+    }
     if (run.result.steps + run.result.rejected > run.options.most_steps) {
       run.result.outcome = not_converged(fmt::format(
-          "{} steps and only t = {:.6g} s is reached: a coarser 'tolerance' or a shorter 'duration' is needed",
+          "after {} steps only t = {:.6g} s is reached: a coarser 'tolerance' or a shorter 'duration' is needed",
           run.options.most_steps, run.before.t));
       break;
     }

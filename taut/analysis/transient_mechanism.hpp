@@ -124,6 +124,8 @@ struct Mechanism {
   std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
   std::vector<int> body_places;
   std::vector<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row
+  bool simple = false;                             ///< point masses and lines between points alone
+  bool lossless = false;                           ///< nothing in it takes or gives energy
   int size = 0;
   double size_of_machine = 1;  ///< m
   StaticLu solver;

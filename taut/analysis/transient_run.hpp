@@ -32,6 +32,7 @@ struct Run {
   std::vector<double> T_old{}, T_older{};    ///< by line
   double h_last = 0, h_older = 0;
   std::vector<double> T_largest{};  ///< by reeving, N
+  std::vector<double> L_first{};    ///< by line, m
 };
 
 /// The value of an observable now.

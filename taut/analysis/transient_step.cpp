@@ -54,6 +54,10 @@ Work work_for(const Mechanism& m) {
 StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
   begin_step(m, s, before, w);
+  return iterate(m, s, before, t, now, w, newton);
+}
+
+StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton) {
   guess_flows(m, s, before, w, now);
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), moved = 0;
@@ -73,7 +77,7 @@ StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t
     if (i > 0 && !changed) {
       const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      if (close && moved * contraction <= newton.tolerance * m.size_of_machine) {
+      if (close && moved * contraction <= std::max(newton.tolerance, rounding) * m.size_of_machine) {
         newton.used += i;
         return StepEnd::ok;
       }

@@ -23,6 +23,17 @@ struct Newton {
 };
 StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);
 
+/// The same from star values that stand already.
+StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);
+
+/// One step of velocity Verlet of the size s.h (its reach is 0): half a kick, the way, the accelerations there, half a
+/// kick. Light contacts find their flows in between.
+StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton);
+
+/// Largest step for which it is stable, s: 2/omega (sqrt(1 + zeta^2) - zeta), omega the highest frequency, zeta its
+/// damping.
+double stability_limit(const Mechanism& m, const Values& v);
+
 /// Accelerations, and what light sheaves pass at once, at an unchanged time: after a start or an event.
 StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton);
 

@@ -116,6 +116,8 @@ void assemble_contacts(Mechanism& m, const Scheme& s, const Values& before, cons
 
 /// What the inertia and the dead forces of a body ask of a virtual velocity (along, about): N or W.
 double inertia_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about);
+/// Dead loads on a body of the model, N.
+Vector3 dead_load(const Mechanism& m, int model_body);
 /// Acceleration of a body's origin, and its angular acceleration.
 std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now);
 

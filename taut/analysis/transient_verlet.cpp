@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "taut/analysis/transient_step.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+/// Accelerations of point masses by lines between points.
+void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w) {
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Body& body = m.bodies[b];
+    for (std::size_t k = 0; k < at(body.count); ++k) {
+      const std::size_t c = at(body.first) + k;
+      now.bodies[b].x[static_cast<int>(k)] = before.bodies[b].x[static_cast<int>(k)] + w.q_star[c] - before.q[c];
+      now.bodies[b].v[static_cast<int>(k)] = now.nu[c] = w.nu_star[c];
+      now.q[c] = w.q_star[c];
+      w.residual[c] = k == 2 ? -body.own_mass * m.model->gravity : 0;
+    }
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    LineValues& is = now.lines[i];
+    Vector3 apart = Vector3::Zero();
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.body[end] < 0) {
+        is.touch[end] = line.place[end];
+        continue;
+      }
+      const Motion3& body = now.bodies[at(line.body[end])];
+      is.touch[end] = body.x + body.R * line.place[end];
+      apart += (end == 1 ? 1 : -1) * body.v;
+    }
+    is.centre = is.touch;
+    const Vector3 d = is.touch[1] - is.touch[0];
+    is.l = d.norm();
+    is.t = d / is.l;
+    is.L = before.lines[i].L;
+    is.apart = apart;
+    is.e = is.l / is.L - 1;
+    is.e_rate = is.t.dot(apart) / is.L;
+    pull(line, is);
+    const double half = line.weight * is.L / 2, hangs = is.T > 0 && line.segment < 0 ? half * is.t.z() : 0;
+    is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
+    const Vector3 force = line.copies * is.T * is.t;
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
+      double* const Q = w.residual.data() + m.bodies[at(line.body[end])].first;
+      const double sign = end == 0 ? 1 : -1;
+      Q[0] += sign * force.x();
+      Q[1] += sign * force.y();
+      Q[2] += sign * force.z() - line.copies * half;
+    }
+  }
+  for (const Body& body : m.bodies) {
+    const Vector3 load = body.model < 0 ? Vector3(Vector3::Zero()) : dead_load(m, body.model);
+    for (std::size_t k = 0; k < at(body.count); ++k) {
+      const std::size_t c = at(body.first) + k;
+      now.rate[c] = (w.residual[c] + load[static_cast<int>(k)]) / body.mass;
+    }
+  }
+}
+
+}  // namespace
+
+StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton) {
+  for (std::size_t c = 0; c < at(m.size); ++c) {
+    w.nu_star[c] = before.nu[c] + s.h / 2 * before.rate[c];
+    w.q_star[c] = before.q[c] + s.h * w.nu_star[c];
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    w.q_star[at(m.contacts[i].column)] = before.contacts[i].rolled + s.h * before.contacts[i].roll_rate;
+  }
+  if (m.simple) {
+    now.t = now.when = t;
+    accelerate_points(m, before, now, w);
+  } else {
+    const StepEnd end = iterate(m, s, before, t, now, w, newton);
+    if (end != StepEnd::ok) return end;
+  }
+  const auto kick = [&](int first, int count) {
+    for (std::size_t c = at(first); c < at(first + count); ++c) now.nu[c] = w.nu_star[c] + s.h / 2 * now.rate[c];
+  };
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Body& body = m.bodies[b];
+    if (body.count == 0) continue;
+    kick(body.first, body.count);
+    Motion3& is = now.bodies[b];
+    is.v = is.driven_v;
+    is.w = is.driven_w;
+    for (std::size_t f = 0; f < at(body.count); ++f) {
+      is.v += now.nu[at(body.first) + f] * body.along[f];
+      is.w += now.nu[at(body.first) + f] * body.about[f];
+    }
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    if (!prescribed(m, m.spins[i], before, now.when)) kick(m.spins[i].column, 1);
+    now.spins[i].omega = now.nu[at(m.spins[i].column)];
+  }
+  return StepEnd::ok;
+}
+
+double stability_limit(const Mechanism& m, const Values& v) {
+  double damping = 0;
+  for (const Line& line : m.lines) damping = std::max(damping, line.damping);
+  const double omega = highest_frequency(m, v), zeta = damping * omega / 2;
+  return 2 / omega / (std::sqrt(1 + zeta * zeta) + zeta);
+}
+
+}  // namespace taut::analysis::dynamics
