@@ -25,6 +25,7 @@ constexpr const char* laws[][3] = {
     {"carriage", "rolling: equal tensions, or friction between them; clamped: a fixed length before it",
      "carriages.md"},
     {"guy", "put up by tension on the unloaded machine, then its length is kept", "guy.md"},
+    {"beam", "elastic rod of first or second order, with ropes anywhere along it", "beam.md"},
     {"equilibrium", "balance of every freedom, law of every contact, given lengths and tensions; damped Newton",
      "equilibrium.md"}};
 
@@ -37,6 +38,8 @@ constexpr const char* equilibrium_tables[][2] = {
     {"rope_loads", "forces along the ropes: force, tensions beside it, place"},
     {"drives", "driven sheaves: torque, grip, slip arc, creep, power and where it goes"},
     {"drums", "layer, radius, wraps, rope on it, capacity, pull, torque"},
+    {"beams", "along each beam: place, axial force, shear, moment, stress, deflection"},
+    {"beam_ends", "largest values of each beam, force and moment at its base, critical force"},
     {"closure", "what stays open: lengths, forces, the balance of all"}};
 
 constexpr const char* path_tables[][2] = {
@@ -62,7 +65,7 @@ std::string whole_machine() {
   text += "\nAnalyses (keys and results: taut explain ANALYSIS)\n";
   for (const Field& f : AnalysisRequest::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
   text += "\nLaws (docs/theory)\n";
-  for (const auto& [name, law, page] : laws) text += fmt::format("  {:<16}{}  [{}]\n", name, law, page);
+  for (const auto& [name, law, page] : laws) text += fmt::format("  {:<17}{}  [{}]\n", name, law, page);
   text += "\nResult tables of an equilibrium\n" + table_lines(equilibrium_tables);
   text +=
       "\nResult values\n"

@@ -175,6 +175,25 @@ void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)
   if (!one.model.drums.empty()) add(drums(one.model, analysis::drums(one.model, flow_of(one), one.result)));
 }
 
+void add_drum_columns(const model::Model& m, std::vector<Column>& columns) {
+  for (const model::Reeving& one : m.reevings) {
+    for (const model::Node& end : {one.nodes.front(), one.nodes.back()}) {
+      if (end.drum < 0 || !m.drums[static_cast<std::size_t>(end.drum)].length_on_drum) continue;
+      columns.push_back({end.name + ".length", si::m});
+      columns.push_back({end.name + ".layer", si::one});
+      columns.push_back({end.name + ".torque", si::N_m});
+    }
+  }
+}
+
+void add_drum_cells(const model::Model& m, const analysis::EquilibriumResult& e, std::vector<Cell>& row) {
+  Flow none_runs;
+  for (const model::Reeving& one : m.reevings) none_runs.emplace_back(one.nodes.size(), 0);
+  for (const analysis::DrumResult& d : analysis::drums(m, none_runs, e)) {
+    if (d.length) row.insert(row.end(), {*d.length, static_cast<double>(d.layer), d.torque});
+  }
+}
+
 void add_drives(const MachineRun& run, Result& r) {
   std::map<std::string, Check> worst;
   for (const EquilibriumRun& one : run.equilibria) {

@@ -133,4 +133,36 @@ TEST(MachineDrives, TooMuchRopeForADrumIsTold) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
+TEST(MachineDrives, ALoadPathWindsTheMainlineOnItsDrum) {
+  const char* deck = R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 18 m], tail: [250 m, 0 m, 60 m]}
+  ropes:
+    skyline: {mass: 1.7 kg/m, stiffness: 26 MN}
+    mainline: {mass: 0.54 kg/m, stiffness: 5 MN, diameter: 12 mm}
+  drums:
+    winch: {at: [254 m, 0 m, 58 m], core_diameter: 260 mm, layers: auto, length_on_drum: 30 m, face_width: 240 mm, flange_diameter: 600 mm}
+  carriages: {car: {mass: 1 t, rides: skyline, mainline: mainline}}
+  reevings:
+    - {rope: skyline, path: [{anchor: tail}, {through: car}, {anchor: head}], length: 262 m}
+    - {rope: mainline, path: [{drum: winch}, {anchor: car}], length: 80 m}
+analyses: [load_path: {carriage: car, from: 120 m, to: 220 m, steps: 4}]
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  double before = -HUGE_VAL;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double length = cell(r, "load_path", "winch.length", i), layer = cell(r, "load_path", "winch.layer", i);
+    EXPECT_GT(length, before) << "what is hauled in lies on the drum";
+    before = length;
+    if (length < 0) continue;
+    const double radius = 0.13 + (layer - 0.5) * 0.012;
+    EXPECT_NEAR(cell(r, "load_path", "winch.torque", i), radius * cell(r, "load_path", "mainline.T_winch", i), 1e-6);
+  }
+  EXPECT_GT(cell(r, "load_path", "winch.layer", 4), cell(r, "load_path", "winch.layer", 1));
+  const Check* left = check_named(r, "winch.length_on_drum");
+  ASSERT_NE(left, nullptr) << "110 m of rope do not reach so far";
+  EXPECT_FALSE(left->passes);
+}
+
 }  // namespace machine_drives_test

@@ -240,6 +240,7 @@ std::vector<Column> load_path_columns(const model::Model& m) {
       columns.push_back({which + ".Fz", si::N});
     }
   }
+  add_drum_columns(m, columns);
   columns.push_back({"closure", si::m.in("mm")});
   if (!m.terrain.empty()) columns.push_back({"rope_clearance", si::m});
   return columns;
@@ -266,6 +267,7 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
       }
     }
   }
+  add_drum_cells(all, e, row);
   row.emplace_back(e.closure.rope);
   if (!all.terrain.empty()) row.emplace_back(analysis::rope_clearance(m, e).height);
   return row;

@@ -24,6 +24,11 @@ void add_values(const MachineRun& run, Result& r);
 /// Of one equilibrium, where the machine has them: rope_loads, drives, drums.
 void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)>& add);
 
+/// Columns of a load path for the drums whose rope on them is known, and the cells of one answer: rope on it, layer,
+/// torque.
+void add_drum_columns(const model::Model& model, std::vector<Column>& columns);
+void add_drum_cells(const model::Model& model, const analysis::EquilibriumResult& e, std::vector<Cell>& row);
+
 /// Values of the driven sheaves (torque, power), and checks over all analyses: grip, a motor's torque that is no more
 /// than a limit, what drums hold.
 void add_drives(const MachineRun& run, Result& r);
