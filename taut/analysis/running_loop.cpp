@@ -14,6 +14,7 @@ namespace {
 constexpr double first_part = 1.0 / 64;  // of sag or distance, where a continuation starts
 constexpr double shortest_stride = 1e-4;
 constexpr double longest_stride = 1.6;
+constexpr double upright = 3;  // fall over reach of the rope between the sections
 
 /// Straight ropes, with half their weights at the ends: closed form at a given slope of the roller's rope.
 struct StraightLoop {
@@ -124,6 +125,13 @@ Outcome stopped(const RunningLoop& loop, const LoopPlace& place, double part, co
         fmt::format("{} goes slack at x = {:.4g} m, sag {:.3g} m (exact catenaries): lessen the sag, or "
                     "keep the carriage farther from the support",
                     r.name, place.x, place.sag));
+  }
+  const double fall = std::abs(s.second.z - s.first.z), reach = std::abs(s.second.x - s.first.x);
+  if (loop.second && fall > upright * reach) {
+    return infeasible(fmt::format(
+        "the rope between the sections stands upright at x = {:.4g} m, sag {:.3g} m (exact catenaries): its horizontal "
+        "tension is down to {}, {:.3g} m of fall over {:.3g} m; lessen the sag, or the gathering force along the line",
+        place.x, place.sag * part, kilonewtons(s.between.force.H), fall, reach));
   }
   return not_converged(fmt::format(
       "exact catenaries find no equilibrium at x = {:.4g} m, sag {:.3g} m; the last one is at {:.3g} of that sag (and "

@@ -272,4 +272,21 @@ TEST(RunningLoop, AStartNearbyChangesNothing) {
   EXPECT_NEAR(warm.lower_A.T_start, cold.lower_A.T_start, 1e-11 * cold.lower_A.T_start);
 }
 
+TEST(RunningLoop, ASecondSectionPulledUnderTheFirstIsNamed) {
+  RunningLoop loop;
+  loop.span = 121;
+  loop.rise = -8;
+  loop.branch_distance = 1;
+  loop.traction_rope = loop.return_rope = {12, std::numeric_limits<double>::infinity()};
+  loop.carriage_weight = 2700;
+  loop.pull_x = -9300;
+  loop.pull_z = -5300;
+  loop.second = SecondSection{.distance = 2};
+  LoopState state;
+  EXPECT_TRUE(solve_loop(loop, {61, 10}, state).ok());
+  const Outcome deep = solve_loop(loop, {61, 60}, state);
+  EXPECT_EQ(deep.status, Status::infeasible);
+  EXPECT_NE(deep.message.find("between the sections stands upright"), std::string::npos) << deep.message;
+}
+
 }  // namespace taut::analysis::running_loop_test
