@@ -105,9 +105,13 @@ Iteration come_to_rest(const System& system, const model::State& state, const Co
   constexpr double any = std::numeric_limits<double>::infinity();
   Iteration it, told;
   std::optional<Solved> ends;
-  for (const auto& [growth, from_taut] : {std::pair{any, false}, {30.0, false}, {any, true}, {3.0, false}}) {
-    s.c = from_taut ? taut_start(system, state) : start;
-    it = relax(system, s.c, s.e, relaxing_steps, growth);
+  struct Way {
+    double growth, ropes;
+    bool from_taut;
+  };
+  for (const Way& way : {Way{any, 0.01, false}, {30, 0.01, false}, {any, 1, false}, {any, 1, true}, {3, 1, false}}) {
+    s.c = way.from_taut ? taut_start(system, state) : start;
+    it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
     s.steps += it.steps;
     if (it.converged) {
       it = newton(system, s.c, s.e, options.tolerance, options.iterations);

@@ -90,7 +90,7 @@ bool settled(const System& s, const Evaluation& e, double tolerance) {
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
 /// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
 /// on the side of its fixed end have lost.
-void add_drag(const System& s, double drag, Eigen::MatrixXd& J) {
+void add_drag(const System& s, double drag, double ropes, Eigen::MatrixXd& J) {
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const auto k = static_cast<Eigen::Index>(i);
@@ -103,7 +103,7 @@ void add_drag(const System& s, double drag, Eigen::MatrixXd& J) {
     const bool fixed_at_end = reeving.given == model::Given::tension_at_start;
     const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
     for (int k = first; k < last; ++k) {
-      J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -drag : drag;
+      J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
     }
   }
 }
@@ -150,7 +150,7 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   return it;
 }
 
-Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps, double most_growth) {
+Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps, double most_growth, double ropes) {
   Iteration it;
   it.stopped = evaluate(s, c, e);
   if (it.stopped) return it;
@@ -167,7 +167,7 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
       return it;
     }
     jacobian(s, c, e, J, columns);
-    add_drag(s, drag, J);
+    add_drag(s, drag, ropes, J);
     linear.factor(J);
     const Change change = change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
     if (!change.step.allFinite()) return it;

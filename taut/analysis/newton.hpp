@@ -19,7 +19,9 @@ Iteration newton(const System& system, Configuration& c, Evaluation& e, double t
 /// The overdamped fall of the bodies to a stable equilibrium, by implicit steps that grow as the forces settle
 /// (pseudo-transient continuation: Kelley, Keyes, SIAM J. Numer. Anal. 35 (1998) 508): from a start where ropes are
 /// slack or far from their places. It ends within 1e-4 of equilibrium, for `newton` to finish. `most_growth`: of the
-/// worst force in one step; infinite is quick where bodies fall into slack ropes, a small one careful.
-Iteration relax(const System& system, Configuration& c, Evaluation& e, int most_steps, double most_growth);
+/// worst force in one step; infinite is quick where bodies fall into slack ropes, a small one careful. `ropes`: how
+/// much of the bodies' drag holds back a rope over its contacts; little, and tensions even out before bodies move far.
+Iteration relax(const System& system, Configuration& c, Evaluation& e, int most_steps, double most_growth,
+                double ropes);
 
 }  // namespace taut::analysis

@@ -56,6 +56,7 @@ void add_rope(const System& s, const Evaluation& e, int r, Coordinates& all) {
 
 Coordinates coordinates_of(const System& s, const Evaluation& e) {
   Coordinates all;
+  for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, r, all);
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const Layout::Dof& dof = s.layout.dofs[at(i)];
     const bool kept =
@@ -66,7 +67,6 @@ Coordinates coordinates_of(const System& s, const Evaluation& e) {
     all.factor.push_back(1);
     all.unknown.emplace_back(i, -1);
   }
-  for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, r, all);
   return all;
 }
 
@@ -84,7 +84,7 @@ RoundEnd round_end(const System& s, const Configuration& c, const Evaluation& e,
   RoundEnd r;
   const model::Reeving& rope = s.model.reevings[at(link.reeving)];
   const model::Node& node = rope.nodes[at(leaves ? link.from : link.to)];
-  if (node.radius == 0 || node.kind == model::NodeKind::anchor) return r;
+  if (node.radius == 0) return r;  // a drum keeps its rope, although a machine counts only what is free of it
   const auto k = static_cast<std::size_t>(&link - s.layout.links.data());
   const Branch& b = e.branches[k];
   const double stretch = 1 + (leaves ? b.T_from : b.T_to) / rope.stiffness;
@@ -190,26 +190,23 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
     const double d = std::abs(matrix(i, i));
     scale[i] = size > 0 ? 1 / std::sqrt(std::max(d, 1e-12 * size)) : 1;
   }
-  Eigen::MatrixXd A = scale.asDiagonal() * (matrix + matrix.transpose()) * scale.asDiagonal() / 2;
-  Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd A = scale.asDiagonal() * matrix * scale.asDiagonal();
   for (Eigen::Index k = 0; k < n; ++k) {
     const double pivot = A(k, k);
     if (pivot < -rounding) {
-      // the eliminated coordinates follow k: v = L^-T e_k
+      // those before k follow: U v = pivot e_k
       Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
       v[k] = 1;
       for (Eigen::Index i = k - 1; i >= 0; --i) {
-        for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= L(j, i) * v[j];
+        if (A(i, i) <= rounding) continue;
+        for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= A(i, j) / A(i, i) * v[j];
       }
       return Eigen::VectorXd(scale.cwiseProduct(v));
     }
     if (pivot <= rounding) continue;  // neutral: nothing holds it, nothing drives it
     for (Eigen::Index i = k + 1; i < n; ++i) {
-      L(i, k) = A(i, k) / pivot;
-      for (Eigen::Index j = k + 1; j <= i; ++j) {
-        A(i, j) -= L(i, k) * A(j, k);
-        A(j, i) = A(i, j);
-      }
+      const double factor = A(i, k) / pivot;
+      for (Eigen::Index j = k + 1; j < n; ++j) A(i, j) -= factor * A(k, j);
     }
   }
   return std::nullopt;

@@ -5,8 +5,8 @@
 
 namespace taut::analysis {
 
-/// The second derivative of the potential energy of a machine without losses, by the freedoms of its bodies and, behind
-/// them, the rope that passes each contact; `rows` tells which. From the Jacobian at
+/// The second derivative of the potential energy of a machine without losses, by the rope that passes each contact and,
+/// behind them, the freedoms of its bodies; `rows` tells which. From the Jacobian at
 /// an equilibrium: rope that passes contact i leaves the branch before it and is fed into the one behind, and the
 /// energy falls by T_out - T_in; on a round the rope is held at a direction fixed in its body, so that moving the round
 /// does the work of the pulls alone. Symmetric but for the weight of rope on rounds, which the machine leaves out.
@@ -25,8 +25,9 @@ struct EnergyCurvature {
 /// holds the carriage.
 std::optional<EnergyCurvature> energy_curvature(const System& system, const Configuration& c, const Evaluation& e);
 
-/// A direction in which a symmetric matrix is negative; empty where there is none beyond rounding. By elimination
-/// (Sylvester's law of inertia).
+/// A direction in which a matrix that is symmetric, or nearly so, is negative; empty where there is none beyond
+/// rounding. By elimination in the order of its rows (Sylvester's law of inertia): what is left of a row is the force
+/// against it while those before it follow freely, right also where they are stiff and not quite symmetric.
 std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix);
 
 struct Stability {

@@ -46,4 +46,27 @@ TEST(Start, ColdBesideASaddleOfAnySize) {
   }
 }
 
+/// A hook on six falls whose rope, where the deck puts the hook, is stretched by far too much.
+TEST(Start, ALightHookThatStartsFarTooLow) {
+  for (const double mass : {150.0, 720.0, 6000.0}) {
+    for (const double stiffness : {11e6, 13e6, 13.39e6, 20e6}) {
+      model::Model m;
+      m.bodies.push_back(body("hook", {0, 0, 3}, mass, "xz"));
+      std::vector<model::Node> nodes{anchor("winch", {-6, 0, 1})};
+      nodes[0].radius = 0.158;
+      for (int i = 0; i < 6; ++i) {
+        nodes.push_back(i % 2 == 0 ? sheave("head", {0, 0, 10}, 0.16, 1, 0.97)
+                                   : sheave("block", origin, 0.16, 1, 0.97, 0));
+      }
+      nodes.push_back(anchor("pin", {-0.15, 0, 9.7}));
+      m.reevings.push_back(reeve("hoist", nodes, 52, 9.9, stiffness));
+      const EquilibriumResult r = equilibrium(m);
+      ASSERT_TRUE(r.outcome.ok()) << mass << " kg, " << stiffness << " N: " << r.outcome.message;
+      double falls = 0;  // what the rope pulls the hook up with
+      for (const ContactResult& c : r.contacts) falls += c.node % 2 == 0 ? c.force.z() : 0;
+      EXPECT_NEAR(falls / (mass * m.gravity), 1, 1e-8);
+    }
+  }
+}
+
 }  // namespace start_test
