@@ -220,6 +220,28 @@ TEST(Haulback, WhatGivesWayIsTheMainlineOrTheHaulbacksLength) {
   EXPECT_NEAR(by_mainline.ropes[2].unstretched, by_pull.ropes[2].unstretched, 1e-6);
 }
 
+/// A carriage locked on the skyline while its mainline pulls: the place of the lock follows from x, the pull stays.
+TEST(Locked, TheClampGivesWayAndTheMainlineKeepsItsPull) {
+  model::Model m = with_carriage(true, 0);
+  m.reevings[0].nodes[2].kind = model::NodeKind::clamp;
+  m.reevings[0].nodes[2].length_before = 150;
+  m.reevings[1].given = model::Given::tension_at_start;
+  m.reevings[1].value = 9e3;
+  const EquilibriumResult r = placed(m, 150);
+  for (const SpanResult& s : r.spans) {
+    if (s.reeving == 1) {
+      EXPECT_NEAR(s.T_from, 9e3, 1e-5);
+    }
+  }
+  EXPECT_NEAR(r.ropes[0].unstretched, 318, 1e-9);
+  double before = 0;
+  for (const SpanResult& s : r.spans) before += s.reeving == 0 && s.from < 2 ? s.unstretched : 0;
+  m.reevings[0].nodes[2].length_before = before;
+  const EquilibriumResult again = equilibrium(m);
+  ASSERT_TRUE(again.outcome.ok()) << again.outcome.message;
+  EXPECT_NEAR(again.state.bodies[0].position.x(), 150, 1e-6);
+}
+
 // --- lines in any direction -----------------------------------------------------------------------------------------
 
 model::Model turned(model::Model m, double angle, const Vector3& by) {

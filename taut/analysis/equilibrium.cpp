@@ -9,6 +9,7 @@
 
 #include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/first_state.hpp"
+#include "taut/analysis/hanging.hpp"
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
 #include "taut/analysis/reasons.hpp"
@@ -97,6 +98,18 @@ struct Solved {
   int steps = 0;
 };
 
+/// Whether an answer is one to stay in, and its carriages hang as carriages do.
+Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
+  Stability found = stability(system, c, e);
+  if (found.outcome.ok()) found.outcome = hanging(system, c, e).outcome;
+  return found;
+}
+
+/// An answer of which nothing else is wrong than that a carriage lifts off stands: its rollers' state tells.
+void accept_lifted(const System& system, Solved& s) {
+  if (stability(system, s.c, s.e).outcome.ok() && hanging(system, s.c, s.e).lifted) s.outcome = {};
+}
+
 /// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
 /// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
 /// fall, which tells best where things go.
@@ -117,7 +130,7 @@ Iteration come_to_rest(const System& system, const model::State& state, const Co
       it = newton(system, s.c, s.e, options.tolerance, options.iterations);
       s.steps += it.steps;
     }
-    s.outcome = it.converged ? stability(system, s.c, s.e).outcome : Outcome();
+    s.outcome = it.converged ? stays(system, s.c, s.e).outcome : Outcome();
     if (it.converged && s.outcome.ok()) return it;
     if (ends && (told.converged || !it.converged)) continue;
     ends = s;
@@ -142,7 +155,7 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
   const Iteration first = it;
   std::optional<Solved> unstable;
   if (it.converged) {
-    const Stability found = stability(system, s.c, s.e);
+    const Stability found = stays(system, s.c, s.e);
     s.outcome = found.outcome;
     if (s.outcome.ok()) return it;
     unstable = s;
@@ -157,9 +170,11 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
   if (unstable) {
     unstable->steps = s.steps;
     s = *std::move(unstable);
+    accept_lifted(system, s);
     return first;
   }
   it.singular = first.singular;  // a drag hides it
+  if (it.converged) accept_lifted(system, s);
   return it;
 }
 

@@ -162,6 +162,38 @@ TEST(ClosedLoop, TwoSections) {
   EXPECT_NEAR(second.x() - first.x(), 3, 1e-5);
 }
 
+/// One endless rope instead of two, fixed to the carriage on its lower branch and carrying it on the upper one.
+TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
+  for (const double rise : {0.0, 40.0, -40.0}) {
+    RunningLoop loop = base_loop();
+    loop.rise = rise;
+    loop.traction_rope = loop.return_rope = {12, 1.5e7};
+    LoopState s;
+    ASSERT_TRUE(solve_loop(loop, {120, 12}, s).ok());
+    model::Model m = loop_machine(loop, s);
+    model::Node drive = over("A", origin), grip = anchor_on("car", 0), roller = m.reevings[1].nodes[2];
+    drive.kind = model::NodeKind::drive;
+    grip.kind = model::NodeKind::clamp;
+    grip.length_before = 100;
+    m.reevings = {reeve("loop", {drive, grip, m.reevings[1].nodes[1], roller}, s.loop_length(), 12, 1.5e7)};
+    m.reevings[0].closed = true;
+    m.reevings[0].haul = -1;
+    m.carriages = {{"car", 0, 0, 3, -1, 1, 0, 1, -1}};
+    EquilibriumOptions options;
+    options.motion = Motion::in;  // against the path: the lower branch runs to A
+    options.prescribed = Prescribed{0, 120};
+    const EquilibriumResult r = equilibrium(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    ASSERT_EQ(r.spans.size(), 4U);
+    EXPECT_NEAR(r.spans[0].T_from / s.lower_A.T_start, 1, 1e-8);
+    EXPECT_NEAR(r.spans[1].T_to / s.lower_B.T_end, 1, 1e-8);
+    EXPECT_NEAR(r.spans[2].T_from / s.upper_B.T_end, 1, 1e-8);
+    EXPECT_NEAR(r.spans[3].T_to / s.upper_A.T_start, 1, 1e-8);
+    EXPECT_NEAR(r.state.bodies[0].position.z(), s.first.z, 1e-6);
+    EXPECT_NEAR(r.spans[0].unstretched, s.traction_length, 1e-6);
+  }
+}
+
 TEST(ClosedLoop, TheGridOfSlopesAndSags) {
   // the cases of the spec's table of accuracy, section 10
   int cases = 0;

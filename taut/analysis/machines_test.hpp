@@ -99,7 +99,7 @@ inline model::Model rollers(int count, double wheelbase, double height, double m
   model::Model m;
   model::Body car = body("car", {60, 0, 10}, mass, "xyz");
   if (count > 1 || height > 0) car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
-  model::turn_along(car, {150, 0, rise});
+  model::turn_along(car, {150, 0, rise}, count);
   m.bodies.push_back(car);
   std::vector<model::Node> nodes{anchor("head", {0, 0, 20})};
   for (int i = 0; i < count; ++i) {

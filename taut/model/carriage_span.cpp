@@ -121,7 +121,7 @@ Model with_carriage_at(Model model, int carriage, double x, const Vector3& along
   const Moved moved = move_nodes(model, car.reeving, car.node, car.rollers, x, along);
   if (!moved.found) return model;
   Body& body = model.bodies[static_cast<std::size_t>(car.body)];
-  turn_along(body, moved.to - moved.from);
+  turn_along(body, moved.to - moved.from, car.rollers);
   const Vector3& above =
       model.reevings[static_cast<std::size_t>(car.reeving)].nodes[static_cast<std::size_t>(car.node)].at.at;
   body.position = moved.place - above.z() * body.orientation.col(2);

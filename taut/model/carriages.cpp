@@ -78,12 +78,12 @@ Body body_of(const description::Carriage& carriage) {
   return body;
 }
 
-void turn_along(Body& body, const Vector3& chord) {
+void turn_along(Body& body, const Vector3& chord, int rollers) {
   for (Freedom& way : body.free) {
     if (way.about == Vector3::Zero()) continue;
     const Vector3 level(chord.x(), chord.y(), 0);
     const bool upright = level.norm() <= 1e-9 * chord.norm();
-    const Vector3 along = upright ? Vector3(Vector3::UnitX()) : Vector3(chord.normalized());
+    const Vector3 along = upright ? Vector3(Vector3::UnitX()) : Vector3((rollers > 1 ? chord : level).normalized());
     way.about = upright ? Vector3(Vector3::UnitY()) : Vector3(up().cross(level.normalized()));
     body.orientation.col(0) = along;
     body.orientation.col(1) = way.about;
@@ -189,7 +189,7 @@ void place_carriages(const Machine& machine, const std::vector<std::vector<Stop>
       const Carriage& car = model.carriages[i];
       const Chord chord = chord_of(model, stops[static_cast<std::size_t>(car.reeving)], car);
       Body& body = model.bodies[static_cast<std::size_t>(car.body)];
-      turn_along(body, chord.to - chord.from);
+      turn_along(body, chord.to - chord.from, car.rollers);
       if (machine.carriages[i].at) continue;
       body.position = chord.from + chord.share * (chord.to - chord.from);
       if (pitches(machine.carriages[i])) body.position -= machine.carriages[i].height * body.orientation.col(2);

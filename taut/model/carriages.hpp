@@ -14,9 +14,9 @@ bool pitches(const description::Carriage& carriage);
 /// The carriage as a body that may move in space, and pitch where it does.
 Body body_of(const description::Carriage& carriage);
 
-/// Turns a body that pitches so that its x points along `chord` and its y lies level; its axis of pitch is y. A chord
-/// straight up counts as along x.
-void turn_along(Body& body, const Vector3& chord);
+/// Turns a body that pitches to where it is looked for first: its y lies level across `chord` and is its axis of pitch;
+/// its x points along the chord, or, hanging from a single roller, level. A chord straight up counts as along x.
+void turn_along(Body& body, const Vector3& chord, int rollers);
 
 /// Its nodes on a rope that passes it: one for each roller, from its rear (x < 0) to its front, or the clamp. `place`:
 /// of its origin.
