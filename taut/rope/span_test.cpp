@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "taut/base/expects.hpp"
 
@@ -54,6 +55,29 @@ RC_GTEST_PROP(Span, TurnsAndMirrorsWithItsEnds, ()) {
   const Matrix3 mirror = Vector3(1, -1, 1).asDiagonal();
   const Span mirrored = *solve_span(s.rope, mirror * s.chord);
   RC_ASSERT((force_on_start(mirrored) - mirror * force_on_start(s)).norm() <= 1e-15 * T);
+}
+
+/// What one ulp of a turned coordinate does to the tension of a taut stiff rope is EA times it.
+TEST(Span, ThreeThousandTurnedAndMirrored) {
+  std::mt19937_64 source(4);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(source); };
+  for (int i = 0; i < 3000; ++i) {
+    const double c = in(10, 1000), slope = in(-1.1, 1.1);
+    const CatenaryRope rope{c * in(0.98, 1.5), in(1, 200), std::pow(10, in(6, 9))};
+    const Vector3 chord(c * std::cos(slope), 0, c * std::sin(slope));
+    const auto here = solve_span(rope, chord);
+    ASSERT_TRUE(here) << i;
+    const double tolerance = 1e-12 * largest_tension(*here) + 2e-16 * rope.stiffness;
+    const Matrix3 turn = Eigen::AngleAxisd(in(0, 2 * std::numbers::pi), up()).toRotationMatrix();
+    const Matrix3 mirror = Vector3(-1, 1, 1).asDiagonal();
+    for (const Matrix3& M : {turn, mirror, Matrix3(turn * mirror)}) {
+      const auto there = solve_span(rope, M * chord);
+      ASSERT_TRUE(there) << i;
+      EXPECT_LT((force_on_start(*there) - M * force_on_start(*here)).norm(), tolerance) << i;
+      EXPECT_LT((force_on_end(*there) - M * force_on_end(*here)).norm(), tolerance) << i;
+      EXPECT_LT(there->closure, 1e-9 * c) << i;
+    }
+  }
 }
 
 RC_GTEST_PROP(Span, StiffnessAndRatesAreDerivatives, ()) {
