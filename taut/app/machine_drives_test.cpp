@@ -99,6 +99,37 @@ TEST(MachineDrives, TheMotionTurnsTheCut) {
   EXPECT_NEAR(cell(fixed, "rope_loads", "F"), -2000, 1e-6);
 }
 
+TEST(MachineDrives, ARopeThatRunsUpIsCalculatedAsItRuns) {
+  std::string text = saw;
+  text.replace(text.find("{speed: 12 m/s}"), 15, "{speed: run_up}");
+  text.replace(text.find("  reevings:"), 0, "  signals: {run_up: {ramp: {to: 12 m/s, duration: 3 s}}}\n");
+  EXPECT_NEAR(cell(run_text(text), "drives", "power"), cell(run_text(saw), "drives", "power"), 1e-9);
+}
+
+constexpr const char* capstan = R"(taut: 1
+machine:
+  points: {tail: [1 m, 0 m, -3 m]}
+  ropes: {line: {mass: 0 kg/m, stiffness: 5 MN}}
+  bodies: {hook: {mass: 500 kg, at: [-0.3 m, 0 m, -6 m], free: [x, z]}}
+  sheaves: {capstan: {at: [0 m, 0 m, 0 m], diameter: 600 mm, friction: 0.3, motor: {speed: 0.4 m/s}}}
+  reevings: [{rope: line, path: [{anchor: hook}, {over: capstan}, {anchor: tail}], length: 11 m, tension_at_end: 2500 N}]
+analyses: [equilibrium: {motion: in}]
+)";
+
+TEST(MachineDrives, ACapstanHoistsTowardsTheEndThatIsHeld) {
+  const Result r = run_text(capstan);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(cell(r, "drives", "T_in"), 500 * 9.80665, 1e-3);
+  EXPECT_NEAR(cell(r, "drives", "T_out"), 2500, 1e-6);
+  EXPECT_NEAR(cell(r, "drives", "power"), (500 * 9.80665 - 2500) * 0.4, 1e-3);
+  std::string by_torque = capstan;
+  by_torque.replace(by_torque.find("speed: 0.4 m/s"), 14, "torque: 750 N m");
+  EXPECT_NE(to_text(run_text(by_torque).errors).find("is told length and tension_at_end"), std::string::npos);
+  by_torque.replace(by_torque.find(", tension_at_end: 2500 N"), 24, "");
+  const Result driven = run_text(by_torque);
+  EXPECT_NEAR(cell(driven, "drives", "T_out"), 500 * 9.80665 - 750 / 0.3, 1e-3);
+}
+
 constexpr const char* winch = R"(taut: 1
 machine:
   ropes: {line: {mass: 0.9 kg/m, stiffness: 10 MN, diameter: 16 mm}}

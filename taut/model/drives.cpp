@@ -1,17 +1,21 @@
 #include "taut/model/drives.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "taut/model/drums.hpp"
 
 namespace taut::model {
 namespace {
 
-/// At the start, m/s; empty where nobody says it.
+/// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it.
 std::optional<double> speed_of(const Drive& drive) {
   if (drive.kind != DriveKind::speed) return std::nullopt;
-  const double speed = at(drive.signal, 0).value;
-  return std::isfinite(speed) ? std::optional(std::abs(speed)) : std::nullopt;
+  double speed = std::abs(at(drive.signal, 0).value);
+  if (const auto* sine = std::get_if<Sine>(&drive.signal.law)) speed = std::abs(sine->mean) + std::abs(sine->amplitude);
+  for (const double t : breakpoints(drive.signal)) speed = std::max(speed, std::abs(at(drive.signal, t).value));
+  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
 }
 
 void add_motor(Node& node, Reeving& reeving, const Motor& motor) {

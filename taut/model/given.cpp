@@ -41,7 +41,8 @@ int haul_of(const description::Reeving& given, const Reeving& reeving) {
   if (given.closed) return 1;
   if (given.path.front().drum) return -1;
   if (given.path.back().drum) return 1;
-  return reeving.given == Given::tension_at_end ? 1 : -1;
+  const bool pulled_at_end = reeving.also && reeving.also->first == Given::tension_at_end;
+  return reeving.given == Given::tension_at_end || pulled_at_end ? 1 : -1;
 }
 
 }  // namespace
