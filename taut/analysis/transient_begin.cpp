@@ -89,6 +89,17 @@ void fill_drums(const DynamicState& start, Built& built) {
 
 }  // namespace
 
+void classify(Mechanism& m) {
+  const auto plain = [](const Line& line) { return line.kind == LineKind::points; };
+  const auto still = [](const Body& body) { return body.count == 0 || body.point; };
+  const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),
+                                  [](const model::Body& body) { return !body.driven.empty(); });
+  m.simple = m.contacts.empty() && m.tensioner.empty() && !driven &&
+             std::all_of(m.lines.begin(), m.lines.end(), plain) && std::all_of(m.bodies.begin(), m.bodies.end(), still);
+  m.lossless =
+      m.simple && std::all_of(m.lines.begin(), m.lines.end(), [](const Line& line) { return line.damping == 0; });
+}
+
 double start_length(const Mechanism& m, const DynamicState& start, int line) {
   const int reeving = m.lines[at(line)].reeving;
   return start.ropes[at(reeving)].length[at(line - m.first_line[at(reeving)].first)];

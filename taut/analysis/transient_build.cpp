@@ -33,7 +33,7 @@ class Builder {
     add_lumps();
     number();
     list_places();
-    classify();
+    classify(built_.mechanism);
     fill_values(start_, built_);
     check();
     return std::move(built_);
@@ -60,19 +60,6 @@ class Builder {
       mark_point(body);
       m().bodies.push_back(body);
     }
-  }
-
-  void classify() {
-    Mechanism& of = built_.mechanism;
-    const auto plain = [&](const Line& line) { return line.kind == LineKind::points; };
-    const auto still = [](const Body& body) { return body.count == 0 || body.point; };
-    const bool driven = std::any_of(model_.bodies.begin(), model_.bodies.end(),
-                                    [](const model::Body& body) { return !body.driven.empty(); });
-    of.simple = of.contacts.empty() && of.tensioner.empty() && !driven &&
-                std::all_of(of.lines.begin(), of.lines.end(), plain) &&
-                std::all_of(of.bodies.begin(), of.bodies.end(), still);
-    of.lossless =
-        of.simple && std::all_of(of.lines.begin(), of.lines.end(), [](const Line& line) { return line.damping == 0; });
   }
 
   static void mark_point(Body& body) {

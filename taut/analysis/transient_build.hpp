@@ -12,6 +12,8 @@ struct Built {
 };
 Built build(const model::Model& model, const DynamicState& start, const TransientOptions& options);
 
+/// Whether the machine is simple, and lossless.
+void classify(Mechanism& m);
 /// The values at the start, once the mechanism stands.
 void fill_values(const DynamicState& start, Built& built);
 /// Unstretched length of a line at the start, m.

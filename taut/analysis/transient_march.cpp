@@ -72,6 +72,16 @@ StepEnd try_step(Run& run, double h, double t) {
         contact.lambda +
         (rope && run.before.lines[at(contact.entry)].e > 0 ? h / 2 * run.before.lines[at(contact.entry)].e_rate : 0);
   }
+  if (run.options.method == TimeMethod::verlet) {
+    run.now.drum_drive = run.before.drum_drive;
+    run.now.motor_drive = run.before.motor_drive;
+    fade(run, t, run.now);
+    s.reach = 0;
+    s.slip_now = 1 / h;
+    s.slip_before = 0;
+    run.newton.tolerance = 1e-10;
+    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton);
+  }
   // accelerations go on as they changed
   const double slope = run.known > 0 ? h / run.h_last : 0;
   for (std::size_t c = 0; c < run.now.rate.size(); ++c) {
@@ -84,13 +94,6 @@ StepEnd try_step(Run& run, double h, double t) {
   run.newton.tolerance = 0.02 * run.options.tolerance * share;
   run.newton.largest = *std::max_element(run.T_largest.begin(), run.T_largest.end());
   for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
-  if (run.options.method == TimeMethod::verlet) {
-    s.reach = 0;
-    s.slip_now = 1 / h;
-    s.slip_before = 0;
-    run.newton.tolerance = 1e-10;
-    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton);
-  }
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }
 

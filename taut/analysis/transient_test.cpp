@@ -6,10 +6,9 @@
 
 #include "taut/analysis/machines_test.hpp"
 
+namespace taut_test::transient_rows {
 namespace {
 
-using namespace taut_test;
-using taut::Vector3;
 using taut::analysis::DynamicState;
 using taut::analysis::Start;
 using taut::analysis::TransientOptions;
@@ -139,3 +138,4 @@ TEST(Transient, ChainComesToRestWhereTheStaticOneHangs) {
 }
 
 }  // namespace
+}  // namespace taut_test::transient_rows

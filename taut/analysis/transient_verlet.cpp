@@ -28,7 +28,7 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
         continue;
       }
       const Motion3& body = now.bodies[at(line.body[end])];
-      is.touch[end] = body.x + body.R * line.place[end];
+      is.touch[end] = m.bodies[at(line.body[end])].model < 0 ? body.x : Vector3(body.x + body.R * line.place[end]);
       apart += (end == 1 ? 1 : -1) * body.v;
     }
     is.centre = is.touch;
