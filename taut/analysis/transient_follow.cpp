@@ -163,7 +163,9 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
   const Line& line = m.lines[i];
   LineValues& is = now.lines[i];
   is.e_rate = 0;
-  if (!s.at_rest) {
+  // it matters for dampers, and for how the stretch of rope on rounds goes on
+  const bool matters = line.damping > 0 || line.contact[0] >= 0 || line.contact[1] >= 0;
+  if (!s.at_rest && matters) {
     Vector3 apart = Vector3::Zero();
     double flows = 0;
     for (const std::size_t end : {0U, 1U}) {

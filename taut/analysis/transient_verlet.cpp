@@ -6,6 +6,8 @@
 namespace taut::analysis::dynamics {
 namespace {
 
+Vector3 place_on(const Motion3& body, const Vector3& place) { return body.x + body.R * place; }
+
 /// Accelerations of point masses by lines between points.
 void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
@@ -21,24 +23,21 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     LineValues& is = now.lines[i];
-    Vector3 apart = Vector3::Zero();
     for (const std::size_t end : {0U, 1U}) {
-      if (line.body[end] < 0) {
-        is.touch[end] = line.place[end];
-        continue;
-      }
-      const Motion3& body = now.bodies[at(line.body[end])];
-      is.touch[end] = m.bodies[at(line.body[end])].model < 0 ? body.x : Vector3(body.x + body.R * line.place[end]);
-      apart += (end == 1 ? 1 : -1) * body.v;
+      const int body = line.body[end];
+      is.touch[end] = body < 0                       ? line.place[end]
+                      : m.bodies[at(body)].model < 0 ? now.bodies[at(body)].x
+                                                     : place_on(now.bodies[at(body)], line.place[end]);
     }
-    is.centre = is.touch;
     const Vector3 d = is.touch[1] - is.touch[0];
     is.l = d.norm();
-    is.t = d / is.l;
+    is.t = d * (1 / is.l);
     is.L = before.lines[i].L;
-    is.apart = apart;
     is.e = is.l / is.L - 1;
-    is.e_rate = is.t.dot(apart) / is.L;
+    if (line.damping > 0) {
+      const auto velocity = [&](int body) { return body < 0 ? Vector3(Vector3::Zero()) : now.bodies[at(body)].v; };
+      is.e_rate = is.t.dot(velocity(line.body[1]) - velocity(line.body[0])) / is.L;
+    }
     pull(line, is);
     const double half = line.weight * is.L / 2, hangs = is.T > 0 && line.segment < 0 ? half * is.t.z() : 0;
     is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
@@ -53,11 +52,13 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
     }
   }
   for (const Body& body : m.bodies) {
-    const Vector3 load = body.model < 0 ? Vector3(Vector3::Zero()) : dead_load(m, body.model);
-    for (std::size_t k = 0; k < at(body.count); ++k) {
-      const std::size_t c = at(body.first) + k;
-      now.rate[c] = (w.residual[c] + load[static_cast<int>(k)]) / body.mass;
-    }
+    if (body.count == 0) continue;
+    const double share = 1 / body.mass;
+    const auto c = at(body.first);
+    for (std::size_t k = 0; k < 3; ++k) now.rate[c + k] = w.residual[c + k] * share;
+    if (body.model < 0) continue;
+    const Vector3 load = dead_load(m, body.model);
+    for (std::size_t k = 0; k < 3; ++k) now.rate[c + k] += load[static_cast<int>(k)] * share;
   }
 }
 
@@ -86,6 +87,10 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
     if (body.count == 0) continue;
     kick(body.first, body.count);
     Motion3& is = now.bodies[b];
+    if (body.point) {
+      is.v = Vector3(now.nu[at(body.first)], now.nu[at(body.first) + 1], now.nu[at(body.first) + 2]) + is.driven_v;
+      continue;
+    }
     is.v = is.driven_v;
     is.w = is.driven_w;
     for (std::size_t f = 0; f < at(body.count); ++f) {
