@@ -58,7 +58,8 @@ StepEnd begin_again(Run& run, double& where) {
 }
 
 /// A step of h to the time t, which is before.t + h but for rounding.
-StepEnd try_step(Run& run, double h, double t) {
+/// `last`: of those to an output or an event.
+StepEnd try_step(Run& run, double h, double t, bool last) {
   Scheme& s = run.scheme;
   s.h = h;
   s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
@@ -80,7 +81,7 @@ StepEnd try_step(Run& run, double h, double t) {
     s.slip_now = 1 / h;
     s.slip_before = 0;
     run.newton.tolerance = 1e-10;
-    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton);
+    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton, last);
   }
   // accelerations go on as they changed
   const double slope = run.known > 0 ? h / run.h_last : 0;
@@ -141,7 +142,7 @@ StepEnd advance(Run& run, double limit) {
       h = left;
     else if (!fixed && h > left / 2)
       h = left / 2;
-    const StepEnd end = try_step(run, h, h == left ? limit : run.before.t + h);
+    const StepEnd end = try_step(run, h, h == left ? limit : run.before.t + h, h == left);
     if (end != StepEnd::ok) {
       ++run.result.rejected;
       run.h = h / 4;

@@ -8,18 +8,7 @@ namespace {
 
 Vector3 place_on(const Motion3& body, const Vector3& place) { return body.x + body.R * place; }
 
-/// Accelerations of point masses by lines between points.
-void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w) {
-  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    const Body& body = m.bodies[b];
-    for (std::size_t k = 0; k < at(body.count); ++k) {
-      const std::size_t c = at(body.first) + k;
-      now.bodies[b].x[static_cast<int>(k)] = before.bodies[b].x[static_cast<int>(k)] + w.q_star[c] - before.q[c];
-      now.bodies[b].v[static_cast<int>(k)] = now.nu[c] = w.nu_star[c];
-      now.q[c] = w.q_star[c];
-      w.residual[c] = k == 2 ? -body.own_mass * m.model->gravity : 0;
-    }
-  }
+void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     LineValues& is = now.lines[i];
@@ -51,6 +40,58 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
       Q[2] += sign * force.z() - line.copies * half;
     }
   }
+}
+
+/// The same without dampers, leaving out what nobody reads between two outputs.
+void pull_quickly(const Mechanism& m, const Values& before, Values& now, Work& w) {
+  double* const Q = w.residual.data();
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    LineValues& is = now.lines[i];
+    const auto place = [&](std::size_t end) -> Vector3 {
+      const int body = line.body[end];
+      if (body < 0) return line.place[end];
+      return m.bodies[at(body)].model < 0 ? now.bodies[at(body)].x : place_on(now.bodies[at(body)], line.place[end]);
+    };
+    const Vector3 from = place(0), to = place(1);
+    const double x = to.x() - from.x(), y = to.y() - from.y(), z = to.z() - from.z();
+    const double l = std::sqrt(x * x + y * y + z * z), L = before.lines[i].L, e = l / L - 1;
+    const double T = e > 0 ? line.stiffness * is.gone * e : 0, half = line.weight * L / 2;
+    const double hangs = T > 0 && line.segment < 0 ? half * z / l : 0;
+    is.l = l;
+    is.L = L;
+    is.e = e;
+    is.T = T;
+    is.end_T = {std::max(0.0, T - hangs), std::max(0.0, T + hangs)};
+    const double per = line.copies * T / l, weight = line.copies * half;
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
+      double* const q = Q + m.bodies[at(line.body[end])].first;
+      const double share = end == 0 ? per : -per;
+      q[0] += share * x;
+      q[1] += share * y;
+      q[2] += share * z - weight;
+    }
+  }
+}
+
+/// Accelerations of point masses by lines between points.
+void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w, bool full) {
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Body& body = m.bodies[b];
+    for (std::size_t k = 0; k < at(body.count); ++k) {
+      const std::size_t c = at(body.first) + k;
+      now.bodies[b].x[static_cast<int>(k)] = before.bodies[b].x[static_cast<int>(k)] + w.q_star[c] - before.q[c];
+      now.bodies[b].v[static_cast<int>(k)] = now.nu[c] = w.nu_star[c];
+      now.q[c] = w.q_star[c];
+      w.residual[c] = k == 2 ? -body.own_mass * m.model->gravity : 0;
+    }
+  }
+  if (full || !m.lossless) {
+    pull_lines(m, before, now, w);
+  } else {
+    pull_quickly(m, before, now, w);
+  }
   for (const Body& body : m.bodies) {
     if (body.count == 0) continue;
     const double share = 1 / body.mass;
@@ -64,7 +105,8 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
 
 }  // namespace
 
-StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton) {
+StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton,
+                    bool full) {
   for (std::size_t c = 0; c < at(m.size); ++c) {
     w.nu_star[c] = before.nu[c] + s.h / 2 * before.rate[c];
     w.q_star[c] = before.q[c] + s.h * w.nu_star[c];
@@ -74,7 +116,7 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
   }
   if (m.simple) {
     now.t = now.when = t;
-    accelerate_points(m, before, now, w);
+    accelerate_points(m, before, now, w, full);
   } else {
     const StepEnd end = iterate(m, s, before, t, now, w, newton);
     if (end != StepEnd::ok) return end;
