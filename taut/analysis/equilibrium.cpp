@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/analysis/beam_tables.hpp"
+#include "taut/analysis/far_loop.hpp"
 #include "taut/analysis/first_state.hpp"
 #include "taut/analysis/hanging.hpp"
 #include "taut/analysis/lift.hpp"
@@ -101,6 +102,7 @@ struct Solved {
 /// Whether an answer is one to stay in, and its carriages hang as carriages do.
 Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
   Stability found = stability(system, c, e);
+  if (found.outcome.ok()) found.outcome = no_far_loop(system, c, e);
   if (found.outcome.ok()) found.outcome = hanging(system, c, e).outcome;
   return found;
 }

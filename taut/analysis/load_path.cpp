@@ -62,13 +62,20 @@ LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
   const model::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));
   LoadPath path;
+  model::Model varied = options.condition ? model : model::Model{};
   path.points.reserve(static_cast<std::size_t>(options.steps) + 1);
   for (int i = 0; i <= options.steps; ++i) {
     LoadPathPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     EquilibriumOptions here = options.equilibrium;
     here.prescribed = Prescribed{options.carriage, point.x, options.along};
-    point.at = equilibrium(model, here, ahead(path.points));
+    if (options.condition) {
+      Conditioned found = equilibrium_under(varied, *options.condition, here, ahead(path.points));
+      point.at = std::move(found.result);
+      if (point.at.outcome.ok()) varied = std::move(found.model);
+    } else {
+      point.at = equilibrium(model, here, ahead(path.points));
+    }
     if (point.at.outcome.ok()) {
       const Vector3& place = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position;
       point.z = place.z();

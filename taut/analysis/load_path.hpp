@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/analysis/equilibrium.hpp"
+#include "taut/analysis/condition.hpp"
 
 namespace taut::analysis {
 
@@ -13,6 +13,7 @@ struct LoadPathOptions {
   int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   EquilibriumOptions equilibrium;
+  std::optional<Condition> condition;  ///< in place of what one rope has given, at every position
 };
 
 struct LoadPathPoint {

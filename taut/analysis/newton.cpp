@@ -76,6 +76,9 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
   for (std::size_t k = 0; k < c.links.size(); ++k) {
     const double change = step[s.layout.links[k].unknown];
     if (change < 0) part = std::min(part, (1 - shortest_branch) * c.links[k].length / -change);
+    // a rope whose length follows has a second answer, a loop of kilometres whose weight pulls
+    const double most = std::max(c.links[k].length, s.layout.length);
+    if (change > most) part = std::min(part, most / change);
   }
   return part;
 }

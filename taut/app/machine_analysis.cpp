@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "taut/app/carriage_way.hpp"
 #include "taut/base/suggest.hpp"
 
 namespace taut::app {
@@ -47,6 +48,43 @@ std::string ending_of(Preparation& p, const std::string& kind, const std::option
   }
   p.endings.emplace_back(kind, text);
   return text;
+}
+
+std::optional<analysis::Prescribed> prescribed_of(const std::optional<std::string>& carriage,
+                                                  const std::optional<double>& x, const std::vector<double>& along,
+                                                  const std::string& path, Preparation& p) {
+  const Vector3 way = direction_of(along, path + ".along", p.complaints);
+  if (carriage.has_value() != x.has_value()) {
+    p.complaints.push_back({path, "'carriage' and 'x' belong together"});
+    return std::nullopt;
+  }
+  if (!carriage) return std::nullopt;
+  const int car = carriage_of(p, *carriage, path + ".carriage");
+  if (car < 0) return std::nullopt;
+  if (const model::Node* support = support_at(p.model, car, *x, way)) {
+    p.complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
+  }
+  check_hold(p.model, car, p.complaints);
+  return analysis::Prescribed{car, *x, way, {}};
+}
+
+Outcome install_guys(const model::Machine& machine, model::Model& model) {
+  const std::size_t first = machine.reevings.size();
+  model::Model bare;
+  bare.gravity = model.gravity;
+  bare.bodies = model.bodies;
+  for (model::Body& body : bare.bodies) body.free.clear();
+  bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
+  if (bare.reevings.empty()) return {};
+  analysis::EquilibriumOptions options;
+  options.band = false;
+  const auto result = analysis::equilibrium(bare, options);
+  if (!result.outcome.ok()) {
+    return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
+  }
+  const model::Model done = analysis::installed(bare, result);
+  std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
+  return {};
 }
 
 void note_failure(Result& r, const Outcome& outcome, const std::string& what) {

@@ -20,6 +20,13 @@ struct Preparation {
 int carriage_of(Preparation& p, const std::string& name, const std::string& path);
 /// The same for a reeving; a guy is one.
 int reeving_of(Preparation& p, const std::string& name, const std::string& path);
+/// A carriage that is held at x, where the deck says both; complains of one without the other, and of a place on a
+/// support.
+std::optional<analysis::Prescribed> prescribed_of(const std::optional<std::string>& carriage,
+                                                  const std::optional<double>& x, const std::vector<double>& along,
+                                                  const std::string& path, Preparation& p);
+/// What an analysis has given in place of what a rope has, where `carriage` is put somewhere (-1: none is).
+analysis::Condition condition_of(const GivenRequest& request, int carriage, const std::string& path, Preparation& p);
 /// Ending of the tables' names of an analysis of this kind: the deck's own, or the number from the second on.
 std::string ending_of(Preparation& p, const std::string& kind, const std::optional<std::string>& name,
                       const std::string& path);
@@ -27,6 +34,14 @@ std::string ending_of(Preparation& p, const std::string& kind, const std::option
 /// The analyses of a deck besides equilibria and load paths, each ready to run on the machine with its guys put up;
 /// each adds its tables, values, figures, checks and warnings. Complaints at paths below `path`.
 Analysis prepare_payload(const PayloadRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_installation(const InstallationRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_cycle(const CycleRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Preparation& p);
+
+/// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
+/// then keeps its length.
+Outcome install_guys(const model::Machine& machine, model::Model& model);
 
 /// Notes the first failure of a calculation in the result: its status, and `what` before its message.
 void note_failure(Result& r, const Outcome& outcome, const std::string& what);

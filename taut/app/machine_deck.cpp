@@ -20,7 +20,8 @@ const Description& EquilibriumRequest::describe() {
           .at_least(-1e6)
           .at_most(1e6)
           .field(&EquilibriumRequest::along, "along", "", si::one,
-                 "horizontal direction [x, y] along which its x is measured, from the origin");
+                 "horizontal direction [x, y] along which its x is measured, from the origin")
+          .record(&EquilibriumRequest::given, "given", "a mode in place of what one rope has given");
   return d;
 }
 
@@ -45,21 +46,25 @@ const Description& LoadPathRequest::describe() {
                  "horizontal direction [x, y] along which 'from' and 'to' are measured, from the origin")
           .named_records(&LoadPathRequest::motion, "motion", "as for an equilibrium")
           .shorthand("sense")
-          .one_for_all();
+          .one_for_all()
+          .record(&LoadPathRequest::given, "given", "as for an equilibrium, at every position");
   return d;
 }
 
 const Description& AnalysisRequest::describe() {
-  static const Description d = Describe<AnalysisRequest>()
-                                   .record(&AnalysisRequest::equilibrium, "equilibrium", "the machine in equilibrium")
-                                   .record(&AnalysisRequest::load_path, "load_path", "a carriage moved along its line")
-                                   .record(&AnalysisRequest::payload, "payload", "the largest load within all limits")
-                                   .exactly_one({"equilibrium", "load_path", "payload"})
-                                   .later("transient", "motions come with the dynamics")
-                                   .later("modes", "frequencies and modes come with the dynamics")
-                                   .later("installation", "tables of lengths and tensions by temperature")
-                                   .later("winch_pull", "pull over a cycle")
-                                   .later("envelope", "worst cases for sizing");
+  static const Description d =
+      Describe<AnalysisRequest>()
+          .record(&AnalysisRequest::equilibrium, "equilibrium", "the machine in equilibrium")
+          .record(&AnalysisRequest::load_path, "load_path", "a carriage moved along its line")
+          .record(&AnalysisRequest::payload, "payload", "the largest load within all limits")
+          .record(&AnalysisRequest::installation, "installation",
+                  "an empty rope put up: tensions, sags and lengths by temperature")
+          .record(&AnalysisRequest::cycle, "cycle", "pulls and energies of a working cycle")
+          .record(&AnalysisRequest::envelope, "envelope", "worst cases for sizing")
+          .record(&AnalysisRequest::sweep, "sweep", "the equilibrium over a number of the deck")
+          .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep"})
+          .later("transient", "motions come with the dynamics")
+          .later("modes", "frequencies and modes come with the dynamics");
   return d;
 }
 

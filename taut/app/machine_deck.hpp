@@ -17,6 +17,7 @@ struct EquilibriumRequest {
   std::optional<double> x;
   std::optional<double> z;             ///< its height too, instead of the length of the rope it rides on
   std::vector<double> along = {1, 0};  ///< direction of x
+  std::optional<GivenRequest> given;
   static const Description& describe();
 };
 
@@ -28,6 +29,7 @@ struct LoadPathRequest {
   int steps = 96;
   std::vector<double> along = {1, 0};  ///< direction of from and to
   std::vector<MotionRequest> motion;
+  std::optional<GivenRequest> given;
   static const Description& describe();
 };
 
@@ -35,6 +37,10 @@ struct AnalysisRequest {
   std::optional<EquilibriumRequest> equilibrium;
   std::optional<LoadPathRequest> load_path;
   std::optional<PayloadRequest> payload;
+  std::optional<InstallationRequest> installation;
+  std::optional<CycleRequest> cycle;
+  std::optional<EnvelopeRequest> envelope;
+  std::optional<SweepRequest> sweep;
   static const Description& describe();
 };
 

@@ -59,6 +59,12 @@ class Requests {
       if (all[i].equilibrium) add(run, *all[i].equilibrium, path + ".equilibrium");
       if (all[i].load_path) add(run, *all[i].load_path, path + ".load_path");
       if (all[i].payload) run.more.push_back(prepare_payload(*all[i].payload, path + ".payload", names_));
+      if (all[i].installation) {
+        run.more.push_back(prepare_installation(*all[i].installation, path + ".installation", names_));
+      }
+      if (all[i].cycle) run.more.push_back(prepare_cycle(*all[i].cycle, path + ".cycle", names_));
+      if (all[i].envelope) run.more.push_back(prepare_envelope(*all[i].envelope, path + ".envelope", names_));
+      if (all[i].sweep) run.more.push_back(prepare_sweep(*all[i].sweep, path + ".sweep", names_));
     }
     check_clamps(run);
     return run;
@@ -73,19 +79,15 @@ class Requests {
     one.words = app::words_of(request.motion);
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
-    const Vector3 along = direction_of(request.along, path + ".along", complaints);
-    if (request.carriage.has_value() != request.x.has_value() || (request.z && !request.x)) {
+    one.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names_);
+    if (request.z && !request.x) complaints.push_back({path, "'z' needs 'carriage' and 'x'"});
+    if (one.prescribed) one.prescribed->z = request.z;
+    if (request.z && request.given) {
       complaints.push_back(
-          {path, request.z && !request.x ? "'z' needs 'carriage' and 'x'" : "'carriage' and 'x' belong together"});
-    } else if (request.carriage) {
-      const int car = carriage_of(names_, *request.carriage, path + ".carriage");
-      check_hold(model_, car, complaints);
-      const model::Node* support = car >= 0 ? support_at(model_, car, *request.x, along) : nullptr;
-      if (support != nullptr) {
-        complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
-      }
-      if (car >= 0) one.prescribed = analysis::Prescribed{car, *request.x, along, request.z};
+          {path + ".given", "'z' is in place of what the rope has given already; give one of the two"});
     }
+    const int placed = one.prescribed ? one.prescribed->carriage : -1;
+    if (request.given) one.given = condition_of(*request.given, placed, path + ".given", names_);
     run.equilibria.push_back(std::move(one));
   }
 
@@ -101,6 +103,7 @@ class Requests {
     one.from = request.from;
     one.to = request.to;
     one.steps = request.steps;
+    if (request.given) one.given = condition_of(*request.given, one.carriage, path + ".given", names_);
     if (request.from == request.to) complaints.push_back({path + ".to", "is the same place as 'from'"});
     run.paths.push_back(std::move(one));
   }
@@ -127,27 +130,6 @@ class Requests {
   Preparation names_;
 };
 
-/// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys, each of them
-/// then keeps its length.
-Outcome install_guys(const model::Machine& machine, model::Model& model) {
-  const std::size_t first = machine.reevings.size();
-  model::Model bare;
-  bare.gravity = model.gravity;
-  bare.bodies = model.bodies;
-  for (model::Body& body : bare.bodies) body.free.clear();
-  bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
-  if (bare.reevings.empty()) return {};
-  analysis::EquilibriumOptions options;
-  options.band = false;
-  const auto result = analysis::equilibrium(bare, options);
-  if (!result.outcome.ok()) {
-    return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
-  }
-  const model::Model done = analysis::installed(bare, result);
-  std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
-  return {};
-}
-
 void solve(const model::Model& model, EquilibriumRun& one) {
   one.model = one.prescribed
                   ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x, one.prescribed->along)
@@ -155,7 +137,13 @@ void solve(const model::Model& model, EquilibriumRun& one) {
   std::vector<Complaint> told_before;
   analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
   options.prescribed = one.prescribed;
-  one.result = analysis::equilibrium(one.model, options);
+  if (one.given) {
+    auto found = analysis::equilibrium_under(one.model, *one.given, options);
+    one.model = std::move(found.model);
+    one.result = std::move(found.result);
+  } else {
+    one.result = analysis::equilibrium(one.model, options);
+  }
 }
 
 /// The load path span by span; positions on a support stay without an answer.
@@ -181,6 +169,7 @@ void solve(const model::Model& model, LoadPathRun& one) {
     options.along = one.along;
     options.equilibrium = options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
+    options.condition = one.given;
     part.result = analysis::load_path(part.model, options);
     if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
@@ -255,7 +244,13 @@ std::vector<Answer> answers_of(const MachineRun& run) {
       }
     }
   }
-  for (const OtherAnswer& one : run.others) all.push_back({&one.model, &one.result, nullptr, one.words});
+  for (const bool explores : {false, true}) {
+    for (const OtherAnswer& one : run.others) {
+      if (one.explores == explores && (!explores || all.empty())) {
+        all.push_back({&one.model, &one.result, nullptr, one.words});
+      }
+    }
+  }
   return all;
 }
 

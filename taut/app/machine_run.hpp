@@ -17,6 +17,7 @@ struct EquilibriumRun {
   std::string words;   ///< "at rest", "hoist"
   std::vector<MotionRequest> motion;
   std::optional<analysis::Prescribed> prescribed;
+  std::optional<analysis::Condition> given;
   model::Model model;
   analysis::EquilibriumResult result;
 };
@@ -34,6 +35,7 @@ struct LoadPathRun {
   double from = 0, to = 0;
   Vector3 along = Vector3::UnitX();  ///< along which x is measured
   int steps = 1;
+  std::optional<analysis::Condition> given;
   std::vector<LoadPathPart> parts;  ///< in the order of the positions
 };
 
@@ -41,11 +43,13 @@ struct MachineRun;
 /// Another analysis, ready to run: calculates on the run's model and adds to the result.
 using Analysis = std::function<void(MachineRun&, Result&)>;
 
-/// A state that another analysis found worth showing: where a payload is least.
+/// A state that another analysis found worth showing: where a payload is least. One that only `explores` counts where
+/// nothing else does.
 struct OtherAnswer {
   std::string words;
   model::Model model;
   analysis::EquilibriumResult result;
+  bool explores = false;
 };
 
 /// Everything that was computed of a machine.

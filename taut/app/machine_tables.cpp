@@ -227,6 +227,7 @@ std::vector<Column> load_path_columns(const model::Model& m) {
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
     columns.push_back({fmt::format("{}.T_max", r.name), si::N});
+    columns.push_back({fmt::format("{}.unstretched", r.name), si::m});
   }
   for (const model::Reeving& r : m.reevings) {
     for (const Turn& turn : turns_of(r)) {
@@ -254,7 +255,8 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
     const auto own = [&](const auto& s) { return s.reeving == i; };
     const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
     const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
-    row.insert(row.end(), {first->T_from, last->T_to, e.ropes[static_cast<std::size_t>(i)].T_max});
+    const auto& rope = e.ropes[static_cast<std::size_t>(i)];
+    row.insert(row.end(), {first->T_from, last->T_to, rope.T_max, rope.unstretched});
   }
   for (int i = 0; i < count; ++i) {
     for (const Turn& turn : turns_of(rope(all, i))) {

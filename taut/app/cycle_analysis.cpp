@@ -1,0 +1,338 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "taut/app/carriage_way.hpp"
+#include "taut/app/machine_analysis.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The end of a rope where it is pulled in and let out, or a driven sheave of an endless rope.
+struct Winch {
+  std::string name;
+  int reeving = 0;
+  bool at_end = false;
+  bool drive = false;
+};
+
+struct Phase {
+  PhaseRequest request;
+  Way way;
+  double speed = none;  ///< m/s
+};
+
+struct CycleRun {
+  std::string ending;
+  int carriage = 0;
+  std::vector<Phase> phases;
+  std::vector<Winch> winches;
+};
+
+/// One winch at one position.
+struct Pull {
+  double tension = 0;  ///< of a drive: by how much the rope is tighter behind it than before it, N
+  double paid = 0;     ///< rope that is out, as it passes the winch: stretched; of a drive what has passed it, m
+};
+
+struct Position {
+  double x = 0, z = none;
+  double way = 0;  ///< of the carriage since the phase began, m
+  std::vector<Pull> pulls;
+  bool known = false;
+};
+
+/// What a winch does in a phase.
+struct Work {
+  double pull_max = 0, pull_mean = 0;  ///< N
+  double at = none;                    ///< x of the carriage at the largest pull
+  double taken = 0;                    ///< rope taken in (out: negative), m
+  double energy = 0;                   ///< done by the winch, J; negative: braked
+  double power_max = none;             ///< W
+};
+
+/// Ropes that end on a drum, or have a tension given, or hold the carriage as its mainline or haulback.
+std::vector<Winch> winches_of(const model::Model& m, const MachineDeck& deck, int carriage) {
+  std::vector<Winch> all;
+  const auto& drums = deck.machine.drums;
+  for (std::size_t r = 0; r < deck.machine.reevings.size(); ++r) {
+    const model::Reeving& rope = m.reevings[r];
+    const auto index = static_cast<int>(r);
+    if (rope.closed) {
+      all.push_back({rope.nodes.front().name, index, false, true});
+      continue;
+    }
+    const auto on_drum = [&](const model::Node& n) {
+      return std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == n.name; });
+    };
+    const auto rides = [&](const model::Node& n) {
+      return carriage >= 0 && n.at.body == m.carriages[at(carriage)].body;
+    };
+    const bool start = on_drum(rope.nodes.front()) || rope.given == model::Given::tension_at_start;
+    const bool end = on_drum(rope.nodes.back()) || rope.given == model::Given::tension_at_end;
+    const bool mainline =
+        carriage >= 0 && (m.carriages[at(carriage)].mainline == index || m.carriages[at(carriage)].haulback == index);
+    if (start || (mainline && !end && !rides(rope.nodes.front()))) {
+      all.push_back({rope.nodes.front().name, index, false, false});
+    }
+    if (end || (mainline && !start && !rides(rope.nodes.back()))) {
+      all.push_back({rope.nodes.back().name, index, true, false});
+    }
+  }
+  return all;
+}
+
+/// Unstretched rope between a drive and the clamped carriage on its rope; 0 where nothing is clamped to it.
+double passed(const analysis::EquilibriumResult& e, const model::Model& m, int reeving) {
+  double length = 0;
+  for (const auto& s : e.spans) {
+    if (s.reeving != reeving) continue;
+    length += s.unstretched;
+    if (m.reevings[at(reeving)].nodes[at(s.to)].kind == model::NodeKind::clamp) return length;
+  }
+  return 0;
+}
+
+Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const Winch& w) {
+  const model::Reeving& rope = m.reevings[at(w.reeving)];
+  if (w.drive) {
+    const auto drive = std::find_if(e.contacts.begin(), e.contacts.end(),
+                                    [&](const auto& c) { return c.reeving == w.reeving && c.node == 0; });
+    const double mean = (drive->T_in + drive->T_out) / 2;
+    return {drive->T_in - drive->T_out, passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
+  }
+  const auto own = [&](const auto& s) { return s.reeving == w.reeving; };
+  const double T = w.at_end ? std::find_if(e.spans.rbegin(), e.spans.rend(), own)->T_to
+                            : std::find_if(e.spans.begin(), e.spans.end(), own)->T_from;
+  return {T, e.ropes[at(w.reeving)].unstretched * (1 + rope.thermal_strain)};
+}
+
+/// The way of the carriage, part by part; a position on a support is passed over.
+std::vector<Position> positions_of(const model::Model& model, const CycleRun& run, const Phase& phase,
+                                   Outcome& outcome) {
+  model::Model loaded = model;
+  loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
+  std::vector<Position> all;
+  for (const WayPart& part : parts_of(loaded, phase.way)) {
+    if (part.support != nullptr) {
+      all.emplace_back().x = phase.way.x(part.first);
+      continue;
+    }
+    std::vector<Complaint> told_before;
+    analysis::LoadPathOptions options;
+    options.carriage = run.carriage;
+    options.from = phase.way.x(part.first);
+    options.to = phase.way.x(part.last);
+    options.along = phase.way.along;
+    options.steps = std::max(1, part.last - part.first);
+    options.equilibrium = options_of(phase.request.motion, part.model, {}, told_before);
+    options.equilibrium.band = false;
+    auto path = analysis::load_path(part.model, options);
+    if (part.last == part.first) path.points.resize(1);
+    for (const auto& point : path.points) {
+      Position& p = all.emplace_back();
+      p.x = point.x;
+      p.known = point.at.outcome.ok();
+      if (!p.known) {
+        if (outcome.ok()) outcome = path.outcome;
+        continue;
+      }
+      p.z = point.z;
+      for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
+    }
+  }
+  const Position* before = nullptr;
+  double way = 0;
+  for (Position& p : all) {
+    if (!p.known) continue;
+    if (before != nullptr) way += std::hypot(p.x - before->x, p.z - before->z);
+    p.way = way;
+    before = &p;
+  }
+  return all;
+}
+
+/// Trapezoids from position to position: dW = T (1 + T/EA) dL for a drum, T dL for a drive.
+Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const std::vector<Position>& all,
+             double speed) {
+  const Winch& w = run.winches[winch];
+  const double EA = m.reevings[at(w.reeving)].stiffness;
+  const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
+  Work work;
+  const Position* before = nullptr;
+  double mean = 0;
+  for (const Position& p : all) {
+    if (!p.known) continue;
+    const double T = p.pulls[winch].tension;
+    if (before == nullptr || std::abs(T) > std::abs(work.pull_max)) {
+      work.pull_max = T;
+      work.at = p.x;
+    }
+    if (before != nullptr) {
+      const double T0 = before->pulls[winch].tension;
+      const double paid = p.pulls[winch].paid - before->pulls[winch].paid;
+      const double way = p.way - before->way;
+      const double energy = -(T0 * stretch(T0) + T * stretch(T)) / 2 * paid;
+      work.taken -= (stretch(T0) + stretch(T)) / 2 * paid;
+      work.energy += energy;
+      mean += (T0 + T) / 2 * way;
+      if (way > 0 && !std::isnan(speed)) {
+        const double power = energy / way * speed;
+        if (std::isnan(work.power_max) || std::abs(power) > std::abs(work.power_max)) work.power_max = power;
+      }
+    }
+    before = &p;
+  }
+  const double way = before != nullptr ? before->way : 0;
+  work.pull_mean = way > 0 ? mean / way : work.pull_max;
+  return work;
+}
+
+struct PhaseAnswer {
+  std::vector<Position> positions;
+  std::vector<Work> works;
+  double way = 0;
+  double time = none;
+};
+
+Table positions_table(const CycleRun& run, const std::vector<PhaseAnswer>& answers) {
+  Table t{"cycle" + run.ending,
+          "Pulls over the cycle",
+          {{"phase", si::one}, {"x", si::m}, {"z", si::m}, {"way", si::m}},
+          {}};
+  for (const Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (const Position& p : answers[i].positions) {
+      std::vector<Cell> row = {run.phases[i].request.name, p.x, p.z, p.known ? p.way : none};
+      for (const Pull& pull : p.pulls) row.emplace_back(pull.tension);
+      row.resize(t.columns.size(), none);
+      t.rows.push_back(std::move(row));
+    }
+  }
+  return t;
+}
+
+Table works_table(const CycleRun& run, const std::vector<PhaseAnswer>& answers) {
+  Table t{
+      "cycle_work" + run.ending,
+      "What each winch does in each phase; rope and energy are negative where it lets the rope out against its pull",
+      {{"phase", si::one},
+       {"winch", si::one},
+       {"pull_max", si::N},
+       {"x", si::m},
+       {"pull_mean", si::N},
+       {"rope_taken_in", si::m},
+       {"energy", si::J},
+       {"power_max", si::W},
+       {"duration", si::s}},
+      {}};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t w = 0; w < run.winches.size(); ++w) {
+      const Work& work = answers[i].works[w];
+      t.rows.push_back({run.phases[i].request.name, run.winches[w].name, work.pull_max, work.at, work.pull_mean,
+                        work.taken, work.energy, work.power_max, answers[i].time});
+    }
+  }
+  return t;
+}
+
+void add_values(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Result& r) {
+  const auto add = [&](const std::string& name, double v, const Unit& unit, const std::string& words) {
+    r.values.push_back({name + run.ending, v, unit, name, words, {}});
+  };
+  double energy = 0, time = 0;
+  for (std::size_t w = 0; w < run.winches.size(); ++w) {
+    double most = 0, own = 0, power = none;
+    for (const PhaseAnswer& answer : answers) {
+      const Work& work = answer.works[w];
+      if (std::abs(work.pull_max) > std::abs(most)) most = work.pull_max;
+      own += work.energy;
+      if (!std::isnan(work.power_max) && (std::isnan(power) || work.power_max > power)) power = work.power_max;
+    }
+    const std::string& name = run.winches[w].name;
+    add(name + ".pull_max", most, si::N, fmt::format("largest pull of {} over the cycle", name));
+    add(name + ".energy", own, si::J, fmt::format("energy that {} gives in the cycle", name));
+    if (!std::isnan(power)) add(name + ".power_max", power, si::W, fmt::format("largest power of {}", name));
+    energy += own;
+  }
+  for (const PhaseAnswer& answer : answers) time += answer.time;
+  add("cycle_energy", energy, si::J, "energy of all winches in the cycle, what brakes take off it taken off");
+  if (!std::isnan(time)) add("cycle_time", time, si::s, "time of all phases at their speeds");
+}
+
+void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Result& r) {
+  Plot p;
+  p.name = "cycle_pulls" + run.ending;
+  p.title = "Pulls over the cycle";
+  p.x = {"x of the carriage", si::m};
+  p.y = {"pull", si::N};
+  for (std::size_t w = 0; w < run.winches.size(); ++w) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      Curve c;
+      c.label = fmt::format("{}, {}", run.winches[w].name, run.phases[i].request.name);
+      for (const Position& position : answers[i].positions) {
+        c.x.push_back(position.x);
+        c.y.push_back(position.known ? position.pulls[w].tension : none);
+      }
+      p.curves.push_back(std::move(c));
+    }
+  }
+  r.figures.emplace_back(std::move(p));
+}
+
+void solve(MachineRun& machine, const CycleRun& run, Result& r) {
+  std::vector<PhaseAnswer> answers;
+  for (const Phase& phase : run.phases) {
+    Outcome outcome;
+    PhaseAnswer& answer = answers.emplace_back();
+    answer.positions = positions_of(machine.model, run, phase, outcome);
+    note_failure(r, outcome, fmt::format("cycle, {}", phase.request.name));
+    for (const Position& p : answer.positions) answer.way = std::max(answer.way, p.way);
+    if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
+    for (std::size_t w = 0; w < run.winches.size(); ++w) {
+      answer.works.push_back(work_of(machine.model, run, w, answer.positions, phase.speed));
+    }
+  }
+  r.tables.push_back(works_table(run, answers));
+  r.tables.push_back(positions_table(run, answers));
+  if (r.status != Status::ok) return;  // no sums over what is not there
+  add_values(run, answers, r);
+  add_plot(run, answers, r);
+}
+
+}  // namespace
+
+Analysis prepare_cycle(const CycleRequest& request, const std::string& path, Preparation& p) {
+  const auto run = std::make_shared<CycleRun>();
+  run->ending = ending_of(p, "cycle", request.name, path);
+  run->carriage = carriage_of(p, request.carriage, path + ".carriage");
+  check_hold(p.model, run->carriage, p.complaints);
+  const Vector3 along = direction_of(request.along, path + ".along", p.complaints);
+  double from = request.from, to = request.to;
+  for (std::size_t i = 0; i < request.phases.size(); ++i) {
+    const std::string at = fmt::format("{}.phases[{}]", path, i);
+    const PhaseRequest& one = request.phases[i];
+    options_of(one.motion, p.model, at + ".motion", p.complaints);
+    Phase phase{one, {run->carriage, one.from.value_or(from), one.to.value_or(to), request.steps, along}, none};
+    if (one.speed || request.speed) phase.speed = one.speed ? *one.speed : *request.speed;
+    if (phase.way.from == phase.way.to) p.complaints.push_back({at, "its carriage does not move"});
+    // the next one goes back
+    from = phase.way.to;
+    to = phase.way.from;
+    run->phases.push_back(std::move(phase));
+  }
+  run->winches = winches_of(p.model, p.deck, run->carriage);
+  if (run->winches.empty()) {
+    p.complaints.push_back({path, "nothing pulls: no rope ends on a drum, has a tension given, or is a mainline"});
+  }
+  return [run](MachineRun& machine, Result& r) { solve(machine, *run, r); };
+}
+
+}  // namespace taut::app

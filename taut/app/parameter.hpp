@@ -1,0 +1,26 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "taut/calc/field.hpp"
+
+namespace taut::app {
+
+/// One number of a described struct, found by its path in the deck.
+struct Parameter {
+  const Field* field = nullptr;     ///< the described number, its unit and range
+  Unit unit;                        ///< of the value: the field's; of the angle of a vector rad
+  double value = 0;                 ///< now; NaN where nothing is set
+  std::function<void(double)> set;  ///< puts another value into the struct, which must outlive this
+  std::string path;                 ///< as the deck would write it: "loads[0].mass"
+};
+
+/// The number at a path below the struct: "temperature", "loads[0].mass" or "loads.0.mass", "carriages.car.mass",
+/// "reevings.skyline.length" (an entry of a list by its name, its rope or the body it is at), "points.head[2]" or
+/// "points.head.z" (a component; what stands for a field alone may leave its key away), "loads[0].force.angle" (the
+/// direction of a vector in the plane of x and z, from x towards z, its length and y kept). Else what is wrong with it.
+tl::expected<Parameter, std::string> find_parameter(const Description& description, void* object,
+                                                    const std::string& path);
+
+}  // namespace taut::app
