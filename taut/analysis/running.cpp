@@ -14,6 +14,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 std::vector<std::vector<int>> flow_of(const model::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;
   std::vector<std::vector<int>> flow;
+  flow.reserve(model.reevings.size());
   const int sense = options.motion == Motion::hoist || options.motion == Motion::in ? 1 : -1;
   for (const model::Reeving& rope : model.reevings) {
     flow.emplace_back(rope.nodes.size(), options.motion == Motion::at_rest ? 0 : sense * rope.haul);

@@ -89,7 +89,7 @@ std::string analysis_text(const Field& f) {
 }
 
 std::string part_text(const Field& f) {
-  const std::string words = fmt::format("machine: {}: {}\n", f.key, f.words);
+  std::string words = fmt::format("machine: {}: {}\n", f.key, f.words);
   if (f.record == nullptr) return words;
   const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records ? ".NAME." : ".";
   return fmt::format("{}\nDeck keys\n{}", words, keys_text(f.key + inner, *f.record));

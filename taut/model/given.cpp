@@ -81,6 +81,7 @@ void set_given(const Machine& machine, const Model& model, const description::Re
     }
   }
   std::vector<std::string> words;
+  words.reserve(said.size());
   for (const Said& one : said) words.emplace_back(one.words);
   const bool takes_two = !given.closed && motor != nullptr && !gives_torque(*motor);
   if (takes_two && (said.size() != 2 || said[0].what == said[1].what)) {

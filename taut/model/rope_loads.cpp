@@ -221,6 +221,7 @@ void check_amounts(const GivenLoad& given, const std::string& path, std::vector<
 
 void check_rope_loads(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
+  names.reserve(machine.reevings.size());
   for (const auto& one : machine.reevings) names.push_back(name_of(one));
   for (std::size_t i = 0; i < machine.rope_loads.size(); ++i) {
     const GivenLoad& given = machine.rope_loads[i];

@@ -63,6 +63,7 @@ std::string complaints_of(const Machine& m) {
 
 std::vector<std::string> names(const Reeving& r) {
   std::vector<std::string> all;
+  all.reserve(r.nodes.size());
   for (const Node& n : r.nodes) all.push_back(n.name);
   return all;
 }
