@@ -27,6 +27,7 @@ struct BeamResult {
   Vector3 base_force = Vector3::Zero(), base_moment = Vector3::Zero();
   std::size_t most_bent = 0, most_pressed = 0, most_stressed = 0;  ///< points of largest M, |N|, stress
   double top_displacement = 0;                                     ///< size of the last point's deflection, m
+  double lean = 0;  ///< of the chord of a beam with a free top, against where it was built, rad
   double bend = 0;  ///< largest turn of a section against the first one, less that as built, rad
   /// What all its forces may be multiplied with, everything else as it is, before the machine's tangent stiffness is no
   /// longer positive: alpha_cr of EN 1993-1-1, 5.2.1. Infinite: it never is (tension), or above 1000.
@@ -34,7 +35,9 @@ struct BeamResult {
   double compression = 0;  ///< the largest, N; 0: none
 };
 
-/// Beyond this turn against its first section a beam counts as failed: elastic struts find equilibria beyond buckling.
+/// Beyond this turn against its first section a beam counts as failed: elastic struts find equilibria beyond buckling;
+/// beyond this lean one with a free top has fallen over, and hangs.
 inline constexpr double most_bend = 0.5;  // rad
+inline constexpr double most_lean = 0.5;  // rad
 
 }  // namespace taut::analysis

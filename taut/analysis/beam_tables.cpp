@@ -97,8 +97,11 @@ std::vector<BeamResult> beam_results(const System& s, const Configuration& c) {
     BeamResult& r = all.emplace_back();
     r.beam = b;
     fill_points(s, c, b, r);
-    const Vector3 start = r.points.front().place;
-    fill_worst((r.points.back().place - r.points.back().deflection - start).normalized(), r);
+    const Vector3 start = r.points.front().place, end = r.points.back().place;
+    const Vector3 built = end - r.points.back().deflection - start;
+    fill_worst(built.normalized(), r);
+    const int top = s.model.beams[at(b)].pieces.back().end.body;
+    if (top != model::ground && s.model.bodies[at(top)].beam == b) r.lean = angle_between(built, end - start);
   }
   return all;
 }
@@ -123,6 +126,13 @@ Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamRes
         fmt::format("beam '{}' gives way: it is bent by {:.3g} rad, more than a beam lives to see ({} rad); choose a "
                     "stiffer section, guy it, or take load off",
                     name(r), r.bend, most_bend));
+  }
+  for (const BeamResult& r : results) {
+    if (r.lean <= most_lean) continue;
+    return infeasible(fmt::format(
+        "beam '{}' falls over: where it comes to rest it leans {:.3g} rad from where the deck has it (at most "
+        "{} rad); hold its top by guys, clamp its base, or put 'to' where it is meant to stand",
+        name(r), r.lean, most_lean));
   }
   const std::optional<BeamStability> stability = beam_stability(s, c);
   if (!stability) return {};

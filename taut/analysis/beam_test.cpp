@@ -110,7 +110,11 @@ TEST(Beam, UpsideDownOnAHingeItFalls) {
   const auto r = analysis::equilibrium(m);
   EXPECT_EQ(r.outcome.status, taut::Status::infeasible);
   EXPECT_NE(r.outcome.message.find("mast"), std::string::npos) << r.outcome.message;
-  b.to.at = {0, 0, -8};  // hanging, it stays
+  m.loads.push_back({{0, Vector3::Zero()}, {300, 0, 0}});  // pushed, it comes to rest hanging
+  const auto pushed = analysis::equilibrium(m);
+  EXPECT_EQ(pushed.outcome.status, taut::Status::infeasible);
+  EXPECT_NE(pushed.outcome.message.find("'mast'"), std::string::npos) << pushed.outcome.message;
+  b.to.at = {0, 0, -8};  // built hanging, it stays
   model::Model hanging;
   model::add_beam(hanging, b);
   EXPECT_TRUE(analysis::equilibrium(hanging).outcome.ok());
