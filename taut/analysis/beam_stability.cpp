@@ -276,7 +276,7 @@ Layout without_beams(const Layout& layout, int& kept) {
 
 }  // namespace
 
-std::optional<BeamStability> beam_stability(const System& s, const Configuration& c) {
+std::optional<BeamStability> beam_stability(const System& s, const Configuration& c, bool factors) {
   int kept = -1;
   const Layout bare = without_beams(s.layout, kept);
   const System rest{s.model, bare, s.coordinate, s.losses};
@@ -303,6 +303,7 @@ std::optional<BeamStability> beam_stability(const System& s, const Configuration
   const Assembly machine(s, c, stiffness, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);
+  if (result.stable && !factors) return result;
   const double together = result.stable ? 0 : critical_factor(machine, every, false);
   for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
     const double own = critical_factor(machine, b, result.stable);

@@ -17,6 +17,7 @@ struct BeamStability {
 /// buckle between what holds it. With losses, which make it unsymmetric, its symmetric part. A carriage prescribed by
 /// its ropes may move as they let it; one that a force holds may not. Empty where the ropes alone leave it
 /// undetermined.
-std::optional<BeamStability> beam_stability(const System& system, const Configuration& c);
+/// `factors`: where it is stable too; without them only whether it is.
+std::optional<BeamStability> beam_stability(const System& system, const Configuration& c, bool factors = true);
 
 }  // namespace taut::analysis

@@ -117,7 +117,9 @@ void act_beams(const System& s, const Configuration& c, const std::function<void
   }
 }
 
-Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamResult>& results) {
+namespace {
+
+Outcome judge(const System& s, const Configuration& c, bool factors, std::vector<BeamResult>& results) {
   if (results.empty()) return {};
   const auto name = [&](const BeamResult& r) { return s.model.beams[at(r.beam)].name; };
   for (const BeamResult& r : results) {
@@ -134,8 +136,8 @@ Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamRes
         "{} rad); hold its top by guys, clamp its base, or put 'to' where it is meant to stand",
         name(r), r.lean, most_lean));
   }
-  const std::optional<BeamStability> stability = beam_stability(s, c);
-  if (!stability) return {};
+  const std::optional<BeamStability> stability = beam_stability(s, c, factors);
+  if (!stability || (stability->stable && !factors)) return {};
   for (BeamResult& r : results) r.critical_factor = stability->factors[at(r.beam)];
   if (stability->stable) return {};
   const auto worst = std::min_element(results.begin(), results.end(), [](const BeamResult& a, const BeamResult& b) {
@@ -151,6 +153,17 @@ Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamRes
       fmt::format("the equilibrium found is not one to stay in: the machine with beam '{}' falls over at "
                   "the least push; clamp its base, or hold its top by guys",
                   name(*worst)));
+}
+
+}  // namespace
+
+Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamResult>& results) {
+  return judge(s, c, true, results);
+}
+
+Outcome beams_stay(const System& s, const Configuration& c) {
+  std::vector<BeamResult> results = beam_results(s, c);
+  return judge(s, c, false, results);
 }
 
 }  // namespace taut::analysis

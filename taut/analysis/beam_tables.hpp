@@ -18,4 +18,7 @@ void act_beams(const System& system, const Configuration& c, const std::function
 /// names the beam and says what to change.
 Outcome check_beams(const System& system, const Configuration& c, std::vector<BeamResult>& results);
 
+/// The same outcome alone: whether an equilibrium found is one to stay in.
+Outcome beams_stay(const System& system, const Configuration& c);
+
 }  // namespace taut::analysis

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/branch_force.hpp"
 
 namespace taut::analysis {
@@ -214,6 +215,10 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
 
 Stability stability(const System& s, const Configuration& c, const Evaluation& e) {
   Stability result;
+  if (!s.layout.pieces.empty()) {
+    result.outcome = beams_stay(s, c);
+    return result;
+  }
   const auto curvature = energy_curvature(s, c, e);
   if (!curvature) return result;
   const auto direction = negative_direction(curvature->matrix);
