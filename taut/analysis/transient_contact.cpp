@@ -215,7 +215,11 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
     return;
   }
   const double moment = is.turns != 0 ? is.turns * is.capacity : held_moment(m, spin, is, before, now);
-  const double pushed = moment + (s.reach > 0 ? spin.inertia / s.reach : 1e300) * is.omega;
+  // at an unchanged time a spin that rests begins to turn where its acceleration goes
+  const double push = s.reach > 0     ? spin.inertia / s.reach * is.omega
+                      : is.omega != 0 ? 1e300 * is.omega
+                                      : spin.inertia * is.alpha;
+  const double pushed = moment + push;
   is.turns = pushed > is.capacity ? 1 : pushed < -is.capacity ? -1 : 0;
   is.bearing = is.turns != 0 ? is.turns * is.capacity : moment;
 }

@@ -8,6 +8,7 @@ namespace taut::analysis::dynamics {
 namespace {
 
 constexpr double rounding = 1e-14;
+constexpr int halves_from = 8, halves_to = 16;
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
 
 /// Rope passed at each contact, as it went on before.
@@ -21,11 +22,11 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
   }
 }
 
-void apply(const Mechanism& m, const std::vector<double>& step, Values& now) {
+void apply(const Mechanism& m, const std::vector<double>& step, double of_flows, Values& now) {
   for (const Body& body : m.bodies) {
     for (int c = body.first; c < body.first + body.count; ++c) now.rate[at(c)] -= step[at(c)];
   }
-  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= step[at(contact.column)];
+  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= of_flows * step[at(contact.column)];
   for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= step[at(spin.column)];
 }
 
@@ -87,7 +88,8 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
     assemble(m, s, before, now, w);
     if (!m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
-    apply(m, w.residual, now);
+    // two branches that are slack and taut in turn: half a step finds the place between
+    apply(m, w.residual, i >= halves_from && i < halves_to ? 0.5 : 1.0, now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;
