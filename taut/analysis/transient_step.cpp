@@ -8,7 +8,7 @@ namespace taut::analysis::dynamics {
 namespace {
 
 constexpr double rounding = 1e-14;
-constexpr int halves_from = 8, halves_to = 16;
+constexpr int halves_from = 8;
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
 
 /// Rope passed at each contact, as it went on before.
@@ -89,7 +89,7 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
     if (!m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
     // two branches that are slack and taut in turn: half a step finds the place between
-    apply(m, w.residual, i >= halves_from && i < halves_to ? 0.5 : 1.0, now);
+    apply(m, w.residual, i >= halves_from ? 0.5 : 1.0, now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;

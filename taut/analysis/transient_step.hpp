@@ -17,7 +17,7 @@ enum class StepEnd {
 struct Newton {
   double largest = 0;
   double tolerance = 1e-9;
-  int most = 25;
+  int most = 45;
   int used = 0;
   int line = -1;  ///< that has no place
 };
