@@ -1,7 +1,6 @@
 #include "cli/cli.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -9,14 +8,12 @@
 #include <exception>
 #include <functional>
 
+#include "cli/progress.hpp"
 #include "cli/verbs.hpp"
 #include "taut/base/version.hpp"
 
 namespace taut::cli {
 namespace {
-
-/// Files are moved into place only when whole, so an interrupt may end the program at once.
-extern "C" void end_interrupted(int) { _exit(interrupted); }
 
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("run", "Calculate a deck: values and checks on the screen, a report with -o");
@@ -27,6 +24,19 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+void add_export(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("export", "Write what a deck computes in another program's format");
+  auto format = std::make_shared<std::string>();
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("format", *format, "vtk: bodies and ropes in space for ParaView, one .pvd over the times")
+      ->required();
+  verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
+  verb->add_option("-o,--output", options->folder, "folder for the files")->required();
+  verb->add_option("--set", options->set, "put a value over the deck's")->take_all();
+  verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->callback([format, options, &action] { action = [format, options] { return export_as(*format, *options); }; });
 }
 
 void add_check(CLI::App& app, std::function<int()>& action) {
@@ -91,7 +101,7 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& e) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, end_interrupted);
+  take_interrupts();
   std::signal(SIGPIPE, SIG_IGN);
   CLI::App app("taut: checked, explained calculations of rope-driven machines", "taut");
   app.set_version_flag("--version", std::string("taut ") + std::string(version));
@@ -102,6 +112,7 @@ int main(int argc, char** argv) {
   std::function<int()> action;
   add_run(app, action);
   add_check(app, action);
+  add_export(app, action);
   add_list(app, action);
   add_texts(app, action);
   try {

@@ -1,9 +1,11 @@
 #include "cli/verbs.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 
+#include "cli/progress.hpp"
 #include "taut/app/explain.hpp"
 #include "taut/app/explain_machine.hpp"
 #include "taut/app/job.hpp"
@@ -62,13 +64,22 @@ int write_report(const Result& result, const RunOptions& options) {
   return computed;
 }
 
+/// The job done, with its progress shown on a terminal.
+Result calculated(app::Job& job, const RunOptions& options) {
+  ProgressLine line(!options.quiet && isatty(STDERR_FILENO) != 0);
+  job.set = options.set;
+  job.progress = [&line](const app::Progress& progress) { return line(progress); };
+  Result result = app::run(job);
+  line.clear();
+  return result;
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
   auto job = app::read_job(options.deck);
   if (!job) return file_failure(job.error(), options);
-  job->set = options.set;
-  const Result result = app::run(*job);
+  const Result result = calculated(*job, options);
   int code = exit_code(result);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
   if (options.json) {
@@ -82,6 +93,27 @@ int run(const RunOptions& options) {
   if (options.folder.empty() || result.status == Status::bad_deck) return code;
   const int written = write_report(result, options);
   return written == computed ? code : written;
+}
+
+int export_as(const std::string& format, const RunOptions& options) {
+  if (format != "vtk") {
+    fmt::print(stderr, "taut: there is no format '{}'; there is vtk\n", format);
+    return usage_or_deck;
+  }
+  auto job = app::read_job(options.deck);
+  if (!job) return file_failure(job.error(), options);
+  const Result result = calculated(*job, options);
+  if (result.status == Status::bad_deck) print_mistakes(result.errors);
+  if (result.status == Status::bad_deck) return usage_or_deck;
+  if (result.status != Status::ok) fmt::print(stderr, "taut: {}: {}\n", to_text(result.status), result.message);
+  const auto written = app::write_vtk(result, options.folder);
+  if (!written) {
+    fmt::print(stderr, "taut: {}\n", written.error().message);
+    return file_trouble;
+  }
+  if (written->empty()) fmt::print(stderr, "taut: there is nothing in space to write\n");
+  if (!options.quiet && !written->empty()) fmt::print(stderr, "{} files, open {}\n", written->size(), written->back());
+  return exit_code(result);
 }
 
 int check(const RunOptions& options) {

@@ -25,7 +25,7 @@ Prepared prepare(const Job& job) {
   Prepared p;
   p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
   if (!p.deck) return p;
-  if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes);
+  if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress);
   const MethodEntry* entry = find_method(p.deck->method);
   if (entry != nullptr) p.calculate = entry->prepare(p.deck->input, p.mistakes);
   if (!p.mistakes.empty()) p.calculate = {};

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -7,11 +8,21 @@
 
 namespace taut::app {
 
+/// How far a long calculation is.
+struct Progress {
+  std::string what;   ///< "transient"
+  double done = 0;    ///< 0 .. 1
+  std::string words;  ///< "t = 1.2 s of 10 s"
+};
+
 /// One calculation to do: a deck's text, what to call it in messages, and overrides from outside.
 struct Job {
   std::string text;              ///< the deck
   std::string name = "deck";     ///< its path, or "<stdin>": messages name it, and `include:` is looked for beside it
   std::vector<std::string> set;  ///< "input.span=200 m": values put over those of the deck, in order
+  /// Called now and then by long calculations, from the thread that runs the job; false ends them: what is there until
+  /// then is the result, marked as interrupted. May be empty.
+  std::function<bool(const Progress&)> progress = {};
 };
 
 /// The one funnel of all doors: reads the deck, runs its method, returns everything a report needs.
@@ -31,9 +42,14 @@ struct FileError {
 /// file: their text is cut behind that size and refused by `run` at once.
 tl::expected<Job, FileError> read_job(const std::string& path);
 
-/// Writes result.json, report.html, report.md and one CSV per table and plot into `folder`, which is made when missing.
+/// Writes result.json, report.html, report.md, one CSV per table, plot and series, all series together as series.h5
+/// (HDF5), and the result's own files into `folder`, which is made when missing.
 /// Each file is written beside its place and then moved, so that an interrupted run leaves no half files.
 /// Returns the paths written.
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
+
+/// Writes the result's machines in space as VTK files for ParaView: for each scene and time NAME_0000.vtp, and NAME.pvd
+/// over all times. Returns the paths written, the last one what to open; none when the result has nothing in space.
+tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder);
 
 }  // namespace taut::app

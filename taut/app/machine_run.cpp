@@ -11,6 +11,7 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_figures.hpp"
+#include "taut/app/machine_scene.hpp"
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
@@ -190,7 +191,7 @@ void append(Result& from, Result& to) {
   append(from.warnings, to.warnings);
 }
 
-Result compute(const MachineDeck& deck, MachineRun run) {
+Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& /*progress*/) {
   Result r;
   r.method_title = "Machine";
   r.given = given_of(MachineDeck::describe(), &deck);
@@ -225,6 +226,7 @@ Result compute(const MachineDeck& deck, MachineRun run) {
   add_steps(deck, run, r);
   add_figures(run, r);
   add_beam_plots(run, r);
+  add_scenes(run, r);
   append(more, r);
   return r;
 }
@@ -254,7 +256,8 @@ std::vector<Answer> answers_of(const MachineRun& run) {
   return all;
 }
 
-std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes) {
+std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
+                                        std::function<bool(const Progress&)> progress) {
   const auto deck = std::make_shared<MachineDeck>();
   const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
   const std::size_t before = mistakes.size();
@@ -276,7 +279,7 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     io::place(input, requests.complaints, mistakes);
     return {};
   }
-  return [deck, run] { return compute(*deck, *run); };
+  return [deck, run, progress = std::move(progress)] { return compute(*deck, *run, progress); };
 }
 
 }  // namespace taut::app

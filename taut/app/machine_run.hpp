@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/analysis/load_path.hpp"
+#include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/io/node.hpp"
@@ -74,7 +75,8 @@ std::vector<Answer> answers_of(const MachineRun& run);
 
 /// Reads a deck's `machine` and `analyses` and notes every mistake; without mistakes returns the calculation, ready to
 /// be called; else an empty one. `input`: the map with both keys; a terrain's file is looked for beside the file that
-/// names it.
-std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes);
+/// names it. `progress`: as in a Job.
+std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
+                                        std::function<bool(const Progress&)> progress = {});
 
 }  // namespace taut::app

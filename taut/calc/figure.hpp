@@ -90,14 +90,15 @@ struct Curve {
   bool dashed = false;
   bool points_only = false;
 };
-/// A marked point ("governs") or, with `whole_line`, a horizontal limit at y.
+/// A marked point ("governs"), with `whole_line` a horizontal limit at y, with `upright` something that happens at x.
 struct Mark {
   double x = 0;
   double y = 0;
   std::string label;
   bool whole_line = false;
+  bool upright = false;
 };
-/// A plot: curves over axes, SI numbers. The data goes to `name`.csv as a series.
+/// A plot: curves over axes, SI numbers. The data goes to `name`.csv as a series; without a name it goes nowhere.
 struct Plot {
   std::string name;
   std::string title;
@@ -108,6 +109,34 @@ struct Plot {
   std::vector<Mark> marks;
 };
 
-using Figure = std::variant<Drawing, Plot>;
+/// A drawing that moves: the report plays it. Coordinates as in a Drawing, one set for each time.
+struct Animation {
+  struct Line {
+    Role role = Role::rope;
+    std::vector<std::vector<Point>> points;  ///< [time][point]; the number of points may change
+  };
+  struct Round {
+    std::string label;
+    Role role = Role::body;
+    double radius = 0;          ///< 0: a dot
+    std::vector<Point> at;      ///< by time
+    std::vector<double> angle;  ///< by time, rad, of its spoke; empty: it does not turn
+  };
+  struct Readout {
+    std::string label;
+    Unit unit;
+    std::vector<double> value;  ///< by time, SI; NaN: none
+  };
+  std::string name;
+  std::string title;
+  std::string caption;
+  std::vector<double> t;  ///< s
+  std::vector<Line> lines;
+  std::vector<Round> rounds;
+  std::vector<Readout> readouts;
+  std::vector<std::pair<double, std::string>> events;  ///< s, in words
+};
+
+using Figure = std::variant<Drawing, Plot, Animation>;
 
 }  // namespace taut

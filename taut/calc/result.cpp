@@ -129,6 +129,7 @@ const Table* Result::find_table(const std::string& name) const {
 
 int exit_code(const Result& r) {
   if (r.status == Status::bad_deck) return 2;
+  if (r.interrupted) return 130;
   if (r.status != Status::ok) return 3;
   const bool all_pass = std::all_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.passes; });
   return all_pass ? 0 : 4;

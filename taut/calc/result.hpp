@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -68,6 +69,33 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
+/// A line or a cloud of points of a machine in space, followed through time. Its number of points may change.
+struct SceneLine {
+  std::string name;  ///< "skyline"
+  Role role = Role::rope;
+  std::vector<std::vector<std::array<double, 3>>> points;  ///< [frame][point], m
+  std::vector<std::vector<double>> tension;                ///< [frame][point], N; empty: none
+};
+struct ScenePoint {
+  std::string name;
+  double radius = 0;                            ///< of a round, m; 0: a point
+  std::vector<std::array<double, 3>> at;        ///< [frame], m
+  std::vector<std::array<double, 3>> velocity;  ///< [frame], m/s; empty: it rests
+};
+/// A machine in space at one time or several: what a viewer of three dimensions shows.
+struct Scene {
+  std::string name;       ///< a file name without ending
+  std::vector<double> t;  ///< s; a machine at rest: one 0
+  std::vector<SceneLine> lines;
+  std::vector<ScenePoint> points;
+};
+
+/// A file that belongs to the result and is written as it is.
+struct Attachment {
+  std::string name;  ///< "state.json"
+  std::string text;
+};
+
 /// One input as it was used: number(s) in SI or a text.
 struct Given {
   std::string key;
@@ -107,9 +135,13 @@ struct Result {
   std::vector<Step> steps;
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;
+  std::vector<Table> series;  ///< long tables for files, such as time.csv; the first column is what they run over
+  std::vector<Scene> scenes;
+  std::vector<Attachment> attachments;
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
   Diagnostics errors;
+  bool interrupted = false;  ///< from outside; what is there was computed before, and `message` says up to when
   std::string deck_name;
   std::string deck_hash;
   std::map<std::string, std::string> display;  ///< kind of quantity -> unit, as the deck asks
@@ -118,7 +150,7 @@ struct Result {
   const Table* find_table(const std::string& name) const;
 };
 
-/// 0 computed, 2 bad deck, 3 physics or solver says no, 4 a check fails.
+/// 0 computed, 2 bad deck, 3 physics or solver says no, 4 a check fails, 130 interrupted.
 int exit_code(const Result& r);
 
 /// The numbers of an output struct that were computed (not NaN), in the order of its description.

@@ -88,13 +88,16 @@ Json steps(const std::vector<Step>& all) {
   return list;
 }
 
-Json series(const std::vector<Figure>& figures, SeriesFiles files) {
+Json series(const Result& r, SeriesFiles files) {
   Json map = Json::object();
-  for (const Figure& f : figures) {
+  const auto file = [&](const std::string& name) {
+    return files == SeriesFiles::named ? Json(fmt::format("{}.csv", name)) : Json(nullptr);
+  };
+  for (const Table& t : r.series) map[t.name] = {{"columns", columns(t.columns)}, {"file", file(t.name)}};
+  for (const Figure& f : r.figures) {
     const auto* plot = std::get_if<Plot>(&f);
-    if (plot == nullptr) continue;
-    map[plot->name] = {{"columns", columns(series_table(*plot).columns)},
-                       {"file", files == SeriesFiles::named ? Json(fmt::format("{}.csv", plot->name)) : Json(nullptr)}};
+    if (plot == nullptr || plot->name.empty()) continue;
+    map[plot->name] = {{"columns", columns(series_table(*plot).columns)}, {"file", file(plot->name)}};
   }
   return map;
 }
@@ -120,7 +123,7 @@ std::string to_json(const Result& r, SeriesFiles files) {
   j["tables"] = tables(r);
   j["checks"] = checks(r.checks);
   j["steps"] = steps(r.steps);
-  j["series"] = series(r.figures, files);
+  j["series"] = series(r, files);
   j["warnings"] = r.warnings;
   j["errors"] = errors(r.errors);
   // a text that is not UTF-8 (a file's name) must not stop the result

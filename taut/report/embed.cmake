@@ -2,3 +2,4 @@ taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME page_template FILE 
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME page_css FILE taut/report/assets/page.css)
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME math_font FILE taut/report/assets/taut_math.woff2)
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME italic_font FILE taut/report/assets/taut_math_italic.woff2)
+taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME animation_js FILE taut/report/assets/animation.js)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/report/animation.hpp"
 #include "taut/report/given.hpp"
 #include "taut/report/html_table.hpp"
 #include "taut/report/quantity.hpp"
@@ -55,6 +56,20 @@ std::string drawings_html(const Result& r) {
     if (d == nullptr) continue;
     out += fmt::format("<figure>{}{}</figure>\n", drawing_svg(*d, display),
                        caption_html(d->title, d->caption, scale_words(*d)));
+  }
+  return out;
+}
+
+std::string animations_html(const Result& r) {
+  const Display display = display_of(r);
+  std::string out;
+  int number = 0;
+  for (const Figure& f : r.figures) {
+    const auto* a = std::get_if<Animation>(&f);
+    const std::string moving = a == nullptr ? std::string{} : animation_html(*a, display, number);
+    if (moving.empty()) continue;
+    ++number;
+    out += fmt::format("<figure>{}{}</figure>\n", moving, caption_html(a->title, a->caption, {}));
   }
   return out;
 }
@@ -169,6 +184,7 @@ std::vector<Section> sections(const Result& r) {
   std::vector<Section> all{{"errors", "Mistakes in the deck", errors_html(r)},
                            {"warnings", "Warnings", list_html(r.warnings)},
                            {"drawings", "Drawings", drawings_html(r)},
+                           {"animation", "Motion", animations_html(r)},
                            {"comparison", comparison_title(r), comparisons_html(r)},
                            {"results", "Results", values_html(r)},
                            {"checks", "Checks", checks_html(r)},

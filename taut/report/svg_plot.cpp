@@ -103,7 +103,7 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
     }
   }
   for (const Mark& m : plot.marks) {
-    if (m.whole_line || !std::isfinite(m.x) || !std::isfinite(m.y)) continue;
+    if (m.whole_line || m.upright || !std::isfinite(m.x) || !std::isfinite(m.y)) continue;
     r.x.add(xu.of(m.x));
     r.y.add(yu.of(m.y));
   }
@@ -111,7 +111,8 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
   if (!r.y.empty() && r.y.low > 0 && r.y.low < 0.5 * r.y.high) r.y.low = 0;
   if (!r.y.empty() && r.y.high < 0 && r.y.high > 0.5 * r.y.low) r.y.high = 0;
   const Span curves = r.y;
-  const bool marked = std::any_of(plot.marks.begin(), plot.marks.end(), [](const Mark& m) { return !m.whole_line; });
+  const bool marked =
+      std::any_of(plot.marks.begin(), plot.marks.end(), [](const Mark& m) { return !m.whole_line && !m.upright; });
   if (marked && !curves.empty()) {  // room for the words at the highest and the lowest point
     r.y.high += r.y.high == 0 ? 0 : 0.07 * curves.size();
     r.y.low -= r.y.low == 0 ? 0 : 0.07 * curves.size();
@@ -252,6 +253,17 @@ std::vector<Line> lines_of(const Scene& s) {
   return all;
 }
 
+/// What happens at an x: a thin line over the whole height, its words upright beside it.
+std::string draw_upright(const Scene& s, const Mark& m) {
+  const double x = s.x_pixel(s.x_unit.of(m.x));
+  if (!(x >= s.axes.left - 0.5 && x <= s.axes.right + 0.5)) return {};
+  const double beside = x > s.axes.right - 14 ? x - 4 : x + 11;
+  return fmt::format(
+      "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#5b6570\" stroke-width=\"1\" stroke-dasharray=\"3 3\"/>"
+      "<text class=\"tick\" transform=\"translate({3:.1f} {4:.1f}) rotate(-90)\" text-anchor=\"end\">{5}</text>\n",
+      x, s.axes.top, s.axes.bottom, beside, s.axes.top + 4, to_svg(label_runs(shortened(clean(m.label), 34))));
+}
+
 /// Limits and marked points, their words placed where no curve runs.
 std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
   std::string out;
@@ -263,6 +275,10 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
     }
   }
   for (const Mark& m : s.plot.marks) {
+    if (m.upright) {
+      if (std::isfinite(m.x)) out += draw_upright(s, m);
+      continue;
+    }
     const bool outside = std::find(s.limits_outside.begin(), s.limits_outside.end(), &m) != s.limits_outside.end();
     if (outside || !std::isfinite(m.y) || (!m.whole_line && !std::isfinite(m.x))) continue;
     const Runs runs = label_runs(shortened(clean(m.label), longest_plot_label));
