@@ -43,6 +43,8 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
 /// then keeps its length.
 Outcome install_guys(const model::Machine& machine, model::Model& model);
 
+Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p);
+
 /// Notes the first failure of a calculation in the result: its status, and `what` before its message.
 void note_failure(Result& r, const Outcome& outcome, const std::string& what);
 

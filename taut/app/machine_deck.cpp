@@ -62,8 +62,9 @@ const Description& AnalysisRequest::describe() {
           .record(&AnalysisRequest::cycle, "cycle", "pulls and energies of a working cycle")
           .record(&AnalysisRequest::envelope, "envelope", "worst cases for sizing")
           .record(&AnalysisRequest::sweep, "sweep", "the equilibrium over a number of the deck")
-          .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep"})
-          .later("transient", "motions come with the dynamics")
+          .record(&AnalysisRequest::transient, "transient", "a motion of the machine")
+          .exactly_one(
+              {"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep", "transient"})
           .later("modes", "frequencies and modes come with the dynamics");
   return d;
 }

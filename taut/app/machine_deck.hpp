@@ -5,6 +5,7 @@
 
 #include "taut/app/analysis_requests.hpp"
 #include "taut/app/motion.hpp"
+#include "taut/app/transient_deck.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/model/machine.hpp"
 
@@ -41,6 +42,7 @@ struct AnalysisRequest {
   std::optional<CycleRequest> cycle;
   std::optional<EnvelopeRequest> envelope;
   std::optional<SweepRequest> sweep;
+  std::optional<TransientRequest> transient;
   static const Description& describe();
 };
 

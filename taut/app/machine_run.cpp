@@ -16,6 +16,7 @@
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/terrain.hpp"
+#include "taut/app/transient_run.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/read.hpp"
 #include "taut/model/carriage_span.hpp"
@@ -66,6 +67,9 @@ class Requests {
       if (all[i].cycle) run.more.push_back(prepare_cycle(*all[i].cycle, path + ".cycle", names_));
       if (all[i].envelope) run.more.push_back(prepare_envelope(*all[i].envelope, path + ".envelope", names_));
       if (all[i].sweep) run.more.push_back(prepare_sweep(*all[i].sweep, path + ".sweep", names_));
+      if (all[i].transient) {
+        run.more.push_back(prepare_transient(*all[i].transient, path + ".transient", names_));
+      }
     }
     check_clamps(run);
     return run;
@@ -182,16 +186,32 @@ void append(std::vector<T>& from, std::vector<T>& to) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
+/// What one state has largest is no second value beside that of another.
+void append_values(std::vector<Value>& from, std::vector<Value>& to) {
+  for (Value& v : from) {
+    const auto known = std::find_if(to.begin(), to.end(), [&](const Value& one) { return one.name == v.name; });
+    if (known == to.end()) {
+      to.push_back(std::move(v));
+    } else if (v.value > known->value) {
+      *known = std::move(v);
+    }
+  }
+}
+
 void append(Result& from, Result& to) {
-  append(from.values, to.values);
+  append_values(from.values, to.values);
   append(from.tables, to.tables);
   append(from.checks, to.checks);
   append(from.figures, to.figures);
+  append(from.series, to.series);
+  append(from.scenes, to.scenes);
+  append(from.attachments, to.attachments);
   append(from.assumptions, to.assumptions);
   append(from.warnings, to.warnings);
 }
 
-Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& /*progress*/) {
+Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress) {
+  run.progress = progress;
   Result r;
   r.method_title = "Machine";
   r.given = given_of(MachineDeck::describe(), &deck);
@@ -219,6 +239,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     r.status = more.status;
     r.message = more.message;
   }
+  r.interrupted = more.interrupted;
   add_tables(run, r);
   add_beam_tables(run, r);
   add_values(run, r);
@@ -262,6 +283,7 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
   const std::size_t before = mistakes.size();
   load_terrain(input, deck->machine, mistakes);
+  load_restarts(input, *deck, mistakes);
   if (!readable || mistakes.size() > before) return {};
   auto model = model::compile(deck->machine);
   if (!model) {

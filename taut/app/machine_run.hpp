@@ -60,6 +60,7 @@ struct MachineRun {
   std::vector<LoadPathRun> paths;
   std::vector<Analysis> more;  ///< in the deck's order
   std::vector<OtherAnswer> others;
+  std::function<bool(const Progress&)> progress;  ///< as in a Job
 };
 
 /// An equilibrium that was found.

@@ -10,7 +10,7 @@
 #include <iterator>
 
 namespace taut::io {
-namespace {
+namespace hdf5_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +78,5 @@ TEST(Hdf5, SaysWhyNot) {
   fs::remove(path);
 }
 
-}  // namespace
+}  // namespace hdf5_test
 }  // namespace taut::io

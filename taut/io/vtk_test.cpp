@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace taut::io {
-namespace {
+namespace vtk_test {
 
 using testing::HasSubstr;
 
@@ -44,5 +44,5 @@ TEST(Vtk, WhatIsNotFiniteIsZero) {
   EXPECT_EQ(to_vtk(s)[0].second.find("nan"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace vtk_test
 }  // namespace taut::io

@@ -161,6 +161,7 @@ class Compiler {
     reeving.name = given.name.value_or(given.rope);
     reeving.copies = given.copies;
     reeving.closed = given.closed;
+    reeving.segments = given.segments;
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);

@@ -175,6 +175,10 @@ const Description& Reeving::describe() {
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
                   "which way it runs when hoisting or hauling in; without it to its drum or given tension, else to its "
                   "start")
+          .field(&Reeving::segments, "segments", "n", si::one,
+                 "in motion each free part is a chain of so many, with the rope's mass at their joints; 1: one piece")
+          .at_least(1)
+          .at_most(1000)
           .field(&Reeving::closed, "closed", "an endless rope, from the last element back to the first");
   return d;
 }

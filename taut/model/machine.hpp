@@ -153,6 +153,7 @@ struct Reeving {
   std::optional<double> tension_at_end;
   int copies = 1;
   Haul haul = Haul::automatic;
+  int segments = 1;  ///< of each free part, in motion
   static const Description& describe();
 };
 

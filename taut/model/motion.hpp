@@ -133,7 +133,7 @@ enum class Quantity {
   drum_speed,
   drum_length,
   drum_torque,
-  drum_power,  ///< N; rope taken in, m/s, m; of its drive, N m, W
+  drum_power,  ///< N; taken in, m/s; on it, m; of its drive, N m, W
   contact_N,
   contact_F,
   contact_speed,  ///< N, N, m/s

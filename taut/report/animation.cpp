@@ -13,9 +13,8 @@
 namespace taut::report {
 namespace {
 
-constexpr double paper_width = 660;
 constexpr double largest_height = 420;
-constexpr double margin = 18;
+constexpr double animation_margin = 18;
 constexpr double smallest_round = 2.5;  ///< pixels
 constexpr std::size_t most_numbers = 40000;
 constexpr std::size_t most_times = 240;
@@ -25,8 +24,8 @@ struct View {
   double scale = 1;
   double left = 0, top = 0;  ///< of the machine, m
   double width = 0, height = 0;
-  double x(double m) const { return margin + (m - left) * scale; }
-  double y(double m) const { return margin + (top - m) * scale; }
+  double x(double m) const { return animation_margin + (m - left) * scale; }
+  double y(double m) const { return animation_margin + (top - m) * scale; }
 };
 
 View view_of(const Animation& a) {
@@ -47,12 +46,12 @@ View view_of(const Animation& a) {
   View v;
   if (high_x < low_x) return v;
   const double w = std::max(high_x - low_x, 1e-9), h = std::max(high_y - low_y, 1e-9);
-  v.scale = std::min((paper_width - 2 * margin) / w, largest_height / h);
+  v.scale = std::min((paper_width - 2 * animation_margin) / w, largest_height / h);
   v.left = low_x;
   v.top = high_y;
-  v.width = std::max(w * v.scale + 2 * margin, 320.0);
-  v.height = h * v.scale + 2 * margin + 24;  // a row for the scale bar
-  v.left -= (v.width - 2 * margin - w * v.scale) / 2 / v.scale;
+  v.width = std::max(w * v.scale + 2 * animation_margin, 320.0);
+  v.height = h * v.scale + 2 * animation_margin + 24;  // a row for the scale bar
+  v.left -= (v.width - 2 * animation_margin - w * v.scale) / 2 / v.scale;
   return v;
 }
 
@@ -146,7 +145,7 @@ std::string svg_round(const Animation::Round& round, const View& v) {
 std::string scale_bar(const View& v, const Display& display) {
   const ShownUnit unit = shown_unit(si::m, display);
   const double length = nice_below(90 / v.scale * unit.of(1)) / unit.of(1);
-  const double y = v.height - 12, x = margin;
+  const double y = v.height - 12, x = animation_margin;
   return fmt::format(
       "<path class=\"bar\" d=\"M{0:.1f} {1:.1f}v6M{0:.1f} {2:.1f}h{3:.1f}M{4:.1f} {1:.1f}v6\"/><text class=\"label\" "
       "x=\"{5:.1f}\" y=\"{6:.1f}\">{7}</text>\n",

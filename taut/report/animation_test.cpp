@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace taut::report {
-namespace {
+namespace animation_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -78,5 +78,5 @@ TEST(Animation, WhatIsNotFiniteIsLeftOut) {
   EXPECT_THAT(animation_html(a, Display(), 0), Not(HasSubstr("nan")));
 }
 
-}  // namespace
+}  // namespace animation_test
 }  // namespace taut::report

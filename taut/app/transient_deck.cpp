@@ -1,0 +1,56 @@
+#include "taut/app/transient_deck.hpp"
+
+namespace taut::app {
+
+const Description& HoistFactor::describe() {
+  using enum Class;
+  static const Description d =
+      Describe<HoistFactor>()
+          .field(&HoistFactor::rope, "rope", "the hoist rope, a reeving")
+          .required()
+          .choice(&HoistFactor::hoisting_class, "class", {{"HC1", HC1}, {"HC2", HC2}, {"HC3", HC3}, {"HC4", HC4}},
+                  "hoisting class of EN 13001-2")
+          .field(&HoistFactor::speed, "speed", "v_h", si::m_per_s, "steady hoisting speed of the load")
+          .at_least(0)
+          .at_most(100)
+          .required();
+  return d;
+}
+
+const Description& TransientRequest::describe() {
+  static const Description d =
+      Describe<TransientRequest>()
+          .field(&TransientRequest::name, "name", "ending of its tables' and files' names, when a deck has several")
+          .field(&TransientRequest::duration, "duration", "t", si::s,
+                 "how long, from the start or from where it goes on")
+          .above(0)
+          .at_most(3.2e7)
+          .required()
+          .field(&TransientRequest::output_step, "output_step", "dt", si::s,
+                 "between two lines of what is written down; without it a thousandth of the duration")
+          .above(0)
+          .at_most(3.2e7)
+          .field(
+              &TransientRequest::tolerance, "tolerance", "", si::one,
+              "error that the steps may leave: of tensions as a share of the largest, of places of the machine's size")
+          .at_least(1e-12)
+          .at_most(0.1)
+          .field(&TransientRequest::step, "step", "dt", si::s, "this step throughout, without control of the error")
+          .above(0)
+          .choice(&TransientRequest::method, "method", {{"implicit", Method::implicit}, {"verlet", Method::verlet}},
+                  "implicit with steps that follow the tolerance, or explicit (verlet) for waves and breaks")
+          .choice(&TransientRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
+                  "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest")
+          .field(&TransientRequest::damping_ratio, "damping_ratio", "zeta", si::one,
+                 "of ropes that give none: of the lowest mode in which the rope stretches")
+          .at_least(0)
+          .at_most(10)
+          .field(&TransientRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia")
+          .field(&TransientRequest::save, "save", "file for the state at the end, in the folder of the results")
+          .field(&TransientRequest::restart, "restart", "file with such a state to go on from, beside the deck")
+          .record(&TransientRequest::hoist_factor, "hoist_factor",
+                  "checks a rope's peak over its static tension against phi2 = phi2_min + beta2 v_h of EN 13001-2");
+  return d;
+}
+
+}  // namespace taut::app

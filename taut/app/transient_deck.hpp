@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "taut/calc/field.hpp"
+
+namespace taut::app {
+
+/// The dynamic factor of hoisting after EN 13001-2, phi2 = phi2_min + beta2 v_h, against which a rope's is checked.
+struct HoistFactor {
+  enum class Class { HC1, HC2, HC3, HC4 };
+  std::string rope;  ///< a reeving
+  Class hoisting_class = Class::HC2;
+  double speed = 0;  ///< steady hoisting speed of the load, m/s
+  static const Description& describe();
+};
+
+/// A motion of the machine from its start on.
+struct TransientRequest {
+  enum class Method { implicit, verlet };
+  enum class Start { settled, assembled };
+
+  std::optional<std::string> name;    ///< ending of its files' names
+  double duration = 0;                ///< s
+  std::optional<double> output_step;  ///< s
+  double tolerance = 1e-6;
+  std::optional<double> step;  ///< s, fixed
+  Method method = Method::implicit;
+  Start start = Start::settled;
+  double damping_ratio = 0;
+  bool rope_mass = true;
+  std::optional<std::string> save;     ///< file for the state at the end, in the folder of the results
+  std::optional<std::string> restart;  ///< file with such a state, looked for beside the deck
+  std::optional<HoistFactor> hoist_factor;
+  std::string state;  ///< text of that file, read before
+  static const Description& describe();
+};
+
+}  // namespace taut::app

@@ -1,0 +1,170 @@
+#include "taut/app/transient_run.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "taut/app/machine_analysis.hpp"
+#include "taut/app/transient_figures.hpp"
+#include "taut/app/transient_state.hpp"
+#include "taut/app/transient_tables.hpp"
+#include "taut/io/include.hpp"
+#include "taut/io/source.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double most_lines = 1e6;
+
+/// It becomes a file's name in the folder of the results.
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.front() != '.' && name.find('/') == std::string::npos &&
+         name.find('\\') == std::string::npos;
+}
+
+void check_names(const TransientRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  if (!request.save) return;
+  if (!is_plain_name(*request.save)) {
+    complaints.push_back({path + ".save", "a file's name is expected; the state goes to the folder of the results"});
+  }
+  for (const char* taken : {"result.json", "report.html", "report.md", "series.h5"}) {
+    if (*request.save == taken) complaints.push_back({path + ".save", "is the name of another file of the results"});
+  }
+}
+
+/// Speeds whose signal a deck without signals named.
+void check_signals(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
+  const auto check = [&](const model::Drive& drive, const std::string& path) {
+    if (drive.kind == model::DriveKind::held || !std::isnan(model::at(drive.signal, 0).value)) return;
+    complaints.push_back({path, fmt::format("there is no signal '{}'", drive.signal.name)});
+  };
+  for (const model::Drum& drum : model.drums) check(drum.drive, fmt::format("machine.drums.{}.drive.speed", drum.name));
+  for (const model::Motor& motor : model.motors) {
+    const bool sheave = std::any_of(machine.sheaves.begin(), machine.sheaves.end(),
+                                    [&](const auto& one) { return one.name == motor.name; });
+    check(motor.drive, fmt::format("machine.{}.{}.motor.speed", sheave ? "sheaves" : "supports", motor.name));
+  }
+}
+
+void check_inertia(const model::Model& model, std::vector<Complaint>& complaints) {
+  for (const model::Body& body : model.bodies) {
+    const bool turns =
+        std::any_of(body.free.begin(), body.free.end(), [](const auto& f) { return f.about.norm() > 0; });
+    // a mass beside the axis has inertia about it
+    const bool no_inertia = std::any_of(body.free.begin(), body.free.end(), [&](const auto& f) {
+      return f.about.norm() > 0 &&
+             body.mass * f.about.cross(body.centre).squaredNorm() + f.about.dot(body.inertia.cwiseProduct(f.about)) <=
+                 0;
+    });
+    if (turns && no_inertia) {
+      complaints.push_back({fmt::format("machine.bodies.{}", body.name), "turns freely: a motion needs its 'inertia'"});
+    }
+  }
+}
+
+void check(const TransientRequest& request, const std::string& path, Preparation& p) {
+  std::vector<Complaint>& complaints = p.complaints;
+  const double step = request.output_step.value_or(request.duration / 1000);
+  if (step > request.duration) complaints.push_back({path + ".output_step", "is longer than the duration"});
+  if (request.duration / step > most_lines) {
+    complaints.push_back({path + ".output_step", fmt::format("makes more than {:.0f} lines", most_lines)});
+  }
+  if (request.step && *request.step > request.duration) {
+    complaints.push_back({path + ".step", "is longer than the duration"});
+  }
+  check_names(request, path, complaints);
+  check_signals(p.deck.machine, p.model, complaints);
+  check_inertia(p.model, complaints);
+  if (request.hoist_factor) reeving_of(p, request.hoist_factor->rope, path + ".hoist_factor.rope");
+}
+
+}  // namespace
+
+void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistakes) {
+  for (std::size_t i = 0; i < deck.analyses.size(); ++i) {
+    if (!deck.analyses[i].transient || !deck.analyses[i].transient->restart) continue;
+    TransientRequest& request = *deck.analyses[i].transient;
+    const io::Node& node = *io::follow(input, fmt::format("analyses[{}].transient.restart", i)).node;
+    const fs::path beside = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
+    const fs::path path = beside.parent_path() / *request.restart;
+    if (auto text = io::read_file(path.string())) {
+      request.state = std::move(*text);
+    } else {
+      io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
+    }
+  }
+}
+
+std::string words_of(const TransientRun& run) {
+  return run.request.name ? fmt::format("transient, {}", *run.request.name) : std::string("transient");
+}
+
+void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress) {
+  const TransientRequest& request = run.request;
+  analysis::TransientOptions& o = run.options;
+  o.duration = request.duration;
+  o.output_step = request.output_step.value_or(0);
+  o.tolerance = request.tolerance;
+  o.step = request.step.value_or(0);
+  const bool explicit_steps = request.method == TransientRequest::Method::verlet;
+  o.method = explicit_steps ? analysis::TimeMethod::verlet : analysis::TimeMethod::implicit;
+  const bool settled = request.start == TransientRequest::Start::settled;
+  o.start = settled ? analysis::Start::settled : analysis::Start::assembled;
+  o.damping_ratio = request.damping_ratio;
+  o.rope_mass = request.rope_mass;
+  if (!request.state.empty()) {
+    auto from = state_from_json(request.state, run.model);
+    if (!from) {
+      run.result.outcome = infeasible(fmt::format("can't go on from '{}': {}", *request.restart, from.error()));
+      return;
+    }
+    o.from = std::move(*from);
+  }
+  const double begin = o.from ? o.from->t : 0;
+  if (progress) {
+    o.progress = [&run, &progress, begin](double t) {
+      const double done = (t - begin) / run.request.duration;
+      return progress({words_of(run), done, fmt::format("t = {:.4g} s of {:.4g} s", t, begin + run.request.duration)});
+    };
+  }
+  run.result = analysis::transient(run.model, o);
+}
+
+void add_transient(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  if (result.interrupted && !r.interrupted) {
+    r.interrupted = true;
+    r.status = Status::not_converged;
+    r.message = fmt::format("{}: interrupted at t = {:.6g} s; everything here ends there", words_of(run), result.t_end);
+  } else if (!result.outcome.ok() && r.status == Status::ok) {
+    r.status = result.outcome.status;
+    r.message = result.frames.empty() || result.outcome.message.starts_with("at t =")
+                    ? fmt::format("{}: {}", words_of(run), result.outcome.message)
+                    : fmt::format("{}: at t = {:.6g} s {}", words_of(run), result.t_end, result.outcome.message);
+  }
+  if (result.frames.empty()) return;
+  add_transient_tables(run, r);
+  add_transient_figures(run, r);
+  if (run.request.save) r.attachments.push_back({*run.request.save, to_json(result.state, run.model)});
+}
+
+Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p) {
+  check(request, path, p);
+  TransientRun run;
+  run.ending = ending_of(p, "transient", request.name, path);
+  run.request = request;
+  return [run](MachineRun& machine, Result& r) {
+    if (r.interrupted) return;
+    TransientRun one = run;
+    one.model = machine.model;
+    solve(one, machine.progress);
+    add_transient(one, r);
+  };
+}
+
+}  // namespace taut::app

@@ -1,0 +1,35 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "taut/analysis/transient.hpp"
+#include "taut/app/job.hpp"
+#include "taut/app/machine_deck.hpp"
+#include "taut/io/node.hpp"
+
+namespace taut::app {
+
+/// One motion: what was asked, and the answer.
+struct TransientRun {
+  std::string ending;  ///< of its tables' and files' names: "", "_2", "_stop"
+  TransientRequest request;
+  analysis::TransientOptions options;
+  model::Model model;
+  analysis::TransientResult result;
+};
+
+/// Puts the text of the file that each `restart` names, beside the deck that names it, into its request; notes those
+/// that can't be read.
+void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistakes);
+
+/// The motion, with its options from the request.
+void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress);
+
+/// "transient, stop": for messages.
+std::string words_of(const TransientRun& run);
+
+/// Its tables, values, checks, series, figures, scene, state and warnings.
+void add_transient(const TransientRun& run, Result& r);
+
+}  // namespace taut::app
