@@ -76,9 +76,11 @@ const Description& Rope::describe() {
           .field(&Rope::reference_temperature, "reference_temperature", "", si::K,
                  "at which its length holds; without it the machine's temperature")
           .at_least(0)
-          .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one, "statics does not depend on it")
+          .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one,
+                 "of the lowest mode in which it stretches; in motion, statics does not depend on it")
           .at_least(0)
-          .field(&Rope::damping_time, "damping_time", "beta", si::s, "statics does not depend on it")
+          .field(&Rope::damping_time, "damping_time", "beta", si::s,
+                 "T = EA (e + beta e'); in motion, statics does not depend on it")
           .at_least(0);
   return d;
 }

@@ -127,19 +127,26 @@ std::string svg_line(const Animation::Line& line, const View& v) {
   return fmt::format("<polyline points=\"{}\" fill=\"none\" {}/>\n", points, stroke_of(pen(line.role)));
 }
 
+/// The name beside a round, to the left of it where it would leave the picture on the right.
+std::string round_label(const Animation::Round& round, const View& v, double radius) {
+  if (round.label.empty()) return {};
+  double right = -1e300;
+  for (const Point& p : round.at) right = std::max(right, is_finite(p) ? v.x(p.x) : right);
+  const bool leaves = right + radius + 3 + 0.56 * font_size * length(round.label) > v.width;
+  return fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>", leaves ? -radius - 3 : radius + 3,
+                     -radius - 2, leaves ? " text-anchor=\"end\"" : "", escape(round.label));
+}
+
 std::string svg_round(const Animation::Round& round, const View& v) {
   const Pen& p = pen(round.role);
   const double radius = std::max(round.radius * v.scale, smallest_round);
   const bool dot = round.radius * v.scale < smallest_round;
   const std::string spoke =
       round.angle.empty() || dot ? "" : fmt::format("<path d=\"M0 0H{:.1f}\" {}/>", radius, stroke_of(p));
-  const std::string words = round.label.empty()
-                                ? ""
-                                : fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", radius + 3,
-                                              -radius - 2, escape(round.label));
   const Point at = round.at.front();
   return fmt::format("<g transform=\"translate({:.1f} {:.1f})\"><circle r=\"{:.1f}\" fill=\"{}\" {}/><g>{}</g>{}</g>\n",
-                     v.x(at.x), v.y(at.y), radius, dot ? p.stroke : "#fff", stroke_of(p), spoke, words);
+                     v.x(at.x), v.y(at.y), radius, dot ? p.stroke : "#fff", stroke_of(p), spoke,
+                     round_label(round, v, radius));
 }
 
 std::string scale_bar(const View& v, const Display& display) {

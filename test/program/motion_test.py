@@ -99,7 +99,8 @@ class Motion(unittest.TestCase):
                                  f"analyses[0].transient.restart={folder}/first/state.json")
             for name in ("load.z_end", "load.vz_end", "hoist.T_max_end"):
                 a, b = whole["values"][name]["value"], second["values"][name]["value"]
-                self.assertAlmostEqual(a, b, delta=1e-9 * max(1, abs(a)), msg=name)
+                # the accelerations of the scheme begin anew: the same within the error of its steps
+                self.assertAlmostEqual(a, b, delta=1e-5 * max(1, abs(a)), msg=name)
             _, rows = rows_of(folder + "/second/time.csv")
             self.assertAlmostEqual(rows[0][0], 1, places=9)
 
