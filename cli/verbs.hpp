@@ -28,9 +28,9 @@ struct RunOptions {
 int run(const RunOptions& options);
 int check(const RunOptions& options);
 int export_as(const std::string& format, const RunOptions& options);
-int print_new(const std::string& method);
+int print_new(const std::string& name);
 int print_list(const std::string& what, const app::ListFilter& filter);
-int print_explain(const std::string& method, bool markdown);
+int print_explain(const std::string& name, bool markdown);
 int print_schema();
 
 }  // namespace taut::cli

@@ -7,7 +7,7 @@
 namespace taut::analysis {
 
 /// The start of a piece in the ground frame, as it follows from the unknowns.
-structure::RodState piece_start(const System& system, const Configuration& c, std::size_t piece);
+structure::RodState piece_start(const System& s, const Configuration& c, std::size_t index);
 
 /// Adds the beams' rows, and their forces on bodies, to the residual.
 void add_beams(const System& system, const Configuration& c, Evaluation& e);

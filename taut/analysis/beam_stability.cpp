@@ -89,7 +89,7 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
   add_bar(K, 5, b.GJ / l);
   add_plane(G, 0, 1, 1, tightening(N, l));
   add_plane(G, 1, 0, -1, tightening(N, l));
-  for (int k = 0; k < 4; ++k) T.block<3, 3>(3 * k, 3 * k) = axes.transpose();
+  for (int k = 0; k < 4; ++k) T.block<3, 3>(Eigen::Index{3} * k, Eigen::Index{3} * k) = axes.transpose();
   e.elastic = T.transpose() * K * T;
   e.geometric = T.transpose() * G * T;
 }

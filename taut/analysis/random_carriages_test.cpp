@@ -63,7 +63,7 @@ Line random_line(unsigned seed) {
   double sky = 0;
   for (int i = 0; i < spans; ++i) {
     const double dx = dice.in(40, 150);
-    p.push_back(p.back() + Vector3(dx, 0, dx * dice.in(-0.5, 0.5)));
+    p.emplace_back(p.back() + Vector3(dx, 0, dx * dice.in(-0.5, 0.5)));
     sky += (p[p.size() - 1] - p[p.size() - 2]).norm();
   }
   line.length = sky;

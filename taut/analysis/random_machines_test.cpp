@@ -188,6 +188,7 @@ model::Model transformed(model::Model m, const Matrix3& M) {
 /// Every rope's largest tension and the bodies' heights by `scale`.
 std::vector<double> answer(const EquilibriumResult& r, double scale) {
   std::vector<double> all;
+  all.reserve(r.ropes.size() + r.state.bodies.size());
   for (const RopeResult& rope : r.ropes) all.push_back(rope.T_max);
   for (const model::Pose& p : r.state.bodies) all.push_back(p.position.z() / scale);
   return all;

@@ -9,7 +9,6 @@ namespace reasons_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
-using taut::Status;
 
 void expect_reason(const model::Model& m, const std::string& words) {
   const EquilibriumResult r = equilibrium(m);

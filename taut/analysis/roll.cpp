@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace taut::analysis {
 namespace {
@@ -52,8 +53,8 @@ Neighbours neighbours(const model::Model& model, const model::Carriage& car) {
 
 class Roll {
  public:
-  Roll(const model::Model& model, int carriage, const EquilibriumOptions& options)
-      : model_(model), options_(options), car_(model.carriages[at(carriage)]) {
+  Roll(const model::Model& model, int carriage, EquilibriumOptions options)
+      : model_(model), options_(std::move(options)), car_(model.carriages[at(carriage)]) {
     options_.band = false;
     options_.prescribed = Prescribed{carriage, 0};
     const Neighbours beside = neighbours(model, car_);

@@ -108,6 +108,7 @@ std::vector<double> material_rates(const System& s, const Configuration& c, cons
   const RoundEnd from = round_end(s, c, e, link, true), to = round_end(s, c, e, link, false);
   const Branch& b = e.branches[k];
   std::vector<double> rates;
+  rates.reserve(at(columns.count));
   const auto turned = [&](const RoundEnd& end, int unknown) {
     if (at(unknown) >= s.layout.dofs.size()) return 0.0;
     const Layout::Dof& dof = s.layout.dofs[at(unknown)];

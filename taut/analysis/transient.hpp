@@ -175,6 +175,6 @@ struct TransientResult {
 };
 
 /// The machine in motion. docs/theory/dynamics.md.
-TransientResult transient(const model::Model& model, const TransientOptions& options);
+TransientResult transient(const model::Model& model, const TransientOptions& given);
 
 }  // namespace taut::analysis

@@ -46,6 +46,7 @@ void fill_contacts(const DynamicState& start, Built& built) {
   Values& v = built.values;
   v.contacts.resize(m.contacts.size());
   std::vector<model::Pose> poses;
+  poses.reserve(v.bodies.size());
   for (const Motion3& body : v.bodies) poses.push_back({body.x, body.R});
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Contact& contact = m.contacts[i];

@@ -6,8 +6,7 @@
 
 #include "taut/app/job.hpp"
 
-namespace taut::app {
-namespace machine_carriages_test {
+namespace taut::app::machine_carriages_test {
 
 Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
   return run(Job{text, "deck.yaml", set});
@@ -157,5 +156,4 @@ machine:
   EXPECT_NE(r.message.find("runs to the end at 'head'"), std::string::npos) << r.message;
 }
 
-}  // namespace machine_carriages_test
-}  // namespace taut::app
+}  // namespace taut::app::machine_carriages_test

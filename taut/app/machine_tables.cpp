@@ -221,15 +221,15 @@ Table load_path(const model::Model& all, const LoadPathRun& run) {
 
 }  // namespace
 
-std::vector<Column> load_path_columns(const model::Model& m) {
+std::vector<Column> load_path_columns(const model::Model& all) {
   std::vector<Column> columns = {{"x", si::m}, {"z", si::m}, {"clearance", si::m}};
-  for (const model::Reeving& r : m.reevings) {
+  for (const model::Reeving& r : all.reevings) {
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
     columns.push_back({fmt::format("{}.T_max", r.name), si::N});
     columns.push_back({fmt::format("{}.unstretched", r.name), si::m});
   }
-  for (const model::Reeving& r : m.reevings) {
+  for (const model::Reeving& r : all.reevings) {
     for (const Turn& turn : turns_of(r)) {
       if (turn.fixed || turn.load) continue;
       const std::string which =
@@ -241,9 +241,9 @@ std::vector<Column> load_path_columns(const model::Model& m) {
       columns.push_back({which + ".Fz", si::N});
     }
   }
-  add_drum_columns(m, columns);
+  add_drum_columns(all, columns);
   columns.push_back({"closure", si::m.in("mm")});
-  if (!m.terrain.empty()) columns.push_back({"rope_clearance", si::m});
+  if (!all.terrain.empty()) columns.push_back({"rope_clearance", si::m});
   return columns;
 }
 

@@ -72,6 +72,7 @@ class NamedLimit {
       of_drum();
     } else {
       std::vector<std::string> names;
+      names.reserve(reevings.size() + drums.size());
       for (const auto& one : reevings) names.push_back(one.name);
       for (const auto& one : drums) names.push_back(one.name);
       complain("",

@@ -19,6 +19,7 @@ TEST(StaticLu, SolvesWhatADenseEliminationSolves) {
     std::vector<std::vector<int>> cliques;
     for (int c = 0; c < n; ++c) {
       std::vector<int> clique;
+      clique.reserve(4);
       for (int k = 0; k < 4; ++k) clique.push_back(static_cast<int>(random() % static_cast<unsigned>(n)));
       std::sort(clique.begin(), clique.end());
       clique.erase(std::unique(clique.begin(), clique.end()), clique.end());

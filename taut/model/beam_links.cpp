@@ -94,7 +94,7 @@ std::optional<BeamPlans::Spot> BeamPlans::spot_of(const std::string& name) const
     for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
       if (machine_.bodies[i].name == body) return Spot{static_cast<int>(i), -1, false, at};
     }
-    const Spot spot = spot_on(body, at);
+    Spot spot = spot_on(body, at);
     if (spot.beam < 0) return std::nullopt;
     return spot;
   };
@@ -122,6 +122,7 @@ bool BeamPlans::locate(const Machine& machine, std::size_t i, std::vector<Compla
   const auto from = spot_of(given.from), to = spot_of(given.to);
   const auto missing = [&](const char* key, const std::string& name) {
     std::vector<std::string> names;
+    names.reserve(machine.points.size() + machine.bodies.size());
     for (const auto& point : machine.points) names.push_back(point.name);
     for (const auto& body : machine.bodies) names.push_back(body.name);
     complaints.push_back({path_of(given.name, key), fmt::format("there is no point, body or beam's top '{}'{}", name,

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "taut/base/expects.hpp"
 
@@ -41,8 +42,10 @@ Vector3 built_curvature(const Bow& bow, double s) {
 /// The equation of one order at one place: the rate of the state, and, with `variation`, that of its derivatives.
 class Equation {
  public:
-  Equation(const RodPiece& piece, const Matrix3& start_axes)
-      : piece_(piece), chord_(piece.bow.axes(Matrix3::Identity(), piece.from).transpose()), start_(start_axes) {}
+  Equation(const RodPiece& piece, Matrix3 start_axes)
+      : piece_(piece),
+        chord_(piece.bow.axes(Matrix3::Identity(), piece.from).transpose()),
+        start_(std::move(start_axes)) {}
 
   Packed rate(double s, const Packed& p, const Rates* variation, Rates* variation_rate) const {
     return piece_.order == BeamOrder::second ? second(s, p, variation, variation_rate)

@@ -62,8 +62,9 @@ TEST(Rod, RatesAreTheDifferences) {
       difference /= 2 * h;
       const Eigen::Matrix<double, 12, 1> told = rates.col(column);
       for (int block = 0; block < 4; ++block) {
-        const double scale = 1e-12 + rates.middleRows<3>(3 * block).cwiseAbs().maxCoeff() * (column < 6 ? 1 : 1e-4);
-        EXPECT_LT((told - difference).segment<3>(3 * block).norm(), 3e-7 * scale)
+        const double scale =
+            1e-12 + rates.middleRows<3>(Eigen::Index{3} * block).cwiseAbs().maxCoeff() * (column < 6 ? 1 : 1e-4);
+        EXPECT_LT((told - difference).segment<3>(Eigen::Index{3} * block).norm(), 3e-7 * scale)
             << "column " << column << " block " << block << "\n"
             << told.transpose() << "\n"
             << difference.transpose();
