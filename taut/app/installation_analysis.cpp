@@ -193,6 +193,7 @@ void add_plots(const InstallationRun& run, const std::vector<Row>& rows, std::si
                                      {{"at its start", [](const auto& i) { return i.T_start; }},
                                       {"at its end", [](const auto& i) { return i.T_end; }}}));
   std::vector<std::pair<std::string, Of>> sags;
+  sags.reserve(spans);
   for (std::size_t k = 0; k < spans; ++k) {
     sags.emplace_back(fmt::format("span {}", k + 1), [k](const auto& i) { return i.sag[k]; });
   }

@@ -210,6 +210,7 @@ Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y,
   p.x = {"time", si::s};
   p.y = y;
   std::vector<const std::vector<double>*> all;
+  all.reserve(curves.size());
   for (const auto& [label, values] : curves) all.push_back(values);
   const std::vector<std::size_t> shown = shown_frames(all, run.result.frames.size());
   for (const auto& [label, values] : curves) {

@@ -212,7 +212,8 @@ std::string misfit(const DynamicState& s, const Json& j, const model::Model& m) 
   if (s.happened.size() != m.events.size()) return "its events are others";
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const std::size_t nodes = m.reevings[i].nodes.size();
-    const auto parts = static_cast<std::size_t>(model::branch_count(m.reevings[i]) * m.reevings[i].segments);
+    const auto parts =
+        static_cast<std::size_t>(model::branch_count(m.reevings[i])) * static_cast<std::size_t>(m.reevings[i].segments);
     const DynamicState::Rope& r = s.ropes[i];
     const bool by_branch = r.length.size() == parts && r.whole.size() == parts;
     if (!by_branch || r.angle.size() != nodes || r.spin.size() != nodes || r.passed.size() != nodes ||

@@ -96,10 +96,12 @@ bool write_column(hid_t group, const Table& t, std::size_t column) {
       words.push_back(text != nullptr ? *text : fmt::format("{}", std::get<double>(row[column])));
     }
     std::vector<const char*> pointers;
+    pointers.reserve(words.size());
     for (const std::string& word : words) pointers.push_back(word.c_str());
     written = H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<const void*>(pointers.data()));
   } else {
     std::vector<double> numbers;
+    numbers.reserve(t.rows.size());
     for (const auto& row : t.rows) numbers.push_back(std::get<double>(row[column]));
     written = H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
   }

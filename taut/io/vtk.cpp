@@ -76,6 +76,7 @@ std::string cells_text(const char* what, const std::vector<std::vector<std::size
 std::string vtp_text(const Scene& scene, std::size_t frame) {
   const PolyData data = poly_data(scene, frame);
   std::vector<std::vector<std::size_t>> vertices;
+  vertices.reserve(data.vertex_points.size());
   for (const std::size_t p : data.vertex_points) vertices.push_back({p});
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "

@@ -67,7 +67,10 @@ std::vector<std::size_t> kept_times(const Animation& a) {
   const std::size_t wanted = std::clamp<std::size_t>(most_numbers / numbers, 2, most_times);
   const std::size_t count = std::min(wanted, a.t.size());
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < count; ++i) kept.push_back(i * (a.t.size() - 1) / (count - 1));
+  kept.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    kept.push_back(i * (a.t.size() - 1) / std::max<std::size_t>(count - 1, 1));
+  }
   return kept;
 }
 
@@ -115,6 +118,7 @@ std::string json_text(const std::string& text) {
 std::string readout_data(const Animation::Readout& r, const Display& display, const std::vector<std::size_t>& kept) {
   const ShownUnit unit = shown_unit(r.unit, display);
   std::vector<std::string> values;
+  values.reserve(kept.size());
   for (const std::size_t i : kept) values.push_back(json_text(number_shown(unit.of(r.value[i]), 4)));
   return fmt::format("[{},{},[{}]]", json_text(r.label), json_text(unit_text(unit)), fmt::join(values, ","));
 }
