@@ -39,9 +39,12 @@ constexpr int most_steps = 60;
 /// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
 class Search {
  public:
-  Search(const model::Model& model, const Condition& condition, const EquilibriumOptions& options,
+  Search(const model::Model& model, const Condition& condition, EquilibriumOptions options,
          const std::optional<model::State>& start)
-      : condition_(condition), options_(options), near_(start), first_(model.reevings[at(condition.reeving)].value) {
+      : condition_(condition),
+        options_(std::move(options)),
+        near_(start),
+        first_(model.reevings[at(condition.reeving)].value) {
     best.model = model;
   }
 

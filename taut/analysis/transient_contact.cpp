@@ -220,7 +220,7 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
                       : is.omega != 0 ? 1e300 * is.omega
                                       : spin.inertia * is.alpha;
   const double pushed = moment + push;
-  is.turns = pushed > is.capacity ? 1 : pushed < -is.capacity ? -1 : 0;
+  is.turns = static_cast<std::int8_t>(pushed > is.capacity ? 1 : pushed < -is.capacity ? -1 : 0);
   is.bearing = is.turns != 0 ? is.turns * is.capacity : moment;
 }
 

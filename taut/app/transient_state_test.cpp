@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "taut/model/compile.hpp"
 
-namespace taut::app {
-namespace transient_state_test {
+namespace taut::app::transient_state_test {
 
 model::Model winch() {
   using model::description::PathElement;
@@ -48,7 +48,7 @@ analysis::DynamicState state() {
   s.bodies[0].position = {0.1, -2e-17, 1e300};
   s.bodies[0].orientation << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9;
   s.bodies[0].velocity = {M_PI, 0, -1};
-  s.bodies[0].spin = {0, std::sqrt(2), 0};
+  s.bodies[0].spin = {0, std::numbers::sqrt2, 0};
   s.ropes.resize(1);
   s.ropes[0].length = {0.1 + 0.2};
   s.ropes[0].whole = {1};
@@ -121,5 +121,4 @@ TEST(TransientState, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(state_from_json(text, other).error(), HasSubstr("other segments"));
 }
 
-}  // namespace transient_state_test
-}  // namespace taut::app
+}  // namespace taut::app::transient_state_test

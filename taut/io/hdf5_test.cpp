@@ -9,8 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace taut::io {
-namespace hdf5_test {
+namespace taut::io::hdf5_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +77,4 @@ TEST(Hdf5, SaysWhyNot) {
   fs::remove(path);
 }
 
-}  // namespace hdf5_test
-}  // namespace taut::io
+}  // namespace taut::io::hdf5_test

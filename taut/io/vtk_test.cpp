@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace taut::io {
-namespace vtk_test {
+namespace taut::io::vtk_test {
 
 using testing::HasSubstr;
 
@@ -44,5 +43,4 @@ TEST(Vtk, WhatIsNotFiniteIsZero) {
   EXPECT_EQ(to_vtk(s)[0].second.find("nan"), std::string::npos);
 }
 
-}  // namespace vtk_test
-}  // namespace taut::io
+}  // namespace taut::io::vtk_test

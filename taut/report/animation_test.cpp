@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::report {
-namespace animation_test {
+namespace taut::report::animation_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -78,5 +77,4 @@ TEST(Animation, WhatIsNotFiniteIsLeftOut) {
   EXPECT_THAT(animation_html(a, Display(), 0), Not(HasSubstr("nan")));
 }
 
-}  // namespace animation_test
-}  // namespace taut::report
+}  // namespace taut::report::animation_test
