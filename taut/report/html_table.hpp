@@ -17,8 +17,8 @@ inline constexpr std::size_t most_columns = 12;
 std::string cell(std::string_view inside, std::string_view kind = {});
 
 /// A table of results in display units, a unit under each column's name. Beyond `most_rows` the middle is left out, and
-/// that is said with the name of the CSV file. A table of more than `most_columns`, or wider than a page, comes in parts, each with the first
-/// column in front.
+/// that is said with the name of the CSV file. A table of more than `most_columns`, or wider than a page, comes in
+/// parts, each with the first column in front.
 std::string table_html(const Table& t, const Display& display);
 
 }  // namespace taut::report
