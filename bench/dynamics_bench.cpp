@@ -132,14 +132,16 @@ void run_swing(benchmark::State& state, analysis::TimeMethod method, double step
   options.start = analysis::Start::assembled;
   options.method = method;
   options.step = step;
-  double best = std::numeric_limits<double>::infinity(), error = 0;
+  double best = std::numeric_limits<double>::infinity(), error = 0, iterations = 0;
   for (auto _ : state) {
     const double start = cpu();
     const auto r = transient(m, options);
     best = std::min(best, cpu() - start);
     error = (r.frames.back().bodies[0].position - reference).norm();
+    iterations = static_cast<double>(r.iterations) / static_cast<double>(r.steps);
   }
   state.counters["of_baseline"] = best / baseline_time();
+  state.counters["iterations"] = iterations;
   state.counters["error"] = error;
 }
 
@@ -177,7 +179,12 @@ void tackle(benchmark::State& state) {
   options.output_step = 3;
   options.start = analysis::Start::assembled;
   options.step = 1e-3;
-  for (auto _ : state) benchmark::DoNotOptimize(transient(m, options));
+  double iterations = 0;
+  for (auto _ : state) {
+    const auto r = transient(m, options);
+    iterations = static_cast<double>(r.iterations) / static_cast<double>(r.steps);
+  }
+  state.counters["iterations"] = iterations;
 }
 
 BENCHMARK(baseline)->Unit(benchmark::kMillisecond);

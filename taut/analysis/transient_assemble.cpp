@@ -44,11 +44,20 @@ double dead_power(const Mechanism& m, int body, const Values& now, const Vector3
 void assemble_shifting(Mechanism& m, int body, const Values& now, Work& w) {
   const Body& shape = m.bodies[at(body)];
   auto& values = m.solver.values();
+  if (shape.point && !shape.driven) {
+    const int* const places = m.body_places.data() + m.body_place_first[at(body)];
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t c = at(shape.first + k);
+      w.residual[c] += shape.mass * now.rate[c] - shape.dead[k];
+      values[at(places[4 * k])] += shape.mass;
+    }
+    return;
+  }
   const Vector3 driven = now.bodies[at(body)].driven_a;
   const int first_place = m.body_place_first[at(body)];
   for (int i = 0; i < shape.count; ++i) {
     const Vector3& along = shape.along[at(i)];
-    double g = shape.mass * along.dot(driven) - dead_power(m, body, now, along, Vector3::Zero());
+    double g = shape.mass * along.dot(driven) - shape.dead.dot(along);
     for (int j = 0; j < shape.count; ++j) {
       const double mass = shape.mass * along.dot(shape.along[at(j)]);
       g += mass * now.rate[at(shape.first + j)];
@@ -240,6 +249,8 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].between_points) {
       assemble_between_points(m, s, m.lines[i], now.lines[i], w);
+    } else if (m.lines[i].plain) {
+      assemble_plain(m, s, i, now, w);
     } else {
       assemble_line(m, s, before, i, now, w);
     }

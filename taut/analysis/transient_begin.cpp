@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "taut/analysis/bend.hpp"
@@ -15,13 +16,17 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 void place_lines(const DynamicState& start, Built& built) {
-  const Mechanism& m = built.mechanism;
+  Mechanism& m = built.mechanism;
   const model::Model& model = *m.model;
   Values& v = built.values;
   v.lines.resize(m.lines.size());
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     LineValues& line = v.lines[i];
     line.radius = m.lines[i].radius;
+    for (const std::size_t end : {0U, 1U}) {
+      const int body = m.lines[i].body[end];
+      m.lines[i].offset[end] = body < 0 ? m.lines[i].place[end] : Vector3(v.bodies[at(body)].R * m.lines[i].place[end]);
+    }
     if (!place_line(m.lines[i], v.bodies, line, line)) {
       const model::Reeving& rope = model.reevings[at(m.lines[i].reeving)];
       built.outcome =
@@ -91,6 +96,27 @@ void fill_drums(const DynamicState& start, Built& built) {
 }  // namespace
 
 void classify(Mechanism& m) {
+  for (Body& body : m.bodies) {
+    body.driven = body.model >= 0 && !m.model->bodies[at(body.model)].driven.empty();
+    body.dead = -body.own_mass * m.model->gravity * up();
+    if (body.model >= 0) body.dead += dead_load(m, body.model);
+    m.body_columns += body.count;
+  }
+  const auto shifts = [&](int body) { return body < 0 || (!m.bodies[at(body)].turns && !m.bodies[at(body)].driven); };
+  const auto rests = [&](int body) {
+    return body < 0 || (m.bodies[at(body)].count == 0 && !m.bodies[at(body)].driven);
+  };
+  for (Line& line : m.lines) {
+    line.plain = line.kind == LineKind::points && shifts(line.body[0]) && shifts(line.body[1]);
+    line.still = rests(line.body[0]) && rests(line.body[1]);
+    m.stiffest = std::max(m.stiffest, line.stiffness);
+  }
+  for (const auto& [line, end] : m.tensioner) m.lines[at(line)].tensioned = true;
+  for (Contact& contact : m.contacts) {
+    const bool light = contact.spin < 0;
+    contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
+    contact.bearing_ratio = light ? 1 / contact.efficiency : std::numeric_limits<double>::infinity();
+  }
   const auto plain = [](const Line& line) { return line.kind == LineKind::points; };
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
   const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),

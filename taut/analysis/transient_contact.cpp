@@ -74,7 +74,7 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
   const Pressure p = pressure(m, static_cast<int>(i), now);
-  const double ratio = std::exp(is.log_ratio);
+  const double ratio = is.ratio;
   double& g = w.residual[at(contact.column)];
   switch (is.grip) {
     case Grip::forward:
@@ -193,7 +193,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   } else if (is.log_ratio == 0 || p.in <= 0 || p.out <= 0) {
     is.grip = Grip::equal;
   } else {
-    const double ratio = std::exp(is.log_ratio);
+    const double ratio = is.ratio;
     const double damping = m.lines[at(contact.in)].damping;
     const double stiffness = p.stiffness * (1 + damping * std::max(0.0, s.slip_now));
     const double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);

@@ -102,12 +102,16 @@ void note(Run& run, double t, std::string what, std::string where, std::vector<s
   run.result.events.push_back({t, std::move(what), std::move(where), std::move(values)});
 }
 
+void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h) {
+  if ((e_before > 0) == (e_now > 0)) return;
+  const double share = e_before / (e_before - e_now);
+  note(run, t + share * h, e_now > 0 ? "taut" : "slack", line_name(run, run.m.lines[line]));
+}
+
 void note_changes(Run& run) {
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
-    if ((was.e > 0) == (is.e > 0) || is.gone == 0) continue;
-    const double share = was.e / (was.e - is.e);
-    note(run, run.before.t + share * run.scheme.h, is.e > 0 ? "taut" : "slack", line_name(run, run.m.lines[i]));
+    if (is.gone > 0) note_slack(run, i, was.e, is.e, run.before.t, run.scheme.h);
   }
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Grip was = run.before.contacts[i].grip, is = run.now.contacts[i].grip;

@@ -40,6 +40,14 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
   const Body& shape = m.bodies[b];
   const Motion3& was = before.bodies[b];
   Motion3& is = now.bodies[b];
+  if (shape.point && !shape.driven) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t c = at(shape.first + k);
+      is.x[k] = was.x[k] + (now.q[c] - before.q[c]);
+      is.v[k] = now.nu[c];
+    }
+    return;
+  }
   Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
   is.v = is.w = Vector3::Zero();
   for (std::size_t f = 0; f < at(shape.count); ++f) {
@@ -51,11 +59,10 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
     turn += by * shape.about[f];
     is.w += now.nu[c] * shape.about[f];
   }
-  const bool driven = shape.model >= 0 && !m.model->bodies[at(shape.model)].driven.empty();
-  if (!driven) {
+  if (!shape.driven) {
     is.x = was.x + shift;
     is.turned = turn;
-    is.R = shape.turns ? Matrix3(turned_by(turn) * was.R) : was.R;
+    if (shape.turns) is.R = turned_by(turn) * was.R;
     return;
   }
   const model::Body& given = m.model->bodies[at(shape.model)];
@@ -101,7 +108,7 @@ void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& no
     if (line.radius[end] > 0) out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
     is.L += end == 0 ? out : -out;
   }
-  for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+  for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
     if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
   }
   is.e = is.l / is.L - 1;
@@ -112,25 +119,26 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   const Contact& contact = m.contacts[i];
   ContactValues& is = now.contacts[i];
   is.log_ratio = is.log_by_wrap = 0;
+  is.ratio = 1;
   if (contact.in < 0 || contact.out < 0) return;
   const std::size_t in = at(contact.in), out = at(contact.out);
+  const bool everywhere = std::isinf(contact.friction);
   if (contact.round) {
     is.wrap = before.contacts[i].wrap + now.lines[out].angle[0] - before.lines[out].angle[0] - now.lines[in].angle[1] +
               before.lines[in].angle[1];
-  } else {
-    const Vector3 &a = now.lines[in].t, &b = now.lines[out].t;
-    is.wrap = std::atan2(a.cross(b).norm(), a.dot(b));
-    if ((b - a).dot(contact.support) > 0) is.wrap = -is.wrap;
+  } else if (!everywhere) {
+    is.wrap = wrap_of(m, i, now);
   }
   if (s.lossless) return;
-  const double bearing = contact.spin >= 0 ? infinite : -std::log(contact.efficiency);
-  if (std::isinf(contact.friction)) {
-    is.log_ratio = bearing;
+  const double grip = everywhere ? infinite : contact.friction * std::max(0.0, is.wrap);
+  if (contact.bearing_log <= grip) {
+    is.log_ratio = contact.bearing_log;
+    is.ratio = contact.bearing_ratio;
     return;
   }
-  const double grip = contact.friction * std::max(0.0, is.wrap);
-  is.log_ratio = std::min(grip, bearing);
-  if (grip < bearing && is.wrap > 0) is.log_by_wrap = contact.friction;
+  is.log_ratio = grip;
+  is.ratio = std::exp(grip);
+  if (is.wrap > 0) is.log_by_wrap = contact.friction;
 }
 
 void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t i, Values& now) {
@@ -168,6 +176,7 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
   if (!s.at_rest && matters) {
     Vector3 apart = Vector3::Zero();
     double flows = 0;
+    const bool turning = !line.plain;
     for (const std::size_t end : {0U, 1U}) {
       if (line.contact[end] >= 0) {
         const ContactValues& contact = now.contacts[at(line.contact[end])];
@@ -176,9 +185,11 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
       }
       if (line.body[end] < 0) continue;
       const Motion3& body = now.bodies[at(line.body[end])];
-      apart += (end == 1 ? 1 : -1) * (body.v + body.w.cross(is.touch[end] - body.x));
+      const double sign = end == 1 ? 1 : -1;
+      apart += sign * body.v;
+      if (turning) apart += sign * body.w.cross(is.touch[end] - body.x);
     }
-    for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
+    for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
       if (m.tensioner[k].first == static_cast<int>(i)) flows += now.tension_rate[k];
     }
     is.apart = apart;
@@ -238,11 +249,9 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
 bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now) {
   now.t = t;
   now.when = s.h > 0 ? t - 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), s.h) : t;
-  for (const Body& body : m.bodies) {
-    for (int c = body.first; c < body.first + body.count; ++c) {
-      now.nu[at(c)] = w.nu_star[at(c)] + s.reach * now.rate[at(c)];
-      now.q[at(c)] = w.q_star[at(c)] + s.reach * now.nu[at(c)];
-    }
+  for (std::size_t c = 0; c < at(m.body_columns); ++c) {
+    now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
+    now.q[c] = w.q_star[c] + s.reach * now.nu[c];
   }
   for (const Spin& spin : m.spins) {
     const std::size_t c = at(spin.column);
@@ -257,8 +266,12 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     now.tension_rate[k] = change.rate;
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    now.lines[i].radius = before.lines[i].radius;
-    if (!place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
+    if (m.lines[i].plain) {
+      if (!follow_plain(m, i, now)) return false;
+    } else {
+      const bool placed = m.lines[i].still && now.lines[i].radius == before.lines[i].radius;
+      if (!placed && !place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
+    }
     stretch(m, before, i, now);
     if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
   }
@@ -268,6 +281,14 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, i, now);
   return true;
+}
+
+double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
+  const Contact& of = m.contacts[contact];
+  if (of.round || of.in < 0 || of.out < 0) return v.contacts[contact].wrap;
+  const Vector3 &a = v.lines[at(of.in)].t, &b = v.lines[at(of.out)].t;
+  const double wrap = std::atan2(a.cross(b).norm(), a.dot(b));
+  return (b - a).dot(of.support) > 0 ? -wrap : wrap;
 }
 
 double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {

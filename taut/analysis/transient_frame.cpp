@@ -28,7 +28,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   c.node = contact.node;
   c.T_in = in.end_T[1];
   c.T_out = out.end_T[0];
-  c.wrap = is.wrap;
+  c.wrap = wrap_of(m, i, v);
   if (contact.spin >= 0) {
     c.angle = contact.sense * v.spins[at(contact.spin)].angle;
     c.spin = contact.sense * v.spins[at(contact.spin)].omega;
@@ -263,11 +263,15 @@ void record_frame(Run& run, const Values& v) {
   }
 }
 
+void extend_observed(Run& run, const Values& v) {
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    extend(run.result.extremes[i], observe(run, v, run.model.observed[i]), v.t, run.result.steps == 0);
+  }
+}
+
 void record_extremes(Run& run, const Values& v) {
   const bool first = run.result.steps == 0;
-  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    extend(run.result.extremes[i], observe(run, v, run.model.observed[i]), v.t, first);
-  }
+  extend_observed(run, v);
   for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
     RopeExtreme& of = run.result.ropes[r];
     int branch = 0;

@@ -14,13 +14,7 @@ double per_metre(const Line& line, const LineValues& v, std::size_t end) {
   return v.end_T[end] * (1 + v.e) - elastic_tension(line, v) * v.e / 2;
 }
 
-/// What the energy of a contact depends on at one time: J per metre passed and per metre rolled.
-struct Prices {
-  double passed = 0, rolled = 0;     ///< lost
-  double laid_by = 0, supplied = 0;  ///< per metre passed
-};
-
-Prices prices(const Mechanism& m, std::size_t i, const Values& v) {
+Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
   const double out = contact.out < 0 ? 0 : per_metre(m.lines[at(contact.out)], v.lines[at(contact.out)], 0);
@@ -48,7 +42,8 @@ Prices prices(const Mechanism& m, std::size_t i, const Values& v) {
 
 void add_contact(const Mechanism& m, std::size_t i, const Values& before, const Values& now, Ledger& ledger) {
   const Contact& contact = m.contacts[i];
-  const Prices a = prices(m, i, before), b = prices(m, i, now);
+  const Prices a = ledger.prices[i], b = prices_of(m, i, now);
+  ledger.prices[i] = b;
   const std::size_t c = at(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
@@ -103,6 +98,12 @@ double wound(const Mechanism& m, const Values& before, const Values& now) {
     }
   }
   return energy;
+}
+
+void price(const Mechanism& m, const Values& v, Ledger& ledger) {
+  ledger.prices.clear();
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) ledger.prices.push_back(prices_of(m, i, v));
+  ledger.last = powers(m, v);
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ Stored stored(const Mechanism& m, const Values& v) {
 Ledger open_ledger(const Mechanism& m, const Values& v) {
   Ledger ledger;
   ledger.start = ledger.now = stored(m, v);
-  ledger.last = powers(m, v);
+  price(m, v, ledger);
   return ledger;
 }
 
@@ -199,7 +200,7 @@ void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledg
   const Stored s = stored(m, now);
   where += ledger.now.kinetic + ledger.now.elastic + ledger.now.potential - s.kinetic - s.elastic - s.potential;
   ledger.now = s;
-  ledger.last = powers(m, now);
+  price(m, now, ledger);
 }
 
 EnergyLedger told(const Ledger& l) {

@@ -15,6 +15,12 @@ struct Stored {
 };
 Stored stored(const Mechanism& m, const Values& v);
 
+/// What the energy of a contact depends on at one time, J/m.
+struct Prices {
+  double passed = 0, rolled = 0;     ///< lost, per metre passed and per metre rolled
+  double laid_by = 0, supplied = 0;  ///< per metre passed
+};
+
 /// The ledger over a run.
 struct Ledger {
   Stored start, now;
@@ -22,6 +28,7 @@ struct Ledger {
   double laid_by = 0;  ///< of the rope on drums and arcs
   double turnover = 0;
   Powers last;
+  std::vector<Prices> prices;  ///< by contact, at the time reached
 };
 Ledger open_ledger(const Mechanism& m, const Values& v);
 /// After a step.

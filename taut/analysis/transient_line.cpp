@@ -166,20 +166,4 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
   }
 }
 
-void pull(const Line& line, LineValues& now) {
-  const double EA = line.stiffness * now.gone;
-  now.T = now.T_e = now.T_rate = 0;
-  if (now.e <= 0 || EA == 0) return;
-  const double damped = now.e + line.damping * now.e_rate;
-  if (damped <= 0) return;
-  if (damped > 2 * now.e) {
-    now.T = 2 * EA * now.e;
-    now.T_e = 2 * EA;
-    return;
-  }
-  now.T = EA * damped;
-  now.T_e = EA;
-  now.T_rate = EA * line.damping;
-}
-
 }  // namespace taut::analysis::dynamics

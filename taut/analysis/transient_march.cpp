@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_points.hpp"
 #include "taut/analysis/transient_run.hpp"
 
 namespace taut::analysis::dynamics {
@@ -11,6 +12,8 @@ namespace {
 constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it ends the run
 constexpr double growth = 2;
 constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
+
+constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
 constexpr double no_rope = 1e-3;  ///< of a line's first length
 
@@ -74,8 +77,6 @@ StepEnd try_step(Run& run, double h, double t, bool last) {
         (rope && run.before.lines[at(contact.entry)].e > 0 ? h / 2 * run.before.lines[at(contact.entry)].e_rate : 0);
   }
   if (run.options.method == TimeMethod::verlet) {
-    run.now.drum_drive = run.before.drum_drive;
-    run.now.motor_drive = run.before.motor_drive;
     fade(run, t, run.now);
     s.reach = 0;
     s.slip_now = 1 / h;
@@ -88,8 +89,6 @@ StepEnd try_step(Run& run, double h, double t, bool last) {
   for (std::size_t c = 0; c < run.now.rate.size(); ++c) {
     run.now.rate[c] = run.before.rate[c] + slope * (run.before.rate[c] - run.rate_old[c]);
   }
-  run.now.drum_drive = run.before.drum_drive;
-  run.now.motor_drive = run.before.motor_drive;
   fade(run, t, run.now);
   const double share = run.options.step > 0 ? 1e-3 : std::clamp(h / run.options.duration, 1e-5, 1.0);
   run.newton.tolerance = 0.02 * run.options.tolerance * share;
@@ -189,11 +188,13 @@ void march(Run& run) {
   const double first = run.before.t, step = run.options.output_step;
   long frame = 1;
   std::size_t next = 0;
+  Points points;
   while (end == StepEnd::ok && !stop) {
     const double output = std::min(run.end, first + static_cast<double>(frame) * step);
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
     const double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
     if (run.before.t >= run.end) break;
+    if (steps_as_points(run)) step_points(run, points, limit, steps_at_once);
     end = advance(run, limit);
     if (end != StepEnd::ok) break;
     if (run.before.t >= limit) run.before.t = limit;

@@ -26,6 +26,8 @@ struct Body {
   Matrix3 inertia = Matrix3::Zero();    ///< about that centre, body frame, kg m2
   double own_mass = 0;                  ///< its weight acts at `own_centre`
   Vector3 own_centre = Vector3::Zero();
+  bool driven = false;             ///< by signals
+  Vector3 dead = Vector3::Zero();  ///< weight and dead loads of a body that does not turn, N
 };
 
 /// Where a body is and how it moves.
@@ -60,6 +62,10 @@ struct Line {
   std::array<Vector3, 2> zero;         ///< body's frame, for angles on skew rounds
   std::array<double, 2> radius{0, 0};  ///< at the start
   std::array<int, 2> side{1, 1};
+  bool plain = false;             ///< between points of bodies that only shift
+  std::array<Vector3, 2> offset;  ///< of a plain one: ends seen from the origins of their bodies, ground frame, m
+  bool still = false;             ///< its ends never move
+  bool tensioned = false;         ///< by a tensioner
   std::array<int, 2> contact{-1, -1};
   double stiffness = 0;  ///< EA, N
   double damping = 0;    ///< beta, s
@@ -97,6 +103,7 @@ struct Contact {
   bool round = false;                 ///< has a wrap about its axis; else the angle between the directions
   Vector3 support = Vector3::Zero();  ///< as of a node of the model
   double mass = 0;                    ///< kg per unstretched metre, for the pressure of a rope that runs over it
+  double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
   int drum = -1;                   ///< an end on a drum
   std::vector<int> columns;        ///< all that its rows depend on
@@ -124,6 +131,8 @@ struct Mechanism {
   std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
   std::vector<int> body_places;
   std::vector<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row
+  int body_columns = 0;                            ///< the first ones
+  double stiffest = 0;                             ///< of all lines, N
   bool simple = false;                             ///< point masses and lines between points alone
   bool lossless = false;                           ///< nothing in it takes or gives energy
   int size = 0;

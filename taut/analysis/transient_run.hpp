@@ -41,10 +41,14 @@ double observe(const Run& run, const Values& v, const model::Observable& what);
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);
 void record_extremes(Run& run, const Values& v);
+/// Of the observed quantities alone.
+void extend_observed(Run& run, const Values& v);
 TransientFrame frame_of(const Mechanism& m, const Values& v);
 
 /// Notes what has changed in a step: slack and taut, stick and slip, lift-off.
 void note_changes(Run& run);
+/// A line that became slack or taut in the step of h from t.
+void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h);
 void note(Run& run, double t, std::string what, std::string where,
           std::vector<std::pair<std::string, double>> values = {});
 

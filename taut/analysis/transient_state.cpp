@@ -81,7 +81,7 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     const Contact& contact = m.contacts[i];
     DynamicState::Rope& rope = state.ropes[at(contact.reeving)];
     rope.passed[at(contact.node)] = v.q[at(contact.column)];
-    rope.wrap[at(contact.node)] = v.contacts[i].wrap;
+    rope.wrap[at(contact.node)] = wrap_of(m, i, v);
     if (contact.spin < 0) continue;
     rope.angle[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].angle;
     rope.spin[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].omega;

@@ -23,9 +23,7 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
 }
 
 void apply(const Mechanism& m, const std::vector<double>& step, double of_flows, Values& now) {
-  for (const Body& body : m.bodies) {
-    for (int c = body.first; c < body.first + body.count; ++c) now.rate[at(c)] -= step[at(c)];
-  }
+  for (std::size_t c = 0; c < at(m.body_columns); ++c) now.rate[c] -= step[c];
   for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= of_flows * step[at(contact.column)];
   for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= step[at(spin.column)];
 }
@@ -33,11 +31,8 @@ void apply(const Mechanism& m, const std::vector<double>& step, double of_flows,
 /// Largest move of a freedom and of a contact's rope by the step.
 double move_of(const Mechanism& m, const Scheme& s, const std::vector<double>& step) {
   double largest = 0;
-  for (const Body& body : m.bodies) {
-    for (int c = body.first; c < body.first + body.count; ++c) {
-      largest = std::max(largest, s.reach * s.reach * std::abs(step[at(c)]));
-    }
-  }
+  for (std::size_t c = 0; c < at(m.body_columns); ++c) largest = std::max(largest, std::abs(step[c]));
+  largest *= s.reach * s.reach;
   for (const Contact& contact : m.contacts) largest = std::max(largest, std::abs(step[at(contact.column)]));
   return largest;
 }
@@ -66,14 +61,12 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     const bool changed = decide(m, s, before, now);
     double change = 0;
-    double floor = 0;
+    const double floor = rounding * m.stiffest;
     for (std::size_t k = 0; k < m.lines.size(); ++k) {
       change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
       w.tension[k] = now.lines[k].T;
       newton.largest = std::max(newton.largest, now.lines[k].T);
-      floor = std::max(floor, m.lines[k].stiffness);
     }
-    floor *= rounding;
     if (!std::isfinite(change)) return StepEnd::not_converged;
     if (i > 0 && !changed) {
       const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);

@@ -18,6 +18,7 @@ struct ContactValues {
   double wrap = 0;       ///< rad
   double log_ratio = 0;  ///< what the tensions' logarithms can differ by
   double log_by_wrap = 0;
+  double ratio = 1;    ///< exp(log_ratio)
   double lambda = 1;   ///< stretch of the rope that arrives
   int entry = 0;       ///< its line; -1: from a drum
   double winding = 1;  ///< the stretch that counts for winding on and off in this step
@@ -77,6 +78,14 @@ struct LineTangent {
   std::array<double, 14> e{};
 };
 
+/// One freedom of a body at an end of a plain line: its direction, and how the line follows it.
+struct PlainColumn {
+  Vector3 along = Vector3::Zero();  ///< of the freedom
+  double sign = 1;                  ///< of the length: the end moves away or comes near
+  double share = 0;                 ///< of the direction in the line's
+  double lifts = 0;                 ///< change of the line's steepness, 1/m
+};
+
 /// Room to work in.
 struct Work {
   std::vector<double> q_star, nu_star;  ///< by column
@@ -85,7 +94,9 @@ struct Work {
   std::vector<double> residual;         ///< by column, N, N m
   std::vector<LineTangent> tangents;
   std::array<LineColumn, 14> columns;
-  std::vector<double> tension;  ///< by line, of the last iteration
+  std::array<PlainColumn, 12> plain;
+  std::array<double, 14> T_slope{}, L_slope{};  ///< of a line by its local unknowns
+  std::vector<double> tension;                  ///< by line, of the last iteration
 };
 
 /// Puts the star values of a step from `before` into the work.
@@ -96,6 +107,14 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
 /// From the rates of freedoms and spins and the rope passed at each contact: poses, lines, strains, tensions, bounds.
 /// False where a line has no place.
 bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now);
+
+/// Geometry and strain of a line between points of bodies that only shift. False: it has no length.
+bool follow_plain(const Mechanism& m, std::size_t line, Values& now);
+/// Its rows.
+void assemble_plain(Mechanism& m, const Scheme& s, std::size_t line_index, const Values& values_now, Work& w);
+
+/// Angle of the rope about what it runs over, rad.
+double wrap_of(const Mechanism& m, std::size_t contact, const Values& v);
 
 /// Decides how each contact and each bearing is, by what they carry and how they move (semismooth Newton). Whether any
 /// has changed.

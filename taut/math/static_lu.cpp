@@ -27,35 +27,43 @@ StaticLu::StaticLu(int size, const std::vector<std::vector<int>>& cliques) : siz
     }
   }
   order(neighbours);
+  // beside each pivot its row, then its column: what an operation reads lies side by side
   int count = 0;
   places_.resize(at(size));
   for (int k = 0; k < size; ++k) {
     const int p = order_[at(k)];
-    places_[at(p)].emplace_back(p, count++);
-    for (const int u : upper_[at(k)]) {
-      places_[at(p)].emplace_back(u, count++);
-      places_[at(u)].emplace_back(p, count++);
+    const int beside = static_cast<int>(upper_[at(k)].size());
+    places_[at(p)].emplace_back(p, count);
+    for (int i = 0; i < beside; ++i) {
+      const int u = upper_[at(k)][at(i)];
+      places_[at(p)].emplace_back(u, count + 1 + i);
+      places_[at(u)].emplace_back(p, count + 1 + beside + i);
     }
+    count += 1 + 2 * beside;
   }
   for (auto& row : places_) std::sort(row.begin(), row.end());
   values_.assign(at(count), 0.0);
   list_operations();
 }
 
-/// Least degree first; of equals the first. Elimination joins the neighbours.
+/// Least degree first; of equals the one that rested longest, so that the ends of chains are worked on in turn and
+/// no operation waits for the one before. Elimination joins the neighbours.
 void StaticLu::order(std::vector<std::vector<int>>& neighbours) {
   std::vector<bool> gone(at(size_), false);
+  std::vector<int> touched(at(size_), -1);
+  const auto rank = [&](int i) { return std::pair{neighbours[at(i)].size(), touched[at(i)]}; };
   for (int k = 0; k < size_; ++k) {
     int best = -1;
     for (int i = 0; i < size_; ++i) {
       if (gone[at(i)]) continue;
-      if (best < 0 || neighbours[at(i)].size() < neighbours[at(best)].size()) best = i;
+      if (best < 0 || rank(i) < rank(best)) best = i;
     }
     gone[at(best)] = true;
     order_.push_back(best);
     upper_.push_back(neighbours[at(best)]);
     for (const int i : upper_.back()) {
       auto& of = neighbours[at(i)];
+      touched[at(i)] = k;
       of.erase(std::lower_bound(of.begin(), of.end(), best));
       for (const int j : upper_.back()) {
         if (i != j) add_sorted(of, j);
@@ -65,20 +73,19 @@ void StaticLu::order(std::vector<std::vector<int>>& neighbours) {
 }
 
 void StaticLu::list_operations() {
+  std::vector<int> rank(at(size_), 0);
+  for (int k = 0; k < size_; ++k) rank[at(order_[at(k)])] = k;
   for (int k = 0; k < size_; ++k) {
     const int p = order_[at(k)];
     const auto& row = upper_[at(k)];
     pivots_.push_back({place(p, p), static_cast<int>(unknowns_.size()), static_cast<int>(row.size()),
                        static_cast<int>(targets_.size())});
-    for (const int u : row) {
-      unknowns_.push_back(u);
-      right_.push_back(place(p, u));
-      below_.push_back(place(u, p));
-    }
+    for (const int u : row) unknowns_.push_back(rank[at(u)]);
     for (const int i : row) {
       for (const int j : row) targets_.push_back(place(i, j));
     }
   }
+  ordered_.assign(at(size_), 0.0);
 }
 
 int StaticLu::place(int row, int column) const {
@@ -96,30 +103,39 @@ bool StaticLu::factor() {
     const double d = v[pivot.diagonal];
     if (d == 0 || !std::isfinite(d)) return false;
     const double inverse = 1 / d;
-    const int* const right = right_.data() + pivot.first;
-    const int* const below = below_.data() + pivot.first;
+    v[pivot.diagonal] = inverse;
+    const double* const right = v + pivot.diagonal + 1;
+    double* const below = v + pivot.diagonal + 1 + pivot.count;
     const int* target = targets_.data() + pivot.operations;
     for (int i = 0; i < pivot.count; ++i, target += pivot.count) {
-      const double factor = v[below[i]] *= inverse;
+      const double factor = below[i] *= inverse;
       if (factor == 0) continue;
-      for (int j = 0; j < pivot.count; ++j) v[target[j]] -= factor * v[right[j]];
+      for (int j = 0; j < pivot.count; ++j) v[target[j]] -= factor * right[j];
     }
   }
   return true;
 }
 
-void StaticLu::solve(std::vector<double>& x) const {
+void StaticLu::solve(std::vector<double>& x) {
   const double* const v = values_.data();
-  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+  double* const y = ordered_.data();
+  const std::size_t n = pivots_.size();
+  for (std::size_t k = 0; k < n; ++k) y[k] = x[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) {
     const Pivot& pivot = pivots_[k];
-    const double value = x[at(order_[k])];
-    for (int i = pivot.first; i < pivot.first + pivot.count; ++i) x[at(unknowns_[at(i)])] -= v[below_[at(i)]] * value;
+    const double value = y[k];
+    const double* const below = v + pivot.diagonal + 1 + pivot.count;
+    const int* const unknown = unknowns_.data() + pivot.first;
+    for (int i = 0; i < pivot.count; ++i) y[unknown[i]] -= below[i] * value;
   }
-  for (std::size_t k = pivots_.size(); k-- > 0;) {
+  for (std::size_t k = n; k-- > 0;) {
     const Pivot& pivot = pivots_[k];
-    double value = x[at(order_[k])];
-    for (int i = pivot.first; i < pivot.first + pivot.count; ++i) value -= v[right_[at(i)]] * x[at(unknowns_[at(i)])];
-    x[at(order_[k])] = value / v[pivot.diagonal];
+    double value = y[k];
+    const double* const right = v + pivot.diagonal + 1;
+    const int* const unknown = unknowns_.data() + pivot.first;
+    for (int i = 0; i < pivot.count; ++i) value -= right[i] * y[unknown[i]];
+    y[k] = value * v[pivot.diagonal];
+    x[at(order_[k])] = y[k];
   }
 }
 

@@ -22,7 +22,7 @@ class StaticLu {
   /// Factors what is in `values`, in place. False where a pivot is zero or not finite.
   bool factor();
   /// Solves for one right side, in place.
-  void solve(std::vector<double>& x) const;
+  void solve(std::vector<double>& x);
 
  private:
   struct Pivot {
@@ -36,10 +36,10 @@ class StaticLu {
   std::vector<std::vector<int>> upper_;                   // by step: unknowns that remain beside it
   std::vector<std::vector<std::pair<int, int>>> places_;  // by row: column and place, sorted
   std::vector<Pivot> pivots_;
-  std::vector<int> unknowns_;       // of the pivots' rows, one after the other
-  std::vector<int> right_, below_;  // places of (pivot, unknown) and (unknown, pivot)
-  std::vector<int> targets_;        // of each product, row by row
+  std::vector<int> unknowns_;  // of the pivots' rows, one after the other, by their step of elimination
+  std::vector<int> targets_;   // of each product, row by row
   std::vector<double> values_;
+  std::vector<double> ordered_;  // of the right side, by step
 };
 
 }  // namespace taut
