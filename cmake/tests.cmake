@@ -1,5 +1,5 @@
-# Test programs, found by where they lie:
-#   taut/<layer>/**/*_test.cpp           -> taut_<layer>_test
+#Test programs, found by where they lie:
+#taut / < layer> /**/* _test.cpp->taut_ < layer> _test
 #   taut/methods/<name>/*_test.cpp       -> taut_<name>_test
 #   cli/*_test.cpp                       -> taut_cli_test
 #   test/<folder>/*_test.cpp             -> taut_<folder>_test   (cases, cross, golden)
@@ -20,9 +20,9 @@ std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"
 add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
 target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
 # The library is tested as shipped; the tests themselves only need to compile fast.
-target_compile_options(taut_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
+target_compile_options(taut_test_support PUBLIC $<$<CONFIG:Release>:-O0>)
 target_precompile_headers(taut_test_support PRIVATE
-  <gtest/gtest.h> <rapidcheck/gtest.h> <fmt/format.h> <cmath> <string> <vector>)
+  <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Geometry> <fmt/format.h> <cmath> <map> <set> <string> <vector>)
 
 function(taut_add_test name)
   add_executable(${name} ${ARGN})
@@ -48,7 +48,7 @@ list(REMOVE_DUPLICATES groups)
 foreach(group IN LISTS groups)
   taut_add_test(taut_${group}_test ${files_${group}})
 endforeach()
-# test/house tries the build's own tools.
+#test / house tries the build's own tools.
 taut_embed(TARGET taut_house_test NAMESPACE taut_test::embedded NAME bytes FILE test/house/bytes.bin)
 taut_embed(TARGET taut_house_test NAMESPACE taut_test::embedded NAME table FILES LICENSE test/house/bytes.bin)
 

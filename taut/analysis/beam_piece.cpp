@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
 
 using model::BeamHold;
 using structure::BeamOrder;
 using structure::RodState;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
-  return s.model.beams[at(p.beam)].pieces[at(p.piece)];
-}
 
 Matrix3 turn_of(const Configuration& c, int body) {
   return body == model::ground ? Matrix3(Matrix3::Identity()) : c.bodies[at(body)].orientation;
@@ -244,6 +240,10 @@ class PieceRates {
 };
 
 }  // namespace
+
+const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
+  return s.model.beams[at(p.beam)].pieces[at(p.piece)];
+}
 
 structure::RodState piece_start(const System& s, const Configuration& c, std::size_t index) {
   return start_of(c, piece_of(s, s.layout.pieces[index]), c.pieces[index]);

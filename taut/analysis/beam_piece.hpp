@@ -6,6 +6,9 @@
 /// beam does, and a rigid beam is no special case.
 namespace taut::analysis {
 
+/// The piece of a beam.
+const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p);
+
 /// The start of a piece in the ground frame, as it follows from the unknowns.
 structure::RodState piece_start(const System& s, const Configuration& c, std::size_t index);
 

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/definite.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -22,22 +23,20 @@ constexpr double factor_precision = 1e-5;
 constexpr double hardly_any = 1e-9;  ///< a factor
 constexpr int every = -1;            ///< beam
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// How a cross-section moves: its displacement and turn by each coordinate that moves it.
-using Motion = std::vector<std::pair<int, Vector6>>;
+using SectionMotion = std::vector<std::pair<int, Vector6>>;
 
 /// A straight element: its stiffness without force, and what a unit of its factor adds.
 struct Element {
   int beam = 0;
-  Motion from, to;
+  SectionMotion from, to;
   Matrix12 elastic, geometric;
 };
 
 /// A force with an arm on a body: turning the body turns the arm.
 struct Arm {
   int beam = 0;
-  Motion body;
+  SectionMotion body;
   Vector3 arm, force;
 };
 
@@ -95,9 +94,9 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
 }
 
 /// The machine in pieces: coordinates of the sections within the beams first, then those of the bodies.
-class Assembly {
+class StiffnessAssembly {
  public:
-  Assembly(const System& s, const Configuration& c, const Eigen::MatrixXd& rest, std::vector<int> coordinates)
+  StiffnessAssembly(const System& s, const Configuration& c, const Eigen::MatrixXd& rest, std::vector<int> coordinates)
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
@@ -151,8 +150,8 @@ class Assembly {
     }
   }
 
-  Motion body_motion(int body, const Vector3& arm) const {
-    Motion m;
+  SectionMotion body_motion(int body, const Vector3& arm) const {
+    SectionMotion m;
     if (body == model::ground) return m;
     for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
       if (coordinates_[at(i)] < 0) continue;
@@ -165,7 +164,7 @@ class Assembly {
   }
 
   /// A joint: the body's displacement, turns of its own about `own`, the body's turn about the rest.
-  Motion joint(Motion body, const std::vector<Vector3>& own) {
+  SectionMotion joint(SectionMotion body, const std::vector<Vector3>& own) {
     for (auto& [i, v] : body) {
       for (const Vector3& axis : own) v.tail<3>() -= axis * axis.dot(v.tail<3>());
     }
@@ -177,8 +176,8 @@ class Assembly {
     return body;
   }
 
-  Motion free_section() {
-    Motion m;
+  SectionMotion free_section() {
+    SectionMotion m;
     for (int i = 0; i < 6; ++i) m.emplace_back(inner_++, Vector6::Unit(i));
     return m;
   }
@@ -200,7 +199,7 @@ class Assembly {
     rod.steps = count * each;
     along(rod, all.front(), &all);
     const Matrix3 axes = all.front().axes;
-    Motion from = body_motion(piece.start.body, arm_of(piece.start));
+    SectionMotion from = body_motion(piece.start.body, arm_of(piece.start));
     add_arm(p.beam, piece.start, all.front().force);
     if (p.hinged) from = joint(from, {axes.col(0), axes.col(1)});
     for (int i = 1; i <= count; ++i) {
@@ -237,7 +236,7 @@ class Assembly {
   int inner_ = 0;
 };
 
-double critical_factor(const Assembly& machine, int beam, bool stable) {
+double critical_factor(const StiffnessAssembly& machine, int beam, bool stable) {
   double low = 0, high = 1;
   if (stable) {
     low = 1;
@@ -300,7 +299,7 @@ std::optional<BeamStability> beam_stability(const System& s, const Configuration
   const std::optional<Eigen::MatrixXd> condensed = condense(J, order, eliminated);
   if (!condensed) return std::nullopt;
   const Eigen::MatrixXd stiffness = -*condensed;
-  const Assembly machine(s, c, stiffness, coordinates);
+  const StiffnessAssembly machine(s, c, stiffness, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);
   if (result.stable && !factors) return result;

@@ -8,17 +8,12 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/beam_stability.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
 
 using structure::RodState;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
-  return s.model.beams[at(p.beam)].pieces[at(p.piece)];
-}
 
 double angle_between(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 

@@ -10,14 +10,13 @@
 namespace taut::analysis {
 namespace {
 
-constexpr int most_steps = 30;
-constexpr double settled = 1e-14;  ///< of the size, for tangent points
-constexpr double closes = 1e-10;
+constexpr int most_tangent_steps = 30;
+constexpr double tangents_settled = 1e-14;  ///< of the size, for tangent points
+constexpr double branch_closes = 1e-10;
 constexpr double nearly = 2e-2;  ///< of the chord: one step of the span is enough
 constexpr double steep = 1e-3;   ///< x/z of a span that is solved in its own way
 
 /// Projection across a unit vector: d(v/|v|)/dv times |v|.
-Matrix3 across(const Vector3& d) { return Matrix3::Identity() - d * d.transpose(); }
 
 /// Derivatives by the chord and the length, tangent points apart.
 struct SpanRates {
@@ -166,7 +165,7 @@ std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& 
   }
   const double size = X.norm() + std::abs(from.radius) + std::abs(to.radius);
   auto force = start.force;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_tangent_steps; ++step) {
     rope::NoCatenary why{};
     // a step of the solver, or of the chord, that went out of all bounds
     if (!b.chord.allFinite() || !(rope.length > 0)) return rope::NoCatenary::not_converged;
@@ -184,13 +183,13 @@ std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& 
     open << X + b.offset_to - b.offset_from - b.chord,
         given - arcs_between(from, to, free, {b.leaves, b.arrives}) - rope.length;
     b.closure = open.norm();
-    if (b.closure <= settled * size) break;
+    if (b.closure <= tangents_settled * size) break;
     if (!std::isfinite(b.closure)) return rope::NoCatenary::not_converged;
     const Eigen::Vector4d by = tangent_rates(rope, from, to, b).inverse() * open;
     b.chord += by.head<3>();
     rope.length += by[3];
   }
-  if (!(b.closure <= closes * size)) return rope::NoCatenary::not_converged;
+  if (!(b.closure <= branch_closes * size)) return rope::NoCatenary::not_converged;
   b.closure += b.span.closure;
   return std::nullopt;
 }

@@ -8,13 +8,11 @@
 namespace taut::analysis {
 namespace {
 
-constexpr int most_steps = 40;
-constexpr int most_halvings = 30;
-constexpr int line_steps = 8;      ///< of the straight line to its tangent points
-constexpr int parts_of_radii = 8;  ///< rounds grown from points
-constexpr double closes = 1e-11;   ///< of the size
-
-Matrix3 across(const Vector3& d) { return Matrix3::Identity() - d * d.transpose(); }
+constexpr int most_force_steps = 40;
+constexpr int most_force_halvings = 30;
+constexpr int line_steps = 8;           ///< of the straight line to its tangent points
+constexpr int parts_of_radii = 8;       ///< rounds grown from points
+constexpr double force_closes = 1e-11;  ///< of the size
 
 Matrix3 cross_matrix(const Vector3& a) {
   Matrix3 m;
@@ -25,7 +23,7 @@ Matrix3 cross_matrix(const Vector3& a) {
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
-struct Problem {
+struct BranchProblem {
   rope::CatenaryRope rope;
   BranchEnd from, to;
   BranchDirections free;
@@ -39,7 +37,7 @@ struct Gap {
   Matrix4 rate = Matrix4::Identity();
 };
 
-Gap gap(const Problem& p, const BranchForce& at) {
+Gap gap(const BranchProblem& p, const BranchForce& at) {
   rope::CatenaryRope rope = p.rope;
   rope.length = at.length;
   const double half = rope.weight * rope.length / 2;
@@ -72,17 +70,17 @@ Gap gap(const Problem& p, const BranchForce& at) {
   return g;
 }
 
-bool newton(const Problem& p, BranchForce& at) {
+bool newton(const BranchProblem& p, BranchForce& at) {
   Gap now = gap(p, at);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_force_steps; ++step) {
     const double open = now.open.norm();
     if (!std::isfinite(open)) return false;
-    if (open <= closes * p.size) return true;
+    if (open <= force_closes * p.size) return true;
     const Vector4 by = -now.rate.inverse() * now.open;
     if (!by.allFinite()) return false;
     bool better = false;
     double part = by[3] < -0.9 * at.length ? -0.9 * at.length / by[3] : 1;
-    for (int k = 0; k < most_halvings && !better; ++k, part /= 2) {
+    for (int k = 0; k < most_force_halvings && !better; ++k, part /= 2) {
       const BranchForce next{at.force + part * by.head<3>(), at.length + part * by[3]};
       const Gap then = gap(p, next);
       if (!(then.open.norm() < (1 - part / 10) * open)) continue;
@@ -104,7 +102,7 @@ std::optional<BranchForce> force_of_chord(rope::CatenaryRope rope, const Vector3
 }
 
 /// From the straight line tangent to both rounds.
-std::optional<BranchForce> from_line(const Problem& p) {
+std::optional<BranchForce> from_line(const BranchProblem& p) {
   const BranchDirections line = straight_directions(p.from, p.to);
   const Vector3 chord =
       p.to.centre - p.from.centre + tangent_offset(p.to, line.arrives) - tangent_offset(p.from, line.leaves);
@@ -118,7 +116,7 @@ std::optional<BranchForce> from_line(const Problem& p) {
 }
 
 /// With rounds that grow from points.
-std::optional<BranchForce> from_points(Problem p) {
+std::optional<BranchForce> from_points(BranchProblem p) {
   const double from = p.from.radius, to = p.to.radius;
   auto at = force_of_chord(p.rope, p.to.centre - p.from.centre);
   for (int part = 1; at && part <= parts_of_radii; ++part) {
@@ -178,7 +176,7 @@ Matrix3 tangent_offset_rate(const BranchEnd& end, const Vector3& direction) {
 std::optional<BranchForce> branch_force(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to,
                                         const BranchDirections& free) {
   const double size = (to.centre - from.centre).norm() + std::abs(from.radius) + std::abs(to.radius);
-  const Problem p{rope, from, to, free, size};
+  const BranchProblem p{rope, from, to, free, size};
   if (auto at = from_line(p)) return at;
   return from_points(p);
 }

@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
 
 namespace taut::analysis {
 namespace {
 
 using Kind = Condition::Kind;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double end_tension(const EquilibriumResult& r, int reeving, bool at_end) {
   double T = 0;
@@ -34,13 +33,13 @@ bool direct(Kind kind) {
 constexpr double first_step = 1e-3;         ///< of the length, of the tension's logarithm
 constexpr double search_tolerance = 1e-12;  ///< a taut span's sag goes with many times its length's error
 constexpr double least_step = 1e-7;
-constexpr int most_steps = 60;
+constexpr int most_search_steps = 60;
 
 /// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
-class Search {
+class ConditionSearch {
  public:
-  Search(const model::Model& model, const Condition& condition, EquilibriumOptions options,
-         const std::optional<model::State>& start)
+  ConditionSearch(const model::Model& model, const Condition& condition, EquilibriumOptions options,
+                  const std::optional<model::State>& start)
       : condition_(condition),
         options_(std::move(options)),
         near_(start),
@@ -104,9 +103,9 @@ class Search {
 };
 
 /// From u = 0 on, one way: steps that double until the sign changes, halved where there is no equilibrium.
-std::optional<std::pair<double, double>> bracket(Search& search, double at_zero, double way) {
+std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double at_zero, double way) {
   double known = 0, step = first_step;
-  for (int i = 0; i < most_steps && step > least_step; ++i) {
+  for (int i = 0; i < most_search_steps && step > least_step; ++i) {
     const double next = known + way * step;
     const double open = next > -1 ? search(next) : std::nan("");
     if (std::isnan(open)) {
@@ -179,7 +178,7 @@ Conditioned equilibrium_under(const model::Model& model, const Condition& condit
   EquilibriumOptions plain = options;
   plain.band = false;
   plain.tolerance = std::min(options.tolerance, search_tolerance);
-  Search search(model, condition, plain, start);
+  ConditionSearch search(model, condition, plain, start);
   const std::string& name = model.reevings[at(condition.reeving)].name;
   const double at_zero = search(0);
   if (std::isnan(at_zero)) {

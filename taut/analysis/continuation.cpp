@@ -10,7 +10,7 @@
 namespace taut::analysis {
 namespace {
 
-constexpr int halvings = 30;
+constexpr int most_step_halvings = 30;
 constexpr double sudden = 8;          ///< times the way of the step before: may be a jump
 constexpr double stays_sudden = 0.5;  ///< of the way, however small the steps: is one
 /// Near a turning point the state goes with the root of the distance: from 4 d to d it goes as far as from d to 0; else
@@ -82,7 +82,7 @@ class Follow {
     const double whole = way(last, next);
     if (whole <= sudden * std::max(last_way_, 1e-6 * size_of(last.at))) return false;
     SweepPoint low = last, high = next;
-    for (int i = 0; i < halvings / 2; ++i) {
+    for (int i = 0; i < most_step_halvings / 2; ++i) {
       SweepPoint middle;
       if (!solve((low.value + high.value) / 2, &low, middle)) return true;
       const bool far = way(low, middle) > way(middle, high);
@@ -104,7 +104,7 @@ class Follow {
     }
     bool no_machine = no_machine_;
     Outcome why = sweep_.outcome;
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < most_step_halvings; ++i) {
       SweepPoint middle;
       const bool found = solve((low.value + lost) / 2, &low, middle);
       if (found && way(low, middle) < far) {

@@ -6,13 +6,12 @@
 #include <numbers>
 
 #include "taut/analysis/running.hpp"
+#include "taut/math/index.hpp"
 #include "taut/model/drums.hpp"
 #include "taut/rope/contact.hpp"
 
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 int sense_of(const std::vector<int>& flow) {
   const auto moves = std::find_if(flow.begin(), flow.end(), [](int f) { return f != 0; });

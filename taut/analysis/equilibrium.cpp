@@ -19,6 +19,7 @@
 #include "taut/analysis/stability.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -29,8 +30,6 @@ constexpr int relaxing_steps = 400;
 constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;  ///< of what touches what
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool has_losses(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
 
 constexpr double pull_of_weight = 0.2;  ///< a mainline's first tension, of the carriage's weight
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The place at `x` on the straight line between the carriage's neighbours; none where they are not fixed, or beside x.
 std::optional<Vector3> on_line(const model::Model& model, const model::Carriage& carriage, double x) {

@@ -23,16 +23,16 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int steps_per_piece = 24, steps = 96;
 
-rope::CatenaryRope rope_of(const Guy& guy, double length) { return {length, guy.weight, guy.stiffness}; }
+rope::CatenaryRope guy_rope(const Guy& guy, double length) { return {length, guy.weight, guy.stiffness}; }
 
 double tension(const Guy& guy, double length, GuyEnd end) {
-  const auto span = rope::solve_span(rope_of(guy, length), Vector3(0, 0, guy.height) - guy.anchor);
+  const auto span = rope::solve_span(guy_rope(guy, length), Vector3(0, 0, guy.height) - guy.anchor);
   if (!span) return std::numeric_limits<double>::infinity();
   return end == GuyEnd::top ? rope::tension_at_end(*span) : rope::tension_at_start(*span);
 }
 
 /// The mast with the unstretched lengths of its guys, and the heights between which nothing acts.
-struct Problem {
+struct GuyedMastProblem {
   const GuyedMast& mast;
   std::vector<rope::CatenaryRope> ropes;
   std::vector<double> heights;  ///< ascending, the foot first, the top last
@@ -49,7 +49,7 @@ struct Shape {
 };
 
 /// Unknowns: base force and moment over their scales; on a hinge the inclination takes the place of two moments.
-BeamState foot(const Problem& p, const Unknowns& u) {
+BeamState foot(const GuyedMastProblem& p, const Unknowns& u) {
   BeamState s;
   s.force = p.force * u.head<3>();
   const double moment = p.force * p.mast.height;
@@ -64,7 +64,7 @@ BeamState foot(const Problem& p, const Unknowns& u) {
 }
 
 /// Takes the forces at this height off the internal force; false where a guy finds no shape.
-bool pass_forces(const Problem& p, double height, BeamState& s, Shape& shape) {
+bool pass_forces(const GuyedMastProblem& p, double height, BeamState& s, Shape& shape) {
   for (const MastLoad& load : p.mast.loads) {
     if (load.height == height) s.force -= p.share * load.force;
   }
@@ -78,12 +78,12 @@ bool pass_forces(const Problem& p, double height, BeamState& s, Shape& shape) {
   return true;
 }
 
-MastPoint point_of(const Problem& p, double height, const BeamState& s) {
+MastPoint point_of(const GuyedMastProblem& p, double height, const BeamState& s) {
   const auto f = structure::section_forces(s);
   return {height, s, structure::largest_stress(p.mast.section, f.axial, f.bends_to_x, f.bends_to_y)};
 }
 
-Shape shoot(const Problem& p, const Unknowns& u, bool keep_points) {
+Shape shoot(const GuyedMastProblem& p, const Unknowns& u, bool keep_points) {
   Shape shape;
   shape.spans.resize(p.ropes.size());
   BeamState s = foot(p, u);
@@ -104,7 +104,7 @@ Shape shoot(const Problem& p, const Unknowns& u, bool keep_points) {
   return shape;
 }
 
-std::optional<Matrix6> jacobian(const Problem& p, const Unknowns& u) {
+std::optional<Matrix6> jacobian(const GuyedMastProblem& p, const Unknowns& u) {
   Matrix6 J;
   for (int i = 0; i < 6; ++i) {
     const bool angle = p.mast.base == MastBase::hinged && (i == 3 || i == 4);
@@ -119,7 +119,7 @@ std::optional<Matrix6> jacobian(const Problem& p, const Unknowns& u) {
 }
 
 /// Newton with halved steps; true when the forces at the top vanish to rounding.
-bool find_equilibrium(const Problem& p, Unknowns& u, int& iterations) {
+bool find_equilibrium(const GuyedMastProblem& p, Unknowns& u, int& iterations) {
   constexpr double tolerance = 1e-10;
   Unknowns x = u;
   Shape shape = shoot(p, x, false);
@@ -155,7 +155,7 @@ double largest_slope(const std::vector<MastPoint>& points) {
 }
 
 /// Carries a state from one height to another, past the forces between them. Not a number where a guy finds no shape.
-BeamState climb(const Problem& p, BeamState s, double low, double high, Shape& shape) {
+BeamState climb(const GuyedMastProblem& p, BeamState s, double low, double high, Shape& shape) {
   double z = low;
   for (const double height : p.heights) {
     if (height <= low || height >= high) continue;
@@ -188,7 +188,7 @@ std::vector<double> nodes_of(const GuyedMast& mast) {
 
 /// Stable: the tangent stiffness of mast and guys resists every movement. The pieces are short enough that none of them
 /// can buckle between its held ends before the whole does; guys between two nodes belong to their piece.
-bool stable(const Problem& p, const Unknowns& u) {
+bool stable(const GuyedMastProblem& p, const Unknowns& u) {
   const std::vector<double> nodes = nodes_of(p.mast);
   const auto count = static_cast<Eigen::Index>(nodes.size() - 1);
   const double height = p.mast.height, EI = std::max(p.mast.section.EI_x, p.mast.section.EI_y);
@@ -220,13 +220,13 @@ bool stable(const Problem& p, const Unknowns& u) {
   return factor.info() == Eigen::Success;
 }
 
-bool holds(const Problem& p, Unknowns& u, int& iterations) {
+bool holds(const GuyedMastProblem& p, Unknowns& u, int& iterations) {
   return find_equilibrium(p, u, iterations) && largest_slope(shoot(p, u, true).points) <= largest_mast_slope &&
          stable(p, u);
 }
 
 /// The whole load, in steps where one is too large; the share of the loads that is held.
-double load_up(Problem& p, Unknowns& u, int& iterations) {
+double load_up(GuyedMastProblem& p, Unknowns& u, int& iterations) {
   double held = -1, step = 1;
   Unknowns at = u;
   p.share = 1;
@@ -246,7 +246,7 @@ double load_up(Problem& p, Unknowns& u, int& iterations) {
   return held;
 }
 
-std::optional<Outcome> install(const GuyedMast& mast, Problem& p) {
+std::optional<Outcome> install(const GuyedMast& mast, GuyedMastProblem& p) {
   for (const Guy& guy : mast.guys) {
     const auto length = installed_length(guy);
     if (!length) {
@@ -255,12 +255,12 @@ std::optional<Outcome> install(const GuyedMast& mast, Problem& p) {
           "a lighter rope",
           guy.name, std::get<GuyTension>(guy.install).tension));
     }
-    p.ropes.push_back(rope_of(guy, *length));
+    p.ropes.push_back(guy_rope(guy, *length));
   }
   return std::nullopt;
 }
 
-void set_up(const GuyedMast& mast, Problem& p) {
+void set_up(const GuyedMast& mast, GuyedMastProblem& p) {
   p.heights = {0, mast.height};
   double force = mast.section.weight * mast.height;
   for (const Guy& guy : mast.guys) p.heights.push_back(guy.height);
@@ -274,7 +274,7 @@ void set_up(const GuyedMast& mast, Problem& p) {
   p.force = force > 0 ? force : 1;
 }
 
-std::string buckles(const Problem& p, double held) {
+std::string buckles(const GuyedMastProblem& p, double held) {
   if (held < 0) {
     return p.mast.guys.empty()
                ? "the mast does not stand up to its own weight: give it a stiffer section"
@@ -316,7 +316,7 @@ void add_own_weight(const GuyedMast& mast, const std::vector<MastPoint>& points,
   }
 }
 
-void fill(const Problem& p, const Unknowns& u, GuyedMastResult& out) {
+void fill(const GuyedMastProblem& p, const Unknowns& u, GuyedMastResult& out) {
   Shape shape = shoot(p, u, true);
   out.points = std::move(shape.points);
   const auto& points = out.points;
@@ -374,7 +374,7 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   for (const MastLoad& load : mast.loads) {
     expects(load.height > 0 && load.height <= mast.height, "a load acts on its mast");
   }
-  Problem p{mast, {}, {}, 1, 1};
+  GuyedMastProblem p{mast, {}, {}, 1, 1};
   if (const auto no = install(mast, p)) return *no;
   set_up(mast, p);
   Unknowns u = Unknowns::Zero();

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool pitches(const System& s, int body) {
   const auto& free = s.model.bodies[at(body)].free;

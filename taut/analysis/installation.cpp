@@ -5,11 +5,10 @@
 #include <algorithm>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool touches(const model::Reeving& rope, const std::vector<bool>& bodies) {
   return std::any_of(rope.nodes.begin(), rope.nodes.end(),

@@ -4,11 +4,10 @@
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/rope_load.hpp"
 #include "taut/analysis/system.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Columns = BranchColumns;
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
 
 using model::NodeKind;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 int count(std::size_t n) { return static_cast<int>(n); }
 
 void check(const model::Reeving& rope) {

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/rope/span.hpp"
 
 namespace taut::analysis {
 namespace {
 
-constexpr int halvings = 60;
+constexpr int lift_halvings = 60;
 constexpr int most_releases = 3;
-constexpr double rounding = 1e-9;  ///< of a tension or a length: neither lifts nor presses
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double lift_rounding = 1e-9;  ///< of a tension or a length: neither lifts nor presses
 
 bool may_lift(const model::Node& node) {
   return node.may_lift && node.support != Vector3::Zero() && node.kind == model::NodeKind::contact;
@@ -23,7 +22,7 @@ double pull(const System& s, const Evaluation& e, const Layout::Turn& t) {
   const Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
   if (in.slack || out.slack) return 0;
   const Vector3& support = s.model.reevings[at(t.reeving)].nodes[at(t.node)].support;
-  return (out.pull_from - in.pull_to).dot(support) - rounding * (in.T_to + out.T_from);
+  return (out.pull_from - in.pull_to).dot(support) - lift_rounding * (in.T_to + out.T_from);
 }
 
 void release(const Layout::Turn& t, const Layout::Link& before, model::State& state) {
@@ -43,7 +42,7 @@ struct Beside {
 Beside beside(const Vector3& support_point, const Vector3& support, const Vector3& start, const rope::Span& span) {
   const Vector3 along = span.chord.normalized();
   double low = 0, high = span.rope.length;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < lift_halvings; ++i) {
     const double middle = (low + high) / 2;
     const bool behind = (start + rope::point_at(span, middle) - support_point).dot(along) < 0;
     (behind ? low : high) = middle;
@@ -74,7 +73,7 @@ Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
       const Vector3 start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
       const Vector3 top = end_at(node, c.bodies).centre + node.radius * node.support;
       const Beside where = beside(top, node.support, start, *span);
-      if (where.below > std::max(worst.where.below, rounding * s.layout.length)) worst = {&link, n, where};
+      if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length)) worst = {&link, n, where};
     }
   }
   return worst;

@@ -7,11 +7,10 @@
 
 #include "taut/analysis/clearance.hpp"
 #include "taut/analysis/load_path.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Heights by the size of what they are measured against, so that one tolerance serves all limits.
 double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }

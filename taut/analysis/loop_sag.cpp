@@ -105,15 +105,15 @@ std::optional<Probe> root_in(const At& at, const Bracket& b, double value) {
 }
 
 /// The roots in their order, at most two; notes the range passed over.
-struct Search {
+struct SagSearch {
   std::vector<Probe> found;
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   Outcome first;  ///< of the smallest sag
 };
 
-Search search(const RunningLoop& loop, const At& at, double value, double x) {
-  Search s;
+SagSearch search(const RunningLoop& loop, const At& at, double value, double x) {
+  SagSearch s;
   std::vector<Probe> last;  // up to two
   for (double sag = smallest_share * loop.span; sag < largest_share * loop.span; sag *= stride) {
     const bool known = !last.empty() && last.back().ok;
@@ -154,7 +154,7 @@ Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double
     p.excess = p.ok ? value_of(given, p.state) - value : std::numeric_limits<double>::quiet_NaN();
     return p;
   };
-  const Search s = search(loop, at, value, x);
+  const SagSearch s = search(loop, at, value, x);
   if (s.found.empty()) return out_of_reach(x, given, value, s.least, s.most, s.first);
   found.sag = s.found[0].sag;
   found.state = s.found[0].state;

@@ -8,15 +8,15 @@
 namespace taut::analysis {
 namespace {
 
-constexpr int most_iterations = 60;
-constexpr int most_halvings = 24;
-constexpr double settled = 1e-12;    // step in logarithms of tensions, angles and parts of the span; at small sags
-constexpr double rounding = 1e-14;   // this times span/sag, which is what rounded coordinates leave of a tension
-constexpr double short_step = 1e-8;  // a shorter one that gains nothing meets rounding: it is not halved
-constexpr double balances = 1e-10;   // of the largest tension; coordinates: of the span
+constexpr int most_loop_iterations = 60;
+constexpr int most_loop_halvings = 24;
+constexpr double loop_settled = 1e-12;   // step in logarithms of tensions, angles and parts of the span; at small sags
+constexpr double loop_rounding = 1e-14;  // this times span/sag, which is what rounded coordinates leave of a tension
+constexpr double short_step = 1e-8;      // a shorter one that gains nothing meets rounding: it is not halved
+constexpr double balances = 1e-10;       // of the largest tension; coordinates: of the span
 constexpr double longest_log_step = 1.0;
-constexpr double longest_turn = 0.3;
-constexpr double longest_move = 0.2;  // of the span
+constexpr double longest_loop_turn = 0.3;
+constexpr double longest_loop_move = 0.2;  // of the span
 
 /// Order of the unknowns; a single carriage has the first seven. Places count in spans.
 enum Unknown { lower_A, lower_B, upper_A, upper_B, lean, x1, z1, between, x2, z2, most_unknowns };
@@ -240,7 +240,7 @@ double part_of(const Vector& step) {
   double part = 1;
   for (int i = 0; i < step.size(); ++i) {
     const bool is_log = i <= upper_B || i == between;
-    const double most = is_log ? longest_log_step : i == lean ? longest_turn : longest_move;
+    const double most = is_log ? longest_log_step : i == lean ? longest_loop_turn : longest_loop_move;
     if (std::abs(step[i]) > most) part = std::min(part, most / std::abs(step[i]));
   }
   return part;
@@ -250,7 +250,7 @@ double part_of(const Vector& step) {
 bool descend(LoopSystem& system, Vector& v, const Vector& step) {
   const double before = system.residual.norm();
   double part = part_of(step);
-  for (int k = 0; k < most_halvings; ++k, part /= 2) {
+  for (int k = 0; k < most_loop_halvings; ++k, part /= 2) {
     const Vector next = v + part * step;
     if (system.evaluate(next) && system.residual.norm() < before) {
       v = next;
@@ -268,9 +268,9 @@ bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns&
   LoopSystem system(loop, place);
   Vector v = system.vector_of(start);
   if (!v.allFinite() || !system.evaluate(v)) return false;
-  const double enough = std::max(settled, rounding * loop.span / place.sag);
+  const double enough = std::max(loop_settled, loop_rounding * loop.span / place.sag);
   int i = 0;
-  for (; i < most_iterations; ++i) {
+  for (; i < most_loop_iterations; ++i) {
     const Vector step = step_of(system);
     if (!step.allFinite()) return false;
     const bool small = step.cwiseAbs().maxCoeff() <= enough;

@@ -6,21 +6,20 @@
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
 
 namespace taut::analysis {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double first_part = 1.0 / 64;  ///< of the most that is looked for: tried first where nothing is expected
 constexpr double more = 1.3;             ///< than expected: likely too much
 
 /// The payload that is looked for: what holds, what does not, and the limit that stops it.
-class Search {
+class PayloadSearch {
  public:
-  Search(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
-         const std::optional<model::State>& start)
+  PayloadSearch(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
+                const std::optional<model::State>& start)
       : model_(model), loaded_(model), body_(body), limits_(limits), options_(options), near_(start) {}
 
   /// The margin of the nearest limit with this payload, and what it is.
@@ -59,7 +58,7 @@ class Search {
 };
 
 /// A limit that stops the payload, at the payload that still holds.
-LimitState governing_of(const Search& search, const std::vector<LimitState>& held) {
+LimitState governing_of(const PayloadSearch& search, const std::vector<LimitState>& held) {
   const LimitState& stopped = search.stopped;
   const auto same = std::find_if(held.begin(), held.end(), [&](const LimitState& one) {
     return one.kind == stopped.kind && one.reeving == stopped.reeving && one.node == stopped.node;
@@ -75,7 +74,7 @@ Payload payload(const model::Model& model, int body, const PayloadLimits& limits
   expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
   expects(body >= 0 && at(body) < model.bodies.size(), "a body of the model");
   Payload answer;
-  Search search(model, body, limits, options, start);
+  PayloadSearch search(model, body, limits, options, start);
   if (search.margin(0) < 0) {
     answer.limit = search.stopped;
     answer.at = std::move(search.result);

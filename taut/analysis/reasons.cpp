@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double vanishing = 1e-2;  // of the longest span
 constexpr double wide_open = 1e-3;  // of a given tension

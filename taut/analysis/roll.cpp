@@ -7,15 +7,15 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Places in the span, as parts of it: closer at its ends, where a slack rope's lowest point may be.
 constexpr std::array<double, 17> places = {0.003, 0.01, 0.03, 0.07, 0.13, 0.2,  0.29, 0.39, 0.5,
                                            0.61,  0.71, 0.8,  0.87, 0.93, 0.97, 0.99, 0.997};
-constexpr int halvings = 12;
+constexpr int roll_halvings = 12;
 
 bool rolls_free(const model::Model& model, const model::Carriage& car) {
   const model::Reeving& rides = model.reevings[at(car.reeving)];
@@ -104,7 +104,7 @@ class Roll {
 
   /// The state near where the force changes its sign.
   std::optional<model::State> halved(double low, double high) {
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < roll_halvings; ++i) {
       const double middle = (low + high) / 2;
       const double force = hold(middle);
       if (std::isnan(force)) break;

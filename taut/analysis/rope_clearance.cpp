@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "taut/analysis/load_path.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
 
 constexpr double near = 1e-9;  ///< of a span's length
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool moves(const model::Model& model, const SpanResult& span, int node) {
   const model::Place& place = model.reevings[at(span.reeving)].nodes[at(node)].at;
@@ -24,9 +23,10 @@ struct Under {
   double length = 0;  ///< of the span in plan, m
 };
 
-class Search {
+class ClearanceSearch {
  public:
-  Search(const model::Model& model, const SpanResult& span) : model_(model), span_(span), ground_(model.terrain) {
+  ClearanceSearch(const model::Model& model, const SpanResult& span)
+      : model_(model), span_(span), ground_(model.terrain) {
     under_.from = terrain_x(model, span.start);
     under_.rate = model.terrain_along.dot(span.shape.along);
     under_.length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
@@ -85,7 +85,7 @@ class Search {
 
 RopeClearance rope_clearance(const model::Model& model, const SpanResult& span) {
   if (model.terrain.empty() || span.slack) return {};
-  const RopeClearance found = Search(model, span).least();
+  const RopeClearance found = ClearanceSearch(model, span).least();
   return std::isfinite(found.height) ? found : RopeClearance{};
 }
 

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-const model::Node& node_of(const System& s, const Layout::Turn& t) {
-  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
-}
 
 bool is_load(const System& s, const Layout::Turn& t) { return node_of(s, t).kind == model::NodeKind::load; }
 

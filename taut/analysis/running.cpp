@@ -4,12 +4,10 @@
 
 #include <algorithm>
 
+#include "taut/math/index.hpp"
+
 namespace taut::analysis {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::vector<int>> flow_of(const model::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;

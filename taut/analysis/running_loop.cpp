@@ -11,7 +11,7 @@
 namespace taut::analysis {
 namespace {
 
-constexpr double first_part = 1.0 / 64;  // of sag or distance, where a continuation starts
+constexpr double first_part_of_loop = 1.0 / 64;  // of sag or distance, where a continuation starts
 constexpr double shortest_stride = 1e-4;
 constexpr double longest_stride = 1.6;
 constexpr double upright = 3;  // fall over reach of the rope between the sections
@@ -154,7 +154,7 @@ Partial part_of(const RunningLoop& loop, const LoopPlace& place, double part) {
 
 /// Follows the equilibrium from a small sag up to the one wanted, in strides that shorten where it does not converge.
 Outcome continue_to(const RunningLoop& loop, const LoopPlace& place, LoopState& state) {
-  double part = first_part;
+  double part = first_part_of_loop;
   Partial at = part_of(loop, place, part);
   LoopState last;
   for (int i = 0; !newton(at.loop, at.place, start_of(at.loop, at.place), last); ++i) {

@@ -8,15 +8,14 @@
 
 #include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/branch_force.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
 
-constexpr double rounding = 1e-7;  ///< of the scaled matrix
+constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Losses, and forces along a rope or torques that follow it: they have no potential.
 bool loses(const System& s) {
@@ -195,17 +194,17 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
   Eigen::MatrixXd A = scale.asDiagonal() * matrix * scale.asDiagonal();
   for (Eigen::Index k = 0; k < n; ++k) {
     const double pivot = A(k, k);
-    if (pivot < -rounding) {
+    if (pivot < -matrix_rounding) {
       // those before k follow: U v = pivot e_k
       Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
       v[k] = 1;
       for (Eigen::Index i = k - 1; i >= 0; --i) {
-        if (A(i, i) <= rounding) continue;
+        if (A(i, i) <= matrix_rounding) continue;
         for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= A(i, j) / A(i, i) * v[j];
       }
       return Eigen::VectorXd(scale.cwiseProduct(v));
     }
-    if (pivot <= rounding) continue;  // neutral: nothing holds it, nothing drives it
+    if (pivot <= matrix_rounding) continue;  // neutral: nothing holds it, nothing drives it
     for (Eigen::Index i = k + 1; i < n; ++i) {
       const double factor = A(i, k) / pivot;
       for (Eigen::Index j = k + 1; j < n; ++j) A(i, j) -= factor * A(k, j);

@@ -6,17 +6,12 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/rope_load.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 const model::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
-
-const model::Node& node_of(const System& s, const Layout::Turn& t) {
-  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
-}
 
 /// Adds a force that acts at `place` to the balance of the freedoms of a body.
 void add_force(const System& s, const Configuration& c, int body, const Vector3& place, const Vector3& force,
@@ -122,6 +117,10 @@ void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
 }
 
 }  // namespace
+
+const model::Node& node_of(const System& s, const Layout::Turn& t) {
+  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+}
 
 rope::CatenaryRope rope_of(const model::Reeving& reeving, double length) {
   return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};

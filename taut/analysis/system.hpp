@@ -79,6 +79,9 @@ struct Misfit {
 };
 Misfit misfit(const System& system, const Evaluation& e);
 
+/// The node of a rope's path at which it turns.
+const model::Node& node_of(const System& system, const Layout::Turn& turn);
+
 /// A branch's rope as it is: warmer, shorter.
 rope::CatenaryRope rope_of(const model::Reeving& reeving, double length);
 

@@ -5,11 +5,10 @@
 
 #include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/rope_load.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e, std::size_t k) {
   const Layout::Link& link = s.layout.links[k];

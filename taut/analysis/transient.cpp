@@ -44,7 +44,7 @@ DynamicState near_equilibrium(const model::Model& model) {
   return start;
 }
 
-Outcome settled(Run& run) {
+Outcome settle(Run& run) {
   const StepEnd end = settle(run.m, run.before, run.now, run.w, run.newton);
   if (end == StepEnd::ok) return {};
   return not_converged(
@@ -103,7 +103,7 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
   if (!run.result.outcome.ok()) return run.result;
-  if (settles) run.result.outcome = settled(run);
+  if (settles) run.result.outcome = settle(run);
   if (!run.result.outcome.ok()) return run.result;
   damp(run);
   run.happened.assign(model.events.size(), 0);

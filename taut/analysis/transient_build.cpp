@@ -16,7 +16,7 @@ namespace {
 int count(std::size_t n) { return static_cast<int>(n); }
 
 /// A direction square to the axis.
-Vector3 across(const Vector3& axis) { return axis.unitOrthogonal(); }
+Vector3 normal_to(const Vector3& axis) { return axis.unitOrthogonal(); }
 
 class Builder {
  public:
@@ -95,7 +95,7 @@ class Builder {
       line.body[end] = node.at.body;
       line.place[end] = node.at.at;
       line.axis[end] = node.axis;
-      line.zero[end] = across(node.axis);
+      line.zero[end] = normal_to(node.axis);
       line.radius[end] = node.radius;
       line.side[end] = node.side;
     }

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "taut/analysis/transient.hpp"
+#include "taut/math/index.hpp"
 #include "taut/math/static_lu.hpp"
 #include "taut/model/model.hpp"
 
 /// Inside of the transient analysis: the machine as arrays. docs/theory/dynamics.md.
 namespace taut::analysis::dynamics {
-
-inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A body of the model, or an inner node of a rope in segments (model < 0: a point mass free in x, y, z). Columns
 /// [first, first + count) of the unknowns are the accelerations of its freedoms.

@@ -7,7 +7,7 @@
 namespace taut::analysis::dynamics {
 namespace {
 
-constexpr double rounding = 1e-14;
+constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
 
@@ -61,7 +61,7 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     const bool changed = decide(m, s, before, now);
     double change = 0;
-    const double floor = rounding * m.stiffest;
+    const double floor = step_rounding * m.stiffest;
     for (std::size_t k = 0; k < m.lines.size(); ++k) {
       change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
       w.tension[k] = now.lines[k].T;
@@ -71,7 +71,7 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
     if (i > 0 && !changed) {
       const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      if (close && moved * contraction <= std::max(newton.tolerance, rounding) * m.size_of_machine) {
+      if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
         newton.used += i;
         return StepEnd::ok;
       }

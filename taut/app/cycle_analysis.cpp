@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/none.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The end of a rope where it is pulled in and let out, or a driven sheave of an endless rope.
 struct Winch {
@@ -42,7 +39,7 @@ struct Pull {
   double paid = 0;     ///< rope that is out, as it passes the winch: stretched; of a drive what has passed it, m
 };
 
-struct Position {
+struct CyclePosition {
   double x = 0, z = none;
   double way = 0;  ///< of the carriage since the phase began, m
   std::vector<Pull> pulls;
@@ -115,11 +112,11 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 }
 
 /// The way of the carriage, part by part; a position on a support is passed over.
-std::vector<Position> positions_of(const model::Model& model, const CycleRun& run, const Phase& phase,
-                                   Outcome& outcome) {
+std::vector<CyclePosition> positions_of(const model::Model& model, const CycleRun& run, const Phase& phase,
+                                        Outcome& outcome) {
   model::Model loaded = model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
-  std::vector<Position> all;
+  std::vector<CyclePosition> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
     if (part.support != nullptr) {
       all.emplace_back().x = phase.way.x(part.first);
@@ -137,7 +134,7 @@ std::vector<Position> positions_of(const model::Model& model, const CycleRun& ru
     auto path = analysis::load_path(part.model, options);
     if (part.last == part.first) path.points.resize(1);
     for (const auto& point : path.points) {
-      Position& p = all.emplace_back();
+      CyclePosition& p = all.emplace_back();
       p.x = point.x;
       p.known = point.at.outcome.ok();
       if (!p.known) {
@@ -148,9 +145,9 @@ std::vector<Position> positions_of(const model::Model& model, const CycleRun& ru
       for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }
   }
-  const Position* before = nullptr;
+  const CyclePosition* before = nullptr;
   double way = 0;
-  for (Position& p : all) {
+  for (CyclePosition& p : all) {
     if (!p.known) continue;
     if (before != nullptr) way += std::hypot(p.x - before->x, p.z - before->z);
     p.way = way;
@@ -160,15 +157,15 @@ std::vector<Position> positions_of(const model::Model& model, const CycleRun& ru
 }
 
 /// Trapezoids from position to position: dW = T (1 + T/EA) dL for a drum, T dL for a drive.
-Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const std::vector<Position>& all,
+Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const std::vector<CyclePosition>& all,
              double speed) {
   const Winch& w = run.winches[winch];
   const double EA = m.reevings[at(w.reeving)].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   Work work;
-  const Position* before = nullptr;
+  const CyclePosition* before = nullptr;
   double mean = 0;
-  for (const Position& p : all) {
+  for (const CyclePosition& p : all) {
     if (!p.known) continue;
     const double T = p.pulls[winch].tension;
     if (before == nullptr || std::abs(T) > std::abs(work.pull_max)) {
@@ -196,7 +193,7 @@ Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, cons
 }
 
 struct PhaseAnswer {
-  std::vector<Position> positions;
+  std::vector<CyclePosition> positions;
   std::vector<Work> works;
   double way = 0;
   double time = none;
@@ -209,7 +206,7 @@ Table positions_table(const CycleRun& run, const std::vector<PhaseAnswer>& answe
           {}};
   for (const Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    for (const Position& p : answers[i].positions) {
+    for (const CyclePosition& p : answers[i].positions) {
       std::vector<Cell> row = {run.phases[i].request.name, p.x, p.z, p.known ? p.way : none};
       for (const Pull& pull : p.pulls) row.emplace_back(pull.tension);
       row.resize(t.columns.size(), none);
@@ -277,7 +274,7 @@ void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Resu
     for (std::size_t i = 0; i < answers.size(); ++i) {
       Curve c;
       c.label = fmt::format("{}, {}", run.winches[w].name, run.phases[i].request.name);
-      for (const Position& position : answers[i].positions) {
+      for (const CyclePosition& position : answers[i].positions) {
         c.x.push_back(position.x);
         c.y.push_back(position.known ? position.pulls[w].tension : none);
       }
@@ -294,7 +291,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     PhaseAnswer& answer = answers.emplace_back();
     answer.positions = positions_of(machine.model, run, phase, outcome);
     note_failure(r, outcome, fmt::format("cycle, {}", phase.request.name));
-    for (const Position& p : answer.positions) answer.way = std::max(answer.way, p.way);
+    for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
     for (std::size_t w = 0; w < run.winches.size(); ++w) {
       answer.works.push_back(work_of(machine.model, run, w, answer.positions, phase.speed));

@@ -9,15 +9,13 @@
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/none.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// One combination of load, motion and temperature, and a place.
 struct Where {

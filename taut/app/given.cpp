@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "taut/app/machine_analysis.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
 
 using analysis::Condition;
 using Kind = Condition::Kind;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The free span of a rope with the longest chord, where the deck names none.
 int longest_span(const model::Model& m, int reeving) {

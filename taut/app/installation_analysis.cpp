@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "taut/analysis/installation.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/none.hpp"
 #include "taut/app/temperature.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
 
 using Kind = analysis::Condition::Kind;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct InstallationRun {
   std::string ending;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "taut/app/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 
@@ -16,7 +16,6 @@ using analysis::BeamPoint;
 using analysis::BeamResult;
 using analysis::EquilibriumResult;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
 
 const std::string& name_of(const model::Model& m, const BeamResult& b) {

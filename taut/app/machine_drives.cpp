@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "taut/analysis/drives.hpp"
 #include "taut/analysis/running.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/none.hpp"
 
 namespace taut::app {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Above, friction on a wet, oily or sap-covered rope is doubtful (mine hoists 0.20 to 0.25, ropeways 0.22 to 0.30).
 constexpr double doubtful_friction = 0.4;
 

@@ -13,6 +13,7 @@
 #include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/none.hpp"
 
 namespace taut::app {
 namespace {
@@ -260,8 +261,6 @@ Plot plot(const LoadPathRun& run, const std::string& name, const std::string& ti
   p.y = y;
   return p;
 }
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 template <class Of>
 Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dashed = false) {

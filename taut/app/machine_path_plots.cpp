@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "taut/app/machine_figures.hpp"
+#include "taut/app/none.hpp"
 
 namespace taut::app {
 namespace {
@@ -12,11 +12,9 @@ namespace {
 using analysis::EquilibriumResult;
 using analysis::SpanResult;
 
-constexpr int points_per_span = 12;
+constexpr int clearance_points_per_span = 12;
 constexpr std::size_t most_curves = 6;
 constexpr std::size_t most_names = 9;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// Tension at a share of a span; what is above H and V, the centrifugal tension of a running rope, is the same
 /// everywhere.
 double tension_at(const SpanResult& s, double share) {
@@ -47,8 +45,8 @@ Curve along(const model::Model& m, const EquilibriumResult& e, int reeving, std:
       curve.y.push_back(none);
     }
     if (curve.x.empty()) name(s.from);
-    for (int i = 0; i <= points_per_span && !s.slack; ++i) {
-      const double share = static_cast<double>(i) / points_per_span;
+    for (int i = 0; i <= clearance_points_per_span && !s.slack; ++i) {
+      const double share = static_cast<double>(i) / clearance_points_per_span;
       curve.x.push_back(way + share * s.stretched);
       curve.y.push_back(tension_at(s, share));
     }

@@ -9,9 +9,9 @@
 namespace taut::app {
 namespace {
 
-constexpr int points_per_span = 32;
+constexpr int scene_points_per_span = 32;
 
-std::array<double, 3> array_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 SceneLine line_of(const model::Model& m, const analysis::SpanResult& s) {
   const model::Reeving& rope = m.reevings[static_cast<std::size_t>(s.reeving)];
@@ -19,12 +19,12 @@ SceneLine line_of(const model::Model& m, const analysis::SpanResult& s) {
   std::vector<std::array<double, 3>> points;
   std::vector<double> tension;
   const bool sags = !s.slack && s.shape.rope.weight > 0 && s.shape.rope.length > 0;
-  const int parts = sags ? points_per_span : 1;
+  const int parts = sags ? scene_points_per_span : 1;
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     const Vector3 at = sags ? Vector3(s.start + rope::point_at(s.shape, share * s.shape.rope.length))
                             : Vector3(s.start + share * (s.end - s.start));
-    points.push_back(array_of(at));
+    points.push_back(scene_point(at));
     // along a catenary V grows evenly with the unstretched length
     tension.push_back(sags ? std::hypot(s.H, s.V_from + share * (s.V_to - s.V_from))
                            : s.T_from + share * (s.T_to - s.T_from));
@@ -40,13 +40,13 @@ Scene scene_of(const EquilibriumRun& one) {
   scene.t = {0};
   for (const auto& s : one.result.spans) scene.lines.push_back(line_of(one.model, s));
   for (std::size_t i = 0; i < one.model.bodies.size(); ++i) {
-    scene.points.push_back({one.model.bodies[i].name, 0, {array_of(one.result.state.bodies[i].position)}, {}});
+    scene.points.push_back({one.model.bodies[i].name, 0, {scene_point(one.result.state.bodies[i].position)}, {}});
   }
   std::set<std::string> known;
   for (const model::Reeving& rope : one.model.reevings) {
     for (const model::Node& node : rope.nodes) {
       if (!known.insert(node.name).second) continue;
-      scene.points.push_back({node.name, node.radius, {array_of(model::in_ground(one.result.state, node.at))}, {}});
+      scene.points.push_back({node.name, node.radius, {scene_point(model::in_ground(one.result.state, node.at))}, {}});
     }
   }
   return scene;

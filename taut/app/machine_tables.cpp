@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/machine_beams.hpp"
+#include "taut/app/none.hpp"
 
 namespace taut::app {
 namespace {
@@ -16,11 +16,9 @@ namespace {
 using analysis::ContactState;
 using analysis::EquilibriumResult;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-const model::Reeving& rope(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
-const std::string& node(const model::Model& m, int r, int n) {
-  return rope(m, r).nodes[static_cast<std::size_t>(n)].name;
+const model::Reeving& reeving_at(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
+const std::string& node_name(const model::Model& m, int r, int n) {
+  return reeving_at(m, r).nodes[static_cast<std::size_t>(n)].name;
 }
 
 void add_band(std::vector<Column>& columns, std::initializer_list<const char*> names) {
@@ -49,9 +47,9 @@ Table spans(const model::Model& m, const EquilibriumResult& e) {
   if (e.band) add_band(t.columns, {"T_from", "T_to"});
   if (!m.terrain.empty()) t.columns.push_back({"clearance", si::m});
   for (const auto& s : e.spans) {
-    std::vector<Cell> row = {rope(m, s.reeving).name,
-                             node(m, s.reeving, s.from),
-                             node(m, s.reeving, s.to),
+    std::vector<Cell> row = {reeving_at(m, s.reeving).name,
+                             node_name(m, s.reeving, s.from),
+                             node_name(m, s.reeving, s.to),
                              s.T_from,
                              s.T_to,
                              s.H,
@@ -84,8 +82,8 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
           {}};
   if (e.band) add_band(t.columns, {"T_in", "T_out"});
   for (const auto& c : e.contacts) {
-    if (rope(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == model::NodeKind::load) continue;
-    std::vector<Cell> row = {node(m, c.reeving, c.node),
+    if (reeving_at(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == model::NodeKind::load) continue;
+    std::vector<Cell> row = {node_name(m, c.reeving, c.node),
                              c.T_in,
                              c.T_out,
                              c.wrap,
@@ -94,7 +92,7 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
                              c.force.z(),
                              c.force.norm(),
                              std::string(to_text(c.state)),
-                             rope(m, c.reeving).name};
+                             reeving_at(m, c.reeving).name};
     if (e.band) row.insert(row.end(), {c.T_in_min, c.T_in_max, c.T_out_min, c.T_out_max});
     t.rows.push_back(std::move(row));
   }
@@ -138,8 +136,8 @@ Table anchors(const model::Model& m, const EquilibriumResult& e) {
           {{"name", si::one}, {"rope", si::one}, {"T", si::N}, {"Fx", si::N}, {"Fy", si::N}, {"Fz", si::N}},
           {}};
   const auto add = [&](const analysis::SpanResult& s, int n, double T, const Vector3& f) {
-    if (rope(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != model::NodeKind::anchor) return;
-    t.rows.push_back({node(m, s.reeving, n), rope(m, s.reeving).name, T, f.x(), f.y(), f.z()});
+    if (reeving_at(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != model::NodeKind::anchor) return;
+    t.rows.push_back({node_name(m, s.reeving, n), reeving_at(m, s.reeving).name, T, f.x(), f.y(), f.z()});
   };
   for (const auto& s : e.spans) {
     add(s, s.from, s.T_from, pull_on_start(s));
@@ -151,7 +149,7 @@ Table anchors(const model::Model& m, const EquilibriumResult& e) {
 /// Where a rope's largest tension is.
 std::string place_of(const model::Model& m, const EquilibriumResult& e, const analysis::RopeResult& r) {
   const auto& s = e.spans[static_cast<std::size_t>(r.span)];
-  return node(m, s.reeving, r.at_end ? s.to : s.from);
+  return node_name(m, s.reeving, r.at_end ? s.to : s.from);
 }
 
 Table ropes(const model::Model& m, const EquilibriumResult& e) {
@@ -197,7 +195,7 @@ std::vector<Turn> turns_of(const model::Reeving& r) {
 /// The contact of that name and turn; nullptr where the rope does not touch it.
 const analysis::ContactResult* contact(const model::Model& m, const EquilibriumResult& e, int reeving,
                                        const Turn& turn) {
-  const std::vector<Turn> turns = turns_of(rope(m, reeving));
+  const std::vector<Turn> turns = turns_of(reeving_at(m, reeving));
   for (const auto& c : e.contacts) {
     if (c.reeving != reeving) continue;
     const Turn& own = turns[static_cast<std::size_t>(c.node)];
@@ -259,7 +257,7 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
     row.insert(row.end(), {first->T_from, last->T_to, rope.T_max, rope.unstretched});
   }
   for (int i = 0; i < count; ++i) {
-    for (const Turn& turn : turns_of(rope(all, i))) {
+    for (const Turn& turn : turns_of(reeving_at(all, i))) {
       if (turn.fixed || turn.load) continue;
       const auto* c = contact(m, e, i, turn);
       if (c == nullptr) {

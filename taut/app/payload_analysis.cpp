@@ -10,18 +10,16 @@
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/none.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
 
 using analysis::LimitKind;
 using analysis::LimitState;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A rule of the catalogue that a rope is checked by.
 struct RopeRule {
@@ -41,7 +39,7 @@ struct PayloadRun {
   std::vector<RopeRule> rules;
 };
 
-struct Position {
+struct PayloadPosition {
   const model::Model* model = nullptr;
   analysis::PayloadPoint point;
   std::vector<LimitState> states;  ///< of all limits with the payload
@@ -50,7 +48,7 @@ struct Position {
 
 struct Answers {
   std::vector<WayPart> parts;
-  std::vector<Position> positions;
+  std::vector<PayloadPosition> positions;
 };
 
 /// Resolves the limits of one name.
@@ -185,7 +183,7 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
   all.parts = parts_of(model, run.way);
   for (const WayPart& part : all.parts) {
     if (part.support != nullptr) {
-      Position on;
+      PayloadPosition on;
       on.model = &part.model;
       on.support = part.support->name;
       on.point.x = run.way.x(part.first);
@@ -204,7 +202,7 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
     if (part.last == part.first) points.resize(1);
     const int body = part.model.carriages[at(run.way.carriage)].body;
     for (auto& point : points) {
-      Position one;
+      PayloadPosition one;
       one.model = &part.model;
       one.point = std::move(point);
       one.states = analysis::limits_at(part.model, body, run.limits, one.point.payload.at);
@@ -216,13 +214,13 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
 }
 
 /// Positions with an equilibrium; where a limit is broken without payload it is 0.
-bool answered(const Position& p) { return p.support.empty() && p.point.payload.at.outcome.ok(); }
+bool answered(const PayloadPosition& p) { return p.support.empty() && p.point.payload.at.outcome.ok(); }
 
 Table table_of(const model::Model& model, const PayloadRun& run, const Answers& all) {
   Table t{
       "payload" + run.ending, fmt::format("Payload within the limits, {}", run.words), load_path_columns(model), {}};
   t.columns.insert(t.columns.begin() + 3, {{"payload", si::kg}, {"governing", si::one}});
-  for (const Position& p : all.positions) {
+  for (const PayloadPosition& p : all.positions) {
     std::vector<Cell> row = {p.point.x, none, none, none, std::string{}};
     if (answered(p)) {
       row = load_path_row(model, *p.model, {p.point.x, p.point.z, p.point.clearance, p.point.payload.at});
@@ -244,7 +242,7 @@ Plot payload_plot(const PayloadRun& run, const Answers& all) {
   p.x = {"x of the carriage", si::m};
   p.y = {"payload", si::kg.in("t")};
   std::vector<std::string> kinds;
-  for (const Position& one : all.positions) {
+  for (const PayloadPosition& one : all.positions) {
     const std::string& name = one.point.payload.governing;
     if (answered(one) && std::find(kinds.begin(), kinds.end(), name) == kinds.end()) kinds.push_back(name);
   }
@@ -252,7 +250,7 @@ Plot payload_plot(const PayloadRun& run, const Answers& all) {
     Curve c;
     c.label = kind;
     for (std::size_t i = 0; i < all.positions.size(); ++i) {
-      const Position& one = all.positions[i];
+      const PayloadPosition& one = all.positions[i];
       const bool next = i + 1 < all.positions.size() && answered(all.positions[i + 1]) &&
                         all.positions[i + 1].point.payload.governing == kind;
       c.x.push_back(one.point.x);
@@ -272,7 +270,7 @@ Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& 
   p.y = {"value / limit", si::one};
   std::map<std::string, Curve> curves;
   const int body = model.carriages[at(run.way.carriage)].body;
-  for (const Position& one : all.positions) {
+  for (const PayloadPosition& one : all.positions) {
     for (const LimitState& state : one.states) {
       if (state.kind != LimitKind::tension && state.kind != LimitKind::pull) continue;
       curves[analysis::limit_words(*one.model, body, state)];
@@ -280,7 +278,7 @@ Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& 
   }
   for (auto& [words, curve] : curves) {
     curve.label = words;
-    for (const Position& one : all.positions) {
+    for (const PayloadPosition& one : all.positions) {
       const auto same = std::find_if(one.states.begin(), one.states.end(), [&](const LimitState& s) {
         return !s.fails && analysis::limit_words(*one.model, body, s) == words;
       });
@@ -298,7 +296,7 @@ void add_rules(const model::Model& model, const PayloadRun& run, const Answers& 
   for (const RopeRule& rule : run.rules) {
     const model::Reeving& rope = model.reevings[at(rule.reeving)];
     double T = 0;
-    for (const Position& one : all.positions) {
+    for (const PayloadPosition& one : all.positions) {
       if (answered(one)) T = std::max(T, one.point.payload.at.ropes[at(rule.reeving)].T_max);
     }
     const std::string words = fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rule.row->id,
@@ -309,9 +307,9 @@ void add_rules(const model::Model& model, const PayloadRun& run, const Answers& 
 }
 
 void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Result& r) {
-  const Position* least = nullptr;
+  const PayloadPosition* least = nullptr;
   std::map<std::string, std::vector<double>> nothing;  // where a limit is broken without payload
-  for (const Position& one : all.positions) {
+  for (const PayloadPosition& one : all.positions) {
     const std::string where = fmt::format("payload, x = {:.6g} m", one.point.x);
     if (!one.support.empty()) {
       r.warnings.push_back(fmt::format("{}: the carriage is on '{}': left out", where, one.support));

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "taut/analysis/continuation.hpp"
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/none.hpp"
 #include "taut/app/parameter.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/io/read.hpp"
@@ -21,8 +21,6 @@ namespace taut::app {
 namespace {
 
 using analysis::SweepEnd;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct SweepRun {
   std::string ending;

@@ -17,13 +17,13 @@ namespace {
 
 using analysis::TransientFrame;
 
-constexpr std::size_t most_curves = 6;
+constexpr std::size_t most_curves_in_plot = 6;
 constexpr std::size_t most_events = 10;
 constexpr std::size_t most_readouts = 8;
-constexpr std::size_t buckets = 240;  ///< of the thinned plots
-constexpr double least_width = 1e-3;  ///< machines narrower than this part of their length need no plan
+constexpr std::size_t buckets = 240;       ///< of the thinned plots
+constexpr double least_plan_width = 1e-3;  ///< machines narrower than this part of their length need no plan
 
-struct View {
+struct PlaneView {
   int right = 0;
   int above = 2;
   Point point(const Vector3& v) const { return {v[right], v[above]}; }
@@ -47,10 +47,10 @@ Vector3 size_of(const TransientRun& run) {
   return high - low;
 }
 
-std::vector<View> views_of(const TransientRun& run) {
+std::vector<PlaneView> views_of(const TransientRun& run) {
   const Vector3 size = size_of(run);
-  std::vector<View> views = {{size.y() > size.x() ? 1 : 0, 2}};
-  if (std::min(size.x(), size.y()) > least_width * size.maxCoeff()) views.push_back({0, 1});
+  std::vector<PlaneView> views = {{size.y() > size.x() ? 1 : 0, 2}};
+  if (std::min(size.x(), size.y()) > least_plan_width * size.maxCoeff()) views.push_back({0, 1});
   return views;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const Tran
   return lines;
 }
 
-Drawing drawing_of(const TransientRun& run, std::size_t index, const View& view, const std::string& words) {
+Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& words) {
   const model::Model& m = run.model;
   const TransientFrame& frame = run.result.frames[index];
   Drawing d;
@@ -118,7 +118,7 @@ std::size_t tightest(const TransientRun& run) {
 void add_drawings(const TransientRun& run, Result& r) {
   const std::size_t last = run.result.frames.size() - 1;
   const std::size_t peak = tightest(run);
-  const View view = views_of(run).front();
+  const PlaneView view = views_of(run).front();
   std::vector<std::pair<std::size_t, std::string>> chosen = {{0, "the start"}};
   if (peak != 0 && peak != last) chosen.emplace_back(peak, "near the largest tension");
   if (last != 0) chosen.emplace_back(last, peak == last ? "the end, with the largest tension" : "the end");
@@ -141,7 +141,7 @@ std::vector<std::pair<double, std::string>> main_events(const TransientRun& run)
   return all;
 }
 
-Animation animation_of(const TransientRun& run, const View& view) {
+Animation animation_of(const TransientRun& run, const PlaneView& view) {
   const auto& frames = run.result.frames;
   Animation a;
   a.name = fmt::format("motion{}{}", run.ending, view.above == 2 ? "" : "_plan");
@@ -232,7 +232,7 @@ void add_plots(const TransientRun& run, Result& r) {
   for (std::size_t i = 0; i < observed.size(); ++i) {
     if (done[i]) continue;
     std::vector<std::pair<std::string, const std::vector<double>*>> curves;
-    for (std::size_t k = i; k < observed.size() && curves.size() < most_curves; ++k) {
+    for (std::size_t k = i; k < observed.size() && curves.size() < most_curves_in_plot; ++k) {
       if (done[k] || observed[k].unit.symbol != observed[i].unit.symbol) continue;
       done[k] = true;
       curves.emplace_back(observed[k].name, &run.result.observed[k]);
@@ -244,7 +244,7 @@ void add_plots(const TransientRun& run, Result& r) {
   }
 }
 
-void add_energy(const TransientRun& run, Result& r) {
+void add_energy_plot(const TransientRun& run, Result& r) {
   using analysis::EnergyLedger;
   const EnergyLedger& first = run.result.frames.front().energy;
   std::array<std::vector<double>, 6> all;
@@ -274,10 +274,10 @@ void add_energy(const TransientRun& run, Result& r) {
 void add_transient_figures(const TransientRun& run, Result& r) {
   add_drawings(run, r);
   if (run.result.frames.size() > 1) {
-    for (const View& view : views_of(run)) r.figures.emplace_back(animation_of(run, view));
+    for (const PlaneView& view : views_of(run)) r.figures.emplace_back(animation_of(run, view));
   }
   add_plots(run, r);
-  add_energy(run, r);
+  add_energy_plot(run, r);
   r.scenes.push_back(scene_of(run));
 }
 

@@ -134,7 +134,7 @@ class Parts {
   std::map<std::string, std::size_t> index_;
 };
 
-std::array<double, 3> array_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> moving_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 void add_lines(const TransientRun& run, Scene& scene) {
   for (std::size_t i = 0; i < run.result.frames.size(); ++i) {
@@ -148,7 +148,7 @@ void add_lines(const TransientRun& run, Scene& scene) {
                                {}});
       }
       std::vector<std::array<double, 3>> points;
-      for (const Vector3& p : parts[k].points) points.push_back(array_of(p));
+      for (const Vector3& p : parts[k].points) points.push_back(moving_point(p));
       scene.lines[k].points.push_back(std::move(points));
       scene.lines[k].tension.push_back(parts[k].tension);
     }
@@ -164,11 +164,11 @@ void add_points(const TransientRun& run, Scene& scene) {
   }
   for (const auto& frame : frames) {
     for (std::size_t i = 0; i < bodies; ++i) {
-      scene.points[i].at.push_back(array_of(frame.bodies[i].position));
-      scene.points[i].velocity.push_back(array_of(frame.bodies[i].velocity));
+      scene.points[i].at.push_back(moving_point(frame.bodies[i].position));
+      scene.points[i].velocity.push_back(moving_point(frame.bodies[i].velocity));
     }
     const std::vector<HeldPart> parts = held_parts(run.model, frame, frames.front());
-    for (std::size_t i = 0; i < parts.size(); ++i) scene.points[bodies + i].at.push_back(array_of(parts[i].at));
+    for (std::size_t i = 0; i < parts.size(); ++i) scene.points[bodies + i].at.push_back(moving_point(parts[i].at));
   }
 }
 

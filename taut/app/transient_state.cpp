@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr int format = 1;
 
 /// What JSON has no number for.
-Json number(double x) {
+Json json_number(double x) {
   if (std::isnan(x)) return "nan";
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
   return x;
@@ -32,7 +32,7 @@ double number_in(const Json& j) {
 
 Json numbers(const std::vector<double>& all) {
   Json list = Json::array();
-  for (const double x : all) list.push_back(number(x));
+  for (const double x : all) list.push_back(json_number(x));
   return list;
 }
 std::vector<double> numbers_in(const Json& j) {
@@ -41,7 +41,7 @@ std::vector<double> numbers_in(const Json& j) {
   return all;
 }
 
-Json vector(const Vector3& v) { return {number(v.x()), number(v.y()), number(v.z())}; }
+Json vector(const Vector3& v) { return {json_number(v.x()), json_number(v.y()), json_number(v.z())}; }
 Vector3 vector_in(const Json& j) { return {number_in(j.at(0)), number_in(j.at(1)), number_in(j.at(2))}; }
 
 Json vectors(const std::vector<Vector3>& all) {
@@ -68,11 +68,12 @@ Matrix3 matrix_in(const Json& j) {
 
 Json signal(const model::Signal& s) {
   Json j = {{"name", s.name}, {"unit", s.unit.symbol}};
-  if (const auto* constant = std::get_if<double>(&s.law)) j["constant"] = number(*constant);
+  if (const auto* constant = std::get_if<double>(&s.law)) j["constant"] = json_number(*constant);
   if (const auto* moves = std::get_if<model::Moves>(&s.law)) {
     Json list = Json::array();
-    for (const model::Move& m : moves->moves) list.push_back({number(m.at), number(m.to), number(m.over), m.smooth});
-    j["moves"] = {{"from", number(moves->from)}, {"list", std::move(list)}};
+    for (const model::Move& m : moves->moves)
+      list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), m.smooth});
+    j["moves"] = {{"from", json_number(moves->from)}, {"list", std::move(list)}};
   }
   if (const auto* curve = std::get_if<model::Curve>(&s.law)) {
     j["curve"] = {{"t", numbers(curve->t)}, {"value", numbers(curve->value)}, {"slopes", numbers(curve->slopes)}};
@@ -156,7 +157,7 @@ Json ropes(const DynamicState& state) {
 Json drums(const DynamicState& state) {
   Json list = Json::array();
   for (const auto& d : state.drums)
-    list.push_back({{"content", number(d.content)}, {"layer", d.layer}, {"strain", numbers(d.strain)}});
+    list.push_back({{"content", json_number(d.content)}, {"layer", d.layer}, {"strain", numbers(d.strain)}});
   return list;
 }
 
@@ -230,7 +231,7 @@ std::string to_json(const DynamicState& state, const model::Model& model) {
   Json j;
   j["taut_state"] = format;
   j["machine"] = {{"bodies", names(model.bodies)}, {"ropes", names(model.reevings)}, {"drums", names(model.drums)}};
-  j["t"] = number(state.t);
+  j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);
   j["drums"] = drums(state);

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void add_sorted(std::vector<int>& set, int value) {
   const auto place = std::lower_bound(set.begin(), set.end(), value);

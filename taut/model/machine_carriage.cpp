@@ -1,15 +1,12 @@
 #include <numbers>
 
 #include "taut/model/machine.hpp"
+#include "taut/model/machine_limits.hpp"
 
 namespace taut::model::description {
 namespace {
 
 using std::numbers::pi;
-
-/// As for the other parts of a machine: beyond, numbers lose their meaning.
-constexpr double farthest = 1e6;  ///< m
-constexpr double heaviest = 1e9;  ///< kg
 
 }  // namespace
 

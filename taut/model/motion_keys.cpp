@@ -1,13 +1,12 @@
 #include "taut/model/motion_keys.hpp"
 
+#include "taut/model/machine_limits.hpp"
+
 namespace taut::model::description {
 
 namespace {
 
-/// A motion of this machine ends within a year (s), and no machine is larger (m) or pulled harder (N).
-constexpr double longest = 3.2e7;
-constexpr double farthest = 1e6;
-constexpr double strongest = 1e12;
+constexpr double longest = 3.2e7;  ///< a year, within which a motion ends, s
 
 }  // namespace
 

@@ -19,7 +19,7 @@ using description::Side;
 using description::Uplift;
 
 /// Below this sine of the bend a path runs straight through or straight back.
-constexpr double straight = 1e-6;
+constexpr double straight_bend = 1e-6;
 
 Vector3 unit_axis(const Triple& axis) {
   const Vector3 v = vector_of(axis);
@@ -195,8 +195,8 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
   const double bend = in.cross(out).dot(axis);
   // a rope that comes back beside itself, nearer than the sheave is wide, does not say which way round it went
   const double width = 2 * stop.node.radius / std::min((at - before).norm(), (after - at).norm());
-  if (in.dot(out) < 0 && std::abs(bend) <= std::max(straight, width)) return 0;
-  if (std::abs(bend) > straight) return bend > 0 ? 1 : -1;
+  if (in.dot(out) < 0 && std::abs(bend) <= std::max(straight_bend, width)) return 0;
+  if (std::abs(bend) > straight_bend) return bend > 0 ? 1 : -1;
   return upper_side(in, axis);
 }
 

@@ -8,13 +8,13 @@
 namespace taut::rope {
 namespace {
 
-constexpr int most_iterations = 200;
-constexpr int most_halvings = 60;
-constexpr double short_step = 1e-6;      ///< relative; from here on the last steps, in extended precision
-constexpr double settled = 1e-15;        ///< relative step that is left undone
-constexpr double rounding = 1e-12;       ///< relative step that need not be halved when it gains nothing
-constexpr double closes = 1e-10;         ///< of the span's size: more is refused
-constexpr double least_offset = 1e-100;  ///< of the span's size: less is a vertical line
+constexpr int most_catenary_iterations = 200;
+constexpr int most_catenary_halvings = 60;
+constexpr double short_step = 1e-6;          ///< relative; from here on the last steps, in extended precision
+constexpr double settled = 1e-15;            ///< relative step that is left undone
+constexpr double catenary_rounding = 1e-12;  ///< relative step that need not be halved when it gains nothing
+constexpr double catenary_closes = 1e-10;    ///< of the span's size: more is refused
+constexpr double least_offset = 1e-100;      ///< of the span's size: less is a vertical line
 
 /// A rope in a vertical line: x = 0. z is piecewise linear in V.
 tl::expected<CatenarySolution, NoCatenary> solve_vertical(const CatenaryRope& rope, double z) {
@@ -97,10 +97,10 @@ CatenaryForce newton_step(const EndPosition& p, const Residual& r) {
 template <class ResidualAt>
 bool damped_step(CatenaryForce& f, Residual& now, const CatenaryForce& step, const ResidualAt& residual_at) {
   if (!std::isfinite(step.H) || !std::isfinite(step.V)) return false;
-  const bool at_rounding = size_of(step.H, step.V) <= rounding * size_of(f.H, f.V);
+  const bool at_rounding = size_of(step.H, step.V) <= catenary_rounding * size_of(f.H, f.V);
   const double falls = now.x * step.H + now.z * step.V;
   double part = f.H + step.H > 0 ? 1.0 : std::min(1.0, -0.9 * f.H / step.H);
-  for (int k = 0; k < most_halvings; ++k, part /= 2) {
+  for (int k = 0; k < most_catenary_halvings; ++k, part /= 2) {
     const CatenaryForce next{f.H + part * step.H, f.V + part * step.V};
     const Residual then = residual_at(next);
     const bool less_energy = then.x * step.H + then.z * step.V >= -falls / 2;
@@ -131,7 +131,7 @@ CatenarySolution iterate(const CatenaryRope& rope, double x, double z, CatenaryF
     return residual_of(x - tried.x, z - tried.z);
   };
   CatenaryForce step = newton_step(p, r);
-  while (size_of(step.H, step.V) > short_step * size_of(f.H, f.V) && s.iterations < most_iterations) {
+  while (size_of(step.H, step.V) > short_step * size_of(f.H, f.V) && s.iterations < most_catenary_iterations) {
     if (!damped_step(f, r, step, in_double)) break;
     p = tried;
     step = newton_step(p, r);
@@ -139,7 +139,7 @@ CatenarySolution iterate(const CatenaryRope& rope, double x, double z, CatenaryF
   }
   const auto exactly = [&](const CatenaryForce& at) { return exact_residual(rope, x, z, at); };
   r = exactly(f);
-  for (; s.iterations < most_iterations; ++s.iterations) {
+  for (; s.iterations < most_catenary_iterations; ++s.iterations) {
     step = newton_step(p, r);
     const double length = size_of(step.H, step.V);
     if (length <= settled * least_tension(rope, f) || !damped_step(f, r, step, exactly)) break;
@@ -164,8 +164,8 @@ tl::expected<CatenarySolution, NoCatenary> solve_rising(const CatenaryRope& rope
   }
   const bool usable = start && start->H > 0 && std::isfinite(start->H) && std::isfinite(start->V);
   CatenarySolution s = iterate(rope, x, z, usable ? *start : first_guess(rope, x, z));
-  if (!(s.closure <= closes * scale) && usable) s = iterate(rope, x, z, first_guess(rope, x, z));
-  if (!(s.closure <= closes * scale)) return tl::unexpected(NoCatenary::not_converged);
+  if (!(s.closure <= catenary_closes * scale) && usable) s = iterate(rope, x, z, first_guess(rope, x, z));
+  if (!(s.closure <= catenary_closes * scale)) return tl::unexpected(NoCatenary::not_converged);
   return s;
 }
 

@@ -11,10 +11,10 @@
 namespace taut::rope {
 namespace {
 
-constexpr int most_iterations = 300;
-constexpr int most_halvings = 60;
-constexpr double closes = 1e-10;    ///< of the span's size: more is refused
-constexpr double rounding = 1e-14;  ///< of the span's size: residuals below it are noise
+constexpr int most_loaded_iterations = 300;
+constexpr int most_loaded_halvings = 60;
+constexpr double loaded_span_closes = 1e-10;    ///< of the span's size: more is refused
+constexpr double loaded_span_rounding = 1e-14;  ///< of the span's size: residuals below it are noise
 constexpr double least_part =
     1e-9;  ///< of the largest tension: a straight line hanging down is treated as this far from it
 
@@ -109,17 +109,18 @@ bool improve(LoadedSpan& span, Vector3& residual, double scale) {
   if (!step.allFinite()) return false;
   const double falls = residual.dot(step);
   double part = 1;
-  for (int k = 0; k < most_halvings; ++k, part /= 2) {
+  for (int k = 0; k < most_loaded_halvings; ++k, part /= 2) {
     const Vector3 next = span.force + part * step;
     const Vector3 then = span.chord - end_of(span, next);
     if (!then.allFinite()) continue;
-    const bool less_energy = falls > 0 && then.dot(step) >= -falls / 2 && residual.norm() > rounding * scale;
+    const bool less_energy =
+        falls > 0 && then.dot(step) >= -falls / 2 && residual.norm() > loaded_span_rounding * scale;
     if (then.norm() < residual.norm() || less_energy) {
       span.force = next;
       residual = then;
       return true;
     }
-    if (residual.norm() <= rounding * scale) return false;
+    if (residual.norm() <= loaded_span_rounding * scale) return false;
   }
   return false;
 }
@@ -130,7 +131,7 @@ void iterate(LoadedSpan& span, const Vector3& force, double scale) {
   Vector3 residual = span.chord - end_of(span, force);
   LoadedSpan best = span;
   best.closure = std::numeric_limits<double>::infinity();
-  while (span.iterations < most_iterations) {
+  while (span.iterations < most_loaded_iterations) {
     if (residual.norm() < best.closure) {
       best.force = span.force;
       best.closure = residual.norm();
@@ -165,9 +166,9 @@ tl::expected<LoadedSpan, NoCatenary> solve_loaded_span(const CatenaryRope& rope,
   const double scale = std::max(chord.norm(), rope.length);
   if (std::isinf(rope.stiffness) && rope.length <= chord.norm()) return tl::unexpected(NoCatenary::too_short);
   if (start && start->allFinite()) iterate(span, *start, scale);
-  const bool closed = start && span.closure <= closes * scale;
+  const bool closed = start && span.closure <= loaded_span_closes * scale;
   if (!closed) iterate(span, first_guess(span), scale);
-  if (span.closure <= closes * scale) return span;
+  if (span.closure <= loaded_span_closes * scale) return span;
   return tl::unexpected(rope.weight == 0 ? NoCatenary::slack : NoCatenary::not_converged);
 }
 

@@ -10,9 +10,9 @@
 namespace taut::rope {
 namespace {
 
-constexpr int most_iterations = 60;
+constexpr int most_tangent_iterations = 60;
 constexpr int start_passes = 4;
-constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 struct Frame {
   Vector3 r, tangent;  ///< outwards and right-handed about the axis, at the rope's contact
@@ -78,15 +78,15 @@ std::optional<Angles> skew_start(const Round& from, const Round& to) {
 }
 
 /// Both ends, their frames, and the Jacobian of the conditions d.r1 = 0, d.r2 = 0 in the two angles.
-struct Ends {
+struct TangentEnds {
   Frame f1, f2;
   Vector3 d;
   Eigen::Vector2d g;
   Eigen::Matrix2d J;
 };
 
-Ends ends_at(const Round& from, const Round& to, const Angles& a) {
-  Ends e{frame_at(from, a.from), frame_at(to, a.to), {}, {}, {}};
+TangentEnds ends_at(const Round& from, const Round& to, const Angles& a) {
+  TangentEnds e{frame_at(from, a.from), frame_at(to, a.to), {}, {}, {}};
   e.d = to.centre + to.radius * e.f2.r - from.centre - from.radius * e.f1.r;
   e.g << e.d.dot(e.f1.r), e.d.dot(e.f2.r);
   e.J << e.d.dot(e.f1.tangent), to.radius * e.f2.tangent.dot(e.f1.r), -from.radius * e.f1.tangent.dot(e.f2.r),
@@ -103,7 +103,7 @@ Ends ends_at(const Round& from, const Round& to, const Angles& a) {
 }
 
 /// The line runs with both rounds, not against them.
-bool right_way(const Round& from, const Round& to, const Ends& e) {
+bool right_way(const Round& from, const Round& to, const TangentEnds& e) {
   return (is_point(from) || from.side * e.d.dot(e.f1.tangent) > 0) &&
          (is_point(to) || to.side * e.d.dot(e.f2.tangent) > 0);
 }
@@ -112,8 +112,8 @@ bool right_way(const Round& from, const Round& to, const Ends& e) {
 std::optional<int> close(const Round& from, const Round& to, Angles& a) {
   const double scale = (to.centre - from.centre).norm() + from.radius + to.radius;
   double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < most_iterations; ++i) {
-    const Ends e = ends_at(from, to, a);
+  for (int i = 0; i < most_tangent_iterations; ++i) {
+    const TangentEnds e = ends_at(from, to, a);
     const double error = e.g.norm();
     if (error <= 1e-15 * scale || (error >= best && error <= 1e-13 * scale)) {
       return right_way(from, to, e) ? std::optional(i) : std::nullopt;
@@ -136,8 +136,8 @@ TangentLine line_at(const Round& from, const Round& to, const Angles& a, int ite
   const Vector3 d = line.to - line.from;
   line.length = d.norm();
   line.direction = d / line.length;
-  line.angle_from = std::remainder(a.from, two_pi);
-  line.angle_to = std::remainder(a.to, two_pi);
+  line.angle_from = std::remainder(a.from, full_turn);
+  line.angle_to = std::remainder(a.to, full_turn);
   if (!is_point(from)) line.fleet_from = std::asin(line.direction.dot(from.axis));
   if (!is_point(to)) line.fleet_to = std::asin(line.direction.dot(to.axis));
   line.iterations = iterations;
@@ -209,7 +209,7 @@ tl::expected<TangentLine, NoLine> tangent_line(const Round& from, const Round& t
 }
 
 LineRates line_rates(const Round& from, const Round& to, const TangentLine& line) {
-  const Ends e = ends_at(from, to, {line.angle_from, line.angle_to});
+  const TangentEnds e = ends_at(from, to, {line.angle_from, line.angle_to});
   const Vector3 &r1 = e.f1.r, &r2 = e.f2.r;
   Eigen::Matrix<double, 2, 12> g;  // of the two conditions, at constant angles
   g.row(0) << -r1.transpose(), r1.cross(e.d).transpose(), r1.transpose(), to.radius * r2.cross(r1).transpose();
@@ -231,14 +231,14 @@ LineRates line_rates(const Round& from, const Round& to, const TangentLine& line
 }
 
 double wrap_angle(int side, double arrives, double leaves, int turns) {
-  double wrap = std::fmod(side * (leaves - arrives), two_pi);
-  if (wrap < 0) wrap += two_pi;
-  if (wrap >= two_pi) wrap = 0;  // a negative number that vanished beside 2 pi
-  return wrap + turns * two_pi;
+  double wrap = std::fmod(side * (leaves - arrives), full_turn);
+  if (wrap < 0) wrap += full_turn;
+  if (wrap >= full_turn) wrap = 0;  // a negative number that vanished beside 2 pi
+  return wrap + turns * full_turn;
 }
 
 double wrap_angle_near(int side, double arrives, double leaves, double previous) {
-  return previous + std::remainder(side * (leaves - arrives) - previous, two_pi);
+  return previous + std::remainder(side * (leaves - arrives) - previous, full_turn);
 }
 
 }  // namespace taut::rope

@@ -12,18 +12,18 @@ namespace taut::structure {
 namespace {
 
 /// place, quaternion (w, x, y, z), moment, force.
-using Packed = Eigen::Matrix<double, 13, 1>;
+using PackedState = Eigen::Matrix<double, 13, 1>;
 
-Packed pack(const BeamState& s) {
+PackedState pack(const BeamState& s) {
   const Eigen::Quaterniond q(s.axes);
-  Packed p;
+  PackedState p;
   p << s.place, q.w(), q.x(), q.y(), q.z(), s.moment, s.force;
   return p;
 }
 
-Eigen::Quaterniond turn_of(const Packed& p) { return Eigen::Quaterniond(p[3], p[4], p[5], p[6]); }
+Eigen::Quaterniond turn_of(const PackedState& p) { return Eigen::Quaterniond(p[3], p[4], p[5], p[6]); }
 
-BeamState unpack(const Packed& p) {
+BeamState unpack(const PackedState& p) {
   BeamState s;
   s.place = p.head<3>();
   s.axes = turn_of(p).normalized().toRotationMatrix();
@@ -32,7 +32,7 @@ BeamState unpack(const Packed& p) {
   return s;
 }
 
-Packed rate(const BeamSection& b, const Packed& p) {
+PackedState rate(const BeamSection& b, const PackedState& p) {
   const Eigen::Quaterniond q = turn_of(p);
   const Matrix3 axes = q.normalized().toRotationMatrix();
   const Vector3 M = p.segment<3>(7), F = p.tail<3>();
@@ -40,7 +40,7 @@ Packed rate(const BeamSection& b, const Packed& p) {
   const Vector3 along = axes.col(2) * (1 + F.dot(axes.col(2)) / b.EA);
   const Eigen::Quaterniond spin(0, m.x() / b.EI_y / 2, m.y() / b.EI_x / 2, m.z() / b.GJ / 2);
   const Eigen::Quaterniond turning = q * spin;
-  Packed d;
+  PackedState d;
   d << along, turning.w(), turning.x(), turning.y(), turning.z(), F.cross(along), b.weight * up();
   return d;
 }
@@ -88,10 +88,10 @@ BeamState carry(const BeamSection& section, const BeamState& from, double length
                 std::vector<BeamState>* each) {
   expects(steps > 0, "a beam is carried in at least one step");
   const double h = length / steps;
-  Packed p = pack(from);
+  PackedState p = pack(from);
   for (int i = 0; i < steps; ++i) {
-    const Packed k1 = rate(section, p), k2 = rate(section, p + h / 2 * k1), k3 = rate(section, p + h / 2 * k2),
-                 k4 = rate(section, p + h * k3);
+    const PackedState k1 = rate(section, p), k2 = rate(section, p + h / 2 * k1), k3 = rate(section, p + h / 2 * k2),
+                      k4 = rate(section, p + h * k3);
     p += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     if (each != nullptr) each->push_back(unpack(p));
   }
