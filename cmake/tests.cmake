@@ -20,7 +20,7 @@ std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"
 add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
 target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
 # The library is tested as shipped; the tests themselves only need to compile fast.
-target_compile_options(taut_test_support PUBLIC $<$<CONFIG:Release>:-O0>)
+target_compile_options(taut_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
 target_precompile_headers(taut_test_support PRIVATE
   <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Geometry> <fmt/format.h> <cmath> <map> <set> <string> <vector>)
 
