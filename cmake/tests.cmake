@@ -29,7 +29,7 @@ function(taut_add_test name)
   target_link_libraries(${name} PRIVATE taut_test_support)
   target_precompile_headers(${name} REUSE_FROM taut_test_support)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test
-    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 7)
+    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 10)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)
 endfunction()
 

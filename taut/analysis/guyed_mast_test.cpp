@@ -9,11 +9,10 @@
 
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/mast_witness_test.hpp"
+#include "taut/math/degree.hpp"
 #include "taut/model/beam_build.hpp"
 
 namespace taut::analysis::guyed_mast_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Guy guy_at(double angle, double height, double distance, GuyInstallation install, double anchor_height = 0) {
   return {"g",     height, {distance * std::cos(angle), distance * std::sin(angle), anchor_height}, 15e6, 9.0,

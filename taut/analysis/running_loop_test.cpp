@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/rope/catenary_shape.hpp"
 
 namespace taut::analysis::running_loop_test {
 
 constexpr double kgf = 9.80665;
-constexpr double degree = std::numbers::pi / 180;
 
 /// S = 3000 kgf at 30 deg from the vertical, 200 m, weights 1 and 1.5 kgf/m, efficiency 0.9, level.
 RunningLoop example(double slope = 0, double gamma = 30) {

@@ -4,11 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "taut/math/degree.hpp"
 
 namespace taut::boom_ropes::boom_ropes_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Case any_case() {
   return {"", *rc::gen::element(Operation::lift, Operation::retract, Operation::extend),

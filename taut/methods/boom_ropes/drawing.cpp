@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 
 namespace taut::boom_ropes {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Places along the boom (m from its foot) of pads, heads and sheaves at one boom length.
 struct Stations {

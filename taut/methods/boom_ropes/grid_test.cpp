@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 
 namespace taut::boom_ropes::grid_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Input crane() {
   Input in;

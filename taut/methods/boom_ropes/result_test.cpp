@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
 namespace taut::boom_ropes::result_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Input crane() {
   Input in;

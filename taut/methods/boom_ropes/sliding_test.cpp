@@ -4,11 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "taut/math/degree.hpp"
 
 namespace taut::boom_ropes::sliding_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Input crane() {
   Input in;

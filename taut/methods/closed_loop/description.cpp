@@ -1,11 +1,9 @@
-#include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 
 namespace taut::closed_loop {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 void describe_line(Describe<Input>& d) {
   d.field(&Input::span, "span", "l", si::m, "horizontal distance of the supports A (winch) and B (tail sheave)")

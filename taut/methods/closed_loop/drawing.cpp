@@ -7,10 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "taut/math/degree.hpp"
+
 namespace taut::closed_loop {
 namespace {
 
-constexpr double degree = 0.017453292519943295;
 constexpr int samples_of_a_rope = 24;
 constexpr int samples_of_a_plot = 61;
 constexpr double ground_depth = 1.8;  // of the ground under the chord, in sags

@@ -9,6 +9,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rope_words.hpp"
+#include "taut/math/degree.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
 #include "taut/methods/closed_loop/sag.hpp"
 #include "taut/methods/closed_loop/two_section.hpp"
@@ -16,7 +17,6 @@
 namespace taut::closed_loop {
 namespace {
 
-constexpr double degree = 0.017453292519943295;
 constexpr double tonne_force = 1000 * gravity;
 /// Limits of the paper's formulas off midspan and on slopes, and how much too low a printed tension may be unremarked.
 constexpr double local_slope_limit = 0.2;

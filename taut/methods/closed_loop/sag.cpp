@@ -11,9 +11,9 @@
 namespace taut::closed_loop {
 namespace {
 
-constexpr double smallest_share = 1e-4;  // of the span
-constexpr double largest_share = 2;
-constexpr double step_factor = 1.04;
+constexpr double smallest_sag = 1e-4;  // of the span
+constexpr double largest_sag = 2;
+constexpr double sag_step = 1.04;
 
 /// The tension that the mode asks about.
 double tension_of(const Input& in, const Quick<double>& q) { return in.mode == Mode::winch_pull ? q.T_lA : q.T_lLB; }
@@ -51,10 +51,10 @@ Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   int roots = 0;
-  double low = smallest_share * in.span;
+  double low = smallest_sag * in.span;
   double e_low = excess_of(in, c, low);
-  for (; low < largest_share * in.span && roots < 2; low *= step_factor) {
-    const double e_high = excess_of(in, c, low * step_factor);
+  for (; low < largest_sag * in.span && roots < 2; low *= sag_step) {
+    const double e_high = excess_of(in, c, low * sag_step);
     if (std::isfinite(e_low)) {
       least = std::min(least, e_low + target);
       most = std::max(most, e_low + target);
@@ -62,9 +62,9 @@ Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
       if ((e_low < 0) != (e_high < 0)) {
         if (++roots == 1) {
           found.low = low;
-          found.high = low * step_factor;
+          found.high = low * sag_step;
         } else {
-          const auto f = find_root([&](double sag) { return excess_of(in, c, sag); }, low, low * step_factor);
+          const auto f = find_root([&](double sag) { return excess_of(in, c, sag); }, low, low * sag_step);
           found.second = f.value_or(Output::none);
         }
       }

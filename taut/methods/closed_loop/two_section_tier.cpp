@@ -12,8 +12,8 @@
 namespace taut::closed_loop {
 namespace {
 
-constexpr double stands_still = 1e-12;
-constexpr int most_passes = 200;
+constexpr double tier_stands_still = 1e-12;
+constexpr int most_tier_passes = 200;
 constexpr std::string_view tier = "closed-form tier, free roller, two sections";
 
 double along(double slope) { return std::sqrt(1 + slope * slope); }
@@ -76,7 +76,7 @@ void refine(const Case<double>& c, const State& t, double& m_x, double& rho) {
 std::optional<State> settle_two(const Case<double>& c, const SectionRule& rule) {
   double m_x = c.roller == Roller::free ? c.m : 0;
   double rho = c.eta;
-  for (int pass = 1; pass <= most_passes; ++pass) {
+  for (int pass = 1; pass <= most_tier_passes; ++pass) {
     auto t = solve_for(c, rule, m_x, rho);
     if (!t) return std::nullopt;
     t->p.passes = pass;
@@ -84,8 +84,8 @@ std::optional<State> settle_two(const Case<double>& c, const SectionRule& rule) 
     const double m_x_before = m_x;
     const double rho_before = rho;
     refine(c, *t, m_x, rho);
-    t->p.converged = std::abs(m_x - m_x_before) <= stands_still && std::abs(rho - rho_before) <= stands_still;
-    if (t->p.converged || pass == most_passes) return t;
+    t->p.converged = std::abs(m_x - m_x_before) <= tier_stands_still && std::abs(rho - rho_before) <= tier_stands_still;
+    if (t->p.converged || pass == most_tier_passes) return t;
   }
   return std::nullopt;
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::friction_drive::figures_test {
+#include "taut/math/degree.hpp"
 
-constexpr double degree = std::numbers::pi / 180;
+namespace taut::friction_drive::figures_test {
 
 Input saw() {
   Input in;

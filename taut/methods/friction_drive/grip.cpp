@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "taut/math/degree.hpp"
 
 namespace taut::friction_drive {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// A little more than just enough, so that the value named in a message does what it says.
 constexpr double margin = 1.005;
 

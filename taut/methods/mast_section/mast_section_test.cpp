@@ -6,11 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/position.hpp"
 
 namespace taut::mast_section::mast_section_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 rc::Gen<double> between(double low, double high) {
   return rc::gen::map(rc::gen::inRange(0, 1000001), [=](int i) { return low + (high - low) * i * 1e-6; });

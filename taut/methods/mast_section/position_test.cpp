@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "taut/math/degree.hpp"
 
 namespace taut::mast_section::position_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Input yarder() {
   Input in;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/position.hpp"
@@ -11,8 +12,6 @@
 
 namespace taut::mast_section {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Table positions_table(const std::vector<Position>& positions, const Output& governing) {
   Table t{"positions", "Carriage positions", {}, {}};
