@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "taut/analysis/transient_damping.hpp"
+#include "taut/analysis/transient_memory.hpp"
 #include "taut/analysis/transient_run.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
@@ -47,6 +48,7 @@ DynamicState near_equilibrium(const model::Model& model) {
 Outcome settle(Run& run) {
   const StepEnd end = settle(run.m, run.before, run.now, run.w, run.newton);
   if (end == StepEnd::ok) return {};
+  run.result.interrupted = end == StepEnd::interrupted;
   return not_converged(
       "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
 }
@@ -60,12 +62,16 @@ void prepare(Run& run, const DynamicState& start) {
   run.w = work_for(run.m);
   run.scheme = scheme_of(run.options.rho);
   run.newton.tolerance = 0.01 * std::min(run.options.tolerance, 1e-3);
+  run.newton.ask = run.options.progress;
   const std::size_t lines = run.m.lines.size();
   run.T_old.assign(lines, 0.0);
   run.T_older = run.T_old;
   run.rate_old = run.nu_old = run.before.rate;
   run.T_largest.assign(run.model.reevings.size(), 0.0);
   run.origin = start;
+  for (DynamicState::Rope& rope : run.origin.ropes) {
+    if (rope.lumped.empty()) rope.lumped = rope.length;
+  }
 }
 
 /// The damping time of each rope: given, kept from before, or from its damping ratio and the lowest mode.
@@ -116,6 +122,8 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   if (options.method == TimeMethod::verlet && options.step <= 0)
     options.step = verlet_share * run.result.stability_limit;
   run.h = options.step;
+  run.resumed = options.from && take_memory(run, options.from->memory);
+  if (run.resumed && options.step > 0) run.h = options.step;
   for (const LineValues& line : run.before.lines) {
     const auto r =
         static_cast<std::size_t>(run.m.lines[static_cast<std::size_t>(&line - run.before.lines.data())].reeving);
@@ -125,6 +133,7 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.result.iterations = run.newton.used;
   run.result.state = state_of(run.m, run.before, run.origin);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
+  run.result.state.memory = memory_of(run);
   return run.result;
 }
 

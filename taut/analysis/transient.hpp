@@ -37,6 +37,7 @@ struct DynamicState {
     std::vector<double> wrap;         ///< by node: beyond 2 pi counted, rad
     std::vector<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
     std::vector<Vector3> inside_velocity;
+    std::vector<double> lumped;  ///< by branch or segment: length whose mass was shared out, m; empty: `length`
   };
   struct Drum {
     double content = 0;  ///< unstretched rope on it, m
@@ -52,6 +53,7 @@ struct DynamicState {
   std::vector<model::Drive> drum_drive, motor_drive;  ///< as events have left them
   std::vector<model::ActuatorMode> actuator_mode;
   std::vector<double> damping_time;  ///< by reeving, s, found at the start
+  std::vector<double> memory;        ///< of the integrator; empty: it begins anew from the above
 };
 
 struct TransientOptions {
@@ -69,7 +71,7 @@ struct TransientOptions {
   bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
   std::optional<DynamicState> from;  ///< go on from there
   long most_steps = 50'000'000;
-  /// Called at each output step with the time reached; false interrupts.
+  /// Called at each output step and often in between with the time reached; false interrupts.
   std::function<bool(double)> progress;
 };
 

@@ -103,7 +103,7 @@ void assemble_turning(Mechanism& m, const Scheme& s, int body, const Values& now
     const Vector3 &along = shape.along[at(i)], &about = shape.about[at(i)];
     w.residual[at(shape.first + i)] +=
         of.force.dot(along + about.cross(of.c)) + about.dot(of.moment) - dead_power(m, body, now, along, about);
-    for (int j = 0; j < shape.count; ++j) {
+    for (int j = 0; j < shape.count && w.tangent; ++j) {
       values[at(m.body_places[at(m.body_place_first[at(body)] + i * shape.count + j)])] +=
           turning_entry(m, s, body, now, of, i, j);
     }
@@ -112,25 +112,30 @@ void assemble_turning(Mechanism& m, const Scheme& s, int body, const Values& now
 
 /// Between two points that shift in space: the same block four times.
 void assemble_between_points(Mechanism& m, const Scheme& s, const Line& line, const LineValues& now, Work& w) {
+  const double half = line.copies * line.weight * now.L / 2;
+  for (int i = 0; i < 3; ++i) {
+    const double force = line.copies * now.T * now.t[i], hangs = i == 2 ? half : 0;
+    w.residual[at(line.column[0] + i)] -= force - hangs;
+    w.residual[at(line.column[3] + i)] += force + hangs;
+  }
+  if (!w.tangent) return;
   const double square = s.reach * s.reach;
   const double stretched = line.copies * (square * now.T_e / now.L + s.reach * now.T_rate / now.L);
   const double across = line.copies * square * now.T / now.l;
-  const Vector3 swing =
-      (now.apart - now.t.dot(now.apart) * now.t) * (line.copies * square * now.T_rate / (now.L * now.l));
-  auto& values = m.solver.values();
-  const double half = line.copies * line.weight * now.L / 2;
+  Vector3 swing = Vector3::Zero();
+  if (now.T_rate != 0) {
+    swing = (now.apart - now.t.dot(now.apart) * now.t) * (line.copies * square * now.T_rate / (now.L * now.l));
+  }
+  double* const values = m.solver.values().data();
+  const int* const places = line.places.data();
   for (int i = 0; i < 3; ++i) {
-    const double force = line.copies * now.T * now.t[i] - (i == 2 ? half : 0);
-    const double back = -line.copies * now.T * now.t[i] - (i == 2 ? half : 0);
-    w.residual[at(line.column[0] + i)] -= force;
-    w.residual[at(line.column[3] + i)] -= back;
     for (int j = 0; j < 3; ++j) {
       const double k = (stretched - across) * now.t[i] * now.t[j] + (i == j ? across : 0) + now.t[i] * swing[j];
       const int at_i = 6 * i + j;
-      values[at(line.places[at(at_i)])] += k;
-      values[at(line.places[at(at_i + 3)])] -= k;
-      values[at(line.places[at(at_i + 18)])] -= k;
-      values[at(line.places[at(at_i + 21)])] += k;
+      values[places[at_i]] += k;
+      values[places[at_i + 3]] -= k;
+      values[places[at_i + 18]] -= k;
+      values[places[at_i + 21]] += k;
     }
   }
 }
@@ -185,12 +190,29 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
   }
 }
 
+/// Weight and tension on the freedoms of the bodies at its ends.
+void add_pull(const Line& line, const LineValues& now, Work& w) {
+  const double half = line.weight * now.L / 2;
+  for (int r = 0; r < line.freedoms[0] + line.freedoms[1]; ++r) {
+    const std::size_t end = r < line.freedoms[0] ? 0 : 1;
+    const double T = (end == 0 ? 1 : -1) * (now.T - now.thrust[end]);
+    const Vector3& V = w.columns[at(r)].velocity;
+    w.residual[at(line.column[at(r)])] -= line.copies * (T * now.t.dot(V) - half * V.z());
+  }
+}
+
 void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::size_t i, const Values& values_now,
                    Work& w) {
   const Line& line = m.lines[i];
   const LineValues& now = values_now.lines[i];
+  if (!w.tangent) {
+    line_velocities(line, m.bodies, values_now.bodies, now, w.columns);
+    add_pull(line, now, w);
+    return;
+  }
   LineTangent& tangent = w.tangents[i];
   line_columns(line, m.bodies, values_now.bodies, now, w.columns);
+  add_pull(line, now, w);
   const Slopes d = slopes_of(s, before, line, now, values_now.contacts, w.columns, tangent);
   end_slopes(s, line, now, w.columns, d, tangent);
   auto& values = m.solver.values();
@@ -202,7 +224,6 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
     const double T = (end == 0 ? 1 : -1) * (now.T - now.thrust[end]), sign = end == 0 ? 1 : -1;
     const Vector3& V = w.columns[at(r)].velocity;
     const double along = now.t.dot(V);
-    w.residual[at(line.column[at(r)])] -= line.copies * (T * along - half * V.z());
     const Body& shape = m.bodies[at(line.body[end])];
     const int* const places = line.places.data() + static_cast<std::ptrdiff_t>(r) * line.columns;
     for (int k = 0; k < line.columns; ++k) {

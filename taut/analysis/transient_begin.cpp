@@ -132,6 +132,13 @@ double start_length(const Mechanism& m, const DynamicState& start, int line) {
   return start.ropes[at(reeving)].length[at(line - m.first_line[at(reeving)].first)];
 }
 
+double lumped_length(const Mechanism& m, const DynamicState& start, int line) {
+  const int reeving = m.lines[at(line)].reeving;
+  const auto& lumped = start.ropes[at(reeving)].lumped;
+  const std::size_t own = at(line - m.first_line[at(reeving)].first);
+  return own < lumped.size() ? lumped[own] : start_length(m, start, line);
+}
+
 void fill_values(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
   const model::Model& model = *m.model;

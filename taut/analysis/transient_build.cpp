@@ -257,7 +257,7 @@ class Builder {
     body.centre = centre;
   }
 
-  double length_of(int i) const { return start_length(built_.mechanism, start_, i); }
+  double length_of(int i) const { return lumped_length(built_.mechanism, start_, i); }
 
   void number();
   void list_places();

@@ -18,6 +18,8 @@ void classify(Mechanism& m);
 void fill_values(const DynamicState& start, Built& built);
 /// Unstretched length of a line at the start, m.
 double start_length(const Mechanism& m, const DynamicState& start, int line);
+/// The length whose mass was shared out to its ends, m.
+double lumped_length(const Mechanism& m, const DynamicState& start, int line);
 
 /// The state as described, at rest: each rope straight from round to round.
 DynamicState assembled(const model::Model& model);

@@ -18,6 +18,7 @@ std::size_t own_column(const Mechanism& m, const Contact& contact) {
 /// The place of the line's column k in the contact's own list.
 template <class Visit>
 void for_columns(const Mechanism& m, const Contact& contact, const Work& w, Visit visit) {
+  if (!w.tangent) return;
   std::size_t k = 0;
   for (const bool out : {false, true}) {
     const int i = out ? contact.out : contact.in;
@@ -43,7 +44,7 @@ void rolling_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& bef
   const ContactValues& is = now.contacts[i];
   auto& values = m.solver.values();
   const std::size_t c = at(contact.column), own = own_column(m, contact);
-  const double scale = std::max(pressure(m, static_cast<int>(i), now).stiffness, 1.0);
+  const double scale = std::max(stiffness_at(m, contact, now), 1.0);
   w.residual[c] += scale * (now.q[c] - is.slipped - w.q_star[c] - s.reach * is.roll_rate);
   values[at(contact.row[own])] += scale;
   if (contact.spin < 0) return;
@@ -70,10 +71,9 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
   });
 }
 
-void law_row(Mechanism& m, std::size_t i, const Values& now, Work& w) {
+void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
-  const Pressure p = pressure(m, static_cast<int>(i), now);
   const double ratio = is.ratio;
   double& g = w.residual[at(contact.column)];
   switch (is.grip) {
@@ -109,7 +109,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
     return;
   }
-  law_row(m, i, now, w);
+  law_row(m, i, now, pressure(m, static_cast<int>(i), now), w);
 }
 
 /// Moment that ropes and drive have on a spin, less what its inertia takes: what the bearing holds.
@@ -195,7 +195,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   } else {
     const double ratio = is.ratio;
     const double damping = m.lines[at(contact.in)].damping;
-    const double stiffness = p.stiffness * (1 + damping * std::max(0.0, s.slip_now));
+    const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
     const double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
     is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
               : p.in - ratio * p.out - slip > 0 ? Grip::backward
@@ -232,14 +232,20 @@ Pressure pressure(const Mechanism& m, int contact, const Values& now) {
   if (of.in >= 0) {
     const LineValues& line = now.lines[at(of.in)];
     p.in = line.end_T[1] - line.thrust[1];
-    p.stiffness += m.lines[at(of.in)].stiffness / line.L;
   }
   if (of.out >= 0) {
     const LineValues& line = now.lines[at(of.out)];
     p.out = line.end_T[0] - line.thrust[0];
-    p.stiffness += m.lines[at(of.out)].stiffness / line.L;
   }
   return p;
+}
+
+double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
+  double stiffness = 0;
+  for (const int i : {contact.in, contact.out}) {
+    if (i >= 0) stiffness += m.lines[at(i)].stiffness / now.lines[at(i)].L;
+  }
+  return stiffness;
 }
 
 double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now) {

@@ -37,6 +37,8 @@ Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   }
   p.laid_by = onto * m.lines[line].stiffness * strain * strain / 2;
   p.passed -= p.laid_by;
+  // its weight lies on the drum at the height where it came onto it
+  p.laid_by += onto * m.lines[line].weight * v.lines[line].touch[contact.in < 0 ? 0 : 1].z();
   return p;
 }
 
@@ -127,8 +129,10 @@ Powers powers(const Mechanism& m, const Values& v) {
   }
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
     const auto [line, end] = m.tensioner[k];
-    p.supplied -=
-        m.lines[at(line)].copies * per_metre(m.lines[at(line)], v.lines[at(line)], at(end)) * v.tension_rate[k];
+    const Line& of = m.lines[at(line)];
+    const LineValues& is = v.lines[at(line)];
+    const double lifted = of.weight * is.touch[at(end)].z();  // rope that is let in comes from nowhere
+    p.supplied -= of.copies * (per_metre(of, is, at(end)) - lifted) * v.tension_rate[k];
   }
   add_driven(m, v, p);
   return p;

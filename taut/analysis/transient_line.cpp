@@ -114,6 +114,19 @@ bool place_line(const Line& line, const std::vector<Motion3>& bodies, const Line
   return true;
 }
 
+void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
+                     const LineValues& now, std::array<LineColumn, 14>& columns) {
+  std::size_t k = 0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (line.body[end] < 0) continue;
+    const Body& shape = shapes[at(line.body[end])];
+    const Vector3 arm = now.touch[end] - bodies[at(line.body[end])].x;
+    for (std::size_t f = 0; f < at(shape.count); ++f, ++k) {
+      columns[k].velocity = shape.turns ? Vector3(shape.along[f] + shape.about[f].cross(arm)) : shape.along[f];
+    }
+  }
+}
+
 void line_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                   const LineValues& now, std::array<LineColumn, 14>& columns) {
   std::array<double, 2> S{0, 0};

@@ -40,6 +40,10 @@ struct LineColumn {
 void line_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                   const LineValues& now, std::array<LineColumn, 14>& columns);
 
+/// Their velocities alone.
+void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
+                     const LineValues& now, std::array<LineColumn, 14>& columns);
+
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
 inline void pull(const Line& line, LineValues& now) {
   const double EA = line.stiffness * now.gone;

@@ -13,6 +13,7 @@ constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it 
 constexpr double growth = 2;
 constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
 
+constexpr int steps_between_asking = 32;
 constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
 constexpr double no_rope = 1e-3;  ///< of a line's first length
@@ -135,6 +136,10 @@ StepEnd advance(Run& run, double limit) {
   double last_error = 0, last_h = 0;
   bool kink = false;
   for (;;) {
+    if (run.options.progress && ++run.since_asked >= steps_between_asking) {
+      run.since_asked = 0;
+      if (!run.options.progress(run.before.t)) return StepEnd::interrupted;
+    }
     const double left = limit - run.before.t;
     double h = fixed ? std::min(run.options.step, run.h) : run.h;
     if (h > 0.999999 * left)
@@ -176,17 +181,32 @@ StepEnd advance(Run& run, double limit) {
   }
 }
 
+/// Whether an event is due at t or a signal jumps there.
+bool jumps_at(const Run& run, double t) {
+  const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
+  const std::vector<double> stops = stops_of(run.model, t - near, t + near);
+  return !stops.empty();
+}
+
 }  // namespace
 
 void march(Run& run) {
   bool stop = false;
-  for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
-  StepEnd end = begin_again(run, run.ledger.slipped);
+  StepEnd end = StepEnd::ok;
+  if (!run.resumed) {
+    run.L_first.clear();
+    for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
+  }
+  // where a run left off, its accelerations stand, unless something happened or jumps at that very time
+  if (!run.resumed || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);
   record_extremes(run, run.before);
   record_frame(run, run.before);
-  const double first = run.before.t, step = run.options.output_step;
-  long frame = 1;
+  const double step = run.options.output_step;
+  if (!run.resumed || run.grid_step != step) run.grid_from = run.before.t;
+  run.grid_step = step;
+  const double first = run.grid_from;
+  long frame = std::lround(std::floor((run.before.t - first) / step + 1e-6)) + 1;
   std::size_t next = 0;
   Points points;
   while (end == StepEnd::ok && !stop) {
@@ -194,7 +214,10 @@ void march(Run& run) {
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
     const double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
     if (run.before.t >= run.end) break;
-    if (steps_as_points(run)) step_points(run, points, limit, steps_at_once);
+    if (steps_as_points(run)) {
+      step_points(run, points, limit, steps_at_once);
+      run.since_asked += steps_between_asking;
+    }
     end = advance(run, limit);
     if (end != StepEnd::ok) break;
     if (run.before.t >= limit) run.before.t = limit;
@@ -228,7 +251,8 @@ void march(Run& run) {
       break;
     }
   }
-  if (end != StepEnd::ok) run.result.outcome = failure(run, end, run.before.t);
+  run.result.interrupted = run.result.interrupted || end == StepEnd::interrupted;
+  if (end != StepEnd::ok && end != StepEnd::interrupted) run.result.outcome = failure(run, end, run.before.t);
   if (run.result.frames.back().t < run.before.t) record_frame(run, run.before);
   run.result.t_end = run.before.t;
 }

@@ -68,6 +68,19 @@ void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& no
   }
 }
 
+/// Tension and weight on the bodies at its ends.
+void add_plain_pull(const Mechanism& m, const Line& line, const LineValues& now, Work& w) {
+  const double half = line.copies * line.weight * now.L / 2;
+  for (const std::size_t end : {0U, 1U}) {
+    if (line.body[end] < 0) continue;
+    const Body& shape = m.bodies[at(line.body[end])];
+    const double T = (end == 0 ? -1 : 1) * line.copies * (now.T - now.thrust[end]);
+    for (std::size_t f = 0; f < at(shape.count); ++f) {
+      w.residual[at(shape.first) + f] += T * now.t.dot(shape.along[f]) + half * shape.along[f].z();
+    }
+  }
+}
+
 }  // namespace
 
 bool follow_plain(const Mechanism& m, std::size_t line, Values& now) {
@@ -88,25 +101,27 @@ void assemble_plain(Mechanism& m, const Scheme& s, std::size_t line_index, const
   const Line& line = m.lines[line_index];
   const LineValues& now = values_now.lines[line_index];
   LineTangent& tangent = w.tangents[line_index];
+  add_plain_pull(m, line, now, w);
+  if (!w.tangent) return;
   plain_columns(m, line, now, w.plain);
   plain_slopes(s, line, now, values_now.contacts, tangent, w);
   if (line.contact[0] >= 0 || line.contact[1] >= 0) end_slopes_of_plain(s, line, now, w, tangent);
-  auto& values = m.solver.values();
-  const double half = line.weight * now.L / 2;
+  double* const values = m.solver.values().data();
   const std::size_t columns = at(line.columns), freedoms = at(line.freedoms[0] + line.freedoms[1]);
   for (std::size_t r = 0; r < freedoms; ++r) {
     const PlainColumn& row = w.plain[r];
-    const double T = now.T - now.thrust[r < at(line.freedoms[0]) ? 0 : 1], z = row.along.z();
-    w.residual[at(line.column[r])] += line.copies * (row.sign * T * row.share + half * z);
-    const double turned = s.reach * s.reach * T / now.l;
+    const double T = now.T - now.thrust[r < at(line.freedoms[0]) ? 0 : 1], sign = line.copies * row.sign;
+    const double pulled = sign * row.share, turned = sign * s.reach * s.reach * T / now.l;
     const int* const places = line.places.data() + r * columns;
     for (std::size_t k = 0; k < columns; ++k) {
-      double Q = row.sign * w.T_slope[k] * row.share + line.weight / 2 * w.L_slope[k] * z;
+      double Q = pulled * w.T_slope[k];
       if (k < freedoms) {
         const PlainColumn& c = w.plain[k];
-        Q += row.sign * c.sign * turned * (c.along.dot(row.along) - c.share * row.share);
+        Q += c.sign * turned * (c.along.dot(row.along) - c.share * row.share);
+      } else {
+        Q += line.copies * line.weight / 2 * w.L_slope[k] * row.along.z();
       }
-      values[at(places[k])] += line.copies * Q;
+      values[places[k]] += Q;
     }
   }
 }

@@ -26,6 +26,9 @@ struct Run {
   std::vector<Breaking> breaking{};
   double end = 0;
   double h = 0;
+  double grid_from = 0, grid_step = 0;  ///< of the outputs, s
+  bool resumed = false;                 ///< from the memory of an earlier run
+  int since_asked = 0;                  ///< tries of a step since `progress` was asked
   // what the control of the error looks back on
   int known = 0;                             ///< steps since the last restart
   std::vector<double> nu_old{}, rate_old{};  ///< at the start of the last step

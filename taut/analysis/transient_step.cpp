@@ -9,6 +9,8 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
+constexpr double small_change = 1e-2;       ///< of tensions: the factors of the first iteration do for the next
+constexpr double good_contraction = 0.05;   ///< with which they go on to do
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
 
 /// Rope passed at each contact, as it went on before.
@@ -37,6 +39,49 @@ double move_of(const Mechanism& m, const Scheme& s, const std::vector<double>& s
   return largest;
 }
 
+StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
+                   Newton& newton) {
+  guess_flows(m, s, before, w, now);
+  w.tension.resize(m.lines.size());
+  double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
+  for (int i = 0; i <= newton.most; ++i) {
+    if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
+    const bool changed = decide(m, s, before, now);
+    double change = 0;
+    bool turned = changed;  // a contact or a line follows another law now
+    const double floor = step_rounding * m.stiffest;
+    for (std::size_t k = 0; k < m.lines.size(); ++k) {
+      change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
+      turned = turned || (now.lines[k].T > 0) != (w.tension[k] > 0);
+      w.tension[k] = now.lines[k].T;
+      newton.largest = std::max(newton.largest, now.lines[k].T);
+    }
+    if (!std::isfinite(change)) return StepEnd::not_converged;
+    if (i > 0 && !changed) {
+      const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
+      const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
+      if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
+        newton.used += i;
+        return StepEnd::ok;
+      }
+      last_change = change;
+    }
+    if (i == newton.most) break;
+    const double small = i == 1 ? small_change * newton.largest : good_contraction * change_before;
+    w.tangent = i == 0 || turned || change > small;
+    change_before = change;
+    m.solver.hold(!w.tangent);
+    assemble(m, s, before, now, w);
+    if (w.tangent && !m.solver.factor()) return StepEnd::singular;
+    m.solver.solve(w.residual);
+    // two branches that are slack and taut in turn: half a step finds the place between
+    apply(m, w.residual, i >= halves_from ? 0.5 : 1.0, now);
+    moved = move_of(m, s, w.residual);
+  }
+  newton.used += newton.most;
+  return StepEnd::not_converged;
+}
+
 }  // namespace
 
 Work work_for(const Mechanism& m) {
@@ -54,39 +99,10 @@ StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t
 }
 
 StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton) {
-  guess_flows(m, s, before, w, now);
-  w.tension.resize(m.lines.size());
-  double last_change = std::numeric_limits<double>::infinity(), moved = 0;
-  for (int i = 0; i <= newton.most; ++i) {
-    if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
-    const bool changed = decide(m, s, before, now);
-    double change = 0;
-    const double floor = step_rounding * m.stiffest;
-    for (std::size_t k = 0; k < m.lines.size(); ++k) {
-      change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
-      w.tension[k] = now.lines[k].T;
-      newton.largest = std::max(newton.largest, now.lines[k].T);
-    }
-    if (!std::isfinite(change)) return StepEnd::not_converged;
-    if (i > 0 && !changed) {
-      const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
-      const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
-        newton.used += i;
-        return StepEnd::ok;
-      }
-      last_change = change;
-    }
-    if (i == newton.most) break;
-    assemble(m, s, before, now, w);
-    if (!m.solver.factor()) return StepEnd::singular;
-    m.solver.solve(w.residual);
-    // two branches that are slack and taut in turn: half a step finds the place between
-    apply(m, w.residual, i >= halves_from ? 0.5 : 1.0, now);
-    moved = move_of(m, s, w.residual);
-  }
-  newton.used += newton.most;
-  return StepEnd::not_converged;
+  const StepEnd end = iterations(m, s, before, t, now, w, newton);
+  m.solver.hold(false);
+  w.tangent = true;
+  return end;
 }
 
 StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton) {
@@ -112,6 +128,7 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
   StepEnd end = StepEnd::ok;
   int quiet = 0;
   for (int i = 0; i < most; ++i) {
+    if (newton.ask && i % 8 == 0 && !newton.ask(t)) return StepEnd::interrupted;
     s.h = s.reach = h;
     std::fill(before.nu.begin(), before.nu.end(), 0.0);
     std::fill(now.rate.begin(), now.rate.end(), 0.0);

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "taut/analysis/transient_values.hpp"
 
 namespace taut::analysis::dynamics {
@@ -6,9 +8,10 @@ namespace taut::analysis::dynamics {
 /// How the solution of a step ended.
 enum class StepEnd {
   ok,
-  no_place,      ///< a line has no place: rounds inside each other, or a branch without rope
-  singular,      ///< something is not held by anything
-  not_converged  ///< the laws of contacts found no common answer
+  no_place,       ///< a line has no place: rounds inside each other, or a branch without rope
+  singular,       ///< something is not held by anything
+  not_converged,  ///< the laws of contacts found no common answer
+  interrupted
 };
 
 /// Newton's iteration for the state at t = before.t + s.h, from the guess in `now.rate` and the flows of `before`. All
@@ -19,7 +22,8 @@ struct Newton {
   double tolerance = 1e-9;
   int most = 45;
   int used = 0;
-  int line = -1;  ///< that has no place
+  int line = -1;                              ///< that has no place
+  std::function<bool(double)> ask = nullptr;  ///< false: interrupts; for what takes many steps at one time
 };
 StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);
 

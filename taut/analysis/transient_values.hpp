@@ -97,6 +97,7 @@ struct Work {
   std::array<PlainColumn, 12> plain;
   std::array<double, 14> T_slope{}, L_slope{};  ///< of a line by its local unknowns
   std::vector<double> tension;                  ///< by line, of the last iteration
+  bool tangent = true;                          ///< derivatives are wanted too
 };
 
 /// Puts the star values of a step from `before` into the work.
@@ -123,9 +124,10 @@ bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& n
 /// Where a contact's tensions stand against its law; T less thrust.
 struct Pressure {
   double in = 0, out = 0;
-  double stiffness = 0;  ///< of both lines, N/m
 };
 Pressure pressure(const Mechanism& m, int contact, const Values& now);
+/// Stiffness of both its lines, N/m.
+double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now);
 
 /// The residual of every row and its derivatives by the unknowns, into the work and the solver.
 void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w);

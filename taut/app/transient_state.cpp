@@ -149,7 +149,8 @@ Json ropes(const DynamicState& state) {
                     {"passed", numbers(r.passed)},
                     {"wrap", numbers(r.wrap)},
                     {"inside", vectors(r.inside)},
-                    {"inside_velocity", vectors(r.inside_velocity)}});
+                    {"inside_velocity", vectors(r.inside_velocity)},
+                    {"lumped", numbers(r.lumped)}});
   }
   return list;
 }
@@ -178,6 +179,7 @@ DynamicState state_in(const Json& j) {
     rope.wrap = numbers_in(r.at("wrap"));
     rope.inside = vectors_in(r.at("inside"));
     rope.inside_velocity = vectors_in(r.at("inside_velocity"));
+    if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
     s.ropes.push_back(std::move(rope));
   }
   for (const Json& d : j.at("drums"))
@@ -192,6 +194,7 @@ DynamicState state_in(const Json& j) {
     s.actuator_mode.push_back(static_cast<model::ActuatorMode>(value));
   }
   s.damping_time = numbers_in(j.at("damping_time"));
+  if (j.contains("memory")) s.memory = numbers_in(j.at("memory"));
   return s;
 }
 
@@ -242,6 +245,7 @@ std::string to_json(const DynamicState& state, const model::Model& model) {
   j["actuator_mode"] = Json::array();
   for (const model::ActuatorMode mode : state.actuator_mode) j["actuator_mode"].push_back(static_cast<int>(mode));
   j["damping_time"] = numbers(state.damping_time);
+  j["memory"] = numbers(state.memory);
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -94,7 +94,14 @@ int StaticLu::place(int row, int column) const {
   return found->second;
 }
 
-void StaticLu::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+void StaticLu::set_zero() {
+  if (!held_) std::fill(values_.begin(), values_.end(), 0.0);
+}
+
+void StaticLu::hold(bool factors) {
+  held_ = factors;
+  if (held_) spare_.resize(values_.size(), 0.0);
+}
 
 bool StaticLu::factor() {
   double* const v = values_.data();

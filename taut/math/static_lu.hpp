@@ -16,9 +16,11 @@ class StaticLu {
   /// Where the entry of a row and a column lies in `values`; both have to be in one clique.
   int place(int row, int column) const;
   void set_zero();
-  std::vector<double>& values() { return values_; }
+  std::vector<double>& values() { return held_ ? spare_ : values_; }
   const std::vector<double>& values() const { return values_; }
 
+  /// While held, `values` gives a spare array that nobody reads: the factors stay for more right sides.
+  void hold(bool factors);
   /// Factors what is in `values`, in place. False where a pivot is zero or not finite.
   bool factor();
   /// Solves for one right side, in place.
@@ -39,6 +41,8 @@ class StaticLu {
   std::vector<int> unknowns_;  // of the pivots' rows, one after the other, by their step of elimination
   std::vector<int> targets_;   // of each product, row by row
   std::vector<double> values_;
+  std::vector<double> spare_;
+  bool held_ = false;
   std::vector<double> ordered_;  // of the right side, by step
 };
 

@@ -1,0 +1,127 @@
+#include "taut/analysis/transient_memory.hpp"
+
+#include <cmath>
+
+namespace taut::analysis::dynamics {
+namespace {
+
+/// Shows every number to `see`, which reads or writes it. Lists keep their lengths.
+template <class See>
+class Walk {
+ public:
+  explicit Walk(See& see) : see_(see) {}
+
+  void number(double& x) { see_(x); }
+  template <class Whole>
+  void whole(Whole& x) {
+    auto as_number = static_cast<double>(x);
+    see_(as_number);
+    x = static_cast<Whole>(as_number);
+  }
+  template <class Numbers>
+  void all(Numbers& list) {
+    for (double& x : list) see_(x);
+  }
+  void matrix(Vector3& x) { eigen(x); }
+  void matrix(Matrix3& x) { eigen(x); }
+
+ private:
+  template <class M>
+  void eigen(M& x) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) see_(x.data()[i]);
+  }
+  See& see_;
+};
+
+template <class W>
+void walk_body(W& w, Motion3& b) {
+  for (Vector3* one : {&b.x, &b.v, &b.w, &b.driven_v, &b.driven_w, &b.driven_a, &b.driven_b, &b.turned}) w.matrix(*one);
+  w.matrix(b.R);
+}
+
+template <class W>
+void walk_line(W& w, LineValues& l) {
+  for (auto* pair : {&l.centre, &l.touch}) {
+    for (Vector3& one : *pair) w.matrix(one);
+  }
+  for (Vector3* one : {&l.t, &l.axis, &l.flat, &l.apart}) w.matrix(*one);
+  for (double* one : {&l.l, &l.flat_l, &l.L, &l.e, &l.e_rate, &l.T, &l.T_e, &l.T_rate, &l.gone}) w.number(*one);
+  for (auto* pair : {&l.angle, &l.skew_angle, &l.radius, &l.end_T, &l.thrust}) w.all(*pair);
+}
+
+template <class W>
+void walk_contact(W& w, ContactValues& c) {
+  for (double* one : {&c.rolled, &c.slipped, &c.flow, &c.roll_rate, &c.slip_rate, &c.slip_mean, &c.wrap, &c.log_ratio,
+                      &c.log_by_wrap, &c.ratio, &c.lambda, &c.winding}) {
+    w.number(*one);
+  }
+  w.whole(c.entry);
+  w.whole(c.grip);
+}
+
+template <class W>
+void walk_values(W& w, Values& v) {
+  w.number(v.t);
+  w.number(v.when);
+  for (Motion3& body : v.bodies) walk_body(w, body);
+  for (auto* list : {&v.q, &v.nu, &v.rate, &v.tensioned, &v.tension_rate}) w.all(*list);
+  for (LineValues& line : v.lines) walk_line(w, line);
+  for (ContactValues& contact : v.contacts) walk_contact(w, contact);
+  for (SpinValues& s : v.spins) {
+    for (double* one : {&s.angle, &s.omega, &s.alpha, &s.bearing, &s.capacity, &s.torque, &s.speed}) w.number(*one);
+    w.whole(s.turns);
+  }
+}
+
+template <class W>
+void walk_run(W& w, Run& run) {
+  walk_values(w, run.before);
+  w.all(run.w.q_mean);
+  w.all(run.w.nu_mean);
+  w.number(run.w.mean_step);
+  w.whole(run.known);
+  for (auto* list : {&run.nu_old, &run.rate_old, &run.T_old, &run.T_older, &run.T_largest, &run.L_first}) w.all(*list);
+  for (double* one : {&run.h, &run.h_last, &run.h_older, &run.m.size_of_machine, &run.grid_from, &run.grid_step}) {
+    w.number(*one);
+  }
+}
+
+/// What the numbers belong to: how many they are, the method, its damping, the kinds of steps.
+std::vector<double> head_of(Run& run) {
+  double count = 0;
+  auto see = [&](double&) { ++count; };
+  Walk walk(see);
+  walk_run(walk, run);
+  const bool explicit_steps = run.options.method == TimeMethod::verlet, given = run.options.step > 0;
+  return {count, explicit_steps ? 1.0 : 0.0, run.options.rho, given ? 1.0 : 0.0};
+}
+
+}  // namespace
+
+std::vector<double> memory_of(Run& run) {
+  std::vector<double> memory = head_of(run);
+  auto see = [&](double& x) { memory.push_back(x); };
+  Walk walk(see);
+  walk_run(walk, run);
+  for (const Run::Breaking& one : run.breaking) memory.insert(memory.end(), {1.0 * one.line, one.from, one.over});
+  return memory;
+}
+
+bool take_memory(Run& run, const std::vector<double>& memory) {
+  run.L_first.resize(run.m.lines.size());
+  const std::vector<double> head = head_of(run);
+  if (memory.size() < head.size() || !std::equal(head.begin(), head.end(), memory.begin())) return false;
+  std::size_t next = head.size();
+  const std::size_t needed = next + static_cast<std::size_t>(head[0]);
+  if (memory.size() < needed || (memory.size() - needed) % 3 != 0) return false;
+  auto see = [&](double& x) { x = memory[next++]; };
+  Walk walk(see);
+  walk_run(walk, run);
+  for (; next < memory.size(); next += 3) {
+    run.breaking.push_back({static_cast<int>(memory[next]), memory[next + 1], memory[next + 2]});
+  }
+  run.now = run.before;
+  return true;
+}
+
+}  // namespace taut::analysis::dynamics
