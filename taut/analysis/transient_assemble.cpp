@@ -184,9 +184,11 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[at(k)].t.z() : 0;
-    const double hangs = now.T > 0 && line.segment < 0 ? line.weight / 2 * (d.L[at(k)] * now.t.z() + turned) : 0;
-    tangent.end_T[0][at(k)] = now.end_T[0] > 0 ? d.T[at(k)] - hangs : 0;
-    tangent.end_T[1][at(k)] = now.end_T[1] > 0 ? d.T[at(k)] + hangs : 0;
+    double hangs = line.segment < 0 ? line.weight / 2 * (d.L[at(k)] * now.t.z() + turned) : 0;
+    if (now.end_T[0] <= 0) hangs = d.T[at(k)];
+    if (now.end_T[1] <= 0) hangs = -d.T[at(k)];
+    tangent.end_T[0][at(k)] = d.T[at(k)] - hangs;
+    tangent.end_T[1][at(k)] = d.T[at(k)] + hangs;
   }
 }
 

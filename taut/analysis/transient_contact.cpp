@@ -92,9 +92,6 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, 
   }
 }
 
-/// Both sides without tension: the rope stays as it is divided now.
-bool loose(const Pressure& p) { return p.in <= 0 && p.out <= 0; }
-
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
   const Contact& contact = m.contacts[i];
   if (const auto given = given_tension(m, contact, before, now.when)) {
@@ -105,7 +102,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     rolling_row(m, s, i, before, now, w);
     return;
   }
-  if (loose(pressure(m, static_cast<int>(i), now))) {
+  if (loose(contact, now)) {  // the rope stays divided as it is
     m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
     return;
   }
@@ -225,6 +222,11 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
 }
 
 }  // namespace
+
+bool loose(const Contact& contact, const Values& now) {
+  return contact.in >= 0 && contact.out >= 0 && now.lines[at(contact.in)].end_T[1] <= 0 &&
+         now.lines[at(contact.out)].end_T[0] <= 0;
+}
 
 Pressure pressure(const Mechanism& m, int contact, const Values& now) {
   const Contact& of = m.contacts[at(contact)];

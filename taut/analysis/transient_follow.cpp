@@ -196,8 +196,9 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
     is.e_rate = (is.t.dot(apart) - (1 + is.e) * flows) / is.L;
   }
   pull(line, is);
-  const double hangs = is.T > 0 && line.segment < 0 ? line.weight * is.L * is.t.z() / 2 : 0;
-  is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
+  // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
+  const double hangs = line.segment < 0 ? std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T) : 0;
+  is.end_T = {is.T - hangs, is.T + hangs};
 }
 
 }  // namespace

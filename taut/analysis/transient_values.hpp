@@ -125,6 +125,9 @@ bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& n
 struct Pressure {
   double in = 0, out = 0;
 };
+/// Whether the rope has no tension on either side of a contact.
+bool loose(const Contact& contact, const Values& now);
+
 Pressure pressure(const Mechanism& m, int contact, const Values& now);
 /// Stiffness of both its lines, N/m.
 double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now);

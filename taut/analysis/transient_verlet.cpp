@@ -28,8 +28,9 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
       is.e_rate = is.t.dot(velocity(line.body[1]) - velocity(line.body[0])) / is.L;
     }
     pull(line, is);
-    const double half = line.weight * is.L / 2, hangs = is.T > 0 && line.segment < 0 ? half * is.t.z() : 0;
-    is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
+    const double half = line.weight * is.L / 2;
+    const double hangs = line.segment < 0 ? std::clamp(half * is.t.z(), -is.T, is.T) : 0;
+    is.end_T = {is.T - hangs, is.T + hangs};
     const Vector3 force = line.copies * is.T * is.t;
     for (const std::size_t end : {0U, 1U}) {
       if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
@@ -57,12 +58,12 @@ void pull_quickly(const Mechanism& m, const Values& before, Values& now, Work& w
     const double x = to.x() - from.x(), y = to.y() - from.y(), z = to.z() - from.z();
     const double l = std::sqrt(x * x + y * y + z * z), L = before.lines[i].L, e = l / L - 1;
     const double T = e > 0 ? line.stiffness * is.gone * e : 0, half = line.weight * L / 2;
-    const double hangs = T > 0 && line.segment < 0 ? half * z / l : 0;
+    const double hangs = line.segment < 0 ? std::clamp(half * z / l, -T, T) : 0;
     is.l = l;
     is.L = L;
     is.e = e;
     is.T = T;
-    is.end_T = {std::max(0.0, T - hangs), std::max(0.0, T + hangs)};
+    is.end_T = {T - hangs, T + hangs};
     const double per = line.copies * T / l, weight = line.copies * half;
     for (const std::size_t end : {0U, 1U}) {
       if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
