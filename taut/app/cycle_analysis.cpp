@@ -7,6 +7,7 @@
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/rope_uses.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::app {
@@ -112,9 +113,9 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 }
 
 /// The way of the carriage, part by part; a position on a support is passed over.
-std::vector<CyclePosition> positions_of(const model::Model& model, const CycleRun& run, const Phase& phase,
+std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
                                         Outcome& outcome) {
-  model::Model loaded = model;
+  model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<CyclePosition> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
@@ -142,6 +143,10 @@ std::vector<CyclePosition> positions_of(const model::Model& model, const CycleRu
         continue;
       }
       p.z = point.z;
+      if (machine.rope_uses) {
+        machine.rope_uses->take(part.model, point.at,
+                                fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x));
+      }
       for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }
   }
@@ -289,7 +294,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   for (const Phase& phase : run.phases) {
     Outcome outcome;
     PhaseAnswer& answer = answers.emplace_back();
-    answer.positions = positions_of(machine.model, run, phase, outcome);
+    answer.positions = positions_of(machine, run, phase, outcome);
     note_failure(r, outcome, fmt::format("cycle, {}", phase.request.name));
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;

@@ -10,6 +10,7 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/rope_uses.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/math/index.hpp"
@@ -200,6 +201,7 @@ class Combination {
     add_contacts(envelope_, m, e, where);
     add_anchors(envelope_, m, e, where);
     add_bodies(envelope_, m, e, where);
+    if (machine_.rope_uses) machine_.rope_uses->take(m, e, words);
     for (const auto& rope : e.ropes) {
       if (rope.T_max <= most_) continue;
       most_ = rope.T_max;

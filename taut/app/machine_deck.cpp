@@ -74,7 +74,9 @@ const Description& MachineDeck::describe() {
       Describe<MachineDeck>()
           .record(&MachineDeck::machine, "machine", "bodies, ropes, and where the ropes run")
           .required()
-          .record(&MachineDeck::analyses, "analyses", "what is computed; without it the equilibrium at rest");
+          .record(&MachineDeck::analyses, "analyses", "what is computed; without it the equilibrium at rest")
+          .record(&MachineDeck::checks, "checks", "which parts are checked by which rules")
+          .record(&MachineDeck::design, "design", "what is chosen so that all checks pass");
   return d;
 }
 

@@ -1,12 +1,16 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "taut/app/analysis_requests.hpp"
+#include "taut/app/checks_deck.hpp"
+#include "taut/app/design_deck.hpp"
 #include "taut/app/motion.hpp"
 #include "taut/app/transient_deck.hpp"
 #include "taut/calc/field.hpp"
+#include "taut/catalogue/rope.hpp"
 #include "taut/model/machine.hpp"
 
 namespace taut::app {
@@ -46,10 +50,13 @@ struct AnalysisRequest {
   static const Description& describe();
 };
 
-/// A deck with `machine:` and `analyses:`. Without analyses: the equilibrium at rest.
+/// A deck with `machine:`, `analyses:` and `checks:`. Without analyses: the equilibrium at rest.
 struct MachineDeck {
   model::Machine machine;
   std::vector<AnalysisRequest> analyses;
+  std::optional<ChecksRequest> checks;
+  std::optional<DesignRequest> design;
+  std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
   static const Description& describe();
 };
 

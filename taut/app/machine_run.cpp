@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checks.hpp"
+#include "taut/app/design.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_figures.hpp"
@@ -15,6 +17,7 @@
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/rope_uses.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/io/include.hpp"
@@ -210,12 +213,14 @@ void append(Result& from, Result& to) {
   append(from.warnings, to.warnings);
 }
 
-Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress) {
+/// `checks_only`: without what nothing but a report needs.
+Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress,
+               bool checks_only = false) {
   run.progress = progress;
   Result r;
   r.method_title = "Machine";
-  r.given = given_of(MachineDeck::describe(), &deck);
-  r.assumptions = assumptions_of(deck);
+  if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
+  if (!checks_only) r.assumptions = assumptions_of(deck);
   note_failure(r, install_guys(deck.machine, run.model), "installation");
   if (r.status != Status::ok) return r;
   for (EquilibriumRun& one : run.equilibria) {
@@ -232,6 +237,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
       note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
     }
   }
+  if (deck.checks) run.rope_uses = std::make_shared<RopeUses>(deck, run.model);
   // what they find comes behind the tables and values of the states that they leave
   Result more;
   for (const Analysis& one : run.more) one(run, more);
@@ -244,12 +250,28 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   add_beam_tables(run, r);
   add_values(run, r);
   add_beam_values(deck, run, r);
-  add_steps(deck, run, r);
-  add_figures(run, r);
-  add_beam_plots(run, r);
-  add_scenes(run, r);
+  if (!checks_only) {
+    add_steps(deck, run, r);
+    add_figures(run, r);
+    add_beam_plots(run, r);
+    add_scenes(run, r);
+  }
   append(more, r);
+  add_checks(deck, run, r);
   return r;
+}
+
+/// A deck whose mistakes are told already, with other numbers than it was read with.
+Result compute_again(const MachineDeck& deck, bool checks_only, const std::function<bool(const Progress&)>& progress) {
+  auto model = model::compile(deck.machine);
+  if (!model) {
+    Result r;
+    r.status = Status::infeasible;
+    r.message = model.error().front().message;
+    return r;
+  }
+  Requests requests(deck, *model);
+  return compute(deck, requests.resolve(), progress, checks_only);
 }
 
 }  // namespace
@@ -285,23 +307,42 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   load_terrain(input, deck->machine, mistakes);
   load_restarts(input, *deck, mistakes);
   if (!readable || mistakes.size() > before) return {};
-  auto model = model::compile(deck->machine);
+  DesignSpace space;
+  if (deck->design) {
+    space = design_space(input, *deck, mistakes);
+    if (mistakes.size() > before) return {};
+  }
+  // a rope that is free is read as the first of its candidates
+  const auto first =
+      std::make_shared<MachineDeck>(with_choice(*deck, space, std::vector<std::size_t>(space.ropes.size(), 0)));
+  auto model = model::compile(first->machine);
   if (!model) {
     for (Complaint& c : model.error()) c.path = c.path.empty() ? "machine" : "machine." + c.path;
     io::place(input, model.error(), mistakes);
     return {};
   }
-  if (const auto missing = not_computed(*deck); !missing.empty()) {
+  if (const auto missing = not_computed(*first); !missing.empty()) {
     io::place(input, missing, mistakes);
     return {};
   }
-  Requests requests(*deck, *model);
+  if (const auto wrong = check_complaints(*first, *model); !wrong.empty()) {
+    io::place(input, wrong, mistakes);
+    return {};
+  }
+  Requests requests(*first, *model);
   const auto run = std::make_shared<MachineRun>(requests.resolve());
   if (!requests.complaints.empty()) {
     io::place(input, requests.complaints, mistakes);
     return {};
   }
-  return [deck, run, progress = std::move(progress)] { return compute(*deck, *run, progress); };
+  if (deck->design) {
+    return [deck, space, progress = std::move(progress)] {
+      return run_design(*deck, space, [&](const MachineDeck& one, bool checks_only) {
+        return compute_again(one, checks_only, progress);
+      });
+    };
+  }
+  return [first, run, progress = std::move(progress)] { return compute(*first, *run, progress); };
 }
 
 }  // namespace taut::app

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct LoadPathRun {
 };
 
 struct MachineRun;
+class RopeUses;
 /// Another analysis, ready to run: calculates on the run's model and adds to the result.
 using Analysis = std::function<void(MachineRun&, Result&)>;
 
@@ -60,6 +62,7 @@ struct MachineRun {
   std::vector<LoadPathRun> paths;
   std::vector<Analysis> more;  ///< in the deck's order
   std::vector<OtherAnswer> others;
+  std::shared_ptr<RopeUses> rope_uses;  ///< where checks want it: is shown every state that is no answer of its own
   std::function<bool(const Progress&)> progress;  ///< as in a Job
 };
 

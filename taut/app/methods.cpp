@@ -7,6 +7,7 @@
 #include "taut/app/exact/closed_loop_exact.hpp"
 #include "taut/app/exact/friction_drive_exact.hpp"
 #include "taut/app/exact/mast_section_exact.hpp"
+#include "taut/app/method_checks.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/io/read.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
@@ -32,9 +33,19 @@ struct Exact {
   void (*complete)(const Input&, Result&) = nullptr;
 };
 
+/// The block `checks:` of a deck, and with it what it needs of the method.
+struct ChecksBlock {
+  std::optional<ChecksRequest> checks;
+  static const Description& describe() {
+    static const Description d =
+        Describe<ChecksBlock>().record(&ChecksBlock::checks, "checks", "which parts are checked by which rules");
+    return d;
+  }
+};
+
 template <class Input, class Output>
 MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(const Input&), Result (*run)(const Input&),
-                  const Exact<Input>& exact = {}) {
+                  const Exact<Input>& exact = {}, const MethodChecks<Input>& offered = {}) {
   MethodEntry e;
   e.about = &about;
   e.input = &Input::describe();
@@ -42,16 +53,27 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
   e.exact = exact.values;
   e.example = example_of(about.name);
   const std::string what = "the input of " + about.name;
-  e.prepare = [complaints, run, what, complete = exact.complete](const io::Node& node,
-                                                                 Diagnostics& mistakes) -> std::function<Result()> {
+  e.prepare = [complaints, run, what, offered, complete = exact.complete](
+                  const io::Node& node, const io::Node* checks, Diagnostics& mistakes) -> std::function<Result()> {
     const auto in = std::make_shared<Input>();
-    if (!io::read(node, Input::describe(), in.get(), what, mistakes)) return {};
-    const std::vector<Complaint> broken = complaints(*in);
+    const auto asked = std::make_shared<ChecksBlock>();
+    bool readable = io::read(node, Input::describe(), in.get(), what, mistakes);
+    if (checks != nullptr) readable &= io::read(*checks, ChecksBlock::describe(), asked.get(), "the deck", mistakes);
+    if (!readable) return {};
+    std::vector<Complaint> broken = complaints(*in);
     io::place(node, broken, mistakes);
+    const auto ropes = [offered](const Input& i, const Result* r) {
+      return offered.ropes != nullptr ? offered.ropes(i, r) : std::vector<rope::RopeUse>{};
+    };
+    if (broken.empty() && asked->checks) {
+      broken = method_check_complaints(*asked->checks, ropes(*in, nullptr));
+      io::place(*checks, broken, mistakes);
+    }
     if (!broken.empty()) return {};
-    return [in, run, complete] {
+    return [in, asked, run, ropes, complete] {
       Result r = run(*in);
       if (complete != nullptr) complete(*in, r);
+      if (asked->checks) add_method_checks(*asked->checks, ropes(*in, &r), r);
       return r;
     };
   };
@@ -65,11 +87,13 @@ const std::vector<MethodEntry>& methods() {
       entry<mast_section::Input, mast_section::Output>(mast_section::about(), mast_section::complaints,
                                                        mast_section::run,
                                                        {&MastSectionExact::describe(), complete_mast_section}),
-      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop),
-      entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(), friction_drive::complaints,
-                                                           friction_drive::run,
-                                                           {&FrictionDriveExact::describe(), complete_friction_drive}),
-      entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run),
+      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop, {},
+                                                     {ropes_of_loop}),
+      entry<friction_drive::Input, friction_drive::Output>(
+          friction_drive::about(), friction_drive::complaints, friction_drive::run,
+          {&FrictionDriveExact::describe(), complete_friction_drive}, {ropes_of_drive}),
+      entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run, {},
+                                                   {ropes_of_boom}),
   };
   return all;
 }

@@ -20,9 +20,9 @@ struct MethodEntry {
   const Description* output = nullptr;
   const Description* exact = nullptr;  ///< values that the engine adds; none where it does not
   std::string_view example;            ///< the text of examples/<name>.yaml
-  /// Reads `input` and notes every mistake; without mistakes returns the calculation, ready to be called; else an empty
-  /// one.
-  std::function<std::function<Result()>(const io::Node& input, Diagnostics& mistakes)> prepare;
+  /// Reads `input` (and of the map `checks` the block of that name, where the deck has one) and notes every mistake;
+  /// without mistakes returns the calculation, ready to be called; else an empty one.
+  std::function<std::function<Result()>(const io::Node& input, const io::Node* checks, Diagnostics& mistakes)> prepare;
 };
 
 /// Every method that taut has, in the order of print. To add one: a line in methods.cpp.

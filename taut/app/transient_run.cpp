@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/rope_uses.hpp"
 #include "taut/app/transient_figures.hpp"
 #include "taut/app/transient_state.hpp"
 #include "taut/app/transient_tables.hpp"
@@ -164,6 +165,10 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
     one.model = machine.model;
     solve(one, machine.progress);
     add_transient(one, r);
+    for (std::size_t i = 0; machine.rope_uses && i < one.result.ropes.size(); ++i) {
+      const analysis::RopeExtreme& e = one.result.ropes[i];
+      machine.rope_uses->take_motion(static_cast<int>(i), e.T_static, e.T.max, words_of(one));
+    }
   };
 }
 

@@ -111,10 +111,29 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
 
 Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
                  std::string trust) {
-  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust)};
+  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust), {}};
   c.utilisation = sense == Sense::at_most ? value / limit : limit / value;
   c.passes = sense == Sense::at_most ? value <= limit : value >= limit;
   return c;
+}
+
+std::vector<Check> grouped(std::vector<Check> checks) {
+  const bool parts = std::any_of(checks.begin(), checks.end(), [](const Check& c) { return !c.part.empty(); });
+  if (!parts) return checks;
+  // NaN is worse than any number
+  const auto severity = [](const Check& c) { return std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation; };
+  std::map<std::string, double> worst;
+  for (const Check& c : checks) {
+    const auto known = worst.try_emplace(c.part, severity(c)).first;
+    known->second = std::max(known->second, severity(c));
+  }
+  std::stable_sort(checks.begin(), checks.end(), [&](const Check& a, const Check& b) {
+    if (a.part == b.part) return severity(a) > severity(b);
+    const double of_a = worst[a.part];
+    const double of_b = worst[b.part];
+    return of_a != of_b ? of_a > of_b : a.part < b.part;
+  });
+  return checks;
 }
 
 const Value* Result::find_value(const std::string& name) const {

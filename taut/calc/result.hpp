@@ -41,7 +41,10 @@ struct Check {
   bool passes = false;
   std::string rule;   ///< the rule and its source in words
   std::string trust;  ///< "verified", "derived", "UNVERIFIED: ...", "user": of the limit
+  std::string part;   ///< of the machine, "skyline": the report groups by it; empty: the machine as a whole
 };
+/// Groups of checks by part, and in each the worst first; the groups by their worst check. Without any part: as it was.
+std::vector<Check> grouped(std::vector<Check> checks);
 /// Fills utilisation and passes. NaN never passes.
 Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
                  std::string trust);

@@ -101,6 +101,16 @@ std::optional<Construction> parse_construction(std::string_view name) {
   return out;
 }
 
+std::string construction_class(std::string_view name) {
+  const auto known = parse_construction(name);
+  if (!known) return {};
+  if (known->strands >= 10) return "18x7";
+  if (known->strands != 6 && known->strands != 8) return {};
+  const int n = known->wires;
+  const char* const wires = n >= 5 && n <= 9 ? "7" : n >= 15 && n <= 26 ? "19" : n >= 27 && n <= 49 ? "36" : nullptr;
+  return wires == nullptr ? std::string{} : fmt::format("{}x{}", known->strands, wires);
+}
+
 bool matches_construction(std::string_view asked, std::string_view listed) {
   const std::string asked_plain = normalised(asked);
   const std::string listed_plain = normalised(listed);

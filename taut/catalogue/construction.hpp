@@ -23,6 +23,10 @@ std::optional<Construction> parse_construction(std::string_view name);
 /// The core's name as the tables have it: "FC" for FC, NFC, SFC, fibre, "o.c."; "IWRC"; "WSC". Nothing for other texts.
 std::optional<std::string> parse_core(std::string_view name);
 
+/// The class by which handbooks group ropes: "6x7" (up to 9 wires in a strand), "6x19" (15 to 26), "6x36" (27 to 49),
+/// the same of 8 strands, "18x7" (10 strands and more, which do not turn). Empty for other names.
+std::string construction_class(std::string_view name);
+
 /// Whether a rope listed as `listed` may be called `asked`.
 ///
 /// "6x36" asks for the class: it is met by 6x36, 6x36WS, 6x36(1+7+7/7+14). A lay or layers that are asked for must not

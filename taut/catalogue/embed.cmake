@@ -6,4 +6,6 @@ taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME steels_csv FILE 
 taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME rules_csv FILES
   data/rules/safety_factors.csv data/rules/diameter_ratios.csv data/rules/grooves.csv data/rules/friction.csv
   data/rules/sheave_efficiency.csv data/rules/terminations.csv data/rules/buckling_curves.csv
-  data/rules/hoist_factors.csv data/rules/layout_limits.csv data/rules/rope_modulus.csv)
+  data/rules/hoist_factors.csv data/rules/layout_limits.csv data/rules/rope_modulus.csv
+  data/rules/groove_pressures.csv data/rules/wires.csv data/rules/temperatures.csv data/rules/life.csv
+  data/rules/discard.csv)

@@ -13,6 +13,9 @@ namespace taut::catalogue {
 namespace {
 
 constexpr double rounding = 1.001;  // tables print 3 to 5 digits
+// outside of these a number stands in the wrong unit or column
+constexpr double least_density = 5e3, most_density = 2e4;      // mass over metallic area, kg/m3
+constexpr double least_strength = 3e8, most_strength = 3.5e9;  // breaking force over metallic area, Pa
 
 void check_plausible(CsvReader& csv, const RopeRow& row) {
   const double circle = std::numbers::pi / 4.0 * row.diameter * row.diameter;
@@ -20,6 +23,22 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
     csv.fail("area_mm2",
              fmt::format("a metallic area of {} mm2 does not fit into a rope of {} mm ({} mm2)",
                          short_number(row.area * 1e6), short_number(row.diameter * 1e3), short_number(circle * 1e6)));
+  }
+  const double density = row.mass_per_length / row.area;
+  if (density < least_density || density > most_density) {
+    csv.fail("mass_kg_per_m",
+             fmt::format("{} kg/m on {} mm2 are {} g per m and mm2; wire ropes have 8 to 11: look at the "
+                         "units of both",
+                         short_number(row.mass_per_length), short_number(row.area * 1e6), short_number(density / 1e3)));
+  }
+  const double stress = row.breaking_force / row.area;
+  if (stress < least_strength || stress > most_strength) {
+    csv.fail(
+        "mbf_kN",
+        fmt::format("a breaking force of {} kN on {} mm2 is {} MPa; steel wire ropes have 800 to 2200: look "
+                    "at the units of both",
+                    short_number(row.breaking_force / 1e3), short_number(row.area * 1e6), short_number(stress / 1e6)));
+    return;
   }
   if (row.grade && row.breaking_force > rounding * row.area * *row.grade) {
     csv.fail("mbf_kN", fmt::format("a breaking force of {} kN is above area x grade = {} kN",
@@ -42,6 +61,7 @@ tl::expected<std::vector<RopeRow>, Diagnostics> read_ropes(std::string_view csv_
                  {"mbf_kN"},
                  {"trust"},
                  {"area_trust", false},
+                 {"price_per_m", false},
                  {"trust_text", false}});
   std::vector<RopeRow> rows;
   std::size_t mistakes = 0;
@@ -59,6 +79,7 @@ tl::expected<std::vector<RopeRow>, Diagnostics> read_ropes(std::string_view csv_
     row.trust = csv.trust("trust");
     row.area_trust = csv.text("area_trust").empty() ? row.trust : csv.trust("area_trust");
     row.trust_text = csv.text("trust_text");
+    row.price = csv.optional_positive("price_per_m");
     if (csv.mistakes() == mistakes) check_plausible(csv, row);
     mistakes = csv.mistakes();
     rows.push_back(std::move(row));

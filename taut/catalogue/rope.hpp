@@ -23,14 +23,15 @@ struct RopeRow {
   double breaking_force = 0.0;      ///< minimum breaking force, N
   Trust trust = Trust::unverified;  ///< of the breaking force
   Trust area_trust = Trust::unverified;
-  std::string trust_text;  ///< where the numbers come from, one sentence
+  std::string trust_text;       ///< where the numbers come from, one sentence
+  std::optional<double> price;  ///< per metre, in whatever money
 };
 
 /// Reads a table of ropes. Columns: id, standard, construction, core, d_mm, area_mm2, mass_kg_per_m, grade_MPa, mbf_kN,
-/// trust, and, if wanted, area_trust (else as trust) and trust_text. core and grade_MPa may be empty.
+/// trust, and, if wanted, area_trust (else as trust), price_per_m and trust_text. core and grade_MPa may be empty.
 ///
-/// Beyond what CsvReader checks, refuses a metallic area above that of the circle of d, and a breaking force above
-/// area x grade: both are a slip of unit or column.
+/// Beyond what CsvReader checks, refuses a metallic area above that of the circle of d, a breaking force above
+/// area x grade, and a mass or a breaking force that no metal of that area has: each is a slip of unit or column.
 ///
 /// @param csv   the table's text
 /// @param file  its name in messages

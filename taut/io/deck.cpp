@@ -14,8 +14,8 @@
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut",    "title", "method",  "display",
-                                            "include", "input", "machine", "analyses"};
+const std::vector<std::string> deck_keys = {"taut",  "title",   "method",   "display", "include",
+                                            "input", "machine", "analyses", "checks", "design"};
 
 void read_format(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("taut");
@@ -103,7 +103,7 @@ Node read_machine(const Node& root, Diagnostics& mistakes) {
   both.kind = Node::Kind::map;
   both.spot = root.spot;
   for (const Entry& e : root.entries) {
-    if (e.key == "machine" || e.key == "analyses") both.entries.push_back(e);
+    if (e.key == "machine" || e.key == "analyses" || e.key == "checks" || e.key == "design") both.entries.push_back(e);
     if (e.key != "method" && e.key != "input") continue;
     add(mistakes, e.key_spot, fmt::format("'{}' belongs to a published method; this deck has a machine", e.key));
   }
@@ -139,6 +139,15 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   }
   if (const Entry* e = root.find_entry("analyses")) {
     add(mistakes, e->key_spot, "'analyses' belong to a machine; a published method has its 'input' alone");
+  }
+  if (const Entry* e = root.find_entry("design")) {
+    add(mistakes, e->key_spot, "'design' belongs to a machine; of the methods closed_loop has 'choose_ropes'");
+  }
+  if (const Entry* e = root.find_entry("checks")) {
+    deck.checks.emplace();
+    deck.checks->kind = Node::Kind::map;
+    deck.checks->spot = e->key_spot;
+    deck.checks->entries.push_back(*e);
   }
   deck.method = read_method(root, methods, mistakes);
   deck.input = read_input(root, !deck.method.empty(), mistakes);

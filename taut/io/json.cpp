@@ -69,6 +69,7 @@ Json checks(const std::vector<Check>& all) {
                     {"passes", c.passes},
                     {"rule", c.rule},
                     {"trust", c.trust}});
+    if (!c.part.empty()) list.back()["part"] = c.part;
   }
   return list;
 }

@@ -142,7 +142,14 @@ std::string checks_html(const Result& r) {
   const Display display = display_of(r);
   if (r.checks.empty()) return {};
   std::string rows;
+  const std::string* part = nullptr;
+  const bool parts = std::any_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return !c.part.empty(); });
   for (const Check& c : r.checks) {
+    if (parts && (part == nullptr || *part != c.part)) {
+      rows += fmt::format("<tr class=\"part\"><th colspan=\"6\">{}</th></tr>\n",
+                          c.part.empty() ? "The machine" : escape(c.part));
+    }
+    part = &c.part;
     const ShownUnit u = shown_unit(c.unit, display);
     const std::string unit = escape(unit_text(u));
     const auto number = [&](double x) { return escape(number_shown(u.of(x))) + (unit.empty() ? "" : " " + unit); };

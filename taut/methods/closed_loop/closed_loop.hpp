@@ -133,6 +133,8 @@ struct Output {
   double F_traction_paper = none;
   double F_return = none;
   double F_traction = none;
+  double safety_factor_return_paper = none;
+  double safety_factor_traction_paper = none;
   // Exact catenaries, where an engine is handed in.
   double P_b_exact = none;
   double P_v_exact = none;

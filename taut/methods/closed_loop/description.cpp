@@ -209,6 +209,12 @@ void describe_areas(Describe<Output>& d) {
       .from("(8*)");
   d.field(&Output::F_traction, "F_traction", "F_traction", si::m2, "metallic area of the traction rope, corrected")
       .from("(10*)");
+  d.field(&Output::safety_factor_return_paper, "safety_factor_return_paper", "n_8", si::one,
+          "safety factor that the area by (8) has with its own weight")
+      .from("closed-form tier");
+  d.field(&Output::safety_factor_traction_paper, "safety_factor_traction_paper", "n_10", si::one,
+          "safety factor that the area by (10) has with its own weight")
+      .from("closed-form tier");
 }
 
 void describe_exact(Describe<Output>& d) {

@@ -6,6 +6,7 @@
 #include "taut/catalogue/trust.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/drawing.hpp"
+#include "taut/methods/closed_loop/paper_choice.hpp"
 #include "taut/methods/closed_loop/position.hpp"
 
 namespace taut::closed_loop {
@@ -215,6 +216,7 @@ Result run(const Input& in, const Engine& engine) {
           fmt::format("none of the {} positions is feasible; the first: {}", rows.size(), outcome.message);
     }
   }
+  if (outcome.ok()) prove_paper_choice(in, out, r.warnings);
   r.status = outcome.status;
   r.message = outcome.message;
   r.values = values_of(Output::describe(), &out);

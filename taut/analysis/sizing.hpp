@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/outcome.hpp"
+
+namespace taut::analysis {
+
+/// How one candidate fared.
+struct SizingTrial {
+  bool passes = false;
+  double utilisation = 0;  ///< of the check that governs; NaN: no equilibrium
+  std::string governs;     ///< its name, or why there is no equilibrium
+};
+
+struct SizingOptions {
+  std::size_t most_trials = 20000;  ///< then the search ends without an answer
+  std::size_t neighbours = 5;       ///< runner-ups that are kept on either side of the answer
+  std::size_t more_trials = 40;     ///< spent behind the answer to find those above it
+};
+
+struct SizingCandidate {
+  std::vector<std::size_t> choice;  ///< index in each list
+  double cost = 0;
+  SizingTrial trial;
+};
+
+struct SizingAnswer {
+  Outcome outcome;  ///< infeasible: none passes, or the trials are spent
+  SizingCandidate best;
+  std::vector<SizingCandidate> below;  ///< cheaper ones that fail, nearest to the answer last
+  std::vector<SizingCandidate> above;  ///< the next ones that pass
+  std::size_t trials = 0;                 ///< up to the answer
+};
+
+/// The cheapest choice of one candidate from each list that passes: all choices are tried in the order of the sum of
+/// their costs, equal sums by the indices. Nothing is assumed of `try_one`: a heavier rope may well fail where a
+/// lighter one passes. costs[k] ascends and is not empty.
+SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
+                      const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+                      const SizingOptions& options = {});
+
+}  // namespace taut::analysis

@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "taut/app/rope_checks_deck.hpp"
+#include "taut/calc/field.hpp"
+
+namespace taut::app {
+
+/// The block `checks:` of a deck: which parts are checked by which rules. A kind of parts is a member here, with its
+/// fields and its checks in files of its own (checks.hpp).
+struct ChecksRequest {
+  std::vector<RopeCheckRequest> ropes;
+  bool refuse_unverified = false;  ///< a check on an unverified limit does not pass
+  static const Description& describe();
+};
+
+}  // namespace taut::app

@@ -1,0 +1,46 @@
+#include "taut/app/design_deck.hpp"
+
+namespace taut::app {
+
+const Description& DesignRopeRequest::describe() {
+  using R = DesignRopeRequest;
+  static const Description d =
+      Describe<R>()
+          .field(&R::construction, "construction", "6x36, 6x36WS, ...; without it any")
+          .field(&R::core, "core", "FC, IWRC, WSC; without it any")
+          .field(&R::standard, "standard", "beginning of its name: EN, GOST 2688")
+          .field(&R::grade, "grade", "R_r", si::Pa, "of the wires")
+          .above(1e8)
+          .at_most(5e9)
+          .field(&R::least_diameter, "least_diameter", "d", si::m.in("mm"), "smallest")
+          .above(0)
+          .field(&R::most_diameter, "most_diameter", "d", si::m.in("mm"), "largest")
+          .above(0)
+          .choice(&R::trust, "trust",
+                  {{"any", LeastTrust::any}, {"derived", LeastTrust::derived}, {"verified", LeastTrust::verified}},
+                  "least trust of the breaking force")
+          .field(&R::modulus, "modulus", "E", si::Pa.in("GPa"), "on the metallic area: the stiffness is E A")
+          .above(1e9)
+          .at_most(2.2e11);
+  return d;
+}
+
+const Description& DesignRequest::describe() {
+  using R = DesignRequest;
+  static const Description d =
+      Describe<R>()
+          .choice(&R::seek, "seek",
+                  {{"lightest", Seek::lightest}, {"smallest", Seek::smallest}, {"cheapest", Seek::cheapest}},
+                  "least mass of the ropes that are free, least sum of their diameters, or least price")
+          .field(&R::catalogue, "catalogue", "a file of ropes (CSV) in place of the built-in ones, beside the deck")
+          .named_records(&R::ropes, "ropes", "ropes of the machine that are chosen, by name")
+          .field(&R::runner_ups, "runner_ups", "", si::one, "choices told on either side of the answer")
+          .at_least(0)
+          .at_most(100)
+          .field(&R::most_trials, "most_trials", "", si::one, "after so many choices the search ends")
+          .at_least(1)
+          .at_most(1000000);
+  return d;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/app/checks_deck.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/rope/rope_use.hpp"
+
+/// The block `checks:` beside the `input:` of a published method.
+namespace taut::app {
+
+/// What a method offers to `checks:`. `ropes`: its ropes by name, with what the deck says of them; with a result also
+/// with the largest tensions in it. Empty: it has none.
+template <class Input>
+struct MethodChecks {
+  std::vector<rope::RopeUse> (*ropes)(const Input&, const Result*) = nullptr;
+};
+
+/// Of closed_loop `return` and `traction`, of friction_drive `rope`, of boom_ropes `extension` and `retraction`.
+std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r);
+std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const Result* r);
+std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r);
+
+/// Complaints of a method's checks, at paths below "checks".
+std::vector<Complaint> method_check_complaints(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes);
+
+/// Adds the checks of the ropes, groups all, and refuses what rests on unverified numbers where the deck says so.
+void add_method_checks(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r);
+
+}  // namespace taut::app

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/app/rope_checks_deck.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/rope/life.hpp"
+#include "taut/rope/rope_check.hpp"
+
+namespace taut::app {
+
+/// What is wrong with a rope's `duty` and `life`, at paths below `path`. `rounds`: names of what bends it; empty: not
+/// known yet.
+void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
+                      const std::vector<std::string>& rounds, const std::string& path,
+                      std::vector<Complaint>& complaints);
+
+/// Checks NAME.life (the most damaging of its counts) and NAME.donandt, values NAME.life_damage and
+/// NAME.life_repeats, the table `life_NAME` of a rope with a duty, and the table `discard_NAME`.
+void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
+
+}  // namespace taut::app

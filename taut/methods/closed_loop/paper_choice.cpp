@@ -1,0 +1,54 @@
+#include "taut/methods/closed_loop/paper_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "taut/methods/closed_loop/sizing.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+/// The estimate of an area has three digits.
+constexpr double remarkable = 0.001;
+
+void warn(const char* equation, const char* rope, double area, double factor, const Peak& peak, double wanted,
+          std::vector<std::string>& warnings) {
+  if (!(factor < wanted * (1 - remarkable))) return;
+  warnings.push_back(
+      fmt::format("{} is unsafe for the {} rope: its {:.4g} mm^2 are meant to have a safety factor of {:.3g}, but with "
+                  "their own weight "
+                  "they have {:.3g}, as the rope is pulled with up to {:.4g} kN ({}). Choose by the corrected area, "
+                  "and prove the rope "
+                  "chosen with its own weight.",
+                  equation, rope, area * 1e6, wanted, factor, peak.tension / 1e3, peak.where));
+}
+
+}  // namespace
+
+void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& warnings) {
+  if (!in.wire_strength || !in.safety_factor || !std::isfinite(out.F_return_paper)) return;
+  Input own = in;
+  own.position.clear();
+  own.mode = Mode::sag;
+  own.sag = out.f;
+  own.winch_pull.reset();
+  own.loop_length.reset();
+  own.return_rope.reset();
+  own.traction_rope.reset();
+  own.choose_ropes.reset();
+  own.safety_factor.reset();
+  own.return_weight = in.weight_per_area * out.F_return_paper;
+  own.traction_weight = in.weight_per_area * out.F_traction_paper;
+  Output proof;
+  if (!solve(own, proof).ok()) return;
+  const Peaks peaks = closed_form_peaks_of(proof);
+  out.safety_factor_return_paper = *in.wire_strength * out.F_return_paper / peaks.return_rope.tension;
+  out.safety_factor_traction_paper = *in.wire_strength * out.F_traction_paper / peaks.traction_rope.tension;
+  warn("(8)", "return", out.F_return_paper, out.safety_factor_return_paper, peaks.return_rope, *in.safety_factor,
+       warnings);
+  warn("(10)", "traction", out.F_traction_paper, out.safety_factor_traction_paper, peaks.traction_rope,
+       *in.safety_factor, warnings);
+}
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,66 @@
+#include "taut/rope/life.hpp"
+
+#include <algorithm>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::rope {
+namespace {
+
+constexpr double millimetre = 1e-3;
+constexpr double reference_grade = 1770e6;  // Pa
+constexpr double usual_bent_length = 60;    // diameters
+
+bool counts(const Duty& duty, const Bend& bend) {
+  if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;
+  return duty.over.empty() || std::find(duty.over.begin(), duty.over.end(), bend.name) != duty.over.end();
+}
+
+/// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
+/// against the sense of the round before, it counts more.
+double bendings(const Bend& bend, const Bend* before, double reverse_weight) {
+  const double passes = bend.kind == BendKind::drum ? 0.5 : 1.0;
+  const bool reverse = before != nullptr && before->side != bend.side;
+  return passes * (reverse ? reverse_weight : 1.0);
+}
+
+LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants& constants, const Duty& duty,
+                 const Bend& bend, double times) {
+  const double d = use.rope.diameter;
+  const double length = rules.bent_length ? *rules.bent_length / d : usual_bent_length;
+  const double factors = life_of_diameter(d / (16 * millimetre)) * life_of_length(length) * rules.core_factor;
+  LifeLine line;
+  line.duty = duty.name;
+  line.bend = bend.name;
+  line.ratio = bend.diameter / d;
+  line.pull = bend.tension * duty.load * rules.dynamic_factor;
+  line.cycles = duty.cycles * times;
+  const double pull = line.pull * millimetre * millimetre / (d * d);
+  line.endures = std::pow(10.0, log_cycles(constants, pull, *use.rope.grade / reference_grade, line.ratio, factors));
+  line.damage = line.cycles / line.endures;
+  return line;
+}
+
+}  // namespace
+
+std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
+  expects(use.rope.diameter > 1.4e-3 && use.rope.grade.has_value(), "a life needs a diameter and a grade");
+  std::vector<Life> all;
+  for (const LifeConstants& constants : rules.constants) {
+    Life& life = all.emplace_back();
+    life.constants = &constants;
+    for (const Duty& duty : rules.duty) {
+      const Bend* before = nullptr;
+      for (const Bend& bend : use.bends) {
+        if (!counts(duty, bend)) continue;
+        const double times = bendings(bend, before, rules.reverse_weight);
+        life.lines.push_back(line_of(use, rules, constants, duty, bend, times));
+        life.damage += life.lines.back().damage;
+        before = &bend;
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace taut::rope

@@ -1,0 +1,75 @@
+#include "taut/rope/life.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace taut::rope::life_test {
+
+/// The one set of constants that is known, 8x19 Seale with fibre core, mean break.
+LifeConstants seale() { return {"mean_break", {1.278, 0.029, 6.241, -1.613}, "recalled", "UNVERIFIED: recalled"}; }
+
+RopeUse over_two_sheaves() {
+  RopeUse use;
+  use.name = "hoist";
+  use.rope.diameter = 0.016;
+  use.rope.grade = 1770e6;
+  use.tension = 117 * 256;
+  use.bends = {{"a", BendKind::sheave, 0.4, 117 * 256, 3, 1}, {"b", BendKind::sheave, 0.4, 117 * 256, 3, 1}};
+  return use;
+}
+
+// By hand: lg N = 1.278 + (0.029 - 1.613 lg 25) lg 117 + 6.241 lg 25 = 5.399.
+TEST(Life, cycles_by_hand) {
+  const double lg = log_cycles(seale(), 117.0, 1.0, 25.0, 1.0);
+  EXPECT_NEAR(lg, 1.278 + (0.029 - 1.613 * 1.397940) * 2.068186 + 6.241 * 1.397940, 1e-5);
+  EXPECT_NEAR(std::pow(10, lg), 2.5e5, 0.02e5);
+}
+
+// Both factors are 1 where their table has its origin, and fall with size and length.
+TEST(Life, endurance_factors) {
+  EXPECT_NEAR(life_of_diameter(1.0), 1, 1e-12);
+  EXPECT_NEAR(life_of_length(60.0), 1, 1e-12);
+  EXPECT_LT(life_of_diameter(2.0), 1);
+  EXPECT_GT(life_of_diameter(0.5), 1);
+  EXPECT_LT(life_of_length(1000.0), 1);
+  EXPECT_GT(life_of_length(20.0), 1);
+  EXPECT_NEAR(life_of_length(1e300), 1.49 / 2.49, 1e-9);  // of an endless length
+}
+
+TEST(Life, more_pull_less_life_and_a_larger_sheave_more) {
+  EXPECT_LT(log_cycles(seale(), 200.0, 1.0, 25.0, 1.0), log_cycles(seale(), 100.0, 1.0, 25.0, 1.0));
+  EXPECT_GT(log_cycles(seale(), 117.0, 1.0, 30.0, 1.0), log_cycles(seale(), 117.0, 1.0, 25.0, 1.0));
+}
+
+TEST(Life, miner_adds_bends_and_duties) {
+  LifeRules rules;
+  rules.duty = {{"full", 1e4, 1.0, {}}, {"half", 2e4, 0.5, {}}};
+  rules.constants = {seale()};
+  const auto lives = life_of(over_two_sheaves(), rules);
+  ASSERT_EQ(lives.size(), 1U);
+  ASSERT_EQ(lives[0].lines.size(), 4U);
+  const double full = std::pow(10, log_cycles(seale(), 117.0, 1.0, 25.0, 1.0));
+  const double half = std::pow(10, log_cycles(seale(), 58.5, 1.0, 25.0, 1.0));
+  EXPECT_NEAR(lives[0].damage, 2e4 / full + 4e4 / half, 1e-9);
+}
+
+TEST(Life, drum_is_half_and_reverse_counts_more) {
+  RopeUse use = over_two_sheaves();
+  LifeRules rules;
+  rules.duty = {{"all", 1e4, 1.0, {}}};
+  rules.constants = {seale()};
+  rules.reverse_weight = 2;
+  const double simple = life_of(use, rules)[0].damage;
+  use.bends[1].side = -1;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, 1.5 * simple, 1e-12);
+  use.bends[1].side = 1;
+  use.bends[1].kind = BendKind::drum;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, 0.75 * simple, 1e-12);
+  use.bends[1].kind = BendKind::saddle;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, 0.5 * simple, 1e-12);
+  rules.duty[0].over = {"b"};
+  EXPECT_EQ(life_of(use, rules)[0].damage, 0);
+}
+
+}  // namespace taut::rope::life_test

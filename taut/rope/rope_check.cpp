@@ -1,0 +1,270 @@
+#include "taut/rope/rope_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/rope/strength.hpp"
+
+namespace taut::rope {
+namespace {
+
+std::string kilonewton(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
+
+double ratio_of(const Bend& bend, const RopeUse& use) { return bend.diameter / use.rope.diameter; }
+
+/// What one rope's checks are made of.
+class RopeChecker {
+ public:
+  RopeChecker(const RopeUse& use, const RopeRules& rules) : use_(use), rules_(rules) {}
+
+  RopeChecks all() {
+    if (use_.tension > 0) {
+      strength_static();
+      strength_at_ends();
+      strength_on_sheaves();
+      resistance();
+      fatigue();
+      groove();
+      wires();
+    }
+    dynamics();
+    heat();
+    ratios();
+    for (const DrumEnd& drum : use_.drums) on_drum(drum);
+    return std::move(out_);
+  }
+
+ private:
+  double heat_share() const { return rules_.heat_strength ? rules_.heat_strength->value : 1.0; }
+  double strength() const { return use_.rope.breaking_force * heat_share(); }
+  bool has_strength() const { return use_.rope.breaking_force > 0; }
+  bool has_diameter() const { return use_.rope.diameter > 0; }
+
+  void leave_out(const std::string& what, const char* why) {
+    out_.left_out.push_back(fmt::format("{}: {} is not checked: {}", use_.name, what, why));
+  }
+
+  void add(const std::string& key, double value, Sense sense, double limit, const Unit& unit, std::string rule,
+           std::string trust) {
+    Check c =
+        make_check(fmt::format("{}.{}", use_.name, key), value, sense, limit, unit, std::move(rule), std::move(trust));
+    c.part = use_.name;
+    out_.checks.push_back(std::move(c));
+  }
+  /// The same, of which only the worst place stays.
+  void keep_worst(const std::string& key, double value, Sense sense, double limit, const Unit& unit, std::string rule,
+                  std::string trust) {
+    add(key, value, sense, limit, unit, std::move(rule), std::move(trust));
+    auto& all = out_.checks;
+    const auto before =
+        std::find_if(all.begin(), all.end() - 1, [&](const Check& c) { return c.name == all.back().name; });
+    if (before == all.end() - 1) return;
+    if (!(all.back().utilisation <= before->utilisation)) *before = std::move(all.back());
+    all.pop_back();
+  }
+
+  /// Of a check in which the rope's breaking force has a part.
+  std::string trust(const std::string& limit) const {
+    const bool weakened = heat_share() < 1 && !limit.starts_with("UNVERIFIED");
+    return trust_with_rope(weakened ? rules_.heat_strength->trust : limit, use_.rope);
+  }
+  std::string strength_words() const {
+    const std::string cold = fmt::format("breaking force {}", kilonewton(use_.rope.breaking_force));
+    return heat_share() < 1 ? fmt::format("{} x {:.3g} ({})", cold, heat_share(), rules_.heat_strength->rule) : cold;
+  }
+
+  void strength_static() {
+    if (!has_strength()) {
+      if (!rules_.safety_factors.empty()) leave_out("its strength", "the breaking force is not known");
+      return;
+    }
+    for (std::size_t i = 0; i < rules_.safety_factors.size(); ++i) {
+      const Limit& limit = rules_.safety_factors[i];
+      add(i == 0 ? "safety_factor" : fmt::format("safety_factor_{}", i + 1), strength() / use_.tension, Sense::at_least,
+          limit.value, si::one,
+          fmt::format("{} over the largest tension {} ({}): {}", strength_words(), kilonewton(use_.tension), use_.where,
+                      limit.rule),
+          trust(limit.trust));
+    }
+  }
+
+  void strength_at_ends() {
+    if (!rules_.termination) return;
+    const Limit& efficiency = *rules_.termination;
+    if (rules_.least_termination) {
+      const Limit& least = *rules_.least_termination;
+      add("termination", efficiency.value, Sense::at_least, least.value, si::one,
+          fmt::format("efficiency of {}: {}", efficiency.rule, least.rule), least.trust);
+      return;
+    }
+    if (!has_strength()) return;
+    for (const RopeEnd& end : use_.ends) {
+      for (const Limit& limit : rules_.safety_factors) {
+        if (!(end.tension > 0)) continue;
+        const bool doubt = efficiency.trust.starts_with("UNVERIFIED");
+        keep_worst("termination", efficiency.value * strength() / end.tension, Sense::at_least, limit.value, si::one,
+                   fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(), efficiency.value,
+                               efficiency.rule, kilonewton(end.tension), end.name, limit.rule),
+                   trust(doubt ? efficiency.trust : limit.trust));
+      }
+    }
+  }
+
+  void strength_on_sheaves() {
+    if (rules_.factor_covers_bending || !has_strength() || !has_diameter()) return;
+    for (const Bend& bend : use_.bends) {
+      if (!(bend.tension > 0) || bend.wrap < least_wrap) continue;
+      const double left = sheave_strength(ratio_of(bend, use_));
+      for (const Limit& limit : rules_.safety_factors) {
+        keep_worst(
+            "on_sheave", left * strength() / bend.tension, Sense::at_least, limit.value, si::one,
+            fmt::format("{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
+                        strength_words(), left, ratio_of(bend, use_), kilonewton(bend.tension), bend.name, limit.rule),
+            trust("UNVERIFIED: weakening on a sheave, recalled"));
+      }
+    }
+  }
+
+  void resistance() {
+    if (!rules_.resistance || !has_strength()) return;
+    if (!has_diameter()) return leave_out("EN 13001-3-2", "the diameter is not known");
+    for (const Bend& bend : use_.bends) {
+      if (bend.kind == BendKind::saddle || !(bend.tension > 0)) continue;
+      const double ratio = ratio_of(bend, use_);
+      // out of the formula's range no factor is enough
+      const double gamma = ratio > least_ratio_en13001 ? resistance_factor(ratio) : HUGE_VAL;
+      const double pull = rules_.dynamic_factor * bend.tension;
+      keep_worst("resistance", pull, Sense::at_most, strength() / gamma, si::N,
+                 fmt::format("F_Sd = {:.3g} x {} at '{}' at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}",
+                             rules_.dynamic_factor, kilonewton(bend.tension), bend.name, gamma, ratio,
+                             rules_.resistance->rule),
+                 trust(rules_.resistance->trust));
+    }
+  }
+
+  void fatigue() {
+    if (!rules_.fatigue_history || !rules_.resistance || !has_strength()) return;
+    const double pull = rules_.dynamic_factor * use_.tension;
+    add("fatigue", pull, Sense::at_most, fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
+        si::N,
+        fmt::format("F_Sd = {:.3g} x {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2",
+                    rules_.dynamic_factor, kilonewton(use_.tension), rules_.fatigue_factor, *rules_.fatigue_history),
+        trust(rules_.resistance->trust));
+  }
+
+  void dynamics() {
+    const double peak = peak_tension(use_, rules_);
+    if (!(peak > 0) || !has_strength()) return;
+    const std::string words = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension
+                                  ? fmt::format("peak {} ({})", kilonewton(peak), use_.peak_where)
+                                  : fmt::format("{} = {:.3g} x {} ({})", kilonewton(peak), rules_.dynamic_factor,
+                                                kilonewton(use_.tension), rules_.dynamic_words);
+    if (rules_.dynamic_safety) {
+      add("dynamic_safety_factor", strength() / peak, Sense::at_least, rules_.dynamic_safety->value, si::one,
+          fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
+          trust(rules_.dynamic_safety->trust));
+    }
+    if (rules_.elastic_share) {
+      add("elastic_limit", peak, Sense::at_most, rules_.elastic_share->value * strength(), si::N,
+          fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
+                      rules_.elastic_share->rule),
+          trust(rules_.elastic_share->trust));
+    }
+  }
+
+  void heat() {
+    if (!rules_.temperature || !rules_.hottest) return;
+    add("temperature", *rules_.temperature, Sense::at_most, rules_.hottest->value, si::K, rules_.hottest->rule,
+        rules_.hottest->trust);
+  }
+
+  void ratios() {
+    const auto check = [&](BendKind kind, const std::vector<Limit>& limits, const char* key) {
+      if (limits.empty()) return;
+      for (const Bend& bend : use_.bends) {
+        if (bend.kind != kind) continue;
+        if (!has_diameter()) return leave_out("D/d", "the diameter is not known");
+        for (const Limit& limit : limits) {
+          keep_worst(key, ratio_of(bend, use_), Sense::at_least, limit.value, si::one,
+                     fmt::format("D/d of '{}', {:.4g} mm over {:.4g} mm: {}", bend.name, bend.diameter * 1e3,
+                                 use_.rope.diameter * 1e3, limit.rule),
+                     limit.trust);
+        }
+      }
+    };
+    check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
+    check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");
+    check(BendKind::drum, rules_.drum_ratios, "drum_ratio");
+  }
+
+  void groove() {
+    if (!rules_.groove_pressure) return;
+    if (!has_diameter()) return leave_out("groove pressure", "the diameter is not known");
+    for (const Bend& bend : use_.bends) {
+      if (!(bend.tension > 0)) continue;
+      keep_worst("groove_pressure", groove_pressure(bend.tension, use_.rope.diameter, bend.diameter), Sense::at_most,
+                 rules_.groove_pressure->value, si::Pa,
+                 fmt::format("p = 2 F/(d D) at '{}', F = {}: {}", bend.name, kilonewton(bend.tension),
+                             rules_.groove_pressure->rule),
+                 rules_.groove_pressure->trust);
+    }
+  }
+
+  /// Tension and bending together in the outer wires, against the strength of the wire.
+  void wires() {
+    if (!rules_.wire || !use_.rope.grade || !(use_.rope.area > 0) || !has_diameter()) return;
+    const double wire = rules_.wire->value * use_.rope.diameter;
+    for (const Bend& bend : use_.bends) {
+      if (!(bend.tension > 0) || bend.wrap < least_wrap) continue;
+      const double bent = bending_stress(rules_.bending_modulus, wire, bend.diameter);
+      const bool doubt = rules_.wire->trust.starts_with("UNVERIFIED");
+      keep_worst("wire_stress", bend.tension / use_.rope.area + bent, Sense::at_most, *use_.rope.grade, si::Pa,
+                 fmt::format("T/A {:.4g} MPa + E_r delta/D {:.4g} MPa at '{}' (delta = {:.3g} mm, {}; an upper bound, "
+                             "Shigley), the bending alone as much as a pull of {}: grade of the wires",
+                             bend.tension / use_.rope.area / 1e6, bent / 1e6, bend.name, wire * 1e3, rules_.wire->rule,
+                             kilonewton(bent * use_.rope.area)),
+                 doubt ? rules_.wire->trust : "derived");
+    }
+  }
+
+  void on_drum(const DrumEnd& drum) {
+    if (rules_.fleet_angle && drum.fleet_angle) {
+      keep_worst("fleet_angle", *drum.fleet_angle, Sense::at_most, rules_.fleet_angle->value, si::rad,
+                 fmt::format("at the flanges of '{}': {}", drum.name, rules_.fleet_angle->rule),
+                 rules_.fleet_angle->trust);
+    }
+    if (rules_.layers && drum.layers) {
+      keep_worst("drum_layers", *drum.layers, Sense::at_most, rules_.layers->value, si::one,
+                 fmt::format("layers on '{}': {}", drum.name, rules_.layers->rule), rules_.layers->trust);
+    }
+    if (rules_.rated_pull && drum.first_radius && drum.last_radius && drum.tension > 0) {
+      keep_worst("last_layer_pull", drum.tension, Sense::at_most,
+                 *rules_.rated_pull * *drum.first_radius / *drum.last_radius, si::N,
+                 fmt::format("pull of '{}' in its last layer: {} in the first one x {:.4g} m/{:.4g} m", drum.name,
+                             kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
+                 "user");
+    }
+  }
+
+  const RopeUse& use_;
+  const RopeRules& rules_;
+  RopeChecks out_;
+};
+
+}  // namespace
+
+RopeChecks check_rope(const RopeUse& use, const RopeRules& rules) { return RopeChecker(use, rules).all(); }
+
+std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope) {
+  if (limit.starts_with("UNVERIFIED") || rope.trust != catalogue::Trust::unverified) return limit;
+  return "UNVERIFIED: breaking force of the rope";
+}
+
+double peak_tension(const RopeUse& use, const RopeRules& rules) {
+  return std::max(use.peak, rules.dynamic_factor * use.tension);
+}
+
+}  // namespace taut::rope

@@ -1,0 +1,65 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+#include "taut/calc/sheet.hpp"
+#include "taut/rope/rope_use.hpp"
+
+namespace taut::rope {
+
+/// A number that a check measures against, with its rule in words and the trust of it: "verified", "derived", "user",
+/// "UNVERIFIED: recalled".
+struct Limit {
+  double value = 0;  ///< SI
+  std::string rule;
+  std::string trust;
+};
+
+/// Which limits hold for one rope. What is empty is not checked.
+struct RopeRules {
+  std::vector<Limit> safety_factors;       ///< least F_min/T, static
+  bool factor_covers_bending = false;      ///< the rules' factors have bending and terminations in them (cranes)
+  double dynamic_factor = 1;               ///< on the static tension
+  std::string dynamic_words;               ///< where it comes from, with its trust
+  std::optional<Limit> dynamic_safety;     ///< least F_min/(phi T)
+  std::optional<Limit> elastic_share;      ///< of F_min that the peak may reach
+  std::optional<Limit> termination;        ///< efficiency of the ends
+  std::optional<Limit> least_termination;  ///< what the rules ask of it
+  std::optional<double> temperature;       ///< the rope's, K
+  std::optional<Limit> hottest;            ///< K
+  std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
+  std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
+  std::optional<Limit> resistance;        ///< EN 13001-3-2, static: F_min gamma_rb; value not used
+  std::optional<double> fatigue_history;  ///< s_r of EN 13001-3-2
+  double fatigue_factor = 1;              ///< f_f
+  std::optional<Limit> groove_pressure;   ///< Pa
+  std::optional<Limit> wire;              ///< delta/d of the outer wire
+  double bending_modulus = 82.7e9;        ///< Pa
+  std::optional<Limit> fleet_angle;       ///< rad
+  std::optional<Limit> layers;            ///< on a drum, at most
+  std::optional<double> rated_pull;       ///< of the winch in its first layer, N
+};
+
+/// The checks of one rope, each with its value, limit, rule and trust; `part` is the rope's name. A check of which the
+/// rope's data are not known (no diameter, no breaking force) is left out and told in `left_out`.
+struct RopeChecks {
+  std::vector<Check> checks;
+  std::vector<std::string> left_out;
+};
+RopeChecks check_rope(const RopeUse& use, const RopeRules& rules);
+
+/// The strengths behind the checks as lines of a calculation note.
+void write_rope(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules);
+
+/// A rope that only touches a round is not weakened there, rad.
+inline constexpr double least_wrap = 1e-3;
+
+/// The limit's trust, or "UNVERIFIED: ..." where the rope's own breaking force is not better than that.
+std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope);
+
+/// Factor of the dynamic check: the peak of calculated motions, or the static tension times the dynamic factor.
+double peak_tension(const RopeUse& use, const RopeRules& rules);
+
+}  // namespace taut::rope

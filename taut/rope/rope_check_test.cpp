@@ -1,0 +1,167 @@
+#include "taut/rope/rope_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::rope::rope_check_test {
+
+/// A hoist rope of 16 mm, 160 kN, under 40 kN over one sheave of 320 mm and a wedge at its end.
+RopeUse hoist_rope() {
+  RopeUse use;
+  use.name = "hoist";
+  use.rope.construction = "6x36";
+  use.rope.core = "IWRC";
+  use.rope.diameter = 0.016;
+  use.rope.area = 117.76e-6;
+  use.rope.breaking_force = 160e3;
+  use.rope.grade = 1770e6;
+  use.rope.trust = catalogue::Trust::verified;
+  use.tension = 40e3;
+  use.where = "hoist";
+  use.bends = {{"head", BendKind::sheave, 0.32, 36e3, 3.0, 1}};
+  use.ends = {{"hook", 30e3}};
+  return use;
+}
+
+const Check* find(const RopeChecks& all, const std::string& name) {
+  const auto at = std::find_if(all.checks.begin(), all.checks.end(), [&](const Check& c) { return c.name == name; });
+  return at == all.checks.end() ? nullptr : &*at;
+}
+
+double value_of(const RopeChecks& all, const std::string& name) {
+  const Check* c = find(all, name);
+  EXPECT_NE(c, nullptr) << name;
+  return c == nullptr ? std::nan("") : c->value;
+}
+
+TEST(RopeCheck, strength_at_every_place) {
+  RopeRules rules;
+  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.termination = Limit{0.8, "wedge", "verified"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_DOUBLE_EQ(value_of(all, "hoist.safety_factor"), 4.0);
+  EXPECT_NEAR(value_of(all, "hoist.termination"), 0.8 * 160 / 30, 1e-12);
+  EXPECT_NEAR(value_of(all, "hoist.on_sheave"), (1 - 0.5 / std::sqrt(20)) * 160 / 36, 1e-12);
+  for (const Check& c : all.checks) EXPECT_EQ(c.part, "hoist");
+  EXPECT_TRUE(find(all, "hoist.safety_factor")->passes);
+  EXPECT_EQ(find(all, "hoist.safety_factor")->trust, "verified");
+  EXPECT_TRUE(find(all, "hoist.on_sheave")->trust.starts_with("UNVERIFIED"));
+}
+
+// The worst of several sheaves stays: here a smaller one with less tension.
+TEST(RopeCheck, the_worst_sheave_governs) {
+  RopeUse use = hoist_rope();
+  use.bends.push_back({"small", BendKind::sheave, 0.08, 35e3, 1.0, 1});
+  use.bends.push_back({"touched", BendKind::sheave, 0.01, 40e3, 0.0, 1});  // does not bend it
+  RopeRules rules;
+  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_NEAR(value_of(all, "hoist.on_sheave"), (1 - 0.5 / std::sqrt(5)) * 160 / 35, 1e-12);
+  EXPECT_EQ(std::count_if(all.checks.begin(), all.checks.end(), [](const Check& c) { return c.name == "hoist.on_sheave"; }),
+            1);
+}
+
+TEST(RopeCheck, a_crane_factor_has_the_bending_in_it) {
+  RopeRules rules;
+  rules.safety_factors = {{4.5, "ISO 4308-1", "verified"}};
+  rules.factor_covers_bending = true;
+  rules.termination = Limit{0.75, "wedge", "verified"};
+  rules.least_termination = Limit{0.8, "at least", "UNVERIFIED: recalled"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_EQ(find(all, "hoist.on_sheave"), nullptr);
+  EXPECT_FALSE(find(all, "hoist.safety_factor")->passes);
+  EXPECT_FALSE(find(all, "hoist.termination")->passes);
+}
+
+TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
+  RopeUse use = hoist_rope();
+  RopeRules rules;
+  rules.dynamic_factor = 1.5;
+  rules.elastic_share = Limit{0.6, "share", "user"};
+  rules.dynamic_safety = Limit{2.0, "own", "user"};
+  EXPECT_DOUBLE_EQ(value_of(check_rope(use, rules), "hoist.elastic_limit"), 60e3);
+  use.peak = 97e3;
+  use.peak_where = "load drop";
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_DOUBLE_EQ(value_of(all, "hoist.elastic_limit"), 97e3);
+  EXPECT_FALSE(find(all, "hoist.elastic_limit")->passes);  // 0.6 x 160 = 96
+  EXPECT_NEAR(value_of(all, "hoist.dynamic_safety_factor"), 160.0 / 97, 1e-12);
+}
+
+TEST(RopeCheck, heat_takes_strength_and_its_trust) {
+  RopeRules rules;
+  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.temperature = 423.15;
+  rules.hottest = Limit{473.15, "steel core", "UNVERIFIED: recalled"};
+  rules.heat_strength = Limit{0.9, "up to 200 degC", "UNVERIFIED: recalled"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_DOUBLE_EQ(value_of(all, "hoist.safety_factor"), 3.6);
+  EXPECT_TRUE(find(all, "hoist.safety_factor")->trust.starts_with("UNVERIFIED"));
+  EXPECT_TRUE(find(all, "hoist.temperature")->passes);
+  rules.temperature = 500;
+  EXPECT_FALSE(find(check_rope(hoist_rope(), rules), "hoist.temperature")->passes);
+}
+
+TEST(RopeCheck, an_unverified_breaking_force_is_told) {
+  RopeUse use = hoist_rope();
+  use.rope.trust = catalogue::Trust::unverified;
+  RopeRules rules;
+  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  EXPECT_TRUE(find(check_rope(use, rules), "hoist.safety_factor")->trust.starts_with("UNVERIFIED"));
+}
+
+TEST(RopeCheck, wire_stress_and_groove) {
+  RopeRules rules;
+  rules.wire = Limit{0.05, "d/20", "user"};
+  rules.bending_modulus = 80e9;
+  rules.groove_pressure = Limit{10e6, "cast iron", "user"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_NEAR(value_of(all, "hoist.wire_stress"), 36e3 / 117.76e-6 + 80e9 * 0.0008 / 0.32, 1);
+  EXPECT_NEAR(value_of(all, "hoist.groove_pressure"), 2 * 36e3 / (0.016 * 0.32), 1e-3);
+  EXPECT_FALSE(find(all, "hoist.groove_pressure")->passes);
+}
+
+TEST(RopeCheck, drum_pull_in_the_last_layer) {
+  RopeUse use = hoist_rope();
+  use.drums = {{"winch", 38e3, 0.02, 3, 0.2, 0.232}};
+  RopeRules rules;
+  rules.rated_pull = 45e3;
+  rules.fleet_angle = Limit{0.0262, "smooth", "UNVERIFIED: recalled"};
+  rules.layers = Limit{3, "grooved", "verified"};
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_NEAR(find(all, "hoist.last_layer_pull")->limit, 45e3 * 0.2 / 0.232, 1e-9);
+  EXPECT_TRUE(find(all, "hoist.last_layer_pull")->passes);
+  EXPECT_TRUE(find(all, "hoist.fleet_angle")->passes);
+  EXPECT_TRUE(find(all, "hoist.drum_layers")->passes);
+}
+
+TEST(RopeCheck, what_is_not_known_is_told) {
+  RopeUse use = hoist_rope();
+  use.rope.breaking_force = 0;
+  use.rope.diameter = 0;
+  RopeRules rules;
+  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.sheave_ratios = {{20, "a rule", "verified"}};
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_TRUE(all.checks.empty());
+  EXPECT_EQ(all.left_out.size(), 2U);
+}
+
+// EN 13001-3-2 with D/d = 20: gamma 2.07; below the formula's range nothing is enough.
+TEST(RopeCheck, en13001) {
+  RopeUse use = hoist_rope();
+  RopeRules rules;
+  rules.resistance = Limit{0, "EN 13001-3-2", "UNVERIFIED: recalled"};
+  rules.dynamic_factor = 1.2;
+  rules.fatigue_history = 8;
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_NEAR(find(all, "hoist.resistance")->limit, 160e3 / 2.07, 1e-6);
+  EXPECT_NEAR(value_of(all, "hoist.resistance"), 1.2 * 36e3, 1e-9);
+  EXPECT_NEAR(find(all, "hoist.fatigue")->limit, 160e3 / 14, 1e-6);
+  use.bends[0].diameter = 0.08;
+  EXPECT_FALSE(find(check_rope(use, rules), "hoist.resistance")->passes);
+}
+
+}  // namespace taut::rope::rope_check_test

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/catalogue/rope.hpp"
+
+/// One rope as its machine or its method uses it: what the checks of a rope look at. SI.
+namespace taut::rope {
+
+/// What bends a rope.
+enum class BendKind { sheave, compensating_sheave, drum, saddle };
+
+/// A place where the rope is bent.
+struct Bend {
+  std::string name;
+  BendKind kind = BendKind::sheave;
+  double diameter = 0;  ///< pitch, m, > 0; of a drum in its first layer
+  double tension = 0;   ///< the largest there, N
+  double wrap = 0;      ///< the largest, rad
+  int side = 1;         ///< the sense in which the rope turns: two neighbours of different sense bend it in reverse
+};
+
+/// An end that is fixed, not wound on a drum.
+struct RopeEnd {
+  std::string name;
+  double tension = 0;  ///< the largest there, N
+};
+
+/// An end on a drum whose rope is known. Without what is not known.
+struct DrumEnd {
+  std::string name;
+  double tension = 0;                               ///< the largest there, N
+  std::optional<double> fleet_angle;                ///< largest over the face, rad
+  std::optional<int> layers;                        ///< wound when the most rope lies on it
+  std::optional<double> first_radius, last_radius;  ///< of the first and of the last of these layers, m
+};
+
+/// A rope over all load cases.
+struct RopeUse {
+  std::string name;
+  catalogue::RopeRow rope;  ///< breaking force 0, area 0, diameter 0, no grade: not known
+  double tension = 0;       ///< the largest anywhere, static, N
+  std::string where;        ///< "load path, in, x = 130 m"
+  double peak = 0;          ///< the largest of calculated motions, N; 0: none
+  std::string peak_where;
+  std::vector<Bend> bends;  ///< along its path
+  std::vector<RopeEnd> ends;
+  std::vector<DrumEnd> drums;
+};
+
+}  // namespace taut::rope
