@@ -17,9 +17,18 @@ struct RopeCandidates {
   std::vector<double> costs;  ///< ascending
 };
 
+/// A number that is free, and where it is tried.
+struct UnknownValues {
+  std::string name;
+  std::string parameter;  ///< its path below the machine
+  Unit unit;
+  std::vector<double> values;  ///< SI
+};
+
 /// What a design searches through.
 struct DesignSpace {
   std::vector<RopeCandidates> ropes;
+  std::vector<UnknownValues> unknowns;
 };
 
 /// The candidates of a deck's design, or what is wrong with it: mistakes of the catalogue's file and of the block
@@ -29,12 +38,15 @@ DesignSpace design_space(const io::Node& input, const MachineDeck& deck, Diagnos
 /// The deck with one choice of each list: figures of the rope in its machine, and its row for the checks.
 MachineDeck with_choice(const MachineDeck& deck, const DesignSpace& space, const std::vector<std::size_t>& choice);
 
+/// The deck with these values of its unknowns.
+MachineDeck with_values(const MachineDeck& deck, const DesignSpace& space, const std::vector<double>& values);
+
 /// Runs a deck: with everything that a report shows, or for its checks alone.
 using RunDeck = std::function<Result(const MachineDeck& deck, bool checks_only)>;
 
-/// The least choice that passes all checks, as a whole result: tables `design`, `design_runner_ups`, `design_active`.
-/// Each choice is solved with its own weight and stiffness; nothing is assumed of how they act. Infeasible: none
-/// passes.
+/// The least choice that passes all checks, as a whole result (design_tables.hpp): at every place of the grid of
+/// unknowns the ropes of least cost, of these the least; among equal ones that with the most reserve. Each choice is
+/// solved with its own weight and stiffness; nothing is assumed of how they act. Infeasible: none passes.
 Result run_design(const MachineDeck& deck, const DesignSpace& space, const RunDeck& run);
 
 }  // namespace taut::app

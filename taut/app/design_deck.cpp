@@ -25,6 +25,22 @@ const Description& DesignRopeRequest::describe() {
   return d;
 }
 
+const Description& DesignUnknownRequest::describe() {
+  using R = DesignUnknownRequest;
+  static const Description d = Describe<R>()
+                                   .field(&R::parameter, "parameter",
+                                          "its path below 'machine', as in a sweep: reevings.skyline.tension_at_start")
+                                   .required()
+                                   .field(&R::from, "from", "first value, with its unit")
+                                   .required()
+                                   .field(&R::to, "to", "last value")
+                                   .required()
+                                   .field(&R::steps, "steps", "n", si::one, "equal steps between them")
+                                   .at_least(1)
+                                   .at_most(200);
+  return d;
+}
+
 const Description& DesignRequest::describe() {
   using R = DesignRequest;
   static const Description d =
@@ -34,6 +50,9 @@ const Description& DesignRequest::describe() {
                   "least mass of the ropes that are free, least sum of their diameters, or least price")
           .field(&R::catalogue, "catalogue", "a file of ropes (CSV) in place of the built-in ones, beside the deck")
           .named_records(&R::ropes, "ropes", "ropes of the machine that are chosen, by name")
+          .named_records(&R::unknowns, "unknowns", "numbers of the machine that are free, by a name of yours")
+          .field(&R::refine, "refine",
+                 "moves the unknowns of the least choice on between their places, to the most reserve")
           .field(&R::runner_ups, "runner_ups", "", si::one, "choices told on either side of the answer")
           .at_least(0)
           .at_most(100)

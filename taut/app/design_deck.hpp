@@ -25,11 +25,22 @@ struct DesignRopeRequest {
   static const Description& describe();
 };
 
+/// A number of the machine that is free within a range, tried at equal steps.
+struct DesignUnknownRequest {
+  std::string name;
+  std::string parameter;
+  std::string from, to;  ///< with the parameter's unit
+  int steps = 4;
+  static const Description& describe();
+};
+
 /// The block `design:` of a machine's deck: what is chosen so that all checks pass.
 struct DesignRequest {
   Seek seek = Seek::lightest;
   std::optional<std::string> catalogue;  ///< a file
   std::vector<DesignRopeRequest> ropes;
+  std::vector<DesignUnknownRequest> unknowns;
+  bool refine = false;  ///< the unknowns between the places of their grid
   int runner_ups = 5;
   int most_trials = 5000;
   static const Description& describe();

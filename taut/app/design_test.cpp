@@ -108,6 +108,57 @@ TEST(Design, tells_its_neighbours_and_what_governs) {
   EXPECT_GE(value_of(r, "design_trials"), static_cast<double>(chosen) + 1);
 }
 
+// The deeper the line hangs, the lighter its rope: the last of the sags is chosen, and each place of the grid has the
+// rope that a design of its own finds.
+TEST(Design, trade_off_over_an_unknown) {
+  const std::string ropes = "ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa}}";
+  const auto deck = [&](double x, const std::string& unknowns) {
+    std::string text = line_deck(300, 2000, 15, "{}", "design: {" + ropes + unknowns + "}");
+    const std::string old = "analyses: [equilibrium: {carriage: car, x: 150 m, given: {reeving: skyline, sag: 15 m}}]";
+    text.replace(text.find(old), old.size(), "analyses: [equilibrium: {carriage: car, x: 150 m}]");
+    const std::string pull = "tension_at_start: 10 kN";
+    return text.replace(text.find(pull), pull.size(), fmt::format("tension_at_start: {} kN", x));
+  };
+  const Result r = run_text(deck(60,
+                                 ", unknowns: {pull: {parameter: \"reevings.skyline.tension_at_start\", from: 60 kN, "
+                                 "to: 120 kN, steps: 3}}"));
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "design_trade_off");
+  ASSERT_EQ(t.rows.size(), 4U);
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    const Result alone = run_text(deck(taut_test::cell(t, i, "pull") / 1e3, ""));
+    EXPECT_EQ(taut_test::cell(t, i, "cost"), value_of(alone, "design_cost")) << i;
+  }
+  EXPECT_EQ(value_of(r, "design_pull"), 60e3);
+  EXPECT_EQ(value_of(r, "design_cost"), taut_test::cell(t, 0, "cost"));
+}
+
+// The pull at which the rope and the drum's limit are used alike lies between the places of the grid; refined, it is at
+// least as good as the best of them.
+TEST(Design, refined_has_more_reserve) {
+  const auto deck = [](const std::string& refine) {
+    std::string text =
+        line_deck(300, 2000, 15, "{}",
+                  "design: {" + refine +
+                      "ropes: {skyline: {construction: 6x36, core: IWRC, least_diameter: 26 mm, most_diameter: "
+                      "26 mm, grade: 1960 MPa}}, unknowns: {pull: {parameter: "
+                      "\"reevings.skyline.tension_at_start\", from: 60 kN, to: 120 kN, steps: 2}}}");
+    const std::string old = ", given: {reeving: skyline, sag: 15 m}";
+    return text.replace(text.find(old), old.size(), "");
+  };
+  const Result grid = run_text(deck(""));
+  const Result fine = run_text(deck("refine: true, "));
+  ASSERT_EQ(exit_code(fine), 0) << fine.message << to_text(fine.errors);
+  const auto worst = [](const Result& r) {
+    double most = 0;
+    for (const Check& c : r.checks) most = std::max(most, c.utilisation);
+    return most;
+  };
+  EXPECT_LE(worst(fine), worst(grid));
+  EXPECT_GE(value_of(fine, "design_pull"), 60e3);
+  EXPECT_LE(value_of(fine, "design_pull"), 120e3);
+}
+
 TEST(Design, no_rope_is_strong_enough) {
   const Result r =
       run_text(line_deck(300, 200000, 3, "{}", "design: {ropes: {skyline: {construction: 6x7, core: FC}}}"));
@@ -122,6 +173,10 @@ TEST(Design, mistakes) {
   expect_mistake(run_text(deck("design: {seek: lightest}")), "says nothing that is free");
   expect_mistake(run_text(deck("design: {ropes: {skyline: {construction: 7x77}}}")), "no rope of the catalogue is so");
   expect_mistake(run_text(deck("design: {seek: cheapest, ropes: {skyline: {}}}")), "price_per_m");
+  expect_mistake(run_text(deck("design: {unknowns: {x: {parameter: ropes.skyline.nonsense, from: 1 m, to: 2 m}}}")),
+                 "is not a field there");
+  expect_mistake(run_text(deck("design: {unknowns: {x: {parameter: \"points.tail.z\", from: 1 kN, to: 2 m}}}")),
+                 "1 kN");
   expect_mistake(run_text(deck("design: {catalogue: none.csv, ropes: {skyline: {}}}")), "can't read");
 }
 

@@ -80,6 +80,9 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
   rope::RopeChecks found = rope::check_rope(use, rules);
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.warnings));
+  Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);
+  rope::write_rope(s, use, rules);
+  s.move_to(r);
   add_life(request, use, rules, r);
 }
 

@@ -50,7 +50,7 @@ struct RopeChecks {
 };
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules);
 
-/// The strengths behind the checks as lines of a calculation note.
+/// The strengths behind the checks as lines of a calculation note, those of bending at the sharpest bend.
 void write_rope(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules);
 
 /// A rope that only touches a round is not weakened there, rad.
