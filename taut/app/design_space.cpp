@@ -135,8 +135,9 @@ RopeCandidates candidates_of_rope(const DesignRopeRequest& one, Seek seek, const
   if (seek == Seek::cheapest && !priced) {
     complaints.push_back({"design.seek", "'cheapest' needs a catalogue with 'price_per_m' in every row"});
   }
+  using Key = std::tuple<double, double, const std::string&>;
   std::stable_sort(own.rows.begin(), own.rows.end(), [&](const RopeRow& a, const RopeRow& b) {
-    return std::tuple(cost_of(seek, a), a.breaking_force, a.id) < std::tuple(cost_of(seek, b), b.breaking_force, b.id);
+    return Key(cost_of(seek, a), a.breaking_force, a.id) < Key(cost_of(seek, b), b.breaking_force, b.id);
   });
   return own;
 }

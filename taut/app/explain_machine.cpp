@@ -88,6 +88,12 @@ std::string analysis_text(const Field& f) {
   return text;
 }
 
+/// A block beside the machine: checks, design.
+std::string block_text(const Field& f) {
+  return fmt::format("{}: {}\nThe guide: docs/guide/checks.md.\n\nDeck keys\n{}", f.key, f.words,
+                     keys_text(f.key + ".", *f.record));
+}
+
 std::string part_text(const Field& f) {
   std::string words = fmt::format("machine: {}: {}\n", f.key, f.words);
   if (f.record == nullptr) return words;
@@ -101,6 +107,7 @@ std::vector<std::string> machine_topics() {
   std::vector<std::string> all = {"machine"};
   for (const Field& f : model::Machine::describe().fields) all.push_back(f.key);
   for (const Field& f : AnalysisRequest::describe().fields) all.push_back(f.key);
+  for (const char* block : {"checks", "design"}) all.emplace_back(block);
   return all;
 }
 
@@ -108,6 +115,9 @@ std::optional<std::string> explain_machine(const std::string& topic) {
   if (topic == "machine") return whole_machine();
   if (const Field* f = analysis_named(topic)) return analysis_text(*f);
   if (const Field* f = model::Machine::describe().find(topic)) return part_text(*f);
+  if (const Field* f = MachineDeck::describe().find(topic); f != nullptr && (topic == "checks" || topic == "design")) {
+    return block_text(*f);
+  }
   return std::nullopt;
 }
 

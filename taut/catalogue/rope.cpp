@@ -23,6 +23,7 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
     csv.fail("area_mm2",
              fmt::format("a metallic area of {} mm2 does not fit into a rope of {} mm ({} mm2)",
                          short_number(row.area * 1e6), short_number(row.diameter * 1e3), short_number(circle * 1e6)));
+    return;
   }
   const double density = row.mass_per_length / row.area;
   if (density < least_density || density > most_density) {
@@ -31,6 +32,11 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
                          "units of both",
                          short_number(row.mass_per_length), short_number(row.area * 1e6), short_number(density / 1e3)));
   }
+  if (row.grade && row.breaking_force > rounding * row.area * *row.grade) {
+    csv.fail("mbf_kN", fmt::format("a breaking force of {} kN is above area x grade = {} kN",
+                                   short_number(row.breaking_force / 1e3), short_number(row.area * *row.grade / 1e3)));
+    return;
+  }
   const double stress = row.breaking_force / row.area;
   if (stress < least_strength || stress > most_strength) {
     csv.fail(
@@ -38,11 +44,6 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
         fmt::format("a breaking force of {} kN on {} mm2 is {} MPa; steel wire ropes have 800 to 2200: look "
                     "at the units of both",
                     short_number(row.breaking_force / 1e3), short_number(row.area * 1e6), short_number(stress / 1e6)));
-    return;
-  }
-  if (row.grade && row.breaking_force > rounding * row.area * *row.grade) {
-    csv.fail("mbf_kN", fmt::format("a breaking force of {} kN is above area x grade = {} kN",
-                                   short_number(row.breaking_force / 1e3), short_number(row.area * *row.grade / 1e3)));
   }
 }
 

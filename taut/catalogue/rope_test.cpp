@@ -110,6 +110,13 @@ TEST(Ropes, slips_of_unit_in_a_users_table) {
   EXPECT_EQ(mistakes("A,maker,6x36,FC,16,100,0.94,1770,165000,verified,\n"),
             Texts{"2:34 a breaking force of 165000 kN is above area x grade = 177 kN"});
   EXPECT_EQ(
+      mistakes("A,maker,6x36,FC,16,100,94,1770,165,verified,\n"),
+      Texts{"2:24 94 kg/m on 100 mm2 are 940 g per m and mm2; wire ropes have 8 to 11: look at the units of both"});
+  EXPECT_EQ(mistakes("A,maker,6x36,FC,16,100,0.94,,16.5,verified,\n"),
+            Texts{"2:30 a breaking force of 16.5 kN on 100 mm2 is 165 MPa; steel wire ropes have 800 to 2200: look at "
+                  "the units of "
+                  "both"});
+  EXPECT_EQ(
       mistakes("A,maker,6x36,FC,16,-100,0.94,1770,165,sure,\n"),
       (Texts{"2:20 area_mm2: -100 must be above 0", "2:39 trust: 'sure' is not verified, derived or unverified"}));
 }

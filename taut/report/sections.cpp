@@ -147,7 +147,7 @@ std::string checks_html(const Result& r) {
   for (const Check& c : r.checks) {
     if (parts && (part == nullptr || *part != c.part)) {
       rows += fmt::format("<tr class=\"part\"><th colspan=\"6\">{}</th></tr>\n",
-                          c.part.empty() ? "The machine" : escape(c.part));
+                          c.part.empty() ? "General" : escape(c.part));
     }
     part = &c.part;
     const ShownUnit u = shown_unit(c.unit, display);
