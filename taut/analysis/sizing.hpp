@@ -32,7 +32,7 @@ struct SizingAnswer {
   SizingCandidate best;
   std::vector<SizingCandidate> below;  ///< cheaper ones that fail, nearest to the answer last
   std::vector<SizingCandidate> above;  ///< the next ones that pass
-  std::size_t trials = 0;                 ///< up to the answer
+  std::size_t trials = 0;              ///< up to the answer
 };
 
 /// The cheapest choice of one candidate from each list that passes: all choices are tried in the order of the sum of

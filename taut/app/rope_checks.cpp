@@ -80,6 +80,17 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
   rope::RopeChecks found = rope::check_rope(use, rules);
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.warnings));
+  if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
+    const std::string name = use.name + ".dynamic_safety_factor";
+    const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;
+    r.values.push_back({name,
+                        use.rope.breaking_force / peak,
+                        si::one,
+                        name,
+                        fmt::format("breaking force over the peak tension of {} ({})", use.name,
+                                    moves ? use.peak_where : rules.dynamic_words),
+                        {}});
+  }
   Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);
   rope::write_rope(s, use, rules);
   s.move_to(r);

@@ -26,14 +26,14 @@ struct RuleRow {
   std::string trust_text;
 };
 
-/// Reads a table of rules. Columns: id, field, item, class, low, high, unit (1, deg, m, GPa, MPa, s/m), text, source, trust,
-/// and, if wanted, trust_text. low and high are both there or both empty; an empty pair needs a text.
+/// Reads a table of rules. Columns: id, field, item, class, low, high, unit (1, deg, m, GPa, MPa, s/m), text, source,
+/// trust, and, if wanted, trust_text. low and high are both there or both empty; an empty pair needs a text.
 tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv, std::string file);
 
 /// The built-in rules (data/rules/*.csv). Topics: safety (factors of ropes by field), ratio (D/d), groove, friction,
 /// sheave (efficiency), termination (efficiency), buckling (imperfection factors of EN 1993-1-1), hoist (dynamic factor
-/// phi2), layout (limits of a skyline), modulus (of wire ropes, on the metallic area), pressure (in a groove), wire (outer
-/// wire over d), temperature (strength of a hot rope), life (bending cycles), discard (when a rope is put away).
+/// phi2), layout (limits of a skyline), modulus (of wire ropes, on the metallic area), pressure (in a groove), wire
+/// (outer wire over d), temperature (strength of a hot rope), life (bending cycles), discard (when a rope is put away).
 const std::vector<RuleRow>& rules();
 
 /// The rules whose id begins with `prefix` and a point: "safety", "safety.crane_running". In the tables' order.

@@ -15,7 +15,7 @@ namespace taut::io {
 namespace {
 
 const std::vector<std::string> deck_keys = {"taut",  "title",   "method",   "display", "include",
-                                            "input", "machine", "analyses", "checks", "design"};
+                                            "input", "machine", "analyses", "checks",  "design"};
 
 void read_format(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("taut");

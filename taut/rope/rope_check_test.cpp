@@ -59,8 +59,9 @@ TEST(RopeCheck, the_worst_sheave_governs) {
   rules.safety_factors = {{3.5, "a rule", "verified"}};
   const RopeChecks all = check_rope(use, rules);
   EXPECT_NEAR(value_of(all, "hoist.on_sheave"), (1 - 0.5 / std::sqrt(5)) * 160 / 35, 1e-12);
-  EXPECT_EQ(std::count_if(all.checks.begin(), all.checks.end(), [](const Check& c) { return c.name == "hoist.on_sheave"; }),
-            1);
+  EXPECT_EQ(
+      std::count_if(all.checks.begin(), all.checks.end(), [](const Check& c) { return c.name == "hoist.on_sheave"; }),
+      1);
 }
 
 TEST(RopeCheck, a_crane_factor_has_the_bending_in_it) {
