@@ -46,6 +46,11 @@ void complain_of_places(const RopeCheckRequest& request, const std::string& path
   }
 }
 
+bool is_other(const MachineRun& run, const Answer& a) {
+  return std::any_of(run.others.begin(), run.others.end(),
+                     [&](const OtherAnswer& other) { return &other.result == a.result; });
+}
+
 void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
   for (rope::Bend& bend : use.bends) {
     const auto& all = request.compensating;
@@ -100,7 +105,10 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
 void add_rope_checks(const ChecksRequest& request, const MachineDeck& deck, const MachineRun& run, Result& r) {
   if (request.ropes.empty()) return;
   RopeUses uses = run.rope_uses ? *run.rope_uses : RopeUses(deck, run.model);
-  for (const Answer& a : answers_of(run)) uses.take(*a.model, *a.result, a.words);
+  for (const Answer& a : answers_of(run)) {
+    // what a payload leaves at its limits is no load case of the deck
+    if (!is_other(run, a)) uses.take(*a.model, *a.result, a.words);
+  }
   const std::vector<rope::RopeUse> all = uses.all();
   for (const RopeCheckRequest& one : request.ropes) {
     for (const std::size_t i : reevings_named(one.name, deck, run.model)) {

@@ -29,6 +29,8 @@ class RopeChecker {
       fatigue();
       groove();
       wires();
+    } else if (!(use_.peak > 0)) {
+      leave_out("its strength", "no load case gives it a tension");
     }
     dynamics();
     heat();
