@@ -38,6 +38,8 @@ class Follow {
   Sweep run() {
     for (int i = 0; i <= options_.steps; ++i) {
       const double value = options_.from + (options_.to - options_.from) * i / options_.steps;
+      if (options_.go_on && !options_.go_on(value))
+        return ends(sweep_.points.empty() ? value : near()->value, SweepEnd::interrupted);
       SweepPoint next;
       const bool found = solve(value, near(), next);
       if (sweep_.points.empty()) {

@@ -23,7 +23,8 @@ enum class SweepEnd {
   no_equilibrium,  ///< beyond `end` there is none: a rope too short, nothing that holds
   turning_point,   ///< the equilibrium turns back at `end`: its state changes with the square root of the distance to
                    ///< it; or beyond it the machine jumps to another one
-  no_machine       ///< the value makes no machine
+  no_machine,      ///< the value makes no machine
+  interrupted      ///< SweepOptions::go_on said so
 };
 
 struct Sweep {
@@ -38,6 +39,7 @@ struct SweepOptions {
   double from = 0, to = 0;
   int steps = 1;
   EquilibriumOptions equilibrium;
+  std::function<bool(double value)> go_on = {};  ///< asked before every step; false ends the sweep there
 };
 
 /// Follows the equilibrium over a parameter at equal steps, each from the state before. Where it is lost, the value is

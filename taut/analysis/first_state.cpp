@@ -11,14 +11,17 @@ namespace {
 
 constexpr double pull_of_weight = 0.2;  ///< a mainline's first tension, of the carriage's weight
 
-/// The place at `x` on the straight line between the carriage's neighbours; none where they are not fixed, or beside x.
-std::optional<Vector3> on_line(const model::Model& model, const model::Carriage& carriage, double x) {
+/// The prescribed place on the straight line between the carriage's neighbours; none where they are not fixed, or
+/// beside it.
+std::optional<Vector3> on_line(const model::Model& model, const model::Carriage& carriage,
+                               const Prescribed& prescribed) {
   const model::Reeving& rope = model.reevings[at(carriage.reeving)];
   if (rope.closed || carriage.node < 1 || at(carriage.node) + 1 >= rope.nodes.size()) return std::nullopt;
   const model::Node &before = rope.nodes[at(carriage.node - 1)], &after = rope.nodes[at(carriage.node + 1)];
   if (before.at.body != model::ground || after.at.body != model::ground) return std::nullopt;
   const Vector3 &from = before.at.at, &to = after.at.at;
-  const double part = (x - from.x()) / (to.x() - from.x());
+  const Vector3& along = prescribed.along;
+  const double part = (prescribed.x - along.dot(from)) / along.dot(to - from);
   if (!(part > 0 && part < 1)) return std::nullopt;
   return Vector3(from + part * (to - from));
 }
@@ -37,9 +40,9 @@ void move_to(const Vector3& place, model::Body& body) {
 model::State first_state(const model::Model& model, const EquilibriumOptions& options) {
   if (!options.prescribed) return model::initial_state(model);
   const model::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
-  const double x = options.prescribed->x;
-  const bool moves = model.bodies[at(carriage.body)].position.x() != x;
-  const auto place = moves ? on_line(model, carriage, x) : std::nullopt;
+  const Prescribed& prescribed = *options.prescribed;
+  const bool moves = prescribed.along.dot(model.bodies[at(carriage.body)].position) != prescribed.x;
+  const auto place = moves ? on_line(model, carriage, prescribed) : std::nullopt;
   if (!place && carriage.mainline < 0) return model::initial_state(model);
   model::Model there = model;
   if (place) move_to(*place, there.bodies[at(carriage.body)]);

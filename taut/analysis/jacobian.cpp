@@ -147,11 +147,8 @@ void add_arc(Assembly& a, int turn, int row) {
   const model::Reeving& rope = a.system.model.reevings[at(t.reeving)];
   const double radius = rope.nodes[at(t.node)].radius;
   if (radius == 0) return;
-  const double length = arc(a.system, a.e, turn);
-  const double T = (a.e.branches[at(t.before)].T_to + a.e.branches[at(t.after)].T_from) / 2;
-  const double stretch = 1 + T / rope.stiffness;
-  const double by_tension = -length / stretch / rope.stiffness / 2;
-  add_turn(a, turn, row, by_tension, by_tension, radius / stretch);
+  const ArcLength length = arc(a.system, a.e, turn);
+  add_turn(a, turn, row, length.by_in, length.by_out, length.by_wrap);
 }
 
 void add_contact(Assembly& a, int turn) {

@@ -58,7 +58,8 @@ void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vecto
     int runs = flow.empty() || drives ? 0 : flow[at(node)];
     if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[at(node)].load, runs);
     if (drives) r.drive = count(l.turns.size());
-    l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs});
+    l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs,
+                       flow.empty() ? 0 : flow[at(node)]});
   }
   r.turn_count = count(l.turns.size()) - r.first_turn;
   r.row = row;

@@ -22,6 +22,7 @@ struct Layout {
   /// sense along the path of a load's force.
   struct Turn {
     int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
+    int runs = 0;  ///< the sense in which the rope runs here, of a drive too: +1 along the path, 0 at rest
   };
   /// A whole rope: links first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
   struct Rope {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/analysis/clearance.hpp"
 #include "taut/analysis/load_path.hpp"
 #include "taut/math/index.hpp"
 
@@ -56,25 +55,6 @@ void add_supports(const model::Model& model, const PayloadLimits& limits, const 
 
 }  // namespace
 
-namespace {
-
-/// The spans in a frame whose x is the terrain's.
-std::vector<SpanResult> seen_along_terrain(const model::Model& model, std::vector<SpanResult> spans) {
-  const Vector3& along = model.terrain_along;
-  if (along == Vector3::UnitX() && model.terrain_from == Vector3::Zero()) return spans;
-  const Vector3 aside(-along.y(), along.x(), 0);
-  const auto turned = [&](const Vector3& v) { return Vector3(v.dot(along), v.dot(aside), v.z()); };
-  for (SpanResult& span : spans) {
-    span.start = turned(span.start - model.terrain_from);
-    span.end = turned(span.end - model.terrain_from);
-    span.shape.along = turned(span.shape.along);
-    span.shape.chord = turned(span.shape.chord);
-  }
-  return spans;
-}
-
-}  // namespace
-
 std::vector<LimitState> limits_at(const model::Model& model, int body, const PayloadLimits& limits,
                                   const EquilibriumResult& r) {
   std::vector<LimitState> all;
@@ -96,11 +76,10 @@ std::vector<LimitState> limits_at(const model::Model& model, int body, const Pay
   }
   for (std::size_t k = 0; k < limits.rope_clearance.size(); ++k) {
     if (!std::isfinite(limits.rope_clearance[k])) continue;
-    const Lowest low = rope_clearance(model.terrain, seen_along_terrain(model, r.spans), static_cast<int>(k),
-                                      limits.rope_from, limits.rope_to);
-    if (!std::isfinite(low.clearance)) continue;
-    all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, low.clearance, limits.rope_clearance[k],
-                   length_margin(low.clearance - limits.rope_clearance[k], place.z())});
+    const double height = rope_clearance(model, r.spans, static_cast<int>(k), limits.rope_between).height;
+    if (!std::isfinite(height)) continue;
+    all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, height, limits.rope_clearance[k],
+                   length_margin(height - limits.rope_clearance[k], place.z())});
   }
   add_supports(model, limits, r, all);
   return all;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/analysis/equilibrium.hpp"
+#include "taut/analysis/rope_clearance.hpp"
 
 namespace taut::analysis {
 
@@ -21,10 +21,9 @@ struct PayloadLimits {
   std::vector<EndLimit> ends;
   double clearance = -std::numeric_limits<double>::infinity();  ///< least height of the body above the terrain, m; not
                                                                 ///< asked where there is no terrain
-  std::vector<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain between rope_from and
-                                       ///< rope_to, m; -infinity: none. Empty: no rope
-  double rope_from = -std::numeric_limits<double>::infinity();
-  double rope_to = std::numeric_limits<double>::infinity();
+  std::vector<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within
+                                       ///< rope_between, m; -infinity: none. Empty: no rope
+  RopeWindow rope_between;
   /// Angle by which a rope bends over a support on the ground: at most and at least this, rad.
   double break_angle = std::numeric_limits<double>::infinity();
   double least_break_angle = -std::numeric_limits<double>::infinity();

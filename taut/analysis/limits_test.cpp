@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/analysis/clearance.hpp"
 #include "taut/analysis/load_path.hpp"
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/payload.hpp"
+#include "taut/analysis/rope_clearance.hpp"
 
 namespace limits_test {
 
@@ -32,13 +32,64 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
         least = std::min(least, p.z() - ground_height(m.terrain, p.x()));
       }
     }
-    const Lowest low = rope_clearance(m.terrain, e.spans, 0, from, to);
-    EXPECT_LE(low.clearance, least + 1e-9);
-    EXPECT_NEAR(low.clearance, least, 2e-3) << from << " to " << to;
-    EXPECT_GE(low.x, std::min(from, to) - 1e-9);
-    EXPECT_LE(low.x, std::max(from, to) + 1e-9);
+    const RopeClearance low = rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to});
+    EXPECT_LE(low.height, least + 1e-9);
+    EXPECT_NEAR(low.height, least, 2e-3) << from << " to " << to;
+    EXPECT_GE(low.place.x(), std::min(from, to) - 1e-9);
+    EXPECT_LE(low.place.x(), std::max(from, to) + 1e-9);
   }
-  EXPECT_TRUE(std::isinf(rope_clearance({}, e.spans, 0, 0, 300).clearance));
+  m.terrain.clear();
+  EXPECT_TRUE(std::isnan(rope_clearance(m, e.spans, 0, {Vector3::UnitX(), 0, 300}).height));
+}
+
+TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
+  model::Model m = with_carriage(true, 0.1, 200);
+  m.terrain = {{-10, -12}, {40, 7}, {70, 6}, {120, 22}, {160, 16}, {230, 41}, {310, 46}};
+  PayloadLimits limits;
+  limits.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
+  limits.rope_between = {Vector3::UnitX(), 100, 190};
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  const Payload straight = payload(m, 0, limits, options);
+  ASSERT_TRUE(straight.outcome.ok()) << straight.outcome.message;
+  ASSERT_EQ(straight.limit.kind, LimitKind::rope_clearance) << straight.governing;
+  for (const double angle : {0.5, M_PI / 2, 2.5, M_PI, -1.2}) {
+    const Vector3 by(12, -7, 3), along(std::cos(angle), std::sin(angle), 0);
+    const double shift = by.dot(along);
+    model::Model other = turned(m, angle, by);
+    for (model::GroundPoint& p : other.terrain) p.z += by.z();
+    PayloadLimits there = limits;
+    there.rope_between = {along, 100 + shift, 190 + shift};
+    EquilibriumOptions placed;
+    placed.prescribed = Prescribed{0, 150 + shift, along};
+    const Payload p = payload(other, 0, there, placed);
+    ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
+    EXPECT_EQ(p.governing, straight.governing);
+    EXPECT_NEAR(p.mass / straight.mass, 1, 1e-7) << angle;
+  }
+}
+
+TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
+  model::Model m;
+  m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
+  m.terrain = {{0, 0}, {100, 0}};
+  const EquilibriumResult e = equilibrium(m);
+  ASSERT_TRUE(e.outcome.ok());
+  const auto height = [&](double from, double to) {
+    return rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to}).height;
+  };
+  const auto z_at = [&](double x) { return 10 - taut::rope::sag_at(e.spans[0].shape, x); };
+  EXPECT_NEAR(height(100, 0), z_at(50), 1e-9);
+  EXPECT_NEAR(height(10, 30), z_at(30), 1e-9);
+  EXPECT_NEAR(height(70, 90), z_at(70), 1e-9);
+  EXPECT_NEAR(height(0, 0), 10, 1e-9);
+  EXPECT_TRUE(std::isnan(height(-20, -1)));
+  m.terrain = {{60, 0}, {80, 0}};
+  EXPECT_NEAR(height(0, 100), z_at(60), 1e-9);
+  // a terrain across the rope is one place of it
+  m.terrain_along = Vector3::UnitY();
+  m.terrain = {{-5, 3}, {5, 3}};
+  EXPECT_NEAR(height(0, 100), z_at(50) - 3, 1e-9);
 }
 
 TEST(Limits, EachIsReachedByItsPayload) {
@@ -51,8 +102,7 @@ TEST(Limits, EachIsReachedByItsPayload) {
   pull.ends = {{1, false, 3e3}};
   PayloadLimits rope;
   rope.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
-  rope.rope_from = 100;
-  rope.rope_to = 190;
+  rope.rope_between = {Vector3::UnitX(), 100, 190};
   PayloadLimits angle;
   angle.break_angle = 0.9;
   for (const auto& [limits, kind] :

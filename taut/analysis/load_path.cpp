@@ -67,6 +67,7 @@ LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
   for (int i = 0; i <= options.steps; ++i) {
     LoadPathPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
+    if (options.go_on && !options.go_on(point.x)) break;
     EquilibriumOptions here = options.equilibrium;
     here.prescribed = Prescribed{options.carriage, point.x, options.along};
     if (options.condition) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ struct LoadPathOptions {
   int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   EquilibriumOptions equilibrium;
-  std::optional<Condition> condition;  ///< in place of what one rope has given, at every position
+  std::optional<Condition> condition;   ///< in place of what one rope has given, at every position
+  std::function<bool(double x)> go_on;  ///< asked before every position; false ends the way there. May be empty
 };
 
 struct LoadPathPoint {
@@ -23,8 +25,8 @@ struct LoadPathPoint {
 };
 
 struct LoadPath {
-  Outcome outcome;  ///< the first position without equilibrium, named by its x
-  std::vector<LoadPathPoint> points;
+  Outcome outcome;                    ///< the first position without equilibrium, named by its x
+  std::vector<LoadPathPoint> points;  ///< one for each position, fewer where `go_on` ended it
 };
 
 /// Each position starts from the one before. A position without equilibrium stays in the list with its outcome.

@@ -147,4 +147,27 @@ inline model::Model boom() {
   return m;
 }
 
+/// The same machine turned about the vertical through the origin, then shifted.
+inline model::Model turned(model::Model m, double angle, const Vector3& by) {
+  const taut::Matrix3 turn = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+  const auto place = [&](model::Place& p) {
+    if (p.body == model::ground) p.at = turn * p.at + by;
+  };
+  for (model::Body& b : m.bodies) {
+    b.position = turn * b.position + by;
+    b.orientation = turn * b.orientation;
+    for (model::Freedom& way : b.free) way = {turn * way.along, turn * way.about};
+  }
+  for (model::Reeving& r : m.reevings) {
+    for (model::Node& n : r.nodes) {
+      place(n.at);
+      if (n.at.body == model::ground) n.axis = turn * n.axis;
+    }
+  }
+  for (model::Load& l : m.loads) l.force = turn * l.force;
+  m.terrain_from = turn * m.terrain_from + by;
+  m.terrain_along = turn * m.terrain_along;
+  return m;
+}
+
 }  // namespace taut_test

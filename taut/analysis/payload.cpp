@@ -116,6 +116,7 @@ std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadL
   for (int i = 0; i <= options.steps; ++i) {
     PayloadPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
+    if (options.go_on && !options.go_on(point.x)) break;
     EquilibriumOptions here = options.equilibrium;
     here.prescribed = Prescribed{options.carriage, point.x, options.along};
     point.payload = payload(model, carriage.body, limits, here, start, expected);

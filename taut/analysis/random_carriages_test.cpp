@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "taut/analysis/dice_test.hpp"
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/machines_test.hpp"
 
@@ -15,12 +15,6 @@ namespace random_carriages_test {
 
 using namespace taut_test;
 using namespace taut::analysis;
-
-struct Dice {
-  std::mt19937 source;
-  double in(double low, double high) { return low + (high - low) * (static_cast<double>(source()) / 4294967296.0); }
-  int below(int n) { return static_cast<int>(source() % static_cast<unsigned>(n)); }
-};
 
 struct Line {
   model::Model model;

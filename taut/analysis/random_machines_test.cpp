@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "taut/analysis/dice_test.hpp"
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/machines_test.hpp"
 
@@ -17,13 +17,6 @@ namespace random_machines_test {
 using namespace taut_test;
 using namespace taut::analysis;
 using taut::Matrix3;
-
-struct Dice {
-  std::mt19937 source;
-  double in(double low, double high) { return low + (high - low) * (static_cast<double>(source()) / 4294967296.0); }
-  double ten_to(double low, double high) { return std::pow(10, in(low, high)); }
-  int below(int n) { return static_cast<int>(source() % static_cast<unsigned>(n)); }
-};
 
 struct Machine {
   model::Model model;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "taut/math/index.hpp"
 
@@ -128,6 +129,29 @@ std::string drawn_up(const System& s, const Configuration& c) {
   return {};
 }
 
+/// A carriage that is put beyond the places that its rope runs between, in words; empty where it is not.
+std::string off_the_line(const System& s) {
+  if (s.layout.coordinate_row < 0) return {};
+  for (const model::Carriage& car : s.model.carriages) {
+    if (car.body != s.layout.coordinate_body) continue;
+    const std::vector<model::Node>& nodes = s.model.reevings[at(car.reeving)].nodes;
+    const model::Node* ends[] = {nullptr, nullptr};  // the neighbours on the ground, by their x
+    for (const int n : {car.node - 1, car.node + car.rollers}) {
+      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[at(n)].at.body != model::ground) return {};
+      ends[n < car.node ? 0 : 1] = &nodes[at(n)];
+    }
+    const auto x_of = [&](const model::Node* n) { return s.layout.coordinate_along.dot(n->at.at); };
+    if (x_of(ends[0]) > x_of(ends[1])) std::swap(ends[0], ends[1]);
+    const double reach = std::max(ends[0]->radius, ends[1]->radius);
+    if (s.coordinate >= x_of(ends[0]) - reach && s.coordinate <= x_of(ends[1]) + reach) return {};
+    return fmt::format(
+        "'{}' is put at x = {:.6g} m, but its rope runs from x = {:.6g} m ('{}') to {:.6g} m ('{}') "
+        "there: choose a place between them",
+        car.name, s.coordinate, x_of(ends[0]), ends[0]->name, x_of(ends[1]), ends[1]->name);
+  }
+  return {};
+}
+
 /// Whether a rope that a body hangs on has its tension given.
 bool hangs_on_given_tension(const System& s, int body) {
   return std::any_of(s.model.reevings.begin(), s.model.reevings.end(), [&](const model::Reeving& rope) {
@@ -139,6 +163,7 @@ bool hangs_on_given_tension(const System& s, int body) {
 }  // namespace
 
 Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
+  if (const std::string why = off_the_line(s); !why.empty()) return infeasible(why);
   if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
   const int worst = worst_freedom(s, e);
   const std::string slack = slack_ropes(s, e);

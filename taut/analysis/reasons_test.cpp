@@ -41,6 +41,19 @@ TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
   EXPECT_TRUE(equilibrium(m).outcome.ok());
 }
 
+TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
+  const model::Model m = rollers(1, 0, 0, 500);
+  for (const double x : {-40.0, 300.0}) {
+    EquilibriumOptions options;
+    options.prescribed = Prescribed{0, x};
+    const EquilibriumResult r = equilibrium(m, options);
+    ASSERT_EQ(r.outcome.status, taut::Status::infeasible) << r.outcome.message;
+    EXPECT_NE(r.outcome.message.find("but its rope runs from x = 0 m ('head') to 150 m ('tail') there"),
+              std::string::npos)
+        << r.outcome.message;
+  }
+}
+
 TEST(Reasons, APullThatDoesNotCarryTheLoadIsNamed) {
   model::Model m = tackle(4, 1, 3000);
   m.reevings[0].given = model::Given::tension_at_start;

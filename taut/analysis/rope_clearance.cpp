@@ -1,5 +1,6 @@
 #include "taut/analysis/rope_clearance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -16,84 +17,132 @@ bool moves(const model::Model& model, const SpanResult& span, int node) {
   return place.body != model::ground && !model.bodies[at(place.body)].free.empty();
 }
 
-/// The ground under a span, seen from its start: at the horizontal distance h from there the terrain's x is from + rate
-/// h.
+/// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
 struct Under {
   double from = 0, rate = 0;
-  double length = 0;  ///< of the span in plan, m
+};
+
+/// A part of a span in plan, m from its start.
+struct Part {
+  double first = 0, last = 0;
+
+  bool empty() const { return !(first <= last); }
+
+  /// What is left of it where a coordinate lies between a and b.
+  Part within(const Under& u, double a, double b) const {
+    if (u.rate == 0) return u.from >= a && u.from <= b ? *this : Part{1, 0};
+    const double p = (a - u.from) / u.rate, q = (b - u.from) / u.rate;
+    return {std::max(first, std::min(p, q)), std::min(last, std::max(p, q))};
+  }
 };
 
 class ClearanceSearch {
  public:
   ClearanceSearch(const model::Model& model, const SpanResult& span)
       : model_(model), span_(span), ground_(model.terrain) {
-    under_.from = terrain_x(model, span.start);
-    under_.rate = model.terrain_along.dot(span.shape.along);
-    under_.length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+    under_ = {terrain_x(model, span.start), model.terrain_along.dot(span.shape.along)};
+    length_ = std::hypot(span.shape.chord.x(), span.shape.chord.y());
   }
 
+  /// Of the free rope.
   RopeClearance least() {
-    if (moves(model_, span_, span_.from)) take(0, span_.start, true);
-    if (moves(model_, span_, span_.to)) take(under_.length, span_.end, true);
-    for (std::size_t k = 0; k + 1 < ground_.size(); ++k) parallel(ground_[k], ground_[k + 1]);
-    for (std::size_t k = 1; k + 1 < ground_.size(); ++k) hilltop(k);
+    if (moves(model_, span_, span_.from)) take(under_.from, span_.start);
+    if (moves(model_, span_, span_.to)) take(x_at(length_), span_.end);
+    // at a fixed end, but for rounding
+    between({near * length_, (1 - near) * length_});
+    return found_;
+  }
+
+  /// Of what is in a window, ends counted.
+  RopeClearance least(const RopeWindow& window) {
+    const auto [low, high] = std::minmax(window.from, window.to);
+    const Under across{window.along.dot(span_.start), window.along.dot(span_.shape.along)};
+    const Part part = Part{0, length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
+    if (part.empty()) return found_;
+    take_at(part.first);
+    take_at(part.last);
+    if (length_ == 0) take(under_.from, span_.end);
+    between(part);
     return found_;
   }
 
  private:
+  bool straight() const { return span_.slack || span_.shape.rope.weight <= 0 || span_.shape.force.H <= 0; }
   double x_at(double h) const { return under_.from + under_.rate * h; }
 
-  /// Compares the rope's place at the distance h with the ground below it.
-  void take(double h, const Vector3& place, bool is_end = false) {
-    // at a fixed end, but for rounding
-    if (!is_end && !(h > near * under_.length && h < (1 - near) * under_.length)) return;
-    const double height = place.z() - ground_height(ground_, x_at(h));
+  /// Compares a place of the rope with the ground at x below it.
+  void take(double x, const Vector3& place) {
+    const double inside = std::clamp(x, ground_.front().x, ground_.back().x);
+    const double rounding = near * std::max(1.0, length_);
+    const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
     if (std::isnan(height) || height >= found_.height) return;
     found_ = {height, place};
   }
 
+  /// The rope at the distance h: by its sag under the chord.
+  void take_at(double h) {
+    if (length_ == 0) return take(under_.from, span_.start);
+    const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(span_.shape, h));
+    take(x_at(h), span_.start + h / length_ * span_.shape.chord + below);
+  }
+
+  void between(const Part& part) {
+    for (std::size_t k = 0; k + 1 < ground_.size(); ++k) parallel(ground_[k], ground_[k + 1], part);
+    for (std::size_t k = 1; k + 1 < ground_.size(); ++k) hilltop(k, part);
+  }
+
   /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
-  void parallel(const model::GroundPoint& a, const model::GroundPoint& b) {
+  void parallel(const model::GroundPoint& a, const model::GroundPoint& b, const Part& part) {
+    if (straight()) return;
     const rope::CatenaryRope& rope = span_.shape.rope;
-    if (!(rope.weight > 0)) return;
     const double slope = under_.rate * (b.z - a.z) / (b.x - a.x);
     const double s = rope.length / 2 + (slope * span_.shape.force.H - span_.shape.force.V) / rope.weight;
     if (!(s > 0 && s < rope.length)) return;
     const Vector3 place = rope::point_at(span_.shape, s);
     const double h = place.dot(span_.shape.along), x = x_at(h);
-    if (x >= a.x && x <= b.x) take(h, span_.start + place);
+    if (h > part.first && h < part.last && x >= a.x && x <= b.x) take(x, span_.start + place);
   }
 
-  void hilltop(std::size_t k) {
+  void hilltop(std::size_t k, const Part& part) {
     if (under_.rate == 0) return;
     const model::GroundPoint &a = ground_[k - 1], &b = ground_[k], &c = ground_[k + 1];
     if ((b.z - a.z) * (c.x - b.x) <= (c.z - b.z) * (b.x - a.x)) return;
     const double h = (b.x - under_.from) / under_.rate;
-    if (!(h > 0 && h < under_.length)) return;
-    const Vector3 below(0, 0, -rope::sag_at(span_.shape, h));
-    take(h, span_.start + h / under_.length * span_.shape.chord + below);
+    if (h > part.first && h < part.last) take_at(h);
   }
 
   const model::Model& model_;
   const SpanResult& span_;
   const std::vector<model::GroundPoint>& ground_;
-  Under under_;
+  Under under_;        ///< the terrain's x
+  double length_ = 0;  ///< of the span in plan, m
   RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
 };
+
+RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
+  const bool second = std::isfinite(b.height) && !(a.height <= b.height);
+  return second ? b : a;
+}
 
 }  // namespace
 
 RopeClearance rope_clearance(const model::Model& model, const SpanResult& span) {
   if (model.terrain.empty() || span.slack) return {};
-  const RopeClearance found = ClearanceSearch(model, span).least();
-  return std::isfinite(found.height) ? found : RopeClearance{};
+  return lower({}, ClearanceSearch(model, span).least());
 }
 
 RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result) {
   RopeClearance least;
-  for (const SpanResult& span : result.spans) {
-    const RopeClearance own = rope_clearance(model, span);
-    if (!(own.height >= least.height) && !std::isnan(own.height)) least = own;
+  for (const SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));
+  return least;
+}
+
+RopeClearance rope_clearance(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+                             const RopeWindow& window) {
+  RopeClearance least;
+  if (model.terrain.empty()) return least;
+  for (const SpanResult& span : spans) {
+    if (span.reeving == reeving) least = lower(least, ClearanceSearch(model, span).least(window));
   }
   return least;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <vector>
 
 #include "taut/analysis/equilibrium.hpp"
 
@@ -19,5 +20,19 @@ RopeClearance rope_clearance(const model::Model& model, const SpanResult& span);
 
 /// The least of all spans.
 RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result);
+
+/// A strip across the line: the places whose distance from the origin along `along` lies between `from` and `to`
+/// (either order), m.
+struct RopeWindow {
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+};
+
+/// Of one rope within a window, whatever holds its ends there: who asks for a window says where the rope has to be
+/// clear. Where the rope passes the edges of the window or of the terrain counts too. A slack span counts by its chord.
+/// NaN where no rope is over terrain in the window.
+RopeClearance rope_clearance(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+                             const RopeWindow& window);
 
 }  // namespace taut::analysis

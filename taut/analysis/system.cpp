@@ -83,7 +83,7 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
         const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
         e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
-      length += arc(s, e, t);
+      length += arc(s, e, t).length;
     }
     for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
     const auto open = [&](model::Given given, double value) {
@@ -136,11 +136,17 @@ BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies
   return end;
 }
 
-double arc(const System& s, const Evaluation& e, int turn) {
+ArcLength arc(const System& s, const Evaluation& e, int turn) {
   const Layout::Turn& t = s.layout.turns[at(turn)];
-  const double T = (e.branches[at(t.before)].T_to + e.branches[at(t.after)].T_from) / 2;
-  const double strain = T / reeving_of(s, t.reeving).stiffness;
-  return node_of(s, t).radius * e.bends[at(turn)].wrap / (1 + strain);
+  const model::Node& node = node_of(s, t);
+  const bool runs = s.losses > 0 || node.kind == model::NodeKind::drive;
+  return arc_length({.radius = node.radius,
+                     .wrap = e.bends[at(turn)].wrap,
+                     .T_in = e.branches[at(t.before)].T_to,
+                     .T_out = e.branches[at(t.after)].T_from,
+                     .stiffness = reeving_of(s, t.reeving).stiffness,
+                     .friction = node.law.friction,
+                     .flow = runs ? t.runs : 0});
 }
 
 Vector3 track(const System& s, const Evaluation& e) {

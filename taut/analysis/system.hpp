@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "taut/analysis/arc_length.hpp"
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/branch.hpp"
 #include "taut/analysis/layout.hpp"
@@ -88,8 +89,8 @@ rope::CatenaryRope rope_of(const model::Reeving& reeving, double length);
 /// The end of a branch in the ground frame.
 BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies);
 
-/// Length of the arc at a turn, unstretched, m.
-double arc(const System& system, const Evaluation& e, int turn);
+/// Length of the arc at a turn, unstretched, with its derivatives.
+ArcLength arc(const System& system, const Evaluation& e, int turn);
 
 /// Unit vector along the track of the carriage that is held: between the rope's directions before its first roller and
 /// behind its last one.

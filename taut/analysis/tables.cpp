@@ -133,7 +133,7 @@ void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result)
       row.at_end = span.T_to > span.T_from;
       row.T_max = std::max(span.T_from, span.T_to);
     }
-    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) row.unstretched += arc(s, e, t);
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) row.unstretched += arc(s, e, t).length;
     row.unstretched /= 1 + s.model.reevings[r].thermal_strain;
     const double breaks = s.model.reevings[r].breaking_force;
     row.safety_factor = breaks > 0 && row.T_max > 0 ? breaks / row.T_max : 0;

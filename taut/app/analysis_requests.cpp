@@ -138,7 +138,7 @@ const Description& InstallationGivenRequest::describe() {
           .field(&InstallationGivenRequest::span, "span", "", si::one,
                  "number of the free span that has the sag, from 1; without it the longest")
           .at_least(1)
-          .field(&InstallationGivenRequest::temperature, "temperature", "", si::K,
+          .field(&InstallationGivenRequest::temperature, "temperature", "", si::K.in("degC"),
                  "at which it holds, the length found is kept at all others; without it it holds at each temperature "
                  "and the length follows")
           .above(0)
@@ -155,14 +155,14 @@ const Description& InstallationRequest::describe() {
                  "the rope that is put up empty: without its carriages, and "
                  "without what hangs on them")
           .required()
-          .field(&InstallationRequest::temperatures, "temperatures", "", si::K,
+          .field(&InstallationRequest::temperatures, "temperatures", "", si::K.in("degC"),
                  "at each of these, such as 15 degC; without them the machine's")
           .above(0)
           .at_most(2000)
-          .field(&InstallationRequest::from, "from", "", si::K, "first temperature, in place of a list")
+          .field(&InstallationRequest::from, "from", "", si::K.in("degC"), "first temperature, in place of a list")
           .above(0)
           .at_most(2000)
-          .field(&InstallationRequest::to, "to", "", si::K, "last temperature")
+          .field(&InstallationRequest::to, "to", "", si::K.in("degC"), "last temperature")
           .above(0)
           .at_most(2000)
           .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them")
@@ -247,7 +247,8 @@ const Description& EnvelopeRequest::describe() {
           .at_most(heaviest)
           .field(&EnvelopeRequest::motions, "motions", "each of these; without them at_rest")
           .of({"at_rest", "hoist", "lower", "in", "out"})
-          .field(&EnvelopeRequest::temperatures, "temperatures", "", si::K, "each of these; without them the machine's")
+          .field(&EnvelopeRequest::temperatures, "temperatures", "", si::K.in("degC"),
+                 "each of these; without them the machine's")
           .above(0)
           .at_most(2000);
   return d;

@@ -8,6 +8,7 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/rope_uses.hpp"
+#include "taut/app/watch.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::app {
@@ -113,12 +114,13 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 }
 
 /// The way of the carriage, part by part; a position on a support is passed over.
-std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
+std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase, Watch& watch,
                                         Outcome& outcome) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<CyclePosition> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
+    if (watch.ended()) break;
     if (part.support != nullptr) {
       all.emplace_back().x = phase.way.x(part.first);
       continue;
@@ -132,8 +134,9 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
     options.steps = std::max(1, part.last - part.first);
     options.equilibrium = options_of(phase.request.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
+    options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto path = analysis::load_path(part.model, options);
-    if (part.last == part.first) path.points.resize(1);
+    if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
     for (const auto& point : path.points) {
       CyclePosition& p = all.emplace_back();
       p.x = point.x;
@@ -291,10 +294,14 @@ void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Resu
 
 void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   std::vector<PhaseAnswer> answers;
+  int states = 0;
+  for (const Phase& phase : run.phases) states += phase.way.steps + 1;
+  Watch watch(machine.progress, "cycle" + run.ending, states);
   for (const Phase& phase : run.phases) {
+    if (watch.ended()) break;
     Outcome outcome;
     PhaseAnswer& answer = answers.emplace_back();
-    answer.positions = positions_of(machine, run, phase, outcome);
+    answer.positions = positions_of(machine, run, phase, watch, outcome);
     note_failure(r, outcome, fmt::format("cycle, {}", phase.request.name));
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
@@ -302,6 +309,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
       answer.works.push_back(work_of(machine.model, run, w, answer.positions, phase.speed));
     }
   }
+  watch.note(r);
   r.tables.push_back(works_table(run, answers));
   r.tables.push_back(positions_table(run, answers));
   if (r.status != Status::ok) return;  // no sums over what is not there

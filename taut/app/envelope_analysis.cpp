@@ -12,11 +12,14 @@
 #include "taut/app/none.hpp"
 #include "taut/app/rope_uses.hpp"
 #include "taut/app/temperature.hpp"
+#include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
+
+constexpr double equal = 1e-7;  ///< two extremes, of their size (at least 1 N, m or rad)
 
 /// One combination of load, motion and temperature, and a place.
 struct Where {
@@ -59,11 +62,13 @@ class Envelope {
       all.back().unit = unit;
     }
     Extreme& e = all[known->second];
-    if (value < e.least) {
+    // of equals the first one: what is left of their equations does not choose the place
+    const double same = equal * std::max(1.0, std::abs(value));
+    if (value < e.least - same) {
       e.least = value;
       e.at_least = where;
     }
-    if (value > e.most) {
+    if (value > e.most + same) {
       e.most = value;
       e.at_most = where;
     }
@@ -138,8 +143,8 @@ void add_bodies(Envelope& envelope, const model::Model& m, const analysis::Equil
 /// All that is asked of one combination.
 class Combination {
  public:
-  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Result& r)
-      : machine_(machine), run_(run), envelope_(envelope), r_(r) {}
+  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch, Result& r)
+      : machine_(machine), run_(run), envelope_(envelope), watch_(watch), r_(r) {}
 
   void solve(const Where& where) {
     model::Model model = machine_.model;
@@ -147,11 +152,13 @@ class Combination {
     if (!std::isnan(where.load)) model.bodies[at(run_.load_body)].mass += where.load;
     const std::vector<MotionRequest> motion = {{{}, where.motion}};
     if (run_.carriage < 0) {
+      if (!watch_.go_on(words_of(motion))) return;
       const auto result = analysis::equilibrium(model, options_for(motion, model));
       take(model, result, where, fmt::format("envelope, {}", words_of(motion)));
       return;
     }
     for (const WayPart& part : parts_of(model, run_.way)) {
+      if (watch_.ended()) return;
       if (part.support != nullptr) {
         on_support_ = true;
         continue;
@@ -163,8 +170,9 @@ class Combination {
       options.along = run_.way.along;
       options.steps = std::max(1, part.last - part.first);
       options.equilibrium = options_for(motion, part.model);
+      options.go_on = [&](double x) { return watch_.go_on_at(x); };
       auto path = analysis::load_path(part.model, options);
-      if (part.last == part.first) path.points.resize(1);
+      if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
       for (const auto& point : path.points) {
         Where there = where;
         there.x = point.x;
@@ -215,6 +223,7 @@ class Combination {
   MachineRun& machine_;
   const EnvelopeRun& run_;
   Envelope& envelope_;
+  Watch& watch_;
   Result& r_;
   OtherAnswer worst_;
   double most_ = -1;
@@ -230,7 +239,7 @@ Table table_of(const EnvelopeRun& run, const Envelope& envelope, const std::stri
     t.columns.push_back({fmt::format("{}_x", end), si::m});
     t.columns.push_back({fmt::format("{}_load", end), si::kg});
     t.columns.push_back({fmt::format("{}_motion", end), si::one});
-    t.columns.push_back({fmt::format("{}_temperature", end), si::K});
+    t.columns.push_back({fmt::format("{}_temperature", end), si::K.in("degC")});
   }
   for (const Extreme& e : envelope.all) {
     if (e.unit.symbol != unit.symbol) continue;
@@ -242,13 +251,17 @@ Table table_of(const EnvelopeRun& run, const Envelope& envelope, const std::stri
 
 void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
   Envelope envelope;
-  Combination one(machine, run, envelope, r);
   const auto or_none = [](const std::vector<double>& all) { return all.empty() ? std::vector<double>{none} : all; };
+  const std::size_t combinations = or_none(run.temperatures).size() * or_none(run.loads).size() * run.motions.size();
+  const int states = run.carriage < 0 ? 1 : run.way.steps + 1;
+  Watch watch(machine.progress, "envelope" + run.ending, static_cast<int>(combinations) * states);
+  Combination one(machine, run, envelope, watch, r);
   for (const double temperature : or_none(run.temperatures)) {
     for (const double load : or_none(run.loads)) {
       for (const std::string& motion : run.motions) one.solve({none, load, motion, temperature});
     }
   }
+  watch.note(r);
   if (one.on_support()) r.warnings.emplace_back("envelope: positions on a support are left out");
   if (envelope.all.empty()) return;
   r.tables.push_back(table_of(run, envelope, "", si::N));

@@ -113,8 +113,13 @@ Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const a
                                     [&](const model::Reeving& r) { return r.name == run.words; });
   const auto index = static_cast<int>(reeving - any.at.model.reevings.begin());
   Table t{"installation" + run.ending, "", {}, {}};
-  t.columns = {{"temperature", si::K}, {"T_start", si::N},   {"T_end", si::N},    {"H", si::N},
-               {"unstretched", si::m}, {"installed", si::m}, {"stretched", si::m}};
+  t.columns = {{"temperature", si::K.in("degC")},
+               {"T_start", si::N},
+               {"T_end", si::N},
+               {"H", si::N},
+               {"unstretched", si::m},
+               {"installed", si::m},
+               {"stretched", si::m}};
   std::string spans;
   int n = 0;
   for (const auto& s : result.spans) {
@@ -140,11 +145,27 @@ Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const a
   return t;
 }
 
+/// Unstretched rope on the drums at its ends: what the deck has there, and what the line does not need of its length.
+/// NaN: the deck does not say.
+double on_drums(const model::Machine& machine, const std::string& rope, double unstretched) {
+  const auto reeving = std::find_if(machine.reevings.begin(), machine.reevings.end(),
+                                    [&](const auto& one) { return one.name.value_or(one.rope) == rope; });
+  if (reeving == machine.reevings.end()) return none;
+  double content = none;
+  for (const auto* end : {&reeving->path.front(), &reeving->path.back()}) {
+    const auto drum = std::find_if(machine.drums.begin(), machine.drums.end(),
+                                   [&](const auto& one) { return end->drum && one.name == *end->drum; });
+    if (drum == machine.drums.end() || !drum->length_on_drum) continue;
+    content = (std::isnan(content) ? 0 : content) + *drum->length_on_drum;
+  }
+  return reeving->length ? content + *reeving->length - unstretched : none;
+}
+
 /// All ropes of the state in which the table's first row is, by their lengths.
 Table lengths_table(const InstallationRun& run, const Row& row) {
   Table t{"lengths" + run.ending,
           fmt::format("Lengths of all ropes that are up ({}): at the reference temperature, as cut, under load, and of "
-                      "that between and on sheaves",
+                      "that between and on sheaves; unstretched on drums",
                       words_of(row, run)),
           {{"rope", si::one},
            {"unstretched", si::m},
@@ -152,13 +173,15 @@ Table lengths_table(const InstallationRun& run, const Row& row) {
            {"stretched", si::m},
            {"free", si::m},
            {"on_sheaves", si::m},
-           {"copies", si::one}},
+           {"copies", si::one},
+           {"on_drums", si::m}},
           {}};
   const model::Model& m = row.at.at.model;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const auto l = analysis::lengths_of(m, row.at.at.result, static_cast<int>(i));
     t.rows.push_back({m.reevings[i].name, l.unstretched, l.cut, l.stretched, l.free, l.on_sheaves,
-                      static_cast<double>(m.reevings[i].copies)});
+                      static_cast<double>(m.reevings[i].copies),
+                      on_drums(*run.machine, m.reevings[i].name, l.unstretched)});
   }
   return t;
 }
@@ -169,7 +192,7 @@ Plot plot_of(const InstallationRun& run, const std::vector<Row>& rows, const std
   Plot p;
   p.name = name + run.ending;
   p.title = std::move(title);
-  p.x = {"temperature", si::K};
+  p.x = {"temperature", si::K.in("degC")};
   p.y = y;
   for (const auto& [label, of] : curves) {
     Curve c;

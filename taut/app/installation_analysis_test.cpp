@@ -75,6 +75,20 @@ TEST(InstallationAnalysis, WithoutAnythingGivenTheMachinesLength) {
   EXPECT_NEAR(cell(lengths, 0, "free") + cell(lengths, 0, "on_sheaves"), cell(lengths, 0, "stretched"), 1e-9);
 }
 
+TEST(InstallationAnalysis, WhatTheLineDoesNotNeedStaysOnTheDrum) {
+  std::string deck = installation_of("given: {tension: 60 kN, at: end}");
+  const std::string end = "{over: jack2}, {anchor: tower}";
+  deck.replace(deck.find(end), end.size(), "{over: jack2}, {drum: winch}");
+  const Result unsaid = run_text(deck);
+  ASSERT_EQ(unsaid.status, Status::ok) << unsaid.message << to_text(unsaid.errors);
+  EXPECT_TRUE(std::isnan(cell(table_of(unsaid, "lengths"), 0, "on_drums")));
+  const Result r = run_text(deck, {"machine.drums.winch.length_on_drum=40 m"});
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "lengths");
+  EXPECT_GT(cell(t, 0, "on_drums"), 40) << "drawn up: rope comes in";
+  EXPECT_NEAR(cell(t, 0, "on_drums") + cell(t, 0, "unstretched"), 382 + 40, 1e-9);
+}
+
 TEST(InstallationAnalysis, TellsEachMistakeAtItsPlace) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"temperatures: [15]", "temperatures: a temperature needs its unit"},

@@ -20,10 +20,12 @@
 #include "taut/app/rope_uses.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
+#include "taut/app/watch.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/read.hpp"
 #include "taut/model/carriage_span.hpp"
 #include "taut/model/compile.hpp"
+#include "taut/model/names.hpp"
 
 namespace taut::app {
 namespace {
@@ -155,9 +157,10 @@ void solve(const model::Model& model, EquilibriumRun& one) {
 }
 
 /// The load path span by span; positions on a support stay without an answer.
-void solve(const model::Model& model, LoadPathRun& one) {
+void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
   const Way way{one.carriage, one.from, one.to, one.steps, one.along};
   for (WayPart& place : parts_of(model, way)) {
+    if (watch.ended()) return;
     LoadPathPart part;
     part.model = std::move(place.model);
     if (place.support != nullptr) {
@@ -178,7 +181,9 @@ void solve(const model::Model& model, LoadPathRun& one) {
     options.equilibrium = options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.condition = one.given;
+    options.go_on = [&](double x) { return watch.go_on_at(x); };
     part.result = analysis::load_path(part.model, options);
+    if (part.result.points.empty()) return;
     if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
   }
@@ -228,7 +233,9 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
   }
   for (LoadPathRun& one : run.paths) {
-    solve(run.model, one);
+    if (r.interrupted) break;
+    Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
+    solve(run.model, one, watch);
     for (const LoadPathPart& part : one.parts) {
       const auto& first = part.result.points.front();
       if (part.result.outcome.ok() && !first.at.outcome.ok()) {
@@ -236,16 +243,20 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
       }
       note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
     }
+    watch.note(r);
   }
   if (deck.checks) run.rope_uses = std::make_shared<RopeUses>(deck, run.model);
   // what they find comes behind the tables and values of the states that they leave
   Result more;
-  for (const Analysis& one : run.more) one(run, more);
+  for (const Analysis& one : run.more) {
+    if (r.interrupted || more.interrupted) break;
+    one(run, more);
+  }
   if (r.status == Status::ok) {
     r.status = more.status;
     r.message = more.message;
   }
-  r.interrupted = more.interrupted;
+  r.interrupted = r.interrupted || more.interrupted;
   add_tables(run, r);
   add_beam_tables(run, r);
   add_values(run, r);
@@ -272,6 +283,21 @@ Result compute_again(const MachineDeck& deck, bool checks_only, const std::funct
   }
   Requests requests(deck, *model);
   return compute(deck, requests.resolve(), progress, checks_only);
+}
+
+/// Whether every part of the machine could be looked up: where a list is called by a wrong name, all its names would be
+/// missed too.
+bool all_parts_known(const io::Node& input) {
+  const io::Node* machine = input.find("machine");
+  if (machine == nullptr) return false;
+  const Description& known = model::Machine::describe();
+  return std::all_of(machine->entries.begin(), machine->entries.end(),
+                     [&](const io::Entry& e) { return known.find(e.key) != nullptr; });
+}
+
+void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, Diagnostics& mistakes) {
+  for (Complaint& c : complaints) c.path = c.path.empty() ? "machine" : "machine." + c.path;
+  io::place(input, complaints, mistakes);
 }
 
 }  // namespace
@@ -306,7 +332,10 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   const std::size_t before = mistakes.size();
   load_terrain(input, deck->machine, mistakes);
   load_restarts(input, *deck, mistakes);
-  if (!readable || mistakes.size() > before) return {};
+  if (!readable || mistakes.size() > before) {
+    if (all_parts_known(input)) place_in_machine(input, model::unknown_names(deck->machine), mistakes);
+    return {};
+  }
   DesignSpace space;
   if (deck->design) {
     space = design_space(input, *deck, mistakes);
@@ -317,8 +346,7 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
       std::make_shared<MachineDeck>(with_choice(*deck, space, std::vector<std::size_t>(space.ropes.size(), 0)));
   auto model = model::compile(first->machine);
   if (!model) {
-    for (Complaint& c : model.error()) c.path = c.path.empty() ? "machine" : "machine." + c.path;
-    io::place(input, model.error(), mistakes);
+    place_in_machine(input, model.error(), mistakes);
     return {};
   }
   if (const auto missing = not_computed(*first); !missing.empty()) {

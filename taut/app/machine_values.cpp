@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "taut/analysis/rope_clearance.hpp"
@@ -11,6 +12,8 @@
 
 namespace taut::app {
 namespace {
+
+constexpr double fallen = std::numbers::pi / 3;  ///< rad
 
 using analysis::ContactState;
 using analysis::EquilibriumResult;
@@ -164,9 +167,31 @@ std::string beside_its_span(const model::Model& m, const EquilibriumResult& e, c
                      car.name, place.x(), nodes[n - 1].name, nodes[after].name);
 }
 
+/// Angle by which a body is turned from where the deck has it, rad.
+double turned_by(const model::Model& m, const EquilibriumResult& e, std::size_t body) {
+  const double trace = (e.state.bodies[body].orientation * m.bodies[body].orientation.transpose()).trace();
+  return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
+}
+
+/// Bodies that came to rest far from how they stand in the deck: a tower whose guys do not hold it lies down, which is
+/// an equilibrium too.
+void warn_of_fallen(const model::Model& m, const EquilibriumResult& e, const std::string& words,
+                    std::set<std::string>& told, Result& r) {
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (m.bodies[b].beam >= 0) continue;
+    const double angle = turned_by(m, e, b);
+    if (angle <= fallen || !told.insert(m.bodies[b].name + " fallen").second) continue;
+    r.warnings.push_back(
+        fmt::format("{}: '{}' comes to rest turned by {:.3g} deg from where the deck has it: it falls over, or begins "
+                    "far from its place; hold it by more ropes, or put it where it is meant to stand",
+                    words, m.bodies[b].name, angle * 180 / std::numbers::pi));
+  }
+}
+
 void add_warnings(const MachineRun& run, Result& r) {
   std::set<std::string> told;
   for (const auto& [m, e, point, words] : answers_of(run)) {
+    warn_of_fallen(*m, *e, words, told, r);
     for (const auto& c : e->contacts) {
       const auto& node = m->reevings[static_cast<std::size_t>(c.reeving)].nodes[static_cast<std::size_t>(c.node)];
       if (c.state != ContactState::pulled && c.state != ContactState::lifted) continue;

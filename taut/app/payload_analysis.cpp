@@ -11,6 +11,7 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/math/index.hpp"
@@ -157,8 +158,7 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Prepa
   if (request.break_angle) l.break_angle = *request.break_angle;
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
-  l.rope_from = terrain_x(p.model, run.way.from * run.way.along);
-  l.rope_to = terrain_x(p.model, run.way.to * run.way.along);
+  l.rope_between = {run.way.along, run.way.from, run.way.to};
   if (request.rope_clearance && run.way.carriage >= 0) {
     l.rope_clearance[at(p.model.carriages[at(run.way.carriage)].reeving)] = *request.rope_clearance;
   }
@@ -178,10 +178,11 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Prepa
   if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 
-Answers solve(const model::Model& model, const PayloadRun& run) {
+Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
   Answers all;
   all.parts = parts_of(model, run.way);
   for (const WayPart& part : all.parts) {
+    if (watch.ended()) break;
     if (part.support != nullptr) {
       PayloadPosition on;
       on.model = &part.model;
@@ -198,8 +199,9 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
     options.steps = std::max(1, part.last - part.first);
     options.along = run.way.along;
     options.equilibrium = options_of(run.motion, part.model, {}, told_before);
+    options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = analysis::payload_path(part.model, run.limits, options);
-    if (part.last == part.first) points.resize(1);
+    if (part.last == part.first && points.size() > 1) points.resize(1);
     const int body = part.model.carriages[at(run.way.carriage)].body;
     for (auto& point : points) {
       PayloadPosition one;
@@ -209,7 +211,7 @@ Answers solve(const model::Model& model, const PayloadRun& run) {
       all.positions.push_back(std::move(one));
     }
   }
-  if (run.one_place) all.positions.resize(1);
+  if (run.one_place && all.positions.size() > 1) all.positions.resize(1);
   return all;
 }
 
@@ -370,8 +372,10 @@ Analysis prepare_payload(const PayloadRequest& request, const std::string& path,
   run->limits.most = request.most;
   resolve_limits(request.limits, path + ".limits", p, *run);
   return [run](MachineRun& machine, Result& r) {
-    Answers all = solve(machine.model, *run);
+    Watch watch(machine.progress, "payload" + run->ending, run->way.steps + 1);
+    Answers all = solve(machine.model, *run, watch);
     add_results(machine, *run, all, r);
+    watch.note(r);
   };
 }
 

@@ -11,6 +11,7 @@
 #include "taut/app/none.hpp"
 #include "taut/app/parameter.hpp"
 #include "taut/app/temperature.hpp"
+#include "taut/app/watch.hpp"
 #include "taut/io/read.hpp"
 #include "taut/model/carriage_span.hpp"
 #include "taut/model/compile.hpp"
@@ -116,6 +117,8 @@ std::string end_words(const SweepRun& run, const analysis::Sweep& s) {
   switch (s.end) {
     case SweepEnd::reached:
       return {};
+    case SweepEnd::interrupted:
+      return fmt::format("was interrupted behind {} = {}", run.parameter, value);
     case SweepEnd::no_machine:
       return fmt::format("ends at {} = {}: beyond, there is no such machine: {}", run.parameter, value,
                          s.outcome.message);
@@ -167,6 +170,7 @@ void add_plots(const SweepRun& run, const model::Model& m, const analysis::Sweep
 }
 
 void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep& s, Result& r) {
+  if (s.points.empty() && s.end == SweepEnd::interrupted) return;
   if (s.points.empty()) {
     note_failure(r, s.outcome, fmt::format("sweep, {} = {}", run.parameter, Display().quantity(run.from, run.unit)));
     return;
@@ -256,7 +260,12 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
     options.equilibrium = options_of(run->motion, base, {}, told_before);
     options.equilibrium.prescribed = run->prescribed;
     const auto at = [&](double value) { return model_at(*run, base, value); };
+    Watch watch(machine.progress, "sweep" + run->ending, run->steps + 1);
+    options.go_on = [&](double value) {
+      return watch.go_on(fmt::format("{} = {}", run->parameter, Display().quantity(value, run->unit)));
+    };
     add_results(machine, *run, analysis::sweep(at, options), r);
+    watch.note(r);
   };
 }
 

@@ -24,4 +24,10 @@ struct Method {
   std::vector<Erratum> errata;
 };
 
+struct Description;
+struct Result;
+
+/// The result of a published method before anything is computed: what it is called, where it is from, what is given.
+Result result_of(const Method& method, const Description& input, const void* values);
+
 }  // namespace taut

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/method.hpp"
+
 namespace taut {
 namespace {
 
@@ -169,6 +171,15 @@ std::vector<Given> given_of(const Description& d, const void* input) {
   std::vector<Given> all;
   collect(all, "", d, input);
   return all;
+}
+
+Result result_of(const Method& method, const Description& input, const void* values) {
+  Result r;
+  r.method = method.name;
+  r.method_title = method.title;
+  r.source = method.source;
+  r.given = given_of(input, values);
+  return r;
 }
 
 Table comparison_table(const std::vector<Comparison>& all) {

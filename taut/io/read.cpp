@@ -299,9 +299,10 @@ void note_exclusive_keys(const Node& map, const Description& d, std::string_view
 double example_in(const Unit& unit, const Range& range) {
   const Display display;
   const bool whole_turn = unit.is_angle;
+  const double zero = display.from_si(0.0, unit);  // degrees Celsius have an offset
   for (const double shown :
        {whole_turn ? 30.0 : 1.0, 10.0, 100.0, 2.0, 0.5, 0.1, 5.0, 20.0, 50.0, 0.01, 1000.0, -1.0}) {
-    const double si = shown / display.from_si(1.0, unit);
+    const double si = (shown - zero) / (display.from_si(1.0, unit) - zero);
     if (range.contains(si)) return shown;
   }
   const double inner = std::isfinite(range.low) && std::isfinite(range.high) ? (range.low + range.high) / 2

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "taut/model/compile.hpp"
+#include "taut/model/complaints_test.hpp"
 #include "taut/model/state.hpp"
 
 namespace taut::model::compile_motion_test {
 
+using taut_test::complaints_of;
 using testing::HasSubstr;
 
 description::PathElement element(std::optional<std::string> description::PathElement::*key, const std::string& name) {
@@ -67,14 +69,6 @@ Machine crane() {
   r.length = 17;
   m.reevings = {r};
   return m;
-}
-
-std::string complaints_of(const Machine& m) {
-  const auto model = compile(m);
-  std::string all;
-  if (model) return all;
-  for (const Complaint& c : model.error()) all += c.path + ": " + c.message + "\n";
-  return all;
 }
 
 TEST(CompileMotion, DrivesAndInertias) {

@@ -5,108 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/model/complaints_test.hpp"
+#include "taut/model/described_test.hpp"
+
 namespace taut::model::compile_test {
 
-using description::PathElement;
-
-PathElement anchor(const std::string& name) {
-  PathElement e;
-  e.anchor = name;
-  return e;
-}
-PathElement over(const std::string& name, int parts = 1, std::vector<std::string> between = {}) {
-  PathElement e;
-  e.over = name;
-  e.parts = parts;
-  e.between = std::move(between);
-  return e;
-}
-PathElement through(const std::string& name) {
-  PathElement e;
-  e.through = name;
-  return e;
-}
-PathElement drum(const std::string& name) {
-  PathElement e;
-  e.drum = name;
-  return e;
-}
-
-description::Rope steel(const std::string& name) {
-  description::Rope rope;
-  rope.name = name;
-  rope.mass = 2;
-  rope.stiffness = 1e7;
-  return rope;
-}
-
-/// A span with a support, a rolling carriage and its mainline from a drum.
-Machine line() {
-  Machine m;
-  m.points = {{"head", {}, {0, 0, 10}}, {"tail", {}, {100, 0, 30}}};
-  m.ropes = {steel("skyline"), steel("main")};
-  description::Round jack;
-  jack.name = "jack";
-  jack.at = {60, 0, 22};
-  jack.friction = 0.1;
-  m.supports = {jack};
-  description::Drum winch;
-  winch.name = "winch";
-  winch.at = {-5, 0, 0};
-  winch.core_diameter = 0.4;
-  m.drums = {winch};
-  description::Carriage car;
-  car.name = "car";
-  car.mass = 200;
-  car.rides = "skyline";
-  car.mainline = "main";
-  m.carriages = {car};
-  description::Reeving sky;
-  sky.rope = "skyline";
-  sky.path = {anchor("head"), through("car"), over("jack"), anchor("tail")};
-  sky.length = 103;
-  description::Reeving main;
-  main.rope = "main";
-  main.path = {drum("winch"), anchor("car")};
-  main.tension_at_start = 5e3;
-  m.reevings = {sky, main};
-  return m;
-}
-
-/// A tackle between a fixed head and a hook.
-Machine tackle(int parts, std::vector<PathElement> path) {
-  Machine m;
-  m.ropes = {steel("hoist")};
-  m.points = {{"lead", {}, {-3, 0, 0}}, {"pin", {}, {0.2, 0, 10}}, {"eye", {"hook"}, {0, 0, 0.3}}};
-  description::Body hook;
-  hook.name = "hook";
-  hook.at = {0, 0, 4};
-  hook.free = {"z"};
-  m.bodies = {hook};
-  for (const char* name : {"head", "block", "third"}) {
-    description::Round sheave;
-    sheave.name = name;
-    sheave.diameter = 0.4;
-    sheave.at = {0, 0, 10};
-    m.sheaves.push_back(sheave);
-  }
-  m.sheaves[1].body = "hook";
-  m.sheaves[1].at = {0, 0, 0};
-  description::Reeving r;
-  r.rope = "hoist";
-  r.path = std::move(path);
-  r.tension_at_start = 100.0 * parts;
-  m.reevings = {r};
-  return m;
-}
-
-std::string complaints_of(const Machine& m) {
-  const auto model = compile(m);
-  std::string all;
-  if (model) return all;
-  for (const Complaint& c : model.error()) all += c.path + ": " + c.message + "\n";
-  return all;
-}
+using namespace described;
+using taut_test::complaints_of;
 
 std::string names_of(const Reeving& r) {
   std::string names;

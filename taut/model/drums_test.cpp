@@ -7,11 +7,13 @@
 #include <functional>
 
 #include "taut/model/compile.hpp"
+#include "taut/model/complaints_test.hpp"
 
 namespace drums_test {
 
 using namespace taut;
 using namespace taut::model;
+using taut_test::complaints_of;
 using testing::HasSubstr;
 
 RopeData rope16() {
@@ -97,14 +99,6 @@ Machine lift() {
   r.length = 30;
   m.reevings = {r};
   return m;
-}
-
-std::string complaints_of(const Machine& m) {
-  const auto model = compile(m);
-  std::string all;
-  if (model) return all;
-  for (const Complaint& c : model.error()) all += c.path + ": " + c.message + "\n";
-  return all;
 }
 
 TEST(Drums, OfAMachine) {

@@ -10,7 +10,7 @@ const Description& Machine::describe() {
           .field(&Machine::gravity, "gravity", "g", si::m_per_s2, "acceleration of free fall, along -z")
           .at_most(1e4)
           .at_least(0)
-          .field(&Machine::temperature, "temperature", "", si::K, "of all ropes, such as 15 degC")
+          .field(&Machine::temperature, "temperature", "", si::K.in("degC"), "of all ropes, such as 15 degC")
           .at_least(0)
           .named_records(&Machine::points, "points", "points of the ground or of a body")
           .shorthand("at")
@@ -73,7 +73,7 @@ const Description& Rope::describe() {
           .at_most(farthest)
           .above(0)
           .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
-          .field(&Rope::reference_temperature, "reference_temperature", "", si::K,
+          .field(&Rope::reference_temperature, "reference_temperature", "", si::K.in("degC"),
                  "at which its length holds; without it the machine's temperature")
           .at_least(0)
           .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one,

@@ -184,7 +184,7 @@ class PathReader {
 };
 
 /// +1 where the tangent point lies above the centre of a rope in direction `d`.
-int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= 0 ? 1 : -1; }
+int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= -straight ? 1 : -1; }
 
 /// The side of a contact by the bend of its path; 0 where the path runs straight back.
 int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const Vector3& after) {
@@ -199,6 +199,85 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
   if (std::abs(bend) > straight_bend) return bend > 0 ? 1 : -1;
   return upper_side(in, axis);
 }
+
+/// How much a branch that ends at this stop carries: rolling loads before those that are fixed to it.
+int carries(const Stop& stop) {
+  if (stop.carriage < 0) return 0;
+  return stop.node.kind == NodeKind::contact ? 2 : 1;
+}
+
+/// What a round's own surroundings say about its side.
+struct Bend {
+  int side = 0;       ///< 0: the bend does not say, the rope comes back beside itself
+  int likely = 1;     ///< then: the side that is taken where the neighbours do not say either,
+  double weight = 0;  ///< and how much speaks for it
+};
+
+Bend bend_of(const Stop& stop, const Stop& from, const Stop& to, const Vector3& before, const Vector3& at,
+             const Vector3& after) {
+  Bend bend;
+  bend.side = bend_side(stop, before, at, after);
+  const Vector3 in = (at - before).normalized(), out = (after - at).normalized();
+  const double turn = in.cross(out).dot(stop.node.axis);
+  if (carries(from) != carries(to)) {
+    // the carriage runs on the upper one of two branches
+    bend.likely = upper_side(carries(from) > carries(to) ? in : out, stop.node.axis);
+    bend.weight = 2;
+  } else if (std::abs(turn) > straight) {
+    bend.likely = turn > 0 ? 1 : -1;
+    bend.weight = std::abs(turn);
+  } else {
+    bend.likely = upper_side(in, stop.node.axis);
+  }
+  return bend;
+}
+
+/// The sides that no bend says. `open`: which.
+class OpenSides {
+ public:
+  OpenSides(std::vector<Stop>& stops, std::vector<Bend> bends, std::vector<bool> open)
+      : stops_(stops), bends_(std::move(bends)), open_(std::move(open)) {}
+
+  void set() {
+    follow_all();
+    while (true) {
+      const std::size_t best = plainest();
+      if (best == stops_.size()) return;
+      stops_[best].node.side = bends_[best].likely;
+      open_[best] = false;
+      follow_all();
+    }
+  }
+
+ private:
+  /// The open one whose side has most to be said for it; the number of stops: none is left.
+  std::size_t plainest() const {
+    std::size_t best = stops_.size();
+    for (std::size_t i = 0; i < stops_.size(); ++i) {
+      // with a margin, so that rounding does not choose between equals
+      if (open_[i] && (best == stops_.size() || bends_[i].weight > bends_[best].weight * (1 + straight))) best = i;
+    }
+    return best;
+  }
+
+  void follow_all() {
+    for (std::size_t i = 1; i < stops_.size(); ++i) follow(i, i - 1);
+    for (std::size_t i = stops_.size() - 1; i-- > 0;) follow(i, i + 1);
+  }
+
+  void follow(std::size_t i, std::size_t from) {
+    const NodeKind kind = stops_[from].node.kind;
+    const bool round = stops_[from].node.radius > 0 && (kind == NodeKind::contact || kind == NodeKind::drive);
+    if (!open_[i] || open_[from] || !round) return;
+    const double same = stops_[from].node.axis.dot(stops_[i].node.axis);
+    stops_[i].node.side = same >= 0 ? stops_[from].node.side : -stops_[from].node.side;
+    open_[i] = false;
+  }
+
+  std::vector<Stop>& stops_;
+  std::vector<Bend> bends_;
+  std::vector<bool> open_;
+};
 
 /// Turns an endless path so that its drive comes first.
 void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vector<Complaint>& complaints) {
@@ -228,6 +307,7 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
 }
 
 void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed) {
+  std::vector<Bend> bends(stops.size());
   std::vector<bool> open(stops.size(), false);
   const auto last = stops.size() - 1;
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -237,23 +317,15 @@ void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, boo
       node.side = stops[i].side == Side::left ? -1 : 1;
     } else if (!closed && (i == 0 || i == last)) {
       const Vector3 d = i == 0 ? places[1] - places[0] : places[last] - places[last - 1];
-      node.side = upper_side(d, node.axis);
+      node.side = upper_side(d.normalized(), node.axis);
     } else {
-      const int side = bend_side(stops[i], places[i == 0 ? last : i - 1], places[i], places[i == last ? 0 : i + 1]);
-      node.side = side == 0 ? 1 : side;
-      open[i] = side == 0;
+      const std::size_t from = i == 0 ? last : i - 1, to = i == last ? 0 : i + 1;
+      bends[i] = bend_of(stops[i], stops[from], stops[to], places[from], places[i], places[to]);
+      node.side = bends[i].side;
+      open[i] = bends[i].side == 0;
     }
   }
-  const auto follow = [&](std::size_t i, std::size_t from) {
-    const NodeKind kind = stops[from].node.kind;
-    const bool round = stops[from].node.radius > 0 && (kind == NodeKind::contact || kind == NodeKind::drive);
-    if (!open[i] || open[from] || !round) return;
-    const double same = stops[from].node.axis.dot(stops[i].node.axis);
-    stops[i].node.side = same >= 0 ? stops[from].node.side : -stops[from].node.side;
-    open[i] = false;
-  };
-  for (std::size_t i = 1; i <= last; ++i) follow(i, i - 1);
-  for (std::size_t i = last; i-- > 0;) follow(i, i + 1);
+  OpenSides(stops, std::move(bends), std::move(open)).set();
 }
 
 }  // namespace taut::model

@@ -27,7 +27,10 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
 
 /// Sets the side of every round. As the deck says; else a saddle carries the rope on its upper side, a sheave lies on
 /// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside
-/// itself, within its own width, is run round in the sense of the one before it, and a drum is wound from above.
+/// itself, within its own width, is run round in the sense of the one before or behind it, and a drum is wound from
+/// above. Where those do not say either, the branch with a carriage is the upper one (the one on which it rolls before
+/// one to which it is fixed); without one the bend decides, however small; without a bend the branch that arrives is
+/// the upper one. All that does not depend on the axis' sense, and but for the last not on the path's.
 /// `places`: of the stops, in the ground frame.
 void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed);
 

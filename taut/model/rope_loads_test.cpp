@@ -7,11 +7,13 @@
 #include <functional>
 
 #include "taut/model/compile.hpp"
+#include "taut/model/complaints_test.hpp"
 
 namespace rope_loads_test {
 
 using namespace taut;
 using namespace taut::model;
+using taut_test::complaints_of;
 using testing::HasSubstr;
 
 description::PathElement over(const std::string& name) {
@@ -51,14 +53,6 @@ Machine saw() {
   load.position = 0.25;
   m.rope_loads = {load};
   return m;
-}
-
-std::string complaints_of(const Machine& m) {
-  const auto model = compile(m);
-  std::string all;
-  if (model) return all;
-  for (const Complaint& c : model.error()) all += c.path + ": " + c.message + "\n";
-  return all;
 }
 
 std::vector<std::string> names(const Reeving& r) {

@@ -64,6 +64,7 @@ namespace {
 constexpr std::size_t most_characters = 120;
 constexpr std::size_t between_columns = 2;
 constexpr std::size_t number_characters = 6;
+constexpr std::size_t most_leading = 3;  ///< columns that are repeated
 
 std::size_t longest_word(const std::string& text) {
   std::size_t longest = 0, length = 0;
@@ -84,16 +85,44 @@ std::size_t width_of(const Table& t, std::size_t k) {
   return width + between_columns;
 }
 
-/// The table's columns in parts that fit a page: the first column leads each.
+/// The columns in which something stands; what is not known of any row says nothing on paper.
+std::vector<std::size_t> filled_columns(const Table& t) {
+  std::vector<std::size_t> filled;
+  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+    const bool any = std::any_of(t.rows.begin(), t.rows.end(), [&](const auto& row) {
+      if (k >= row.size()) return false;
+      const auto* words = std::get_if<std::string>(&row[k]);
+      return words != nullptr ? !words->empty() : !std::isnan(std::get<double>(row[k]));
+    });
+    if (any) filled.push_back(k);
+  }
+  return filled;
+}
+
+/// The columns that say what a row is about: the words it begins with, else its first number.
+std::vector<std::size_t> leading(const Table& t, const std::vector<std::size_t>& columns) {
+  std::vector<std::size_t> lead;
+  for (const std::size_t k : columns) {
+    if (is_number_column(t, k) || lead.size() == most_leading) break;
+    lead.push_back(k);
+  }
+  if (lead.empty() && !columns.empty()) lead.push_back(columns.front());
+  return lead;
+}
+
+/// The table's columns in parts that fit a page: those that say what a row is about lead each.
 std::vector<std::vector<std::size_t>> parts_of(const Table& t) {
+  const std::vector<std::size_t> columns = filled_columns(t);
+  const std::vector<std::size_t> lead = leading(t, columns);
   std::vector<std::vector<std::size_t>> parts(1);
   std::size_t width = 0;
-  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+  for (const std::size_t k : columns) {
     const std::size_t own = width_of(t, k);
     const std::size_t used = parts.back().size();
-    if (used == most_columns || (used > 1 && width + own > most_characters)) {
-      parts.push_back({0});
-      width = width_of(t, 0);
+    if (used > lead.size() && (used >= most_columns || width + own > most_characters)) {
+      parts.push_back(lead);
+      width = 0;
+      for (const std::size_t l : lead) width += width_of(t, l);
     }
     parts.back().push_back(k);
     width += own;
@@ -131,6 +160,7 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
 }  // namespace
 
 std::string table_html(const Table& t, const Display& display) {
+  if (t.rows.empty()) return {};
   const auto rows = shown_rows(t);
   const auto parts = parts_of(t);
   const std::string title = prose_html(t.title.empty() ? t.name : t.title);

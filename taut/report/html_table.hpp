@@ -18,7 +18,8 @@ std::string cell(std::string_view inside, std::string_view kind = {});
 
 /// A table of results in display units, a unit under each column's name. Beyond `most_rows` the middle is left out, and
 /// that is said with the name of the CSV file. A table of more than `most_columns`, or wider than a page, comes in
-/// parts, each with the first column in front.
+/// parts, each with the columns in front that say what a row is about. One without rows is not shown, nor are columns
+/// in which nothing stands.
 std::string table_html(const Table& t, const Display& display);
 
 }  // namespace taut::report

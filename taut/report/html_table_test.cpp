@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace taut::report::html_table_test {
 
 Table wide(std::size_t columns) {
@@ -23,6 +25,33 @@ std::size_t times(const std::string& text, const std::string& word) {
 TEST(HtmlTable, StaysWholeWhileItFits) {
   EXPECT_EQ(times(table_html(wide(most_columns), {}), "<table"), 1U);
   EXPECT_EQ(times(table_html(wide(most_columns), {}), "1 of"), 0U);
+}
+
+TEST(HtmlTable, WordsThatSayWhatARowIsAboutLeadEachPart) {
+  Table t = wide(2 * most_columns);
+  t.columns[0].name = "rope";
+  t.columns[1].name = "from";
+  t.rows[0][0] = "skyline";
+  t.rows[0][1] = "tower";
+  const std::string html = table_html(t, {});
+  EXPECT_EQ(times(html, "<table"), 3U);
+  EXPECT_EQ(times(html, "skyline"), 3U);
+  EXPECT_EQ(times(html, "tower"), 3U);
+}
+
+TEST(HtmlTable, AColumnInWhichNothingStandsIsLeftOut) {
+  Table t = wide(4);
+  t.rows[0][1] = std::nan("");
+  t.rows[0][2] = std::string();
+  const std::string html = table_html(t, {});
+  EXPECT_EQ(times(html, "<th class=\"num\">"), 2U);
+  EXPECT_EQ(times(html, "<td class=\"num\">"), 2U);
+}
+
+TEST(HtmlTable, WithoutRowsIsNotShown) {
+  Table t = wide(3);
+  t.rows.clear();
+  EXPECT_EQ(table_html(t, {}), "");
 }
 
 TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {

@@ -191,7 +191,8 @@ std::string tables(const Result& r) {
   const Display display = display_of(r);
   std::string out;
   for (const Table& t : r.tables) {
-    if ((t.name != "comparison" || r.comparisons.empty()) && !t.columns.empty()) out += data_table(t, display);
+    if ((t.name != "comparison" || r.comparisons.empty()) && !t.columns.empty() && !t.rows.empty())
+      out += data_table(t, display);
   }
   return out;
 }

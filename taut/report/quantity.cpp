@@ -80,6 +80,7 @@ ShownUnit shown_unit(const Unit& unit, const Display& display) { return {display
 std::string unit_text(std::string_view name) {
   if (name == "1") return {};
   if (name == "deg") return "°";
+  if (name == "degC") return "°C";
   return with_powers(name);
 }
 

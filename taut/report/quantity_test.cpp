@@ -21,6 +21,7 @@ TEST(Quantity, ShowsTheUnitOfTheDeck) {
   EXPECT_EQ(quantity_shown(138864.558, si::N, display({})), "138.86 kN");
   EXPECT_EQ(quantity_shown(138864.558, si::N, display({{"force", "N"}}), 6), "138865 N");
   EXPECT_EQ(quantity_shown(0.3183905, si::m.in("mm"), display({})), "318.39 mm");
+  EXPECT_EQ(quantity_shown(258.15, si::K.in("degC"), display({})), "−15 °C");
   EXPECT_EQ(quantity_shown(std::numbers::pi / 3, si::rad, display({})), "60°");
   EXPECT_EQ(quantity_shown(std::atan(0.3), si::rad, display({{"angle", "%"}})), "30 %");
   EXPECT_EQ(quantity_shown(0.12, si::one, display({})), "0.12");

@@ -16,6 +16,10 @@ namespace {
 /// An angle in % is a slope, the one unit that is not a factor.
 bool is_slope(const Unit& unit, std::string_view shown) { return unit.is_angle && shown == "%"; }
 
+/// A temperature in degrees Celsius, the one unit with an offset.
+bool is_celsius(const Unit& unit, std::string_view shown) { return unit.symbol == "K" && shown == "degC"; }
+constexpr double zero_celsius = 273.15;  // K
+
 constexpr double first_large = 1e5;   // from here on five digits would round whole ones away
 constexpr double first_huge = 1e7;    // from here on an exponent reads better
 constexpr double first_small = 1e-4;  // below here too
@@ -29,9 +33,9 @@ struct Display::Factors {
 
 const std::vector<Unit>& display_kinds() {
   static const std::vector<Unit> kinds = {
-      si::rad,      si::m,       si::m2,       si::m3,      si::m4,    si::s,       si::kg,
-      si::N,        si::N_m,     si::J,        si::W,       si::Pa,    si::N_per_m, si::kg_per_m,
-      si::N_per_m3, si::m_per_s, si::m_per_s2, si::m_per_N, si::per_s, si::kg_m2,   si::N_s_per_m};
+      si::rad,      si::m,       si::m2,    si::m3,    si::m4,        si::s,        si::kg,       si::N,
+      si::N_m,      si::J,       si::W,     si::Pa,    si::N_per_m,   si::kg_per_m, si::N_per_m3, si::m_per_s,
+      si::m_per_s2, si::m_per_N, si::per_s, si::kg_m2, si::N_s_per_m, si::K};
   return kinds;
 }
 
@@ -46,6 +50,7 @@ tl::expected<void, UnitError> check_display(std::string_view kind, std::string_v
     if (hint.empty()) hint = fmt::format("; the kinds are {}", fmt::join(names, ", "));
     return tl::unexpected(UnitError{fmt::format("'{}' is not a kind of quantity{}", kind, hint), -1, 1});
   }
+  if (is_celsius(*at, unit)) return {};
   const auto factor = unit_factor(unit, *at);
   if (!factor) return tl::unexpected(factor.error());
   return {};
@@ -77,6 +82,7 @@ double Display::from_si(double si, const Unit& unit) const {
   const std::string shown = this->unit(unit);
   if (shown.empty()) return si;
   if (is_slope(unit, shown)) return 100.0 * std::tan(si);
+  if (is_celsius(unit, shown)) return si - zero_celsius;
   return si / factor(unit, shown);
 }
 

@@ -26,7 +26,8 @@ class Display {
   /// `units`: kind of quantity -> unit, each accepted by check_display; a ContractViolation at its first use otherwise.
   explicit Display(std::map<std::string, std::string> units);
 
-  /// The number in the unit of print; an angle in % is 100 tan(angle).
+  /// The number in the unit of print; an angle in % is 100 tan(angle), degrees Celsius count from
+  /// 273.15 K.
   double from_si(double si, const Unit& unit) const;
   /// The unit of print, "kN"; empty for a plain number.
   std::string unit(const Unit& unit) const;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/printed_boom_test.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
@@ -25,12 +26,7 @@ constexpr Pair table_2[] = {{95.5e3, 181e3}, {178e3, 9.8e3}, {162.5e3, 43e3}, {1
                             {104e3, 174e3},  {113e3, 159e3}, {82.5e3, 208e3}, {100e3, 186e3}};
 
 Input paper() {
-  Input in;
-  in.section_weight = 8.44e3;
-  in.pad_friction = 0.15;
-  in.tackle_efficiency = 0.95;
-  in.extension_stiffness = printed_C1;
-  in.retraction_stiffness = printed_C2;
+  Input in = printed_boom();
   in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
               {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
   return in;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/printed_boom_test.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
@@ -17,12 +18,7 @@ constexpr double tonne = 9.81e3;
 constexpr double last_digit = 0.05e3;  // the reference prints tenths of a kN
 
 Input crane() {
-  Input in;
-  in.section_weight = 8.44e3;
-  in.pad_friction = 0.15;
-  in.tackle_efficiency = 0.95;
-  in.extension_stiffness = 2.72e6;
-  in.retraction_stiffness = 1.61e6;
+  Input in = printed_boom();
   return in;
 }
 

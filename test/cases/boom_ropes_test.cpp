@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/methods/boom_ropes/printed_boom_test.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
@@ -17,12 +18,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double tonne = 9.81e3;
 
 Input paper() {
-  Input in;
-  in.section_weight = 8.44e3;
-  in.pad_friction = 0.15;
-  in.tackle_efficiency = 0.95;
-  in.extension_stiffness = 2.72e6;
-  in.retraction_stiffness = 1.61e6;
+  Input in = printed_boom();
   in.cases = {{"rated lift", Operation::lift, 77 * degree, 248.2e3, 8},
               {"static test", Operation::lift, 77 * degree, 296.8e3, 8},
               {"retract 3 t", Operation::retract, 5 * degree, 32.4e3, 6},

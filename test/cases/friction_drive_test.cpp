@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/methods/friction_drive/saw_drive_test.hpp"
+
 // Ryabukhin et al. 2022 prints no worked example: the numbers are of an independent calculation; the witness here
 // integrates the paper's own differential equation.
 namespace taut::friction_drive::friction_drive_test {
@@ -21,17 +23,6 @@ Input case_a() {
   in.grip_reserve = 1.2;
   in.section_factor = 0.2;
   in.fill_ratio = 0.5 / 0.6;
-  return in;
-}
-
-Input saw() {
-  Input in;
-  in.cutting_force = 4000;
-  in.friction = 0.8;
-  in.wrap = 200 * degree;
-  in.rope_mass = 0.35;
-  in.speed = 15;
-  in.grip_reserve = 1.3;
   return in;
 }
 
@@ -70,7 +61,7 @@ TEST(FrictionDriveCase, CaseA) {
 }
 
 TEST(FrictionDriveCase, ExampleOfTheSaw) {
-  const Output out = solved(saw());
+  const Output out = solved(saw_drive());
   EXPECT_NEAR(out.e, 16.322, 5e-4);
   EXPECT_NEAR(out.P_M, 1806.0, 0.05);
   EXPECT_NEAR(out.P_M_printed, 1394.7, 0.05);
@@ -80,7 +71,7 @@ TEST(FrictionDriveCase, ExampleOfTheSaw) {
 }
 
 TEST(FrictionDriveCase, TightBranchIsTheIntegralOverTheArc) {
-  for (const Input& in : {case_a(), saw()}) {
+  for (const Input& in : {case_a(), saw_drive()}) {
     const Output out = solved(in);
     EXPECT_NEAR(integrate(out.P_slack, in.friction, out.c, out.phi), out.P_tight, 1e-6 * out.P_tight);
   }
@@ -106,7 +97,7 @@ double P_M_by_integration(const Input& in, const Output& out) {
 }
 
 TEST(FrictionDriveCase, SignOfEquation3) {
-  for (const Input& in : {case_a(), saw()}) {
+  for (const Input& in : {case_a(), saw_drive()}) {
     const Output out = solved(in);
     const double P_M = P_M_by_integration(in, out);
     // T_1 - T_2 of the line above (3), with the P_M asked for, has to be the pull.
@@ -117,7 +108,7 @@ TEST(FrictionDriveCase, SignOfEquation3) {
 }
 
 TEST(FrictionDriveCase, PrintedEquation18HoldsForMOneOnly) {
-  for (Input in : {case_a(), saw()}) {
+  for (Input in : {case_a(), saw_drive()}) {
     for (const double m : {1.0, 1.1, 1.2, 1.5}) {
       in.grip_reserve = m;
       const Output out = solved(in);
@@ -134,7 +125,7 @@ TEST(FrictionDriveCase, PrintedEquation18HoldsForMOneOnly) {
 
 // The driving sheave's torque on the rope has the sign of T_1 - T_2: the branch it draws in is the tight one.
 TEST(FrictionDriveCase, TightBranchIsDrawnIn) {
-  const Output out = solved(saw());
+  const Output out = solved(saw_drive());
   EXPECT_GT(out.T_1, out.T_2);
   EXPECT_GT(out.P_tight, out.P_slack);
   EXPECT_GT(integrate(out.P_slack, 0.8, out.c, 1.0), out.P_slack)
@@ -142,7 +133,7 @@ TEST(FrictionDriveCase, TightBranchIsDrawnIn) {
 }
 
 TEST(FrictionDriveCase, PaperDriveSlips) {
-  for (const Input& in : {case_a(), saw()}) {
+  for (const Input& in : {case_a(), saw_drive()}) {
     const Output out = solved(in);
     // From the paper's T_2 the whole arc builds up less than the paper's T_1.
     EXPECT_LT(integrate(out.T_2, in.friction, out.c, out.phi), out.T_1);
@@ -161,7 +152,7 @@ TEST(FrictionDriveCase, PaperDriveSlips) {
 
 // What a take-up of constant pull P_M passes on: shift force from branch to branch until the arc is used up.
 TEST(FrictionDriveCase, PullOfPMIsNotEnoughForTheCut) {
-  const Input in = saw();
+  const Input in = saw_drive();
   const Output out = solved(in);
   double low = 0, high = out.P_M;
   for (int i = 0; i < 60; ++i) {

@@ -8,25 +8,13 @@
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/position.hpp"
 #include "test/cases/closed_loop_example.hpp"
+#include "test/cross/closed_loop_tiers.hpp"
 
 namespace taut::closed_loop::closed_loop_any_deck_test {
 
 using namespace taut_test;
-
-/// All tiers with the exact column, for one position.
-struct Solved {
-  Outcome outcome;
-  Output out;
-};
-
-Solved solved(const Input& in) {
-  Solved s;
-  Sheet<double> silent;
-  Ropes ropes;
-  s.outcome = ropes_of(in, ropes, app::loop_engine());
-  if (s.outcome.ok()) s.outcome = solve_position(in, setting_of(in, ropes, 0, app::loop_engine()), silent, s.out);
-  return s;
-}
+using exact_tiers::Solved;
+using exact_tiers::solved;
 
 /// Any deck that the method accepts, far beyond what is built.
 Input any_deck(std::mt19937& source) {

@@ -9,6 +9,7 @@
 #include "taut/methods/closed_loop/position.hpp"
 #include "test/cases/closed_loop_example.hpp"
 #include "test/cases/closed_loop_witness.hpp"
+#include "test/cross/closed_loop_tiers.hpp"
 
 // The published closed loop against the engine: what the repaired formulas, the closed form and an independent solution
 // give beside exact catenaries.
@@ -16,21 +17,8 @@
 namespace taut::closed_loop::closed_loop_test {
 
 using namespace taut_test;
-
-/// All tiers with the exact column, for one position.
-struct Solved {
-  Outcome outcome;
-  Output out;
-};
-
-Solved solved(const Input& in) {
-  Solved s;
-  Sheet<double> silent;
-  Ropes ropes;
-  s.outcome = ropes_of(in, ropes, app::loop_engine());
-  if (s.outcome.ok()) s.outcome = solve_position(in, setting_of(in, ropes, 0, app::loop_engine()), silent, s.out);
-  return s;
-}
+using exact_tiers::Solved;
+using exact_tiers::solved;
 
 Output exact(const Input& in) {
   const Solved s = solved(in);

@@ -114,14 +114,14 @@ TEST(FrictionDriveMachine, ALossOfTheIdlerToo) {
 }
 
 TEST(FrictionDriveMachine, FixedCentres) {
-  // the machine stretches its arcs by their mean tension, the method by the creeping one: on large sheaves between near
-  // centres that would tell
-  for (const double speed : {0.01, 15.0, 40.0}) {
-    Case k;
-    k.screw = true;
-    k.speed = speed;
-    k.radius = 0.05;
-    expect_same(k, 1.5e-3);
+  for (const double radius : {0.05, 0.25, 0.6}) {
+    for (const double speed : {0.01, 15.0, 40.0}) {
+      Case k;
+      k.screw = true;
+      k.speed = speed;
+      k.radius = radius;
+      expect_same(k, 1e-6);
+    }
   }
 }
 

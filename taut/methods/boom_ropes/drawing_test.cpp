@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/methods/boom_ropes/printed_boom_test.hpp"
+
 namespace taut::boom_ropes::drawing_test {
 
 Input crane() {
-  Input in;
-  in.section_weight = 8.44e3;
-  in.pad_friction = 0.15;
-  in.tackle_efficiency = 0.95;
-  in.extension_stiffness = printed_C1;
-  in.retraction_stiffness = printed_C2;
+  Input in = printed_boom();
   in.cases = {{"lift", Operation::lift, 1.3, 100e3, 8}};
   in.sliding.emplace();
   in.sliding->boom_length = {21, 9, 15};

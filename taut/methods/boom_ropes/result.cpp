@@ -227,12 +227,8 @@ std::vector<Complaint> complaints(const Input& in) {
 }
 
 Result run(const Input& in) {
-  Result r;
   const Method& m = about();
-  r.method = m.name;
-  r.method_title = m.title;
-  r.source = m.source;
-  r.given = given_of(Input::describe(), &in);
+  Result r = result_of(m, Input::describe(), &in);
   Sheet<Num> s(m.short_source, Input::describe(), &in);
   Output out;
   const Outcome outcome = compute(in, s, out);

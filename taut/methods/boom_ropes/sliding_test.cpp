@@ -7,15 +7,12 @@
 
 #include "taut/math/degree.hpp"
 
+#include "taut/methods/boom_ropes/printed_boom_test.hpp"
+
 namespace taut::boom_ropes::sliding_test {
 
 Input crane() {
-  Input in;
-  in.section_weight = 8.44e3;
-  in.pad_friction = 0.15;
-  in.tackle_efficiency = 0.95;
-  in.extension_stiffness = printed_C1;
-  in.retraction_stiffness = printed_C2;
+  Input in = printed_boom();
   return in;
 }
 

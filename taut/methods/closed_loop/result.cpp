@@ -197,11 +197,7 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
 Result run(const Input& in) { return run(in, no_engine); }
 
 Result run(const Input& in, const Engine& engine) {
-  Result r;
-  r.method = about().name;
-  r.method_title = about().title;
-  r.source = about().source;
-  r.given = given_of(Input::describe(), &in);
+  Result r = result_of(about(), Input::describe(), &in);
   Ropes ropes;
   Output out;
   Sheet<Num> s(about().short_source, Input::describe(), &in);

@@ -6,19 +6,9 @@
 #include <numbers>
 
 #include "taut/math/degree.hpp"
+#include "taut/methods/friction_drive/saw_drive_test.hpp"
 
 namespace taut::friction_drive::figures_test {
-
-Input saw() {
-  Input in;
-  in.cutting_force = 4000;
-  in.friction = 0.8;
-  in.wrap = 200 * degree;
-  in.rope_mass = 0.35;
-  in.speed = 15;
-  in.grip_reserve = 1.3;
-  return in;
-}
 
 Output solved(const Input& in) {
   Output out;
@@ -28,7 +18,7 @@ Output solved(const Input& in) {
 
 TEST(FrictionDriveFigures, SheavesGiveTheWrap) {
   for (const double wrap : {145.0, 170.0, 180.0, 200.0, 230.0}) {
-    Input in = saw();
+    Input in = saw_drive();
     in.wrap = wrap * degree;
     const Layout at = layout_of(in);
     EXPECT_TRUE(at.to_scale);
@@ -37,14 +27,14 @@ TEST(FrictionDriveFigures, SheavesGiveTheWrap) {
     EXPECT_GT(at.distance, at.driving_radius + at.idler_radius) << "they don't touch";
   }
   for (const double wrap : {60.0, 300.0, 720.0}) {
-    Input in = saw();
+    Input in = saw_drive();
     in.wrap = wrap * degree;
     EXPECT_FALSE(layout_of(in).to_scale);
   }
 }
 
 TEST(FrictionDriveFigures, ArcEndsAtTheBranches) {
-  const Input in = saw();
+  const Input in = saw_drive();
   const Output out = solved(in);
   const Plot p = arc_plot(in, out);
   EXPECT_NEAR(p.curves[0].y.front(), out.T_2_no_slip, 1e-9);
@@ -54,7 +44,7 @@ TEST(FrictionDriveFigures, ArcEndsAtTheBranches) {
 }
 
 TEST(FrictionDriveFigures, WorkingPointLiesOnTheCurves) {
-  const Input in = saw();
+  const Input in = saw_drive();
   const Output out = solved(in);
   for (const Plot& p : {friction_plot(in, out), speed_plot(in, out)}) {
     const Curve& c = p.curves[0];
@@ -66,7 +56,7 @@ TEST(FrictionDriveFigures, WorkingPointLiesOnTheCurves) {
 }
 
 TEST(FrictionDriveFigures, ScrewLosesItsGrip) {
-  const Input in = saw();
+  const Input in = saw_drive();
   const Output out = solved(in);
   const Plot p = speed_plot(in, out);
   ASSERT_EQ(p.marks.size(), 2u);
@@ -76,7 +66,7 @@ TEST(FrictionDriveFigures, ScrewLosesItsGrip) {
 }
 
 TEST(FrictionDriveFigures, MasslessRopeKeepsItsGrip) {
-  Input in = saw();
+  Input in = saw_drive();
   in.rope_mass = 0;
   const Output out = solved(in);
   EXPECT_TRUE(std::isnan(out.speed_of_lost_grip));

@@ -103,12 +103,8 @@ void add_assumptions(Result& r) {
 }  // namespace
 
 Result run(const Input& in) {
-  Result r;
   const Method& m = about();
-  r.method = m.name;
-  r.method_title = m.title;
-  r.source = m.source;
-  r.given = given_of(Input::describe(), &in);
+  Result r = result_of(m, Input::describe(), &in);
   const auto rope = rope_of(in);
   Input with_area = in;
   if (rope && !in.rope_area) with_area.rope_area = rope->area;

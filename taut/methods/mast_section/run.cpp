@@ -246,12 +246,8 @@ void add_figures(const Input& in, const Output& out, const std::vector<Position>
 }  // namespace
 
 Result run(const Input& in) {
-  Result r;
   const Method& m = about();
-  r.method = m.name;
-  r.method_title = m.title;
-  r.source = m.source;
-  r.given = given_of(Input::describe(), &in);
+  Result r = result_of(m, Input::describe(), &in);
   Output out;
   Sheet<Num> s(m.short_source, Input::describe(), &in);
   const Outcome outcome = compute(in, s, out);
