@@ -9,12 +9,14 @@ namespace taut::analysis {
 
 /// A section of a loaded beam.
 struct BeamPoint {
-  double s = 0;                                              ///< along the axis as built, m
-  Vector3 place = Vector3::Zero();                           ///< m
-  double N = 0;                                              ///< axial force, tension positive, N
-  double V = 0;                                              ///< shear, N
-  double M = 0;                                              ///< bending moment, whatever its direction, N m
-  double torsion = 0;                                        ///< N m
+  double s = 0;                           ///< along the axis as built, m
+  Vector3 place = Vector3::Zero();        ///< m
+  double N = 0;                           ///< axial force, tension positive, N
+  double V = 0;                           ///< shear, N
+  double M = 0;                           ///< bending moment, whatever its direction, N m
+  double torsion = 0;                     ///< N m
+  double shear_x = 0, shear_y = 0;        ///< V along the section's x, in which its strong axis bends, and y, N
+  double bends_to_x = 0, bends_to_y = 0;  ///< M towards them, N m
   double stress = std::numeric_limits<double>::quiet_NaN();  ///< largest |N|/A + M/W, Pa; NaN: W not known
   Vector3 deflection = Vector3::Zero();  ///< from where it would be as built on what its start stands on, m
   double w = 0;                          ///< the part of it across the chord, m

@@ -26,6 +26,10 @@ BeamPoint point_of(const structure::RodPiece& rod, const RodState& state, const 
   p.V = std::hypot(f.shear_x, f.shear_y);
   p.M = std::hypot(f.bends_to_x, f.bends_to_y);
   p.torsion = f.torsion;
+  p.shear_x = f.shear_x;
+  p.shear_y = f.shear_y;
+  p.bends_to_x = f.bends_to_x;
+  p.bends_to_y = f.bends_to_y;
   if (rod.section.W_x > 0) p.stress = largest_stress(rod.section, f.axial, f.bends_to_x, f.bends_to_y);
   p.deflection = state.place - built.place;
   return p;

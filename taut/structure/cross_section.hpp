@@ -44,9 +44,9 @@ struct CrossSectionUse {
 /// (6.41) with the exponent 1.66/(1 - 1.13 n^2) <= 6. Class 3: N/A + M_y/W_el,y + M_z/W_el,z <= f_y/gamma_M0 (of a tube
 /// with the resultant moment). Written once for double and Num; a section of class 4 is a ContractViolation.
 template <class T>
-CrossSectionUse cross_section(const SteelSection& m, const CrossForces& forces, Sheet<T>& s);
+CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet<T>& s);
 
 /// The mast paper's condition |N|/A + M/W_el of the most stressed fibre, Pa; of a box both moments, corners as sharp.
-double elastic_stress(const catalogue::SectionRow& section, const CrossForces& forces);
+double elastic_stress(const catalogue::SectionRow& r, const CrossForces& f);
 
 }  // namespace taut::structure

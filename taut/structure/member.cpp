@@ -9,7 +9,6 @@
 namespace taut::structure {
 namespace {
 
-using std::max;
 using std::min;
 
 using catalogue::SectionShape;

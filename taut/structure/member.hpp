@@ -47,6 +47,6 @@ struct MemberUse {
 /// resultant moment enters with the smaller chi and the larger k, and both equations are one. Class 4 is a
 /// ContractViolation.
 template <class T>
-MemberUse member_use(const Member& m, const CrossForces& forces, Sheet<T>& s);
+MemberUse member_use(const Member& m, const CrossForces& f, Sheet<T>& s);
 
 }  // namespace taut::structure

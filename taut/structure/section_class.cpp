@@ -52,8 +52,8 @@ WallClass wall_class(const char* name, double side, double t, double yield, doub
 
 }  // namespace
 
-CrossForces operator*(double k, const CrossForces& f) {
-  return {k * f.N, k * f.V_y, k * f.V_z, k * f.M_y, k * f.M_z, k * f.torsion};
+CrossForces operator*(double factor, const CrossForces& f) {
+  return {factor * f.N, factor * f.V_y, factor * f.V_z, factor * f.M_y, factor * f.M_z, factor * f.torsion};
 }
 
 CrossForces operator+(const CrossForces& a, const CrossForces& b) {

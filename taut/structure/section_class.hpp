@@ -39,15 +39,15 @@ int class_of(double slenderness, double limit_1, double limit_2, double limit_3)
 /// 33, 38, 42 epsilon where the whole wall is pressed alike; 72, 83, 124 epsilon in plain bending. alpha = (1 + N/(2 c
 /// t f_y))/2 of a wall that bends in its own plane; moments across it press it alike and raise alpha by their share in
 /// the stresses of both, at most to 1. psi is of the forces as they stand. Tension (N < 0) helps both.
-std::vector<WallClass> wall_classes(const catalogue::SectionRow& section, double yield, const CrossForces& forces);
+std::vector<WallClass> wall_classes(const catalogue::SectionRow& r, double yield, const CrossForces& f);
 
 /// The worst of its walls; ties: the nearer one to the next class.
-WallClass section_class(const catalogue::SectionRow& section, double yield, const CrossForces& forces);
+WallClass section_class(const catalogue::SectionRow& r, double yield, const CrossForces& f);
 
 /// The same line by line: epsilon, the slenderness of the wall that governs, its limits.
-WallClass write_class(const catalogue::SectionRow& section, double yield, const CrossForces& forces, Sheet<Num>& s);
+WallClass write_class(const catalogue::SectionRow& r, double yield, const CrossForces& f, Sheet<Num>& s);
 
 /// Why a section of class 4 is not computed, and what to change; empty for the others.
-std::string class_4_words(const catalogue::SectionRow& section, const WallClass& wall);
+std::string class_4_words(const catalogue::SectionRow& r, const WallClass& w);
 
 }  // namespace taut::structure

@@ -1,0 +1,159 @@
+#include "taut/app/guy_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/rule.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* by_recalled_gamma = "UNVERIFIED: gamma_Mg = 2.0 of EN 1993-3-1 as recalled";
+constexpr const char* by_recalled_window = "UNVERIFIED: 8 to 15 % as recalled";
+
+/// The machine's guys that a name means: one, or all of a rope.
+std::vector<std::string> guys_named(const std::string& name, const MachineDeck& deck) {
+  std::vector<std::string> own, of_rope;
+  for (const auto& guy : deck.machine.guys) {
+    if (guy.name == name) own.push_back(guy.name);
+    if (guy.rope == name) of_rope.push_back(guy.name);
+  }
+  return own.empty() ? of_rope : own;
+}
+
+const model::Reeving* reeving_named(const model::Model& model, const std::string& name) {
+  const auto found =
+      std::find_if(model.reevings.begin(), model.reevings.end(), [&](const auto& one) { return one.name == name; });
+  return found == model.reevings.end() ? nullptr : &*found;
+}
+
+/// Over all states: largest tension, and how far it is from going slack.
+struct GuyStates {
+  double T_max = 0, tightness = HUGE_VAL, T_slackest = 0;
+  std::string where_max, where_slack;
+};
+GuyStates states_of(const MachineRun& run, const std::string& name) {
+  GuyStates all;
+  for (const Answer& a : answers_of(run)) {
+    for (const analysis::SpanResult& span : a.result->spans) {
+      if (a.model->reevings[static_cast<std::size_t>(span.reeving)].name != name) continue;
+      const double T = std::max({span.T_from, span.T_to, span.T_from_max, span.T_to_max});
+      if (T > all.T_max) {
+        all.T_max = T;
+        all.where_max = a.words;
+      }
+      const double tightness = span.unstretched > 0 ? span.chord / span.unstretched : 0;
+      if (tightness < all.tightness) {
+        all.tightness = tightness;
+        all.T_slackest = std::min(span.T_from, span.T_to);
+        all.where_slack = a.words;
+      }
+    }
+  }
+  return all;
+}
+
+void check_safety(const GuyCheckRequest& request, const std::string& name, const GuyStates& states, double strength,
+                  Result& r) {
+  RuleLimit limit{2, "partial factor of guys, EN 1993-3-1", by_recalled_gamma};
+  if (request.rule) limit = rule_limit(*request.rule, true);
+  if (request.safety_factor) limit = {*request.safety_factor, "the deck's own", "user"};
+  const double S = strength / (states.T_max * request.dynamic_factor);
+  const std::string factor =
+      request.dynamic_factor == 1 ? std::string() : fmt::format(" times {:.4g}", request.dynamic_factor);
+  add_part_check(name, "guy_safety", S, Sense::at_least, limit.value, si::one,
+                 fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN{} ({}); {}", strength / 1e3,
+                             states.T_max / 1e3, factor, states.where_max, limit.words),
+                 limit.trust, r);
+}
+
+void check_pretension(const GuyCheckRequest& request, const std::string& name, double tension, double strength,
+                      Result& r) {
+  const bool own = request.pretension.size() == 2;
+  const double low = own ? request.pretension[0] : 0.08, high = own ? request.pretension[1] : 0.15;
+  const std::string words = fmt::format("tension as put up, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}",
+                                        tension / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
+  const std::string trust = own ? "user" : by_recalled_window;
+  add_part_check(name, "pretension_min", tension / strength, Sense::at_least, low, si::one, words, trust, r);
+  add_part_check(name, "pretension_max", tension / strength, Sense::at_most, high, si::one, words, trust, r);
+}
+
+}  // namespace
+
+RuleLimit rule_limit(const std::string& id, bool high_end) {
+  const auto row = catalogue::find_rule(id);
+  if (!row || !row->low || !row->high) return {std::nan(""), "there is no such rule", "UNVERIFIED: no such rule"};
+  RuleLimit limit{high_end ? *row->high : *row->low,
+                  fmt::format("{}: {} ({})", row->item, row->text.empty() ? row->id : row->text, row->source),
+                  row->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row->trust_text)
+                                                             : std::string(to_text(row->trust))};
+  if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
+  return limit;
+}
+
+void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
+                    const Unit& unit, std::string rule, std::string trust, Result& r) {
+  Check c = make_check(fmt::format("{}.{}", part, name), value, sense, limit, unit, std::move(rule), std::move(trust));
+  c.part = part;
+  r.checks.push_back(std::move(c));
+}
+
+void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const MachineDeck& deck, const model::Model& model,
+                      std::vector<Complaint>& complaints) {
+  for (const GuyCheckRequest& one : guys) {
+    const std::string path = fmt::format("checks.guys.{}", one.name);
+    const std::vector<std::string> names = guys_named(one.name, deck);
+    if (names.empty()) {
+      std::vector<std::string> known;
+      known.reserve(deck.machine.guys.size());
+      for (const auto& guy : deck.machine.guys) known.push_back(guy.name);
+      complaints.push_back({path, fmt::format("there is no guy, and no guy of a rope, '{}'{}", one.name,
+                                              did_you_mean(one.name, known))});
+      continue;
+    }
+    if (one.safety_factor && one.rule) complaints.push_back({path + ".rule", "either 'safety_factor' or 'rule'"});
+    if (one.rule) {
+      const auto row = catalogue::find_rule(*one.rule);
+      if (!row) {
+        complaints.push_back({path + ".rule", catalogue::to_text(row.error())});
+      } else if (!row->low || !row->id.starts_with("safety.")) {
+        complaints.push_back({path + ".rule", fmt::format("'{}' is no safety factor with a number", row->id)});
+      }
+    }
+    if (!one.pretension.empty() && (one.pretension.size() != 2 || one.pretension[0] >= one.pretension[1])) {
+      complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
+    }
+    for (const std::string& name : names) {
+      const model::Reeving* rope = reeving_named(model, name);
+      if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
+      complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
+    }
+  }
+}
+
+void add_guy_checks(const std::vector<GuyCheckRequest>& guys, const MachineDeck& deck, const MachineRun& run,
+                    Result& r) {
+  for (const GuyCheckRequest& one : guys) {
+    for (const std::string& name : guys_named(one.name, deck)) {
+      const model::Reeving& rope = *reeving_named(run.model, name);
+      const double strength = one.breaking_force.value_or(rope.breaking_force);
+      const GuyStates states = states_of(run, name);
+      if (states.T_max > 0) check_safety(one, name, states, strength, r);
+      if (!one.may_go_slack && std::isfinite(states.tightness)) {
+        add_part_check(name, "slackness", states.tightness, Sense::at_least, 1, si::one,
+                       fmt::format("distance of its ends over its unstretched length: below 1 it hangs slack and holds "
+                                   "nothing ({}, {:.4g} kN left)",
+                                   states.where_slack, states.T_slackest / 1e3),
+                       "derived", r);
+      }
+      const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
+                                    [&](const auto& g) { return g.name == name; });
+      if (one.check_pretension && guy->install) check_pretension(one, name, guy->install->tension, strength, r);
+    }
+  }
+}
+
+}  // namespace taut::app

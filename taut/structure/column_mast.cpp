@@ -1,0 +1,253 @@
+#include "taut/structure/column_mast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "taut/base/expects.hpp"
+#include "taut/structure/hollow_section.hpp"
+
+namespace taut::structure {
+namespace {
+
+using catalogue::SectionRow;
+
+constexpr int parts_of_taper = 8;
+constexpr std::size_t told_every = 24;  // of the 96 steps of a column's piece
+
+enum class Plane { y, z };
+
+/// Between two heights where something begins: a prismatic length, or one of the parts of a tapered piece.
+struct Slice {
+  double from = 0, to = 0;
+  SectionRow section;    ///< of its weaker end
+  SectionRow low, high;  ///< of its ends
+  std::size_t piece = 0;
+};
+
+SectionRow between(const SectionRow& a, const SectionRow& b, double x) {
+  const auto mix = [&](double SectionRow::*of) { return a.*of + (b.*of - a.*of) * x; };
+  return hollow_section({a.shape, a.forming, mix(&SectionRow::height), mix(&SectionRow::width),
+                         mix(&SectionRow::thickness), mix(&SectionRow::outer_radius), mix(&SectionRow::inner_radius)});
+}
+
+std::vector<double> heights_of(const ColumnMast& m) {
+  std::vector<double> cuts = {0};
+  double x = 0;
+  for (const MastPiece& p : m.pieces) {
+    const int n = p.top ? parts_of_taper : 1;
+    for (int k = 1; k <= n; ++k) cuts.push_back(x + p.length * k / n);
+    x += p.length;
+  }
+  for (const MastCombination& c : m.combinations) {
+    for (const MastLoad& l : c.loads) {
+      expects(l.height >= 0 && l.height <= x * (1 + 1e-12), "loads act on the mast");
+      cuts.push_back(l.height);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<double> apart = {0};
+  for (const double cut : cuts) {
+    if (cut > apart.back() + 1e-6 * x) apart.push_back(std::min(cut, x));
+  }
+  return apart;
+}
+
+std::vector<Slice> slices_of(const ColumnMast& m) {
+  const std::vector<double> cuts = heights_of(m);
+  std::vector<Slice> all;
+  std::size_t piece = 0;
+  double base = 0;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    while (piece + 1 < m.pieces.size() && (cuts[i - 1] + cuts[i]) / 2 > base + m.pieces[piece].length) {
+      base += m.pieces[piece++].length;
+    }
+    const MastPiece& p = m.pieces[piece];
+    Slice s{cuts[i - 1], cuts[i], p.section, p.section, p.section, piece};
+    if (p.top) {
+      s.low = between(p.section, *p.top, (s.from - base) / p.length);
+      s.high = between(p.section, *p.top, (s.to - base) / p.length);
+      s.section = s.low.W_pl_y <= s.high.W_pl_y ? s.low : s.high;
+      s.section.name = fmt::format("{} to {}", p.section.name, p.top->name);
+    }
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+double stiffness(const ColumnMast& m, const SectionRow& r, Plane plane) {
+  return m.E * (plane == Plane::y ? r.I_y : r.I_z);
+}
+
+/// The mast as a column in one plane; `factored`: with factors, and pressed.
+Column column_of(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c, Plane plane,
+                 bool factored, bool pressed) {
+  Column column;
+  column.clamped_base = m.clamped_base;
+  column.top_stiffness = m.top_stiffness;
+  for (const Slice& s : slices) {
+    const double mass = (s.low.mass_per_length + s.high.mass_per_length) / 2;
+    const double weight = m.own_weight && pressed ? mass * m.gravity * (factored ? m.weight_factor : 1) : 0;
+    column.pieces.push_back({s.to - s.from, stiffness(m, s.low, plane), stiffness(m, s.high, plane), weight});
+  }
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    const MastLoad& l = c.loads[i];
+    const double k = factored ? c.factors[i] : 1;
+    if (l.height <= slices.front().from) continue;  // on the base itself
+    std::size_t slice = 0;
+    while (slice + 1 < slices.size() && slices[slice].to < l.height * (1 - 1e-9)) ++slice;
+    column.loads.push_back({slice, pressed ? k * l.down : 0, k * (plane == Plane::y ? l.across_y : l.across_z),
+                            k * (plane == Plane::y ? l.moment_y : l.moment_z)});
+  }
+  return column;
+}
+
+double compression_at(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c, double height,
+                      bool factored) {
+  double N = 0;
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    if (c.loads[i].height > height + 1e-9) N += c.loads[i].down * (factored ? c.factors[i] : 1);
+  }
+  for (const Slice& s : slices) {
+    if (!m.own_weight) break;
+    const double above = std::max(0.0, s.to - std::max(height, s.from));
+    N += above * (s.low.mass_per_length + s.high.mass_per_length) / 2 * m.gravity * (factored ? m.weight_factor : 1);
+  }
+  return N;
+}
+
+double most_bent(const std::vector<ColumnPoint>& points) {
+  double M = 0;
+  for (const ColumnPoint& p : points) M = std::max(M, std::abs(p.M));
+  return M;
+}
+
+/// In the direction of the imperfection that bends it more.
+std::vector<ColumnPoint> worse_way(Column column) {
+  std::vector<ColumnPoint> one = *bent_shape(column);
+  if (column.sway == 0 && column.bow == 0) return one;
+  column.sway = -column.sway;
+  column.bow = -column.bow;
+  std::vector<ColumnPoint> other = *bent_shape(column);
+  return most_bent(other) > most_bent(one) ? other : one;
+}
+
+/// Everything of one combination.
+class Combination {
+ public:
+  Combination(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c, ColumnMastResult& r)
+      : m_(m), slices_(slices), c_(c), r_(r) {
+    expects(c.factors.size() == c.loads.size(), "each load has its factor");
+    for (const Plane plane : {Plane::y, Plane::z}) {
+      critical_ = std::min(critical_, critical_factor(column_of(m, slices, c, plane, true, true)));
+    }
+  }
+
+  void add() {
+    r_.critical_factor = std::min(r_.critical_factor, critical_);
+    if (critical_ <= 1) {
+      if (r_.refused.empty()) {
+        r_.refused = m_.clamped_base || m_.top_stiffness > 0
+                         ? fmt::format(
+                               "{}: the mast buckles at {:.4g} times its load; choose a stiffer section, "
+                               "shorten it, or hold its top",
+                               c_.words, critical_)
+                         : fmt::format(
+                               "{}: the mast stands on a hinge and nothing holds its top: it falls over; give "
+                               "the stiffness of its guys, or clamp its base",
+                               c_.words);
+      }
+      return;
+    }
+    const bool crooked = compression_at(m_, slices_, c_, 0, true) > 0;
+    add_case(Plane::y, crooked);
+    if (crooked) add_case(Plane::z, true);
+  }
+
+ private:
+  double height() const { return slices_.back().to; }
+
+  /// The largest offset of the bow, m; 0 where (5.8) lets it be left out.
+  double bow(Plane plane) const {
+    const double N = compression_at(m_, slices_, c_, 0, true);
+    const SectionRow& r = slices_.front().section;
+    const double yield = m_.pieces.front().yield, EI = stiffness(m_, slices_.front().low, plane);
+    const double slenderness = std::sqrt(r.area * yield / euler_load(m_.E, EI / m_.E, height()));
+    const double length = buckling_length(EI, critical_, N);
+    if (m_.bow) return *m_.bow * length;
+    if (m_.clamped_base && !needs_bow(slenderness, r.area * yield, N)) return 0;
+    return bow_share(m_.curve.value_or(curve_of(r, yield)), true) * length;
+  }
+
+  std::vector<ColumnPoint> solved(Plane plane, bool factored, bool pressed, bool crooked) {
+    Column column = column_of(m_, slices_, c_, plane, factored, pressed);
+    if (crooked) {
+      column.sway = m_.sway.value_or(sway_of(height()));
+      column.bow = bow(plane);
+      r_.sway = column.sway;
+      r_.bow = std::max(r_.bow, column.bow);
+    }
+    std::vector<ColumnPoint> points = worse_way(std::move(column));
+    if (pressed) r_.top_displacement = std::max(r_.top_displacement, std::abs(points.back().w));
+    return points;
+  }
+
+  void add_case(Plane leans, bool crooked) {
+    const auto y = solved(Plane::y, true, true, crooked && leans == Plane::y);
+    const auto z = solved(Plane::z, true, true, crooked && leans == Plane::z);
+    const auto first_y = solved(Plane::y, true, false, false), first_z = solved(Plane::z, true, false, false);
+    const auto plain_y = solved(Plane::y, false, false, false), plain_z = solved(Plane::z, false, false, false);
+    MastCase one;
+    one.words = crooked ? fmt::format("{}, as built leaning {}", c_.words,
+                                      leans == Plane::y ? "in the plane of the strong axis" : "across it")
+                        : c_.words;
+    const std::size_t of_slice = y.size() / slices_.size();
+    for (std::size_t i = 0; i < y.size(); i += (i % of_slice == of_slice - 1 ? 1 : told_every)) {
+      const std::size_t slice = i / of_slice;
+      // just above a slice's lower end, just below its upper one
+      const double inside = i % of_slice == 0 ? 1e-6 * height() : -1e-6 * height();
+      const double N = compression_at(m_, slices_, c_, y[i].x + inside, true);
+      const double plain = compression_at(m_, slices_, c_, y[i].x + inside, false);
+      one.stations.push_back({y[i].x,
+                              slice,
+                              {plain, plain_z[i].V, plain_y[i].V, plain_y[i].M, plain_z[i].M, 0},
+                              {y[i].N, z[i].V, y[i].V, y[i].M, z[i].M, 0},
+                              {N, first_z[i].V, first_y[i].V, first_y[i].M, first_z[i].M, 0}});
+    }
+    if (std::isfinite(critical_)) {
+      for (const Slice& s : slices_) {
+        one.critical_force.push_back(critical_ * compression_at(m_, slices_, c_, s.from + 1e-6 * height(), true));
+      }
+    }
+    r_.cases.push_back(std::move(one));
+  }
+
+  const ColumnMast& m_;
+  const std::vector<Slice>& slices_;
+  const MastCombination& c_;
+  ColumnMastResult& r_;
+  double critical_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+ColumnMastResult column_mast(const ColumnMast& m) {
+  expects(!m.pieces.empty() && !m.combinations.empty(), "a mast has pieces and loads");
+  ColumnMastResult r;
+  const std::vector<Slice> slices = slices_of(m);
+  for (const Slice& s : slices) {
+    const MastPiece& p = m.pieces[s.piece];
+    MastPart part;
+    part.member.steel = {s.section, p.yield, m.E, m.gamma};
+    part.member.curve = m.curve;
+    part.member.y.C_m = part.member.z.C_m = m.C_m;
+    part.allowable_stress = p.allowable_stress;
+    r.mast.parts.push_back(std::move(part));
+  }
+  for (const MastCombination& c : m.combinations) Combination(m, slices, c, r).add();
+  return r;
+}
+
+}  // namespace taut::structure

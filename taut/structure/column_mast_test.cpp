@@ -1,0 +1,192 @@
+#include "taut/structure/column_mast.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "taut/catalogue/section_search.hpp"
+#include "taut/structure/mast_sizing.hpp"
+
+namespace taut::structure::column_mast_test {
+
+ColumnMast cantilever(const char* name, double height, double down, double across) {
+  ColumnMast m;
+  m.pieces = {{height, *catalogue::find_section(name), {}, 355e6, 160e6}};
+  m.combinations = {{"work", {{height, down, across, 0, 0, 0}}, {1.0}}};
+  return m;
+}
+
+// Spec case A. Without imperfections: H tan(kL)/k = 871.3685 kN m at the clamp.
+TEST(ColumnMast, CaseAWithoutImperfections) {
+  ColumnMast given = cantilever("CHS 508x16", 8, 162638.979, 106508.0225);
+  given.sway = given.bow = 0;
+  const auto r = column_mast(given);
+  EXPECT_EQ(r.refused, "");
+  EXPECT_NEAR(r.critical_factor, 6064756 / 162638.979, 1e-3);
+  const MastUse u = mast_use(r.mast, r.cases);
+  EXPECT_NEAR(u.member.value, 0.608284, 1e-5);
+  EXPECT_NEAR(u.flexural.value, 0.0350853, 1e-6);
+  EXPECT_NEAR(u.section.value, 871368.54 / 1373846, 1e-5);
+  EXPECT_NEAR(u.stress.value, 295492555, 1500);
+  EXPECT_NEAR(u.stress_use.value, 295492555.0 / 160e6, 1e-5);
+  EXPECT_EQ(r.cases[u.section.at.load_case].stations[u.section.at.station].height, 0);
+}
+
+// phi = 2/sqrt(8)/200: (H + N phi) tan(kL)/k; no bow, as lambda of the pinned column 0.6016 < 0.5 sqrt(A f_y/N) = 3.67.
+TEST(ColumnMast, CaseALeaning) {
+  const auto r = column_mast(cantilever("CHS 508x16", 8, 162638.979, 106508.0225));
+  EXPECT_NEAR(r.sway, 0.00353553, 1e-8);
+  EXPECT_EQ(r.bow, 0);
+  const double M = 871368.54 * (1 + 162638.979 * 0.0035355339 / 106508.0225);
+  EXPECT_NEAR(mast_use(r.mast, r.cases).section.value, M / 1373846, 1e-5);
+}
+
+TEST(ColumnMast, FactorsEnterBeforeTheBendingDoes) {
+  ColumnMast given = cantilever("CHS 508x16", 8, 162638.979, 106508.0225);
+  given.sway = given.bow = 0;
+  given.combinations[0].factors = {1.4};
+  const auto r = column_mast(given);
+  const double k = std::sqrt(1.4 * 162638.979 / (210e9 * 7.490904e-4));
+  const double M = 1.4 * 106508.0225 * std::tan(8 * k) / k;
+  EXPECT_NEAR(r.cases[0].stations[0].design.M_y, M, 1);
+  EXPECT_NEAR(r.cases[0].stations[0].service.M_y, 852064.18, 0.01);
+  EXPECT_NEAR(mast_use(r.mast, r.cases).stress.value, 295492555, 1500);  // the paper's: no factors
+}
+
+TEST(ColumnMast, MirroredAndTurned) {
+  for (const char* name : {"CHS 323.9x10", "RHS 300x200x10"}) {
+    const auto use = [](const ColumnMast& m) {
+      const auto r = column_mast(m);
+      return mast_use(r.mast, r.cases).utilisation();
+    };
+    ColumnMast one = cantilever(name, 6, 100e3, 20e3);
+    one.combinations[0].loads[0].across_z = 5e3;
+    ColumnMast other = one;
+    other.combinations[0].loads[0].across_y = -20e3;
+    EXPECT_NEAR(use(one), use(other), 1e-9) << name;
+    if (name[0] != 'C') continue;
+    other.combinations[0].loads[0].across_y = 5e3;
+    other.combinations[0].loads[0].across_z = 20e3;
+    EXPECT_NEAR(use(one), use(other), 1e-9);
+  }
+}
+
+TEST(ColumnMast, SteppedMastHasItsWorstSectionAboveTheStep) {
+  ColumnMast m = cantilever("CHS 508x16", 12, 60e3, 25e3);
+  m.pieces = {{6, *catalogue::find_section("CHS 508x16"), {}, 355e6, {}},
+              {6, *catalogue::find_section("CHS 323.9x6.3"), {}, 355e6, {}}};
+  const auto r = column_mast(m);
+  const MastUse u = mast_use(r.mast, r.cases);
+  EXPECT_EQ(u.section.at.part, 1U);
+  EXPECT_NEAR(r.cases[u.section.at.load_case].stations[u.section.at.station].height, 6, 1e-9);
+  // between two uniform masts
+  const auto factor = [&](const char* name) { return column_mast(cantilever(name, 12, 60e3, 25e3)).critical_factor; };
+  EXPECT_LT(r.critical_factor, factor("CHS 508x16"));
+  EXPECT_GT(r.critical_factor, factor("CHS 323.9x6.3"));
+}
+
+TEST(ColumnMast, TaperedMast) {
+  ColumnMast m = cantilever("CHS 508x16", 10, 100e3, 40e3);
+  m.pieces[0].top = *catalogue::find_section("CHS 273x16");
+  const auto r = column_mast(m);
+  EXPECT_EQ(r.mast.parts.size(), 8U);
+  EXPECT_EQ(r.refused, "");
+  const MastUse u = mast_use(r.mast, r.cases);
+  const auto thick = column_mast(cantilever("CHS 508x16", 10, 100e3, 40e3));
+  const auto thin = column_mast(cantilever("CHS 273x16", 10, 100e3, 40e3));
+  EXPECT_GT(u.section.value, mast_use(thick.mast, thick.cases).section.value);
+  EXPECT_LT(u.section.value, mast_use(thin.mast, thin.cases).section.value);
+}
+
+TEST(ColumnMast, HingedMastNeedsItsGuys) {
+  ColumnMast m = cantilever("CHS 323.9x10", 10, 200e3, 10e3);
+  m.clamped_base = false;
+  EXPECT_NE(column_mast(m).refused.find("falls over"), std::string::npos);
+  m.top_stiffness = 1e3;
+  EXPECT_NE(column_mast(m).refused.find("buckles"), std::string::npos);
+  m.top_stiffness = 1e6;
+  const auto r = column_mast(m);
+  EXPECT_EQ(r.refused, "");
+  EXPECT_GT(r.bow, 0);
+  EXPECT_NEAR(r.bow, 10.0 / 300, 1e-4);  // pinned: the buckling length is the height
+}
+
+TEST(ColumnMast, OwnWeight) {
+  ColumnMast m = cantilever("CHS 508x16", 8, 0, 10e3);
+  m.own_weight = true;
+  m.weight_factor = 1.35;
+  const auto r = column_mast(m);
+  EXPECT_NEAR(r.cases[0].stations[0].design.N, 1.35 * 8 * 9.80665 * m.pieces[0].section.mass_per_length, 1e-3);
+  EXPECT_NEAR(r.cases[0].stations[0].service.N, 8 * 9.80665 * m.pieces[0].section.mass_per_length, 1);
+}
+
+TEST(ColumnMast, ClassFourIsRefusedWithWords) {
+  const auto r = column_mast(cantilever("CHS 508x8", 8, 1e5, 1e4));
+  const MastUse u = mast_use(r.mast, r.cases);
+  EXPECT_NE(u.refused.find("class 4"), std::string::npos);
+  EXPECT_TRUE(std::isinf(u.utilisation()));
+  EXPECT_GT(u.slenderness.value, 1);
+}
+
+// The lightest by search is the lightest of all that pass when each is tried by itself.
+RC_GTEST_PROP(MastSizing, AgreesWithTryingAll, ()) {
+  using catalogue::SectionShape;
+  catalogue::SectionFilter filter;
+  const int shape = *rc::gen::inRange(0, 3);
+  filter.shape = shape == 0 ? SectionShape::chs : shape == 1 ? SectionShape::shs : SectionShape::rhs;
+  const double height = *rc::gen::inRange(3, 16), yield = *rc::gen::element(235e6, 355e6, 460e6);
+  const double down = *rc::gen::inRange(0, 1500) * 1e3, M = *rc::gen::inRange(1, 1500) * 1e3;
+  const double side = *rc::gen::inRange(0, 30) / 100.0;
+  const auto mast_of = [&](const catalogue::SectionRow& row) -> std::optional<LoadedMast> {
+    LoadedMast m;
+    m.mast.parts.resize(1);
+    m.mast.parts[0].member.steel = {row, yield, 210e9, {}};
+    m.mast.parts[0].member.y = m.mast.parts[0].member.z = {2 * height, {}, 0.9};
+    const CrossForces f{down, side * M / height, M / height, M, side * M, 0};
+    m.cases = {{"work", {{0, 0, f, f, f}}, {}}};
+    return m;
+  };
+  // every fifth section: a catalogue of its own
+  std::vector<catalogue::SectionRow> table;
+  const auto sorted = catalogue::sections_by_mass(filter);
+  for (std::size_t i = *rc::gen::inRange<std::size_t>(0, 5); i < sorted.size(); i += 5) table.push_back(sorted[i]);
+  const MastSizing found = size_mast(table, mast_of);
+  const catalogue::SectionRow* lightest = nullptr;
+  double least = HUGE_VAL;
+  for (const auto& row : table) {
+    const LoadedMast m = *mast_of(row);
+    const MastUse u = mast_use(m.mast, m.cases);
+    least = std::min(least, u.utilisation());
+    const bool lighter = lightest == nullptr || row.mass_per_length < lightest->mass_per_length;
+    if (u.utilisation() <= 1 && lighter) lightest = &row;
+  }
+  RC_ASSERT(found.passing.empty() == (lightest == nullptr));
+  if (lightest != nullptr) {
+    RC_ASSERT(found.passing[0].section.name == lightest->name);
+    RC_ASSERT(!found.nearest);
+  } else {
+    RC_ASSERT(found.nearest.has_value());
+  }
+}
+
+TEST(MastSizing, LightestTubeOfCaseA) {
+  const auto mast_of = [](const catalogue::SectionRow& row) -> std::optional<LoadedMast> {
+    ColumnMast m = cantilever("CHS 508x16", 8, 162638.979, 106508.0225);
+    m.pieces[0].section = row;
+    m.pieces[0].allowable_stress.reset();
+    ColumnMastResult r = column_mast(m);
+    if (!r.refused.empty()) return std::nullopt;
+    return LoadedMast{std::move(r.mast), std::move(r.cases)};
+  };
+  catalogue::SectionFilter tubes;
+  tubes.shape = catalogue::SectionShape::chs;
+  tubes.forming = catalogue::Forming::hot;
+  tubes.standard = "EN 10210";
+  const MastSizing found = size_mast(catalogue::sections_by_mass(tubes), mast_of, 3);
+  ASSERT_EQ(found.passing.size(), 3U);
+  for (const SizedMast& one : found.passing) EXPECT_LE(one.use.utilisation(), 1) << one.section.name;
+  EXPECT_LT(found.passing[0].section.mass_per_length, 194.14);  // lighter than the tube by the paper's [sigma]
+}
+
+}  // namespace taut::structure::column_mast_test

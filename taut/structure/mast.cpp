@@ -1,0 +1,98 @@
+#include "taut/structure/mast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::structure {
+namespace {
+
+void take_worse(MastWorst& worst, double value, const MastPlace& at) {
+  if (value > worst.value) worst = {value, at};
+}
+
+/// One station: false where its section is of class 4.
+bool take_station(const Mast& mast, const MastCase& c, const MastPlace& at, MastUse& u) {
+  const MastStation& station = c.stations[at.station];
+  const MastPart& part = mast.parts[station.part];
+  const SteelSection& steel = part.member.steel;
+  const CrossForces& design = station.design;
+  const double stress = elastic_stress(steel.section, station.service);
+  take_worse(u.stress, stress, at);
+  if (part.allowable_stress) take_worse(u.stress_use, stress / *part.allowable_stress, at);
+  const WallClass wall = section_class(steel.section, steel.yield, design);
+  take_worse(u.slenderness, wall.slenderness / wall.limit_3, at);
+  if (wall.value == 4) {
+    if (u.refused.empty()) u.refused = class_4_words(steel.section, wall);
+    return false;
+  }
+  Sheet<double> plain;
+  const CrossSectionUse use = cross_section(steel, design, plain);
+  take_worse(u.section, use.utilisation, at);
+  take_worse(u.shear, use.shear, at);
+  return true;
+}
+
+void take_member(const Mast& mast, const MastCase& c, std::size_t load_case, std::size_t part, MastUse& u) {
+  const CrossForces f = member_forces(mast, c, part);
+  if (f.N <= 0) return;
+  u.pressed = true;
+  const Member member = member_in(mast, c, part);
+  const WallClass wall = section_class(member.steel.section, member.steel.yield, f);
+  const MastPlace at{load_case, 0, part};
+  if (wall.value == 4) {  // the largest of all forces together may ask for more than any of the stations
+    take_worse(u.slenderness, wall.slenderness / wall.limit_3, at);
+    if (u.refused.empty()) u.refused = class_4_words(member.steel.section, wall);
+    return;
+  }
+  Sheet<double> plain;
+  const MemberUse use = member_use(member, f, plain);
+  take_worse(u.flexural, use.flexural, at);
+  if (mast.members) take_worse(u.member, use.worst(), at);
+}
+
+}  // namespace
+
+double MastUse::utilisation() const {
+  if (!refused.empty()) return std::numeric_limits<double>::infinity();
+  return std::max({section.value, shear.value, flexural.value, member.value, stress_use.value});
+}
+
+CrossForces member_forces(const Mast& mast, const MastCase& c, std::size_t part) {
+  const bool round = mast.parts.at(part).member.steel.section.shape == catalogue::SectionShape::chs;
+  CrossForces most;
+  bool any = false;
+  for (const MastStation& s : c.stations) {
+    if (s.part != part) continue;
+    most.N = any ? std::max(most.N, s.member.N) : s.member.N;
+    most.M_y = std::max(most.M_y, round ? std::hypot(s.member.M_y, s.member.M_z) : std::abs(s.member.M_y));
+    if (!round) most.M_z = std::max(most.M_z, std::abs(s.member.M_z));
+    any = true;
+  }
+  return most;
+}
+
+Member member_in(const Mast& mast, const MastCase& c, std::size_t part) {
+  Member m = mast.parts.at(part).member;
+  if (part < c.critical_force.size()) m.y.critical_force = m.z.critical_force = c.critical_force[part];
+  return m;
+}
+
+MastUse mast_use(const Mast& mast, const std::vector<MastCase>& cases) {
+  MastUse u;
+  bool any = false;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (std::size_t k = 0; k < cases[i].stations.size(); ++k) {
+      expects(cases[i].stations[k].part < mast.parts.size(), "a station lies in one of the mast's parts");
+      take_station(mast, cases[i], {i, k, cases[i].stations[k].part}, u);
+      any = true;
+    }
+    for (std::size_t part = 0; part < mast.parts.size(); ++part) take_member(mast, cases[i], i, part, u);
+  }
+  expects(any, "a mast is checked under some forces");
+  return u;
+}
+
+}  // namespace taut::structure
