@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "taut/app/guy_checks.hpp"
+#include "taut/app/machine_masts.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::app {
@@ -62,12 +64,20 @@ std::vector<Complaint> check_complaints(const MachineDeck& deck, const model::Mo
   std::vector<Complaint> complaints;
   if (!deck.checks) return complaints;
   complain_of_ropes(*deck.checks, deck, model, complaints);
+  complain_of_masts(deck.checks->masts, deck, model, complaints);
+  complain_of_guys(deck.checks->guys, deck, model, complaints);
+  complain_of_anchors(deck.checks->anchors, model, complaints);
+  complain_of_lines(deck.checks->lines, model, complaints);
   return complaints;
 }
 
 void add_checks(const MachineDeck& deck, const MachineRun& run, Result& r) {
   if (!deck.checks || r.status != Status::ok) return;
   add_rope_checks(*deck.checks, deck, run, r);
+  add_machine_masts(deck.checks->masts, deck, run, r);
+  add_guy_checks(deck.checks->guys, deck, run, r);
+  add_anchor_checks(deck.checks->anchors, run, r);
+  add_line_checks(deck.checks->lines, run, r);
   const std::vector<std::string> parts = parts_of(run.model);
   for (Check& c : r.checks) {
     if (c.part.empty()) c.part = part_of(c.name, parts);

@@ -7,6 +7,11 @@ const Description& ChecksRequest::describe() {
       Describe<ChecksRequest>()
           .named_records(&ChecksRequest::ropes, "ropes",
                          "by the name of a reeving, a guy, or a rope with all that is reeved of it")
+          .named_records(&ChecksRequest::masts, "masts",
+                         "by the name of a beam, or of a mast that stands here with its section and loads")
+          .named_records(&ChecksRequest::guys, "guys", "by the name of a guy, or of a rope with all guys of it")
+          .named_records(&ChecksRequest::anchors, "anchors", "by the name of a point at which ropes end")
+          .named_records(&ChecksRequest::lines, "lines", "by the name of a reeving over supports")
           .field(&ChecksRequest::refuse_unverified, "refuse_unverified",
                  "a check that rests on an unverified number does not pass");
   return d;

@@ -1,6 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "taut/app/guy_checks_deck.hpp"
+#include "taut/app/mast_checks_deck.hpp"
 #include "taut/app/rope_checks_deck.hpp"
 #include "taut/calc/field.hpp"
 
@@ -10,6 +12,10 @@ namespace taut::app {
 /// fields and its checks in files of its own (checks.hpp).
 struct ChecksRequest {
   std::vector<RopeCheckRequest> ropes;
+  std::vector<MastCheckRequest> masts;
+  std::vector<GuyCheckRequest> guys;
+  std::vector<AnchorCheckRequest> anchors;
+  std::vector<LineCheckRequest> lines;
   bool refuse_unverified = false;  ///< a check on an unverified limit does not pass
   static const Description& describe();
 };

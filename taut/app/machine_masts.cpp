@@ -14,7 +14,6 @@ namespace taut::app {
 namespace {
 
 using model::description::Beam;
-using structure::MastStation;
 
 std::vector<std::string> beams_of(const MastCheckRequest& request) {
   return request.beams.empty() ? std::vector<std::string>{request.name} : request.beams;
@@ -75,6 +74,7 @@ void complain_of_beam(const MastCheckRequest& request, const std::string& name, 
   const Beam* beam = beam_named(deck, name);
   if (beam == nullptr) {
     std::vector<std::string> known;
+    known.reserve(deck.machine.beams.size());
     for (const Beam& b : deck.machine.beams) known.push_back(b.name);
     complaints.push_back({path + ".beams", fmt::format("there is no beam '{}'{}", name, did_you_mean(name, known))});
     return;

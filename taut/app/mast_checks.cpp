@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "taut/catalogue/section_search.hpp"
@@ -16,7 +17,6 @@ using structure::LoadedMast;
 using structure::MastPlace;
 using structure::MastStation;
 using structure::MastUse;
-using structure::MastWorst;
 
 constexpr const char* recalled_section =
     "UNVERIFIED: class limits and M_N of hollow sections as recalled, not compared with the standard";

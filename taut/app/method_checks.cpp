@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "taut/app/checks.hpp"
+#include "taut/app/mast_checks.hpp"
 #include "taut/app/rope_life.hpp"
 #include "taut/app/rope_rules.hpp"
 #include "taut/base/suggest.hpp"
@@ -121,7 +122,8 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& /*in*/, const 
   return all;
 }
 
-std::vector<Complaint> method_check_complaints(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes) {
+std::vector<Complaint> method_check_complaints(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
+                                               const std::string& method) {
   std::vector<Complaint> complaints;
   std::vector<std::string> known;
   known.reserve(ropes.size());
@@ -139,6 +141,14 @@ std::vector<Complaint> method_check_complaints(const ChecksRequest& request, con
     rope_rules(one, rope, path, complaints);
     complain_of_life(one, rope, {}, path, complaints);
   }
+  complain_of_method_masts(request.masts, method, complaints);
+  const auto refuse = [&](const auto& all, const char* key) {
+    if (!all.empty())
+      complaints.push_back({fmt::format("checks.{}", key), "a published method has none: describe a machine"});
+  };
+  refuse(request.guys, "guys");
+  refuse(request.anchors, "anchors");
+  refuse(request.lines, "lines");
   return complaints;
 }
 
@@ -152,6 +162,7 @@ void add_method_checks(const ChecksRequest& request, const std::vector<rope::Rop
       add_checks_of(one, use, rope_rules(one, use.rope, {}, told_before), r);
     }
   }
+  add_method_masts(request.masts, r);
   finish_checks(request, r);
 }
 

@@ -53,7 +53,7 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
   e.exact = exact.values;
   e.example = example_of(about.name);
   const std::string what = "the input of " + about.name;
-  e.prepare = [complaints, run, what, offered, complete = exact.complete](
+  e.prepare = [complaints, run, what, name = about.name, offered, complete = exact.complete](
                   const io::Node& node, const io::Node* checks, Diagnostics& mistakes) -> std::function<Result()> {
     const auto in = std::make_shared<Input>();
     const auto asked = std::make_shared<ChecksBlock>();
@@ -66,7 +66,7 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
       return offered.ropes != nullptr ? offered.ropes(i, r) : std::vector<rope::RopeUse>{};
     };
     if (broken.empty() && asked->checks) {
-      broken = method_check_complaints(*asked->checks, ropes(*in, nullptr));
+      broken = method_check_complaints(*asked->checks, ropes(*in, nullptr), name);
       io::place(*checks, broken, mistakes);
     }
     if (!broken.empty()) return {};
