@@ -10,11 +10,6 @@
 namespace taut::app {
 namespace {
 
-/// What all ropes together do to a place in one state.
-struct Pull {
-  Vector3 force = Vector3::Zero();  ///< N
-};
-
 /// The ends of ropes at a place: calls `take(reeving, node, span, at_start)`.
 template <class Take>
 void each_end_at(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& name, Take&& take) {
@@ -29,7 +24,7 @@ void each_end_at(const model::Model& m, const analysis::EquilibriumResult& e, co
 }
 
 /// Force of one rope's end (all copies) on what holds it.
-Vector3 pull_of(const model::Reeving& rope, const analysis::SpanResult& span, bool at_start) {
+Vector3 end_pull(const model::Reeving& rope, const analysis::SpanResult& span, bool at_start) {
   const Vector3 chord = span.end - span.start;
   Vector3 along(chord.x(), chord.y(), 0);
   if (along.norm() > 0) along.normalize();
@@ -65,7 +60,7 @@ AnchorStates anchor_states(const MachineRun& run, const std::string& name) {
     Vector3 F = Vector3::Zero();
     each_end_at(*a.model, *a.result, name,
                 [&](const model::Reeving& rope, const analysis::SpanResult& span, bool at_start) {
-                  F += pull_of(rope, span, at_start);
+                  F += end_pull(rope, span, at_start);
                   all.strongest_rope = std::max(all.strongest_rope, rope.breaking_force * rope.copies);
                   all.strength_unknown |= rope.breaking_force == 0;
                 });

@@ -32,7 +32,7 @@ double plan_angle(const Vector3& a, const Vector3& b) {
 }
 
 /// One value over all states.
-struct Extreme {
+struct LineExtreme {
   double value = std::nan("");
   std::string where;
   void largest(double x, const std::string& words) {
@@ -75,7 +75,7 @@ std::optional<Tail> tail_at(const model::Model& m, const analysis::EquilibriumRe
 }
 
 void check_tail(const LineCheckRequest& request, const MachineRun& run, Result& r) {
-  Extreme angle, off;
+  LineExtreme angle, off;
   for (const Answer& a : answers_of(run)) {
     const auto tail = tail_at(*a.model, *a.result, *line_named(*a.model, request.name), *request.tail_tree);
     if (!tail) continue;
@@ -86,7 +86,7 @@ void check_tail(const LineCheckRequest& request, const MachineRun& run, Result& 
       off.largest(plan_angle(s.end - s.start, tail->of_line->end - tail->of_line->start), a.words);
     }
   }
-  const auto add = [&](const char* name, const Extreme& x, const std::optional<double>& own, const char* rule,
+  const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
     if (std::isnan(x.value)) return;
     RuleLimit limit = rule_limit(rule, false);
@@ -101,7 +101,7 @@ void check_tail(const LineCheckRequest& request, const MachineRun& run, Result& 
 
 void check_breaks(const LineCheckRequest& request, const MachineRun& run, Result& r) {
   for (const std::string& support : supports_of(run.model, *line_named(run.model, request.name))) {
-    Extreme most, least;
+    LineExtreme most, least;
     for (const Answer& a : answers_of(run)) {
       const model::Reeving& rope = *line_named(*a.model, request.name);
       for (const analysis::ContactResult& c : a.result->contacts) {

@@ -15,7 +15,7 @@ using catalogue::Trust;
 
 constexpr std::size_t told_of_each_shape = 3;
 
-catalogue::SectionFilter filter_of(const MastChoice& choice, SectionShape shape) {
+catalogue::SectionFilter section_filter(const MastChoice& choice, SectionShape shape) {
   catalogue::SectionFilter f;
   f.shape = shape;
   if (choice.forming != MastForming::any) f.forming = static_cast<Forming>(static_cast<int>(choice.forming) - 1);
@@ -29,7 +29,7 @@ std::vector<SectionShape> shapes_of(const MastChoice& choice) {
   return {static_cast<SectionShape>(static_cast<int>(choice.shape) - 1)};
 }
 
-const char* governing(const structure::MastUse& u) {
+const char* mast_governing(const structure::MastUse& u) {
   const double most = u.utilisation();
   if (!u.refused.empty()) return "class 4";
   if (u.stress_use.value == most) return "allowable stress";
@@ -39,13 +39,13 @@ const char* governing(const structure::MastUse& u) {
   return "shear";
 }
 
-std::vector<Cell> row_of(const std::string& mast, const structure::SizedMast& one, double height) {
+std::vector<Cell> sized_row(const std::string& mast, const structure::SizedMast& one, double height) {
   return {mast,
           one.section.name,
           one.section.mass_per_length,
           one.section.mass_per_length * height,
           one.use.refused.empty() ? one.use.utilisation() : std::nan(""),
-          std::string(governing(one.use)),
+          std::string(mast_governing(one.use)),
           std::string(to_text(one.section.trust))};
 }
 
@@ -81,16 +81,16 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
   const double height = height_of(report);
   std::optional<structure::SizedMast> best;
   for (const SectionShape shape : shapes_of(*request.choose)) {
-    const auto found = structure::size_mast(catalogue::sections_by_mass(filter_of(*request.choose, shape)),
+    const auto found = structure::size_mast(catalogue::sections_by_mass(section_filter(*request.choose, shape)),
                                             report.in_section, told_of_each_shape);
-    for (const auto& one : found.passing) table_in(r).rows.push_back(row_of(report.name, one, height));
+    for (const auto& one : found.passing) table_in(r).rows.push_back(sized_row(report.name, one, height));
     if (!found.passing.empty() && (!best || found.passing[0].section.mass_per_length < best->section.mass_per_length)) {
       best = found.passing[0];
     }
     if (found.passing.empty() && found.nearest) {
       r.warnings.push_back(
           fmt::format("{}: no {} of the catalogue that 'choose' lets through passes; nearest is {} ({})", report.name,
-                      to_text(shape), found.nearest->section.name, governing(found.nearest->use)));
+                      to_text(shape), found.nearest->section.name, mast_governing(found.nearest->use)));
     }
   }
   if (!best) return;

@@ -64,7 +64,7 @@ std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
   return all;
 }
 
-ColumnMast column_of(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
+ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
   ColumnMast m;
   m.clamped_base = request.base == MastBase::clamped;
   m.top_stiffness = request.top_stiffness;
@@ -167,7 +167,7 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
   MastReport report;
   report.name = request.name;
-  ColumnMast column = column_of(request, loads);
+  ColumnMast column = own_column(request, loads);
   std::vector<Complaint> told_before;
   for (const MastPieceRequest& given : pieces_of(request)) {
     if (auto p = piece_of(request, given, {}, told_before, report.materials)) column.pieces.push_back(*std::move(p));

@@ -14,10 +14,10 @@ namespace {
 using std::numbers::pi;
 
 /// w, its slope, M and the transverse force S that keeps its direction: M' = S - N (w' + built'), S' = 0.
-using Line = std::array<double, 4>;
+using ColumnLine = std::array<double, 4>;
 
-Line sum(const Line& a, double k, const Line& b) {
-  Line c{};
+ColumnLine sum(const ColumnLine& a, double k, const ColumnLine& b) {
+  ColumnLine c{};
   for (std::size_t i = 0; i < 4; ++i) c.at(i) = a.at(i) + k * b.at(i);
   return c;
 }
@@ -29,7 +29,7 @@ class March {
  public:
   March(const Column& c, double factor, bool loaded) : c_(c), factor_(factor), loaded_(loaded) {}
 
-  Line operator()(Line at, std::vector<ColumnPoint>* points = nullptr) const {
+  ColumnLine operator()(ColumnLine at, std::vector<ColumnPoint>* points = nullptr) const {
     double N = 0, x = 0;
     for (const ColumnLoad& load : c_.loads) N += load.down * factor_;
     for (const ColumnPiece& p : c_.pieces) N += p.weight * p.length * factor_;
@@ -38,13 +38,13 @@ class March {
       const double dx = p.length / steps_of_piece, dN = p.weight * factor_ * dx;
       if (points != nullptr) points->push_back(point(at, x, N));
       for (int k = 0; k < steps_of_piece; ++k) {
-        const auto slope = [&](const Line& l, double part) {
+        const auto slope = [&](const ColumnLine& l, double part) {
           const double xi = (k + part) / steps_of_piece;
           const double EI = p.EI + (p.EI_top.value_or(p.EI) - p.EI) * xi;
-          return Line{l[1], l[2] / EI, l[3] - (N - part * dN) * (l[1] + built_slope(x + part * dx)), 0};
+          return ColumnLine{l[1], l[2] / EI, l[3] - (N - part * dN) * (l[1] + built_slope(x + part * dx)), 0};
         };
-        const Line a = slope(at, 0), b = slope(sum(at, dx / 2, a), 0.5), c = slope(sum(at, dx / 2, b), 0.5);
-        const Line d = slope(sum(at, dx, c), 1);
+        const ColumnLine a = slope(at, 0), b = slope(sum(at, dx / 2, a), 0.5), c = slope(sum(at, dx / 2, b), 0.5);
+        const ColumnLine d = slope(sum(at, dx, c), 1);
         for (std::size_t j = 0; j < 4; ++j) at.at(j) += dx / 6 * (a.at(j) + 2 * b.at(j) + 2 * c.at(j) + d.at(j));
         x += dx;
         N -= dN;
@@ -65,7 +65,7 @@ class March {
     return c_.sway + wave;
   }
   /// Above a load neither its force nor its moment is carried any more.
-  void pass_loads(std::size_t piece, Line& at, double& N) const {
+  void pass_loads(std::size_t piece, ColumnLine& at, double& N) const {
     for (const ColumnLoad& load : c_.loads) {
       if (load.piece != piece) continue;
       N -= load.down * factor_;
@@ -74,7 +74,7 @@ class March {
       at[3] += load.across * factor_;
     }
   }
-  ColumnPoint point(const Line& l, double x, double N) const {
+  ColumnPoint point(const ColumnLine& l, double x, double N) const {
     return {x, l[0], l[1], N, N * (l[1] + built_slope(x)) - l[3], l[2]};
   }
 
@@ -84,15 +84,15 @@ class March {
 };
 
 /// What has to vanish at the top: moment, and the force that nothing takes (or, of a fixed top, the way).
-std::array<double, 2> left_open(const Column& c, const Line& top) {
+std::array<double, 2> left_open(const Column& c, const ColumnLine& top) {
   const bool fixed = std::isinf(c.top_stiffness);
   // S is against the forces across above; the spring pulls the top back
   return {top[2], fixed ? top[0] : top[3] - c.top_stiffness * top[0]};
 }
 
 /// The two values at the base that are not known: turn or moment, and force across.
-Line base(const Column& c, double first, double force) {
-  return c.clamped_base ? Line{0, 0, first, force} : Line{0, first, 0, force};
+ColumnLine base(const Column& c, double first, double force) {
+  return c.clamped_base ? ColumnLine{0, 0, first, force} : ColumnLine{0, first, 0, force};
 }
 
 struct Shot {

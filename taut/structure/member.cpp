@@ -17,7 +17,7 @@ constexpr const char* annex_b = "EN 1993-1-1, table B.1";
 
 /// One axis: N_cr, slenderness, reduction, n = N/(chi N_Rk/gamma_M1).
 template <class T>
-struct Axis {
+struct MemberAxis {
   T lambda, chi, n;
   double N_cr = 0;
 };
@@ -34,8 +34,8 @@ T critical_force(const Member& m, const BucklingAxis& axis, double I, const char
 }
 
 template <class T>
-Axis<T> axis_of(const Member& m, const BucklingAxis& given, double I, const char* letter, const T& N, const T& N_Rk,
-                Sheet<T>& s) {
+MemberAxis<T> axis_of(const Member& m, const BucklingAxis& given, double I, const char* letter, const T& N,
+                      const T& N_Rk, Sheet<T>& s) {
   const Curve curve = m.curve.value_or(curve_of(m.steel.section, m.steel.yield));
   const T N_cr = critical_force(m, given, I, letter, s);
   const Buckling<T> b = flexural_buckling(N_Rk, N_cr, curve, letter, s);
@@ -46,7 +46,7 @@ Axis<T> axis_of(const Member& m, const BucklingAxis& given, double I, const char
 
 /// k_yy or k_zz.
 template <class T>
-T own_factor(const Axis<T>& a, double C_m, bool plastic, const char* letter, Sheet<T>& s) {
+T own_factor(const MemberAxis<T>& a, double C_m, bool plastic, const char* letter, Sheet<T>& s) {
   const T C = s.named(std::string("C_m") + letter, si::one, C_m);
   const std::string k = std::string("k_") + letter + letter;
   if (plastic) {
@@ -66,8 +66,8 @@ T share(const Member& m, double M, double W, const char* letter, bool plastic, S
 }
 
 template <class T>
-void round_member(const Member& m, const Axis<T>& y, const Axis<T>& z, const CrossForces& f, bool plastic, MemberUse& u,
-                  Sheet<T>& s) {
+void round_member(const Member& m, const MemberAxis<T>& y, const MemberAxis<T>& z, const CrossForces& f, bool plastic,
+                  MemberUse& u, Sheet<T>& s) {
   const auto& r = m.steel.section;
   const bool by_y = value(y.n) >= value(z.n);  // one section, two ways to be held
   const T k = own_factor(by_y ? y : z, std::max(m.y.C_m, m.z.C_m), plastic, by_y ? "y" : "z", s);
@@ -78,8 +78,8 @@ void round_member(const Member& m, const Axis<T>& y, const Axis<T>& z, const Cro
 }
 
 template <class T>
-void box_member(const Member& m, const Axis<T>& y, const Axis<T>& z, const CrossForces& f, bool plastic, MemberUse& u,
-                Sheet<T>& s) {
+void box_member(const Member& m, const MemberAxis<T>& y, const MemberAxis<T>& z, const CrossForces& f, bool plastic,
+                MemberUse& u, Sheet<T>& s) {
   const auto& r = m.steel.section;
   const T k_yy = own_factor(y, m.y.C_m, plastic, "y", s), k_zz = own_factor(z, m.z.C_m, plastic, "z", s);
   const T k_yz = s.eq("", "k_yz", si::one, plastic ? 0.6 * k_zz : 1 * k_zz, annex_b);
@@ -121,8 +121,8 @@ MemberUse member_use(const Member& m, const CrossForces& f, Sheet<T>& s) {
   const T N = s.named("N_Ed", si::N, f.N);
   const bool alike =
       r.shape == SectionShape::chs && m.y.length == m.z.length && m.y.critical_force == m.z.critical_force;
-  const Axis<T> y = axis_of(m, m.y, r.I_y, "y", N, N_Rk, s);
-  const Axis<T> z = alike ? y : axis_of(m, m.z, r.I_z, "z", N, N_Rk, s);
+  const MemberAxis<T> y = axis_of(m, m.y, r.I_y, "y", N, N_Rk, s);
+  const MemberAxis<T> z = alike ? y : axis_of(m, m.z, r.I_z, "z", N, N_Rk, s);
   u.N_cr_y = y.N_cr;
   u.N_cr_z = z.N_cr;
   u.lambda_y = value(y.lambda);

@@ -13,7 +13,7 @@ using catalogue::SectionRow;
 using catalogue::SectionShape;
 
 constexpr double reference_yield = 235e6;  // Pa
-constexpr const char* table = "EN 1993-1-1, table 5.2";
+constexpr const char* table_5_2 = "EN 1993-1-1, table 5.2";
 
 double epsilon_of(double yield) { return std::sqrt(reference_yield / yield); }
 
@@ -89,13 +89,13 @@ WallClass write_class(const SectionRow& r, double yield, const CrossForces& f, S
   const WallClass w = section_class(r, yield, f);
   const Num f_y = s.named("f_y", si::Pa, yield), t = s.named("t", si::m.in("mm"), r.thickness);
   const Num f_235 = s.named("f_235", si::Pa, reference_yield);
-  s.eq("", "epsilon", si::one, sqrt(f_235 / f_y), table);
+  s.eq("", "epsilon", si::one, sqrt(f_235 / f_y), table_5_2);
   if (w.wall == "tube") {
-    s.eq("", "D/t", si::one, s.named("D", si::m.in("mm"), r.height) / t, table);
+    s.eq("", "D/t", si::one, s.named("D", si::m.in("mm"), r.height) / t, table_5_2);
   } else {
     const bool web = w.wall == "web";
     const Num side = s.named(web ? "h" : "b", si::m.in("mm"), web ? r.height : r.width);
-    s.eq("", web ? "c_w/t" : "c_f/t", si::one, (side - 3 * t) / t, fmt::format("{}, {}", table, w.wall));
+    s.eq("", web ? "c_w/t" : "c_f/t", si::one, (side - 3 * t) / t, fmt::format("{}, {}", table_5_2, w.wall));
   }
   s.note([&] {
     return fmt::format("Limits of classes 1, 2, 3 of the {} under these forces: {:.4g}, {:.4g}, {:.4g}: class {}.",
