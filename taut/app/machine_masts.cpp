@@ -279,9 +279,9 @@ void add_top_check(const MastCheckRequest& request, const MachineDeck& deck, con
 
 std::vector<NamedAnswer> named_answers(const MachineRun& run) {
   std::vector<NamedAnswer> all;
-  const auto name = [](const std::string& ending, const char* kind) {
-    return ending.size() < 2 || std::isdigit(static_cast<unsigned char>(ending[1])) != 0 ? std::string(kind)
-                                                                                         : ending.substr(1);
+  const auto name = [](const std::string& ending, const char* kind) {  // "_2": the second without a name
+    const bool numbered = ending.find_first_not_of("0123456789", 1) == std::string::npos;
+    return ending.size() < 2 || numbered ? std::string(kind) : ending.substr(1);
   };
   std::vector<std::string> names;
   for (const EquilibriumRun& one : run.equilibria) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "taut/catalogue/section_search.hpp"
@@ -22,6 +21,8 @@ constexpr const char* recalled_section =
     "UNVERIFIED: class limits and M_N of hollow sections as recalled, not compared with the standard";
 constexpr const char* recalled_curve = "UNVERIFIED: buckling curve and class limits as recalled; annex B verified";
 
+constexpr double same_place = 1e-4;  // m
+
 const structure::MastCase& case_at(const LoadedMast& m, const MastPlace& at) { return m.cases[at.load_case]; }
 const MastStation& station_at(const LoadedMast& m, const MastPlace& at) { return case_at(m, at).stations[at.station]; }
 
@@ -38,6 +39,7 @@ void add_check(const std::string& part, const char* name, double value, double l
 }
 
 void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
+  if (u.slenderness.value == 0) return;  // pulled everywhere
   const MastPlace& at = u.slenderness.at;
   const auto& steel = report.loaded.mast.parts[at.part].member.steel;
   const structure::WallClass wall =
@@ -135,7 +137,12 @@ void add_profile(const MastReport& report, Result& r) {
             {"height above the base", si::m},
             {},
             {}};
-  std::vector<std::array<double, 3>> points;  // height, EN 1993, [sigma]
+  struct At {
+    double height;
+    std::size_t part;
+    double ec3, sigma;
+  };
+  std::vector<At> points;
   const auto& parts = report.loaded.mast.parts;
   for (const auto& c : report.loaded.cases) {
     for (const MastStation& s : c.stations) {
@@ -143,28 +150,29 @@ void add_profile(const MastReport& report, Result& r) {
       const auto& part = parts[s.part];
       const double ec3 = structure::cross_section(part.member.steel, s.design, plain).worst();
       const double stress = structure::elastic_stress(part.member.steel.section, s.service);
-      const auto known = std::find_if(points.begin(), points.end(), [&](const auto& p) {
-        return std::abs(p[0] - s.height) < 1e-3 && (s.part == 0 || std::abs(p[0] - s.height) < 1e-9);
+      const double sigma = part.allowable_stress ? stress / *part.allowable_stress : std::nan("");
+      const auto known = std::find_if(points.begin(), points.end(), [&](const At& p) {
+        return p.part == s.part && std::abs(p.height - s.height) < same_place;
       });
-      const double by_sigma = part.allowable_stress ? stress / *part.allowable_stress : std::nan("");
       if (known == points.end()) {
-        points.push_back({s.height, ec3, by_sigma});
+        points.push_back({s.height, s.part, ec3, sigma});
       } else {
-        (*known)[1] = std::max((*known)[1], ec3);
-        (*known)[2] = std::max((*known)[2], by_sigma);
+        known->ec3 = std::max(known->ec3, ec3);
+        known->sigma = std::max(known->sigma, sigma);
       }
     }
   }
-  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  std::stable_sort(points.begin(), points.end(),
+                   [](const At& a, const At& b) { return a.part != b.part ? a.part < b.part : a.height < b.height; });
   Curve ec3{"EN 1993-1-1, N + M + V", {}, {}}, sigma{"N/A + M/W over [sigma]", {}, {}, true};
-  for (const auto& p : points) {
-    ec3.x.push_back(p[1]);
-    ec3.y.push_back(p[0]);
-    sigma.x.push_back(p[2]);
-    sigma.y.push_back(p[0]);
+  for (const At& p : points) {
+    ec3.x.push_back(p.ec3);
+    ec3.y.push_back(p.height);
+    sigma.x.push_back(p.sigma);
+    sigma.y.push_back(p.height);
   }
   plot.curves.push_back(std::move(ec3));
-  if (!std::isnan(points.front()[2])) plot.curves.push_back(std::move(sigma));
+  if (!std::isnan(points.front().sigma)) plot.curves.push_back(std::move(sigma));
   r.figures.emplace_back(std::move(plot));
 }
 
