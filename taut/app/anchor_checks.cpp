@@ -44,6 +44,11 @@ std::vector<std::string> anchors_of(const model::Model& model) {
   return known;
 }
 
+constexpr const char* fastening =
+    "Lines on stumps and trees: 2.5 wraps, 8 spikes or 6 staples on the first and the last wrap, 2 clips up to 25 mm "
+    "and 3 "
+    "above (WAC 296-54-569); a skyline does not count as a guyline.";
+
 double elevation(const Vector3& F) { return std::atan2(F.z(), std::hypot(F.x(), F.y())); }
 
 /// The worst over all states.
@@ -118,6 +123,7 @@ void add_anchor_checks(const std::vector<AnchorCheckRequest>& anchors, const Mac
   for (const AnchorCheckRequest& one : anchors) {
     const AnchorStates s = anchor_states(run, one.name);
     if (s.force == 0) continue;
+    if (&one == &anchors.front()) r.assumptions.emplace_back(fastening);
     add_anchor_row(one.name, s, r);
     const double force = s.force * one.dynamic_factor;
     if (one.strength) {
