@@ -114,8 +114,8 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 }
 
 /// The way of the carriage, part by part; a position on a support is passed over.
-std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase, Watch& watch,
-                                        Outcome& outcome) {
+std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
+                                        Watch& watch, Outcome& outcome) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<CyclePosition> all;

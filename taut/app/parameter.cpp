@@ -14,7 +14,7 @@
 namespace taut::app {
 namespace {
 
-using Answer = tl::expected<Parameter, std::string>;
+using Found = tl::expected<Parameter, std::string>;
 
 /// "a.b[2].c" as a, b, 2, c. Names with dots are put together again where they are looked for.
 std::vector<std::string> steps_of(const std::string& path) {
@@ -48,17 +48,17 @@ class Finder {
  public:
   explicit Finder(const std::string& path) : path_(path), steps_(steps_of(path)) {}
 
-  Answer find(const Description& d, void* object) { return in_struct(d, object, 0); }
+  Found find(const Description& d, void* object) { return in_struct(d, object, 0); }
 
  private:
   /// Words for what is wrong at a step.
-  Answer no(std::size_t at, const std::string& why) const {
+  Found no(std::size_t at, const std::string& why) const {
     const std::string step = at < steps_.size() ? steps_[at] : std::string{};
     return tl::unexpected(step.empty() ? fmt::format("'{}': {}", path_, why)
                                        : fmt::format("'{}': {} {}", path_, fmt::format("'{}'", step), why));
   }
 
-  Answer in_struct(const Description& d, void* object, std::size_t at) {
+  Found in_struct(const Description& d, void* object, std::size_t at) {
     if (at >= steps_.size()) return no(at, "names a group of fields, not a number");
     const Field* f = d.find(steps_[at]);
     if (f == nullptr || f->rest)
@@ -66,7 +66,7 @@ class Finder {
     return in_field(*f, object, at + 1);
   }
 
-  Answer in_field(const Field& f, void* object, std::size_t at) {
+  Found in_field(const Field& f, void* object, std::size_t at) {
     const Slot slot = f.slot(object);
     if (auto* const* x = std::get_if<double*>(&slot)) return number(f, at, **x, [p = *x](double v) { *p = v; });
     if (auto* const* x = std::get_if<std::optional<double>*>(&slot)) {
@@ -85,12 +85,12 @@ class Finder {
     return tl::unexpected(fmt::format("'{}': is not a number", path_));
   }
 
-  Answer number(const Field& f, std::size_t at, double now, std::function<void(double)> set) const {
+  Found number(const Field& f, std::size_t at, double now, std::function<void(double)> set) const {
     if (at < steps_.size()) return no(at, "is beyond a number");
     return Parameter{&f, f.unit, now, std::move(set), path_};
   }
 
-  Answer component(const Field& f, std::size_t at, Triple& v) const {
+  Found component(const Field& f, std::size_t at, Triple& v) const {
     if (at >= steps_.size()) return no(at, "is a vector: name a component, [0], [1], [2] or x, y, z, or its angle");
     if (at + 1 < steps_.size()) return no(at + 1, "is beyond a component");
     Triple* const p = &v;
@@ -112,14 +112,14 @@ class Finder {
     return Parameter{&f, f.unit, v[*i], [p, k = *i](double x) { (*p)[k] = x; }, path_};
   }
 
-  Answer element(const Field& f, std::size_t at, std::vector<double>& v) const {
+  Found element(const Field& f, std::size_t at, std::vector<double>& v) const {
     const auto i = at < steps_.size() ? number_of(steps_[at]) : std::nullopt;
     if (!i || *i >= v.size()) return no(at, fmt::format("is not one of its {} numbers, [0] and so on", v.size()));
     if (at + 1 < steps_.size()) return no(at + 1, "is beyond a number");
     return Parameter{&f, f.unit, v[*i], [p = &v, k = *i](double x) { (*p)[k] = x; }, path_};
   }
 
-  Answer in_record(const Field& f, const Record& record, std::size_t at) {
+  Found in_record(const Field& f, const Record& record, std::size_t at) {
     const auto all = record.all();
     // the slot was made of an object that may be changed
     const auto changeable = [](const void* one) { return const_cast<void*>(one); };
@@ -144,7 +144,7 @@ class Finder {
     return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
   }
 
-  Answer in_named(const Field& f, const NamedRecords& named, std::size_t at) {
+  Found in_named(const Field& f, const NamedRecords& named, std::size_t at) {
     if (at >= steps_.size()) return no(at, "is a map of names: name one");
     std::vector<std::string> known;
     for (const auto& [name, one] : named.all()) {
