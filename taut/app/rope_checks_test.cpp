@@ -98,7 +98,7 @@ TEST(RopeChecks, mistakes_have_their_place) {
   expect_mistake(run_text(checked("  ropes: {skyline: {field: skyline.hc}}")), "there is no field of use 'skyline.hc'");
   expect_mistake(run_text(checked("  ropes: {skyline: {field: crane_running}}")), "needs a 'class'");
   expect_mistake(run_text(checked("  ropes: {skyline: {field: crane_running, class: M9}}")), "has no class 'M9'");
-  expect_mistake(run_text(checked("  ropes: {skyline: {termination: wedge}}")), "there is no termination 'wedge'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {termination: wegde}}")), "there is no termination 'wegde'");
   expect_mistake(run_text(checked("  ropes: {skyline: {groove: cast_iron}}")), "give 'groove_pressure'");
   expect_mistake(run_text(checked("  ropes: {skyline: {felt: 1}}")), "'felt' is not a field");
   expect_mistake(run_text(checked("  ropes: {skyline: {rope: nonsense}}")), "nonsense");
@@ -147,7 +147,7 @@ TEST(RopeChecks, crane_class_sets_factor_and_ratios) {
 TEST(RopeChecks, drum_and_groove) {
   const Result r = run_text(hoist_deck(
       "  ropes: {hoist: {field: crane_running, class: M3, drum: grooved, groove: cast_steel, rated_pull: 40 kN, "
-      "termination: wedge_socket}}"));
+      "termination: wedge}}"));
   ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
   // the rope to the head sheave lies in the drum's plane: half the face less the rope, over the free rope
   const double free = std::sqrt(9.4 * 9.4 + 18 * 18 - 0.174 * 0.174);

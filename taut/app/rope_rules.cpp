@@ -177,7 +177,28 @@ class RopeRuleReader {
     }
   }
 
-  void named_termination(const std::string& name) {
+  /// Terminations of the tables, each once.
+  static std::vector<std::string> terminations() {
+    std::vector<std::string> known;
+    for (const RuleRow& row : catalogue::rules_of("termination")) {
+      const std::size_t begin = std::string_view("termination.").size();
+      const std::size_t end = row.id.rfind('.');
+      if (end <= begin || !row.low) continue;
+      const std::string name = row.id.substr(begin, end - begin);
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+    return known;
+  }
+
+  void named_termination(const std::string& given) {
+    const std::vector<std::string> known = terminations();
+    std::string name = given;
+    const auto begins_so = [&](const std::string& one) { return one.starts_with(given); };
+    const bool exact = std::find(known.begin(), known.end(), given) != known.end();
+    // "wedge" means the one whose name begins so
+    if (!exact && std::count_if(known.begin(), known.end(), begins_so) == 1) {
+      name = *std::find_if(known.begin(), known.end(), begins_so);
+    }
     std::optional<RuleRow> worst;
     for (const char* core : {"IWRC", "FC"}) {
       // of a rope whose core nobody knows the weaker one
@@ -187,20 +208,13 @@ class RopeRuleReader {
     }
     if (worst) {
       rules_.termination = limit_of(*worst, SafeEnd::low);
-      return;
+    } else if (std::find(known.begin(), known.end(), name) != known.end()) {
+      complain("termination", fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", name));
+    } else {
+      complain("termination", fmt::format("there is no termination '{}' in the tables: {}; or give "
+                                          "'termination_efficiency'",
+                                          given, catalogue::listed(known, 12)));
     }
-    std::vector<std::string> known;
-    for (const RuleRow& row : catalogue::rules_of("termination")) {
-      const std::string middle = row.id.substr(12, row.id.rfind('.') - 12);
-      if (row.id.rfind('.') > 12 && std::find(known.begin(), known.end(), middle) == known.end())
-        known.push_back(middle);
-    }
-    const bool other_core = std::find(known.begin(), known.end(), name) != known.end();
-    complain("termination",
-             other_core ? fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", name)
-                        : fmt::format("there is no termination '{}' in the tables: {}; or give "
-                                      "'termination_efficiency'",
-                                      name, catalogue::listed(known, 12)));
   }
 
   void temperature() {
