@@ -100,12 +100,9 @@ SizingAnswer search(const MachineDeck& deck, const DesignSpace& space, const Run
   analysis::SizingOptions options;
   options.most_trials = static_cast<std::size_t>(deck.design->most_trials);
   options.neighbours = static_cast<std::size_t>(deck.design->runner_ups);
-  std::vector<std::vector<double>> costs;
-  costs.reserve(space.ropes.size());
-  for (const RopeCandidates& one : space.ropes) costs.push_back(one.costs);
   Design design(deck, space, run);
   return analysis::cheapest(
-      costs, [&](const std::vector<std::size_t>& c) { return design.try_one(c); }, options);
+      costs_of(space), [&](const std::vector<std::size_t>& c) { return design.try_one(c); }, options);
 }
 
 /// The next place of the grid; false behind the last one.

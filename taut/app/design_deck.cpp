@@ -25,6 +25,33 @@ const Description& DesignRopeRequest::describe() {
   return d;
 }
 
+const Description& DesignSectionRequest::describe() {
+  using R = DesignSectionRequest;
+  static const Description d =
+      Describe<R>()
+          .choice(&R::shape, "shape",
+                  {{"any", MastShape::any}, {"chs", MastShape::chs}, {"shs", MastShape::shs}, {"rhs", MastShape::rhs}},
+                  "tube, square, rectangular")
+          .choice(&R::forming, "forming",
+                  {{"any", MastForming::any},
+                   {"hot", MastForming::hot},
+                   {"cold", MastForming::cold},
+                   {"seamless", MastForming::seamless},
+                   {"welded", MastForming::welded}},
+                  "how it is made")
+          .field(&R::standard, "standard", "the beginning of its name: EN 10210")
+          .field(&R::least_height, "least_height", "h", si::m.in("mm"), "smallest outer height")
+          .above(0)
+          .field(&R::most_height, "most_height", "h", si::m.in("mm"), "largest outer height")
+          .above(0)
+          .choice(&R::trust, "trust",
+                  {{"verified", MastTrust::verified},
+                   {"derived", MastTrust::derived},
+                   {"unverified", MastTrust::unverified}},
+                  "worst trust of a row that may be chosen");
+  return d;
+}
+
 const Description& DesignUnknownRequest::describe() {
   using R = DesignUnknownRequest;
   static const Description d = Describe<R>()
@@ -50,6 +77,7 @@ const Description& DesignRequest::describe() {
                   "least mass of the ropes that are free, least sum of their diameters, or least price")
           .field(&R::catalogue, "catalogue", "a file of ropes (CSV) in place of the built-in ones, beside the deck")
           .named_records(&R::ropes, "ropes", "ropes of the machine that are chosen, by name")
+          .named_records(&R::sections, "sections", "beams of the machine whose section is chosen, by name")
           .named_records(&R::unknowns, "unknowns", "numbers of the machine that are free, by a name of yours")
           .field(&R::refine, "refine",
                  "moves the unknowns of the least choice on between their places, to the most reserve")

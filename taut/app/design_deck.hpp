@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/mast_checks_deck.hpp"
 #include "taut/calc/field.hpp"
 
 namespace taut::app {
@@ -25,6 +26,17 @@ struct DesignRopeRequest {
   static const Description& describe();
 };
 
+/// The sections of the catalogue from which that of a beam is chosen.
+struct DesignSectionRequest {
+  std::string name;  ///< a beam of the machine
+  MastShape shape = MastShape::any;
+  MastForming forming = MastForming::any;
+  std::optional<std::string> standard;
+  std::optional<double> least_height, most_height;  ///< m, outer
+  MastTrust trust = MastTrust::unverified;          ///< of its properties, the worst allowed
+  static const Description& describe();
+};
+
 /// A number of the machine that is free within a range, tried at equal steps.
 struct DesignUnknownRequest {
   std::string name;
@@ -39,6 +51,7 @@ struct DesignRequest {
   Seek seek = Seek::lightest;
   std::optional<std::string> catalogue;  ///< a file
   std::vector<DesignRopeRequest> ropes;
+  std::vector<DesignSectionRequest> sections;
   std::vector<DesignUnknownRequest> unknowns;
   bool refine = false;  ///< the unknowns between the places of their grid
   int runner_ups = 5;

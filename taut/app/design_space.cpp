@@ -150,8 +150,8 @@ DesignSpace design_space(const io::Node& input, const MachineDeck& deck, Diagnos
   std::vector<Complaint> complaints;
   const std::vector<RopeRow> rows = catalogue_of(input, design, mistakes);
   if (!mistakes.empty()) return space;
-  if (design.ropes.empty() && design.unknowns.empty()) {
-    complaints.push_back({"design", "says nothing that is free: name 'ropes' or 'unknowns'"});
+  if (design.ropes.empty() && design.sections.empty() && design.unknowns.empty()) {
+    complaints.push_back({"design", "says nothing that is free: name 'ropes', 'sections' or 'unknowns'"});
   }
   if (!deck.checks) complaints.push_back({"design", "needs 'checks': a design is what passes them"});
   std::vector<std::string> known;
@@ -165,12 +165,17 @@ DesignSpace design_space(const io::Node& input, const MachineDeck& deck, Diagnos
     complaints.push_back({fmt::format("design.ropes.{}", one.name),
                           fmt::format("the machine has no rope '{}'{}", one.name, did_you_mean(one.name, known))});
   }
+  for (const DesignSectionRequest& one : design.sections) {
+    space.sections.push_back(candidates_of_beam(one, deck, complaints));
+  }
   for (const DesignUnknownRequest& one : design.unknowns) {
     space.unknowns.push_back(values_of_unknown(one, deck, complaints));
   }
   io::place(input, complaints, mistakes);
   if (!mistakes.empty()) return space;
-  const MachineDeck first = with_choice(deck, space, std::vector<std::size_t>(space.ropes.size(), 0));
+  const MachineDeck first =
+      with_choice(deck, space, std::vector<std::size_t>(space.ropes.size() + space.sections.size(), 0));
+  weigh_sections(first, space);
   for (RopeCandidates& own : space.ropes) {
     own.length = design.seek == Seek::smallest ? 1 : length_of(own.name, first);
     own.costs.reserve(own.rows.size());
@@ -181,7 +186,13 @@ DesignSpace design_space(const io::Node& input, const MachineDeck& deck, Diagnos
 
 MachineDeck with_choice(const MachineDeck& deck, const DesignSpace& space, const std::vector<std::size_t>& choice) {
   MachineDeck own = deck;
-  for (std::size_t k = 0; k < choice.size(); ++k) {
+  for (std::size_t k = 0; k < space.sections.size(); ++k) {
+    const std::size_t row = choice[space.ropes.size() + k];
+    for (auto& beam : own.machine.beams) {
+      if (beam.name == space.sections[k].name) beam.section = space.sections[k].rows[row].name;
+    }
+  }
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const RopeCandidates& free = space.ropes[k];
     for (auto& rope : own.machine.ropes) {
       if (rope.name == free.name) put(free.rows[choice[k]], free.modulus, rope);

@@ -39,6 +39,17 @@ Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
   return t;
 }
 
+Table section_table(const DesignSpace& space, const SizingCandidate& best) {
+  Table t{"design_sections", "The sections chosen", {}, {}};
+  t.columns = {{"beam", si::one}, {"section", si::one}, {"mass_per_metre", si::kg_per_m}, {"trust", si::one}};
+  for (std::size_t k = 0; k < space.sections.size(); ++k) {
+    const catalogue::SectionRow& row = space.sections[k].rows[best.choice[space.ropes.size() + k]];
+    t.rows.push_back(
+        {space.sections[k].name, row.name, row.mass_per_length, std::string(catalogue::to_text(row.trust))});
+  }
+  return t;
+}
+
 Table active_checks(const Result& r) {
   Table t{"design_active", "Checks near their limits: what holds the design", {}, {}};
   t.columns = {{"check", si::one}, {"utilisation", si::one}, {"rule", si::one}, {"trust", si::one}};
@@ -74,14 +85,17 @@ Plot trade_off_plot(const UnknownValues& unknown, Seek seek, const std::vector<D
 std::string names_of(const DesignSpace& space, const std::vector<std::size_t>& choice) {
   std::string all;
   for (std::size_t k = 0; k < choice.size(); ++k) {
-    all += fmt::format("{}{}: {}", k == 0 ? "" : "; ", space.ropes[k].name, space.ropes[k].rows[choice[k]].id);
+    const std::size_t beam = k - space.ropes.size();
+    const bool rope = k < space.ropes.size();
+    all += fmt::format("{}{}: {}", k == 0 ? "" : "; ", rope ? space.ropes[k].name : space.sections[beam].name,
+                       rope ? space.ropes[k].rows[choice[k]].id : space.sections[beam].rows[choice[k]].name);
   }
   return all;
 }
 
 void add_runner_ups(const MachineDeck& deck, const DesignSpace& space, const analysis::SizingAnswer& answer,
                     Result& r) {
-  if (space.ropes.empty()) return;
+  if (space.ropes.empty() && space.sections.empty()) return;
   Table t{"design_runner_ups", "The choice between its neighbours, and what governs each", {}, {}};
   t.columns = {{"choice", si::one},
                {"cost", cost_unit(deck.design->seek)},
@@ -122,11 +136,12 @@ void add_trade_off(const MachineDeck& deck, const DesignSpace& space, const std:
 void add_design(const MachineDeck& deck, const DesignSpace& space, const std::vector<DesignPoint>& points,
                 const DesignPoint& best, Result& r) {
   const Seek seek = deck.design->seek;
-  static constexpr const char* what[] = {"mass of the ropes chosen, by their straight lengths",
-                                         "sum of the diameters chosen",
+  static constexpr const char* what[] = {"mass of the ropes (by their straight lengths) and sections chosen",
+                                         "sum of the diameters and outer heights chosen",
                                          "price of the ropes chosen, by their straight lengths"};
   std::vector<Value> values;
-  if (!space.ropes.empty()) {
+  const bool choice = !space.ropes.empty() || !space.sections.empty();
+  if (choice) {
     values.push_back({"design_cost", best.answer.best.cost, cost_unit(seek), "cost", what[static_cast<int>(seek)], {}});
   }
   for (std::size_t k = 0; k < best.values.size(); ++k) {
@@ -140,12 +155,13 @@ void add_design(const MachineDeck& deck, const DesignSpace& space, const std::ve
   r.values.insert(r.values.begin(), std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
   Result own;
   if (!space.ropes.empty()) own.tables.push_back(chosen_table(space, best.answer.best));
+  if (!space.sections.empty()) own.tables.push_back(section_table(space, best.answer.best));
   own.tables.push_back(active_checks(r));
   add_runner_ups(deck, space, best.answer, own);
   if (points.size() > 1) add_trade_off(deck, space, points, own);
   r.tables.insert(r.tables.begin(), std::make_move_iterator(own.tables.begin()),
                   std::make_move_iterator(own.tables.end()));
-  if (space.unknowns.size() != 1 || space.ropes.empty()) return;
+  if (space.unknowns.size() != 1 || !choice) return;
   Plot plot = trade_off_plot(space.unknowns.front(), seek, points);
   if (!plot.curves.empty()) r.figures.emplace_back(std::move(plot));
 }

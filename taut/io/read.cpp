@@ -240,9 +240,10 @@ class FieldReader {
 
 /// Whether an entry is one of the named structs that stand beside the other fields.
 bool is_rest(const Entry& e, const Description& d) {
-  const bool has = std::any_of(d.fields.begin(), d.fields.end(), [](const Field& f) { return f.rest; });
+  const auto rest = std::find_if(d.fields.begin(), d.fields.end(), [](const Field& f) { return f.rest; });
   const Field* own = d.find(e.key);
-  return has && e.value.kind == Node::Kind::map && (own == nullptr || own->rest);
+  if (rest == d.fields.end() || (own != nullptr && !own->rest)) return false;
+  return e.value.kind == Node::Kind::map || !rest->shorthand.empty();
 }
 
 void note_unknown_keys(const Node& map, const Description& d, std::string_view what, Diagnostics& mistakes) {
