@@ -12,6 +12,7 @@ namespace taut::app {
 namespace {
 
 constexpr const char* by_recalled_gamma = "UNVERIFIED: gamma_Mg = 2.0 of EN 1993-3-1 as recalled";
+constexpr double least_tension = 1;  // N, of a rope without weight
 constexpr const char* by_recalled_window = "UNVERIFIED: 8 to 15 % as recalled";
 
 /// The machine's guys that a name means: one, or all of a rope.
@@ -30,9 +31,18 @@ const model::Reeving* reeving_named(const model::Model& model, const std::string
   return found == model.reevings.end() ? nullptr : &*found;
 }
 
+/// The tension of a rope that is just as long as its chord, by the parabola: (EA (w c cos theta)^2/24)^(1/3), N. Below
+/// it the rope only carries itself.
+double slack_tension(const model::Reeving& rope, const analysis::SpanResult& span) {
+  const Vector3 chord = span.end - span.start;
+  const double across = rope.weight * std::hypot(chord.x(), chord.y());
+  const double T = std::isfinite(rope.stiffness) ? std::cbrt(rope.stiffness * across * across / 24) : HUGE_VAL;
+  return std::max(T, least_tension);
+}
+
 /// Over all states: largest tension, and how far it is from going slack.
 struct GuyStates {
-  double T_max = 0, tightness = HUGE_VAL, T_slackest = 0;
+  double T_max = 0, reserve = HUGE_VAL, T = 0, T_slack = 0;  ///< the latter two where it is slackest, N
   std::string where_max, where_slack;
 };
 GuyStates states_of(const MachineRun& run, const std::string& name) {
@@ -45,10 +55,12 @@ GuyStates states_of(const MachineRun& run, const std::string& name) {
         all.T_max = T;
         all.where_max = a.words;
       }
-      const double tightness = span.unstretched > 0 ? span.chord / span.unstretched : 0;
-      if (tightness < all.tightness) {
-        all.tightness = tightness;
-        all.T_slackest = std::min(span.T_from, span.T_to);
+      const double T_slack = slack_tension(a.model->reevings[static_cast<std::size_t>(span.reeving)], span);
+      const double mean = (span.T_from + span.T_to) / 2;
+      if (mean / T_slack < all.reserve) {
+        all.reserve = mean / T_slack;
+        all.T = mean;
+        all.T_slack = T_slack;
         all.where_slack = a.words;
       }
     }
@@ -142,12 +154,13 @@ void add_guy_checks(const std::vector<GuyCheckRequest>& guys, const MachineDeck&
       const double strength = one.breaking_force.value_or(rope.breaking_force);
       const GuyStates states = states_of(run, name);
       if (states.T_max > 0) check_safety(one, name, states, strength, r);
-      if (!one.may_go_slack && std::isfinite(states.tightness)) {
-        add_part_check(name, "slackness", states.tightness, Sense::at_least, 1, si::one,
-                       fmt::format("distance of its ends over its unstretched length: below 1 it hangs slack and holds "
-                                   "nothing ({}, {:.4g} kN left)",
-                                   states.where_slack, states.T_slackest / 1e3),
-                       "derived", r);
+      if (!one.may_go_slack && std::isfinite(states.reserve)) {
+        add_part_check(
+            name, "slackness", states.T, Sense::at_least, states.T_slack, si::N,
+            fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
+                        "slack and holds nothing ({})",
+                        states.where_slack),
+            "derived", r);
       }
       const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
                                     [&](const auto& g) { return g.name == name; });

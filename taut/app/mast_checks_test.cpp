@@ -68,7 +68,7 @@ TEST(MastChecks, ChoosesTheLightestOfEachShape) {
   const taut::Result r = run_text(
       case_a("section: CHS 508x16, steel: S355, load_factor: 1.35, choose: {forming: hot, standard: EN 10210}"));
   const auto& t = table_of(r, "mast_sections");
-  ASSERT_EQ(t.rows.size(), 9U);
+  ASSERT_EQ(t.rows.size(), 8U);  // of the squares two
   for (std::size_t i = 0; i < t.rows.size(); ++i) EXPECT_LE(cell(t, i, "utilisation"), 1);
   EXPECT_LE(cell(t, 0, "mass_per_length"), cell(t, 1, "mass_per_length"));
   // what it names passes when it is checked itself
@@ -102,7 +102,8 @@ checks:
 TEST(MastChecks, MachineBeamIsTheCantilever) {
   const taut::Result r = run_text(pole);
   EXPECT_NEAR(check_of(r, "mast.section").value, 0.634255, 1e-3);
-  EXPECT_NEAR(check_of(r, "mast.buckling").value, 0.0350853, 1e-4);
+  // its axial force falls towards the bent top by H times the turn there: 1 % on N_cr
+  EXPECT_NEAR(check_of(r, "mast.buckling").value, 0.0350853, 5e-4);
   EXPECT_NEAR(check_of(r, "mast.member").value, 0.0350853 + 0.9252614 * 871.3685 / 1375.408, 1e-3);
   // turned by any angle about its axis: a tube has none
   const taut::Result turned = run_text(pole, {"machine.loads[0].force=[-63904.8135 N, 85206.418 N, -162638.979 N]"});
