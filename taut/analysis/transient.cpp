@@ -34,6 +34,7 @@ void place_inside(const model::Model& model, const EquilibriumResult& found, Dyn
 
 /// The equilibrium of catenaries as a start, else the machine as described.
 DynamicState near_equilibrium(const model::Model& model) {
+  if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
   const EquilibriumResult found = equilibrium(model, at_rest);

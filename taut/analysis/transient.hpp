@@ -119,11 +119,14 @@ struct TransientFrame {
     int layer = 1;
   };
   struct FaceContact {
-    double N = 0, F = 0, speed = 0;  ///< N, N, m/s
+    double N = 0, F = 0, speed = 0;  ///< N; of friction on the point and of the point, > 0 from `from` to `to`, N, m/s
     bool closed = false, sticks = false;
+    Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();  ///< m; of the face
+    Vector3 force = Vector3::Zero();                             ///< on the point, N
   };
   struct Actuator {
-    double F = 0, length = 0, speed = 0, power = 0;
+    double F = 0, length = 0, speed = 0, power = 0;  ///< N, pushing apart; m, m/s, W
+    Vector3 from = Vector3::Zero(), to = Vector3::Zero();
   };
   double t = 0;
   std::vector<Body> bodies;

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "taut/analysis/transient_values.hpp"
+#include "taut/analysis/transient_couple.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -279,6 +279,7 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
     }
   }
   assemble_contacts(m, s, before, now, w);
+  assemble_couples(m, s, now, w);
 }
 
 }  // namespace taut::analysis::dynamics

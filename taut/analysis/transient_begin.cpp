@@ -8,6 +8,7 @@
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/system.hpp"
 #include "taut/analysis/transient_build.hpp"
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::analysis::dynamics {
@@ -121,7 +122,7 @@ void classify(Mechanism& m) {
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
   const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),
                                   [](const model::Body& body) { return !body.driven.empty(); });
-  m.simple = m.contacts.empty() && m.tensioner.empty() && !driven &&
+  m.simple = m.contacts.empty() && m.couples.empty() && m.tensioner.empty() && !driven &&
              std::all_of(m.lines.begin(), m.lines.end(), plain) && std::all_of(m.bodies.begin(), m.bodies.end(), still);
   m.lossless =
       m.simple && std::all_of(m.lines.begin(), m.lines.end(), [](const Line& line) { return line.damping == 0; });
@@ -195,7 +196,7 @@ void fill_values(const DynamicState& start, Built& built) {
   place_lines(start, built);
   fill_contacts(start, built);
   fill_drums(start, built);
-  for (const Motion3& body : v.bodies) m.size_of_machine = std::max(m.size_of_machine, body.x.norm() * 0);
+  fill_couples(start, m, v);
   for (const LineValues& line : v.lines) m.size_of_machine = std::max(m.size_of_machine, line.l);
 }
 

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/system.hpp"
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::analysis::dynamics {
@@ -32,10 +33,11 @@ class Builder {
     add_spins();
     add_lumps();
     number();
+    add_couples(m());
     list_places();
     classify(built_.mechanism);
     fill_values(start_, built_);
-    check();
+    if (built_.outcome.ok()) built_.outcome = check(built_.mechanism, start_, built_.values);
     return std::move(built_);
   }
 
@@ -261,7 +263,6 @@ class Builder {
 
   void number();
   void list_places();
-  void check();
 
   const model::Model& model_;
   const DynamicState& start_;
@@ -319,6 +320,9 @@ void Builder::list_places() {
   cliques = of_body;
   cliques.insert(cliques.end(), of_spin.begin(), of_spin.end());
   for (const Line& line : m.lines) cliques.emplace_back(line.column.begin(), line.column.begin() + line.columns);
+  for (const Couple& couple : m.couples) {
+    cliques.emplace_back(couple.column.begin(), couple.column.begin() + couple.freedoms[0] + couple.freedoms[1]);
+  }
   for (const Contact& contact : m.contacts) {
     for (const int c : contact.columns) {
       if (c != contact.column) cliques.push_back({contact.column, c});
@@ -342,51 +346,13 @@ void Builder::list_places() {
     square(columns, columns.size(), m.spin_places);
   }
   for (Line& line : m.lines) square(line.column, at(line.columns), line.places);
+  for (Couple& couple : m.couples) {
+    square(couple.column, at(couple.freedoms[0] + couple.freedoms[1]), couple.places);
+  }
   for (Contact& contact : m.contacts) {
     for (const int c : contact.columns) {
       contact.row.push_back(m.solver.place(contact.column, c));
       if (contact.spin >= 0) contact.spin_row.push_back(m.solver.place(m.spins[at(contact.spin)].column, c));
-    }
-  }
-}
-
-void Builder::check() {
-  const Mechanism& m = built_.mechanism;
-  if (!model_.beams.empty()) {
-    built_.outcome = infeasible("elastic beams are not computed in motion yet; make them rigid bodies");
-    return;
-  }
-  for (const Body& body : m.bodies) {
-    if (body.count == 0) continue;
-    const std::string name = body.model >= 0 ? model_.bodies[at(body.model)].name : "a node of a rope";
-    bool turns_freely = false;
-    for (int f = 0; f < body.count; ++f) {
-      const Vector3& about = body.about[at(f)];
-      const Matrix3 turned = body.model >= 0 ? start_.bodies[at(body.model)].orientation : Matrix3(Matrix3::Identity());
-      const Vector3 lever = about.cross(turned * body.centre);
-      const Matrix3 inertia = turned * body.inertia * turned.transpose();
-      if (about != Vector3::Zero() && !(about.dot(inertia * about) + body.mass * lever.squaredNorm() > 0))
-        turns_freely = true;
-    }
-    const bool shifts = std::any_of(body.along.begin(), body.along.begin() + body.count,
-                                    [](const Vector3& a) { return a != Vector3::Zero(); });
-    if ((shifts && !(body.mass > 0)) || turns_freely) {
-      built_.outcome = infeasible(fmt::format("'{}' may move but has no {}; give it one", name,
-                                              turns_freely ? "inertia about its axis" : "mass"));
-      return;
-    }
-  }
-  for (const Spin& spin : m.spins) {
-    if (spin.motor < 0 || spin.inertia > 0) continue;
-    const model::Drive& drive = built_.values.drive(spin);
-    if (drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed || drive.brake) continue;
-    built_.outcome = infeasible(fmt::format("the sheave with the motor '{}' needs an 'inertia' when a torque drives it",
-                                            model_.motors[at(spin.motor)].name));
-  }
-  for (const model::Reeving& rope : model_.reevings) {
-    if (std::isinf(rope.stiffness)) {
-      built_.outcome =
-          infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));
     }
   }
 }

@@ -12,6 +12,8 @@ struct Built {
 };
 Built build(const model::Model& model, const DynamicState& start, const TransientOptions& options);
 
+/// Not ok: a part that can't be computed in motion, or that can't move.
+Outcome check(const Mechanism& m, const DynamicState& start, const Values& v);
 /// Whether the machine is simple, and lossless.
 void classify(Mechanism& m);
 /// The values at the start, once the mechanism stands.

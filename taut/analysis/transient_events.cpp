@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
 
 namespace taut::analysis::dynamics {
@@ -71,6 +72,7 @@ bool apply_event(Run& run, Values& v, const model::Event& event) {
       break;
     }
     case model::EventKind::actuator:
+      set_mode(run.m, v, event.index, event.mode);
       note(run, v.t, "actuator", event.words);
       break;
   }
@@ -108,6 +110,30 @@ void note_slack(Run& run, std::size_t line, double e_before, double e_now, doubl
   note(run, t + share * h, e_now > 0 ? "taut" : "slack", line_name(run, run.m.lines[line]));
 }
 
+namespace {
+
+/// Points that meet their face or leave it, stick or slip.
+void note_faces(Run& run) {
+  for (std::size_t i = 0; i < run.now.faces.size(); ++i) {
+    const FaceValues &was = run.before.faces[i], &is = run.now.faces[i];
+    const std::string& name = run.model.contacts[i].name;
+    if (was.closed != is.closed) {
+      const double share = was.pen * is.pen < 0 ? was.pen / (was.pen - is.pen) : 1;
+      const double t = run.before.t + share * run.scheme.h;
+      const double speed = was.pen_rate + share * (is.pen_rate - was.pen_rate);
+      if (is.closed) {
+        note(run, t, "contact", name, {{"v", was.pen < 0 ? was.pen_rate : speed}});
+      } else {
+        note(run, t, "apart", name);
+      }
+    } else if (is.closed && was.sticks != is.sticks) {
+      note(run, run.now.t, is.sticks ? "stick" : "slip", name, {{"N", is.N}});
+    }
+  }
+}
+
+}  // namespace
+
 void note_changes(Run& run) {
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
@@ -127,6 +153,7 @@ void note_changes(Run& run) {
     }
     note(run, run.now.t, is == Grip::stuck ? "stick" : "slip", contact_name(run, contact));
   }
+  note_faces(run);
 }
 
 bool comes_true(const Run& run, const Values& v) {

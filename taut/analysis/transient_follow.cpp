@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "taut/analysis/transient_values.hpp"
+#include "taut/analysis/transient_couple.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -281,6 +281,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     flow(m, s, before, w, i, now);
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, i, now);
+  follow_couples(m, s, before, now);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
 
 namespace taut::analysis::dynamics {
@@ -214,7 +215,7 @@ double observe(const Run& run, const Values& v, const model::Observable& what) {
   if (what.quantity <= Quantity::drum_power) return observe_drum(run, v, what);
   if (what.quantity == Quantity::signal) return model::at(run.model.signals[at(what.index)], v.t).value;
   if (what.quantity >= Quantity::kinetic) return observe_energy(run, what.quantity);
-  return 0;
+  return observe_couple(run.m, v, what);
 }
 
 TransientFrame frame_of(const Mechanism& m, const Values& v) {
@@ -250,8 +251,9 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
       f.motors[at(spin.motor)] = turning_of(m, v, i);
     }
   }
-  f.faces.resize(m.model->contacts.size());
-  f.actuators.resize(m.model->actuators.size());
+  f.faces.reserve(v.faces.size());
+  for (std::size_t i = 0; i < v.faces.size(); ++i) f.faces.push_back(face_frame(m, v, i));
+  f.actuators = actuator_frames(v);
   return f;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_couple.hpp"
+
 namespace taut::analysis::dynamics {
 namespace {
 
@@ -79,6 +81,7 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
         p.supplied -= line.copies * force.dot(moves);
       }
     }
+    p.supplied -= power_of_couples(m, static_cast<int>(b), v);
   }
 }
 
@@ -170,6 +173,7 @@ Stored stored(const Mechanism& m, const Values& v) {
     s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
     s.potential += line.copies * line.weight * is.L * (is.touch[0].z() + is.touch[1].z()) / 2;
   }
+  s.elastic += energy_of_faces(m, v);
   return s;
 }
 
@@ -191,12 +195,16 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
+  const CoupleWork work = work_of_couples(m, before, now);
+  ledger.faces += work.lost;
+  ledger.supplied += work.supplied;
   ledger.last = p;
   ledger.now = stored(m, now);
-  const double change = std::max(
-      {std::abs(ledger.now.kinetic - ledger.start.kinetic), std::abs(ledger.now.elastic - ledger.start.elastic),
-       std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
-       ledger.damped + ledger.slipped + ledger.bearings + ledger.broken, ledger.now.elastic, ledger.now.kinetic});
+  const double change = std::max({std::abs(ledger.now.kinetic - ledger.start.kinetic),
+                                  std::abs(ledger.now.elastic - ledger.start.elastic),
+                                  std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
+                                  ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces,
+                                  ledger.now.elastic, ledger.now.kinetic});
   ledger.turnover = std::max(ledger.turnover, change);
 }
 
@@ -216,10 +224,12 @@ EnergyLedger told(const Ledger& l) {
   e.slipped = l.slipped;
   e.bearings = l.bearings;
   e.broken = l.broken;
+  e.contacts = l.faces;
   e.supplied = l.supplied;
   e.turnover = l.turnover;
   const double before = l.start.kinetic + l.start.elastic + l.start.potential;
-  e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings + l.broken;
+  e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings +
+               l.broken + l.faces;
   return e;
 }
 

@@ -25,6 +25,7 @@ struct Prices {
 struct Ledger {
   Stored start, now;
   double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0;
+  double faces = 0;    ///< dashpots and friction of points on faces
   double laid_by = 0;  ///< of the rope on drums and arcs
   double turnover = 0;
   Powers last;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_points.hpp"
 #include "taut/analysis/transient_run.hpp"
 
@@ -47,6 +48,7 @@ StepEnd begin_again(Run& run, double& where) {
   run.now.drums = run.before.drums;
   run.now.drum_drive = run.before.drum_drive;
   run.now.motor_drive = run.before.motor_drive;
+  take_modes(run.before, run.now);
   fade(run, run.before.t, run.now);
   const StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
   if (end != StepEnd::ok) return end;
@@ -93,7 +95,8 @@ StepEnd try_step(Run& run, double h, double t, bool last) {
   fade(run, t, run.now);
   const double share = run.options.step > 0 ? 1e-3 : std::clamp(h / run.options.duration, 1e-5, 1.0);
   run.newton.tolerance = 0.02 * run.options.tolerance * share;
-  run.newton.largest = *std::max_element(run.T_largest.begin(), run.T_largest.end());
+  run.newton.largest = 0;
+  for (const double T : run.T_largest) run.newton.largest = std::max(run.newton.largest, T);
   for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }

@@ -109,6 +109,16 @@ struct Contact {
   std::vector<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
 };
 
+/// Two places that push or pull each other: a point on a face, the ends of an actuator. Side 0: the point, the end
+/// `to`; side 1: the face, the end `from`.
+struct Couple {
+  std::array<int, 2> body{-1, -1};
+  std::array<Vector3, 2> place;   ///< in the bodies' frames, m; of a face its end `from`
+  std::array<int, 2> freedoms{};  ///< of the bodies
+  std::array<int, 12> column{};   ///< theirs
+  std::vector<int> places;        ///< of the local matrix, row by row, in the values of the solver
+};
+
 /// How a contact is in the step.
 enum class Grip : std::int8_t {
   stuck,
@@ -127,6 +137,7 @@ struct Mechanism {
   std::vector<std::pair<int, int>> first_line;  ///< by reeving: first line and count
   std::vector<std::vector<int>> inside;         ///< by reeving: bodies that are inner nodes
   std::vector<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
+  std::vector<Couple> couples;                  ///< contacts of the model on faces, then its actuators
   std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
   std::vector<int> body_places;
   std::vector<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row

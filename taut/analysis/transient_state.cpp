@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "taut/analysis/transient_build.hpp"
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::analysis::dynamics {
@@ -90,6 +91,7 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
   for (const DrumValues& drum : v.drums) state.drums.push_back({drum.content, drum.layer, drum.strain});
   state.drum_drive = v.drum_drive;
   state.motor_drive = v.motor_drive;
+  keep_couples(v, state);
   return state;
 }
 

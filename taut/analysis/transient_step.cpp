@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/analysis/transient_couple.hpp"
+
 namespace taut::analysis::dynamics {
 namespace {
 
@@ -56,6 +58,10 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       w.tension[k] = now.lines[k].T;
       newton.largest = std::max(newton.largest, now.lines[k].T);
     }
+    const CoupleChange pushed = change_of_couples(w, now);
+    change = std::max(change, pushed.force);
+    newton.largest = std::max(newton.largest, pushed.largest);
+    turned = turned || pushed.turned;
     if (!std::isfinite(change)) return StepEnd::not_converged;
     if (i > 0 && !changed) {
       const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
@@ -188,7 +194,7 @@ double highest_frequency(const Mechanism& m, const Values& v) {
     }
     largest = std::max(largest, 2 * k / spin.inertia);
   }
-  return std::sqrt(largest);
+  return std::sqrt(largest + bounds_of_couples(m, v).square);
 }
 
 }  // namespace taut::analysis::dynamics

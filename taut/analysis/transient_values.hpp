@@ -34,6 +34,31 @@ struct SpinValues {
   std::int8_t turns = 0;  ///< the sense in which the bearing slides; 0: it sticks
 };
 
+/// A point and its face at one time. Ground frame where nothing else is said.
+struct FaceValues {
+  bool over = true;  ///< between the ends of the face when the step began
+  bool closed = false, sticks = false;
+  double pen = 0, pen_rate = 0;        ///< how deep the point is, m, m/s
+  double N = 0, limit = 0;             ///< pressure and the most that friction can be, N
+  Vector3 normal = Vector3::UnitZ();   ///< of the face
+  Vector3 point = Vector3::Zero();     ///< m
+  Vector3 arm = Vector3::Zero();       ///< the same in the frame of the face's body, m
+  Vector3 slide = Vector3::Zero();     ///< velocity of the point along the face, seen from it, m/s
+  Vector3 bristle = Vector3::Zero();   ///< strain of the contact along the face, frame of the face's body, m
+  Vector3 pull = Vector3::Zero();      ///< what friction would have to hold if it stuck, N
+  Vector3 friction = Vector3::Zero();  ///< on the point, N
+};
+
+struct ActuatorValues {
+  model::ActuatorMode mode = model::ActuatorMode::extend;
+  double hold = 0;                  ///< length of its spring: locked, or driven by a speed, m
+  double length = 1, speed = 0;     ///< m, m/s
+  double F = 0, F_l = 0, F_v = 0;   ///< N; derivatives by length and speed
+  Vector3 t = Vector3::UnitX();     ///< from `from` to `to`
+  std::array<Vector3, 2> end;       ///< `to`, `from`, ground frame, m
+  Vector3 apart = Vector3::Zero();  ///< velocity of `to` seen from `from`, m/s
+};
+
 struct DrumValues {
   double content = 0;  ///< unstretched rope on it, m
   int layer = 1;
@@ -51,6 +76,8 @@ struct Values {
   std::vector<ContactValues> contacts;
   std::vector<SpinValues> spins;
   std::vector<DrumValues> drums;
+  std::vector<FaceValues> faces;                ///< by contact of the model
+  std::vector<ActuatorValues> actuators;        ///< by actuator of the model
   std::vector<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
   std::vector<model::Drive> drum_drive, motor_drive;
   const model::Drive& drive(const Spin& spin) const {
@@ -98,6 +125,8 @@ struct Work {
   std::array<double, 14> T_slope{}, L_slope{};  ///< of a line by its local unknowns
   std::vector<double> tension;                  ///< by line, of the last iteration
   bool tangent = true;                          ///< derivatives are wanted too
+  std::vector<double> push;                     ///< forces of couples, of the last iteration
+  std::vector<std::uint8_t> push_state;         ///< of contacts on faces: 0 apart, 1 slides, 2 sticks
 };
 
 /// Puts the star values of a step from `before` into the work.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_step.hpp"
 
 namespace taut::analysis::dynamics {
@@ -151,8 +152,8 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
 double stability_limit(const Mechanism& m, const Values& v) {
   double damping = 0;
   for (const Line& line : m.lines) damping = std::max(damping, line.damping);
-  const double omega = highest_frequency(m, v), zeta = damping * omega / 2;
-  return 2 / omega / (std::sqrt(1 + zeta * zeta) + zeta);
+  const double omega = highest_frequency(m, v), half = damping * omega * omega / 2 + bounds_of_couples(m, v).rate / 2;
+  return 2 / (std::sqrt(omega * omega + half * half) + half);
 }
 
 }  // namespace taut::analysis::dynamics

@@ -239,7 +239,7 @@ TEST(MachineRun, TellsEachMistakeAtItsPlace) {
        "there is no sheave, support or rope of this name; did you mean 'head'?"},
       {replaced("equilibrium: {", "modal: {"), "'modal' is not a field of analyses[0]"},
       {replaced("  ropes:", "  actuators: {ram: {from: pin, to: hook, force: 3 kN}}\n  ropes:"),
-       "machine.actuators: are not computed yet"},
+       "machine.actuators: are computed in motion alone"},
       {replaced("  ropes:", "  signals: {v: {ramp: {to: 3 m/s}}}\n  ropes:"), "ramp lacks 'duration'"},
       {replaced("  ropes:", "  signals: {v: 3 furlongz}\n  ropes:"), "machine.signals.v"},
       {replaced("  ropes:", "  terrain: {file: none.csv}\n  ropes:"), "can't read 'none.csv'"},

@@ -1,12 +1,21 @@
 #include "taut/app/machine_scope.hpp"
 
+#include <algorithm>
+
 namespace taut::app {
 
 std::vector<Complaint> not_computed(const MachineDeck& deck) {
   std::vector<Complaint> all;
   const model::Machine& m = deck.machine;
-  if (!m.contacts.empty()) all.push_back({"machine.contacts", "are not computed yet; leave them away"});
-  if (!m.actuators.empty()) all.push_back({"machine.actuators", "are not computed yet; give the force as a load"});
+  const bool moves = !deck.analyses.empty() && std::all_of(deck.analyses.begin(), deck.analyses.end(),
+                                                           [](const auto& one) { return one.transient.has_value(); });
+  const auto refuse = [&](bool there, const char* what, const char* instead) {
+    if (there && !moves) {
+      all.push_back({what, std::string("are computed in motion alone (the analysis 'transient'); ") + instead});
+    }
+  };
+  refuse(!m.contacts.empty(), "machine.contacts", "statics needs a machine without them");
+  refuse(!m.actuators.empty(), "machine.actuators", "in statics give the force as a load");
   return all;
 }
 

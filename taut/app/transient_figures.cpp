@@ -66,6 +66,14 @@ std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const Tran
       lines.push_back({body.position, body.position + body.orientation * node.at.at});
     }
   }
+  for (const model::Face& face : m.faces) {
+    const auto* body = face.body == model::ground ? nullptr : &frame.bodies[static_cast<std::size_t>(face.body)];
+    const auto place = [&](const Vector3& at) -> Vector3 {
+      return body == nullptr ? at : Vector3(body->position + body->orientation * at);
+    };
+    lines.push_back({place(face.from), place(face.to)});
+  }
+  for (const auto& actuator : frame.actuators) lines.push_back({actuator.from, actuator.to});
   return lines;
 }
 

@@ -68,6 +68,21 @@ void check_inertia(const model::Model& model, std::vector<Complaint>& complaints
   }
 }
 
+/// A cylinder that is ever locked, or moves by a speed, is as stiff as the deck says.
+void check_actuators(const model::Model& model, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < model.actuators.size(); ++i) {
+    const model::Actuator& one = model.actuators[i];
+    const bool locks = std::any_of(model.events.begin(), model.events.end(), [&](const model::Event& e) {
+      return e.kind == model::EventKind::actuator && e.index == static_cast<int>(i) &&
+             e.mode == model::ActuatorMode::lock;
+    });
+    const bool held = locks || one.mode == model::ActuatorMode::lock || one.kind == model::ActuatorKind::speed;
+    if (!held || one.lock_stiffness > 0) continue;
+    complaints.push_back({fmt::format("machine.actuators.{}", one.name),
+                          "is locked or moves by a speed: a motion needs its 'lock_stiffness'"});
+  }
+}
+
 void check(const TransientRequest& request, const std::string& path, Preparation& p) {
   std::vector<Complaint>& complaints = p.complaints;
   const double step = request.output_step.value_or(request.duration / 1000);
@@ -81,6 +96,7 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   check_names(request, path, complaints);
   check_signals(p.deck.machine, p.model, complaints);
   check_inertia(p.model, complaints);
+  check_actuators(p.model, complaints);
   if (request.hoist_factor) reeving_of(p, request.hoist_factor->rope, path + ".hoist_factor.rope");
 }
 

@@ -135,6 +135,8 @@ void add_contacts(const Machine& machine, const Links& links, Model& model, Comp
     }
     contact.stiffness = given.stiffness;
     contact.damping = given.damping;
+    contact.tangential_stiffness = given.tangential_stiffness.value_or(given.stiffness / 2);
+    contact.tangential_damping = given.tangential_damping.value_or(given.damping / 2);
     contact.clearance = given.clearance;
     contact.static_friction = given.static_friction;
     contact.kinetic_friction = given.kinetic_friction.value_or(given.static_friction);

@@ -69,12 +69,13 @@ struct FaceContact {
   int body = -1;                 ///< of the point
   Vector3 at = Vector3::Zero();  ///< in the body's frame, m
   int face = 0;
-  double stiffness = 0;          ///< N/m
-  double damping = 0;            ///< N s/m
-  double clearance = 0;          ///< m
-  double static_friction = 0;    ///< f_0
-  double kinetic_friction = 0;   ///< f_inf
-  double stribeck_speed = 0.01;  ///< v_s, m/s
+  double stiffness = 0;                                     ///< N/m
+  double damping = 0;                                       ///< N s/m
+  double tangential_stiffness = 0, tangential_damping = 0;  ///< of the bristle, N/m, N s/m
+  double clearance = 0;                                     ///< m
+  double static_friction = 0;                               ///< f_0
+  double kinetic_friction = 0;                              ///< f_inf
+  double stribeck_speed = 0.01;                             ///< v_s, m/s
 };
 
 using description::ActuatorMode;
@@ -136,7 +137,8 @@ enum class Quantity {
   drum_power,  ///< N; taken in, m/s; on it, m; of its drive, N m, W
   contact_N,
   contact_F,
-  contact_speed,  ///< N, N, m/s
+  contact_speed,
+  contact_state,  ///< N, N, m/s; 0 apart, 1 slides, 2 sticks
   actuator_F,
   actuator_speed,
   actuator_length,

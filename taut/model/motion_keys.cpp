@@ -133,6 +133,12 @@ const Description& FaceContact::describe() {
           .required()
           .field(&FaceContact::damping, "damping", "c", si::N_s_per_m, "normal to the face, while it is pressed in")
           .at_least(0)
+          .field(&FaceContact::tangential_stiffness, "tangential_stiffness", "k_t", si::N_per_m,
+                 "along the face while it sticks; without it half of the stiffness")
+          .above(0)
+          .field(&FaceContact::tangential_damping, "tangential_damping", "c_t", si::N_s_per_m,
+                 "along the face while it sticks; without it half of the damping")
+          .at_least(0)
           .field(&FaceContact::clearance, "clearance", "", si::m.in("mm"), "gap that has to close first")
           .at_least(0)
           .field(&FaceContact::static_friction, "static_friction", "f_0", si::one, "holds until it is exceeded")

@@ -84,9 +84,11 @@ struct FaceContact {
   std::optional<std::string> name;  ///< default: its point's
   std::string point;
   std::string face;
-  double stiffness = 0;  ///< N/m
-  double damping = 0;    ///< N s/m
-  double clearance = 0;  ///< m
+  double stiffness = 0;                        ///< N/m
+  double damping = 0;                          ///< N s/m
+  std::optional<double> tangential_stiffness;  ///< N/m; default: half of `stiffness`
+  std::optional<double> tangential_damping;    ///< N s/m; default: half of `damping`
+  double clearance = 0;                        ///< m
   double static_friction = 0;
   std::optional<double> kinetic_friction;  ///< default: the static one
   std::optional<double> stribeck_speed;    ///< m/s

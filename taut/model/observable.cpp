@@ -43,7 +43,8 @@ const Names of_drum = {{"T", Quantity::drum_T, si::N},
                        {"power", Quantity::drum_power, si::W}};
 const Names of_contact = {{"N", Quantity::contact_N, si::N},
                           {"Ff", Quantity::contact_F, si::N},
-                          {"speed", Quantity::contact_speed, si::m_per_s}};
+                          {"speed", Quantity::contact_speed, si::m_per_s},
+                          {"state", Quantity::contact_state, si::one}};
 const Names of_actuator = {{"F", Quantity::actuator_F, si::N},
                            {"speed", Quantity::actuator_speed, si::m_per_s},
                            {"length", Quantity::actuator_length, si::m},
