@@ -45,6 +45,15 @@ Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
   }
   const double radii = rope.nodes[at(link.to)].radius + rope.nodes[at(link.from)].radius;
   if (radii > 0 && chord.norm() <= radii) {
+    for (const bool first : {false, true}) {
+      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                        &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      return infeasible(fmt::format(
+          "body '{}' is drawn up to '{}': {} has no room there (the centres {:.3g} m apart, the radii add up "
+          "to {:.3g} m); make it heavier, give the rope more length, or put it farther away",
+          s.model.bodies[at(own.at.body)].name, other.name, branch_words(s, no.link), chord.norm(), radii));
+    }
     return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
                                   branch_words(s, no.link), chord.norm(), radii));
   }

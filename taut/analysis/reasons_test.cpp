@@ -41,6 +41,16 @@ TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
   EXPECT_TRUE(equilibrium(m).outcome.ok());
 }
 
+TEST(Reasons, AHookTooLightForItsRopeIsDrawnUpToTheHead) {
+  model::Model m = tackle(4, 0.9, 0.1, 50);
+  EquilibriumOptions options;
+  options.motion = Motion::hoist;
+  const EquilibriumResult r = equilibrium(m, options);
+  ASSERT_FALSE(r.outcome.ok());
+  EXPECT_EQ(r.outcome.status, taut::Status::infeasible) << r.outcome.message;
+  EXPECT_NE(r.outcome.message.find("body 'block' is drawn up to 'head'"), std::string::npos) << r.outcome.message;
+}
+
 TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
   const model::Model m = rollers(1, 0, 0, 500);
   for (const double x : {-40.0, 300.0}) {

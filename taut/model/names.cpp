@@ -11,9 +11,9 @@
 namespace taut::model {
 namespace {
 
-class Names {
+class KnownNames {
  public:
-  explicit Names(const Machine& machine) : machine_(machine) {
+  explicit KnownNames(const Machine& machine) : machine_(machine) {
     add(machine.bodies, bodies_);
     add(machine.carriages, bodies_);
     add(machine.beams, bodies_);
@@ -114,6 +114,6 @@ class Names {
 
 }  // namespace
 
-std::vector<Complaint> unknown_names(const Machine& machine) { return Names(machine).check(); }
+std::vector<Complaint> unknown_names(const Machine& machine) { return KnownNames(machine).check(); }
 
 }  // namespace taut::model

@@ -184,7 +184,7 @@ class PathReader {
 };
 
 /// +1 where the tangent point lies above the centre of a rope in direction `d`.
-int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= -straight ? 1 : -1; }
+int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= -straight_bend ? 1 : -1; }
 
 /// The side of a contact by the bend of its path; 0 where the path runs straight back.
 int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const Vector3& after) {
@@ -223,7 +223,7 @@ Bend bend_of(const Stop& stop, const Stop& from, const Stop& to, const Vector3& 
     // the carriage runs on the upper one of two branches
     bend.likely = upper_side(carries(from) > carries(to) ? in : out, stop.node.axis);
     bend.weight = 2;
-  } else if (std::abs(turn) > straight) {
+  } else if (std::abs(turn) > straight_bend) {
     bend.likely = turn > 0 ? 1 : -1;
     bend.weight = std::abs(turn);
   } else {
@@ -255,7 +255,7 @@ class OpenSides {
     std::size_t best = stops_.size();
     for (std::size_t i = 0; i < stops_.size(); ++i) {
       // with a margin, so that rounding does not choose between equals
-      if (open_[i] && (best == stops_.size() || bends_[i].weight > bends_[best].weight * (1 + straight))) best = i;
+      if (open_[i] && (best == stops_.size() || bends_[i].weight > bends_[best].weight * (1 + straight_bend))) best = i;
     }
     return best;
   }
