@@ -158,21 +158,50 @@ class MachineMast {
     }
   }
 
+  double inverse_critical(const Answer& answer) const {
+    double sum = 0;
+    for (const std::size_t i : beams_) {
+      const double alpha = answer.result->beams[i].critical_factor;
+      if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
+    }
+    return sum;
+  }
+
+  /// The engine has bent the mast under its forces as they are. Under `factor` times them second order bends it more
+  /// than in proportion: (1 - 1/alpha)/(1 - factor/alpha), alpha the critical factor, EN 1993-1-1, (5.4).
+  double magnified(double factor, double inverse, const std::string& words) {
+    bool second = true;
+    for (const std::string& name : beams_of(request_)) {
+      second = second && beam_named(deck_, name)->order == model::description::Order::second;
+    }
+    if (factor * inverse >= 1) {
+      report_.refused = fmt::format(
+          "{}: under {:.4g} times its forces the mast buckles, its critical factor is {:.4g}; "
+          "choose a stiffer section, shorten it, or guy it",
+          words, factor, 1 / inverse);
+      return 1;
+    }
+    return second && factor > 1 ? (1 - inverse) / (1 - factor * inverse) : 1;
+  }
+
   void add_case(const Answer& answer, const std::string& words, double factor) {
     structure::MastCase c;
     c.words = words;
     const double all = factor * request_.dynamic_factor;
-    double height = 0, together = 0;
+    // each beam's factor is for its own forces alone: together they buckle not before 1/sum(1/alpha) (Dunkerley)
+    const double together = inverse_critical(answer);
+    const double bends = magnified(all, together, words);
+    double height = 0;
     for (std::size_t i = 0; i < beams_.size(); ++i) {
       const analysis::BeamResult& b = answer.result->beams[beams_[i]];
       for (const analysis::BeamPoint& p : b.points) {
         const structure::CrossForces f = forces_of(p);
-        c.stations.push_back({height + p.s, i, f, all * f, all * f});
+        structure::CrossForces design = all * f;
+        for (double* one : {&design.M_y, &design.M_z, &design.V_y, &design.V_z}) *one *= bends;
+        c.stations.push_back({height + p.s, i, f, design, all * f});
       }
-      if (std::isfinite(b.critical_factor) && b.critical_factor > 0) together += 1 / b.critical_factor;
       height += lengths_[i];
     }
-    // each beam's factor is for its own forces alone: together they buckle not before 1/sum(1/alpha) (Dunkerley)
     if (!request_.buckling_length && together > 0) {
       for (const std::size_t i : beams_) c.critical_force.push_back(answer.result->beams[i].compression / together);
     }
@@ -181,7 +210,9 @@ class MachineMast {
 
   void tell(bool crooked) {
     report_.words.push_back(fmt::format(
-        "{}: forces of the machine's equilibria times their factors; {}; N_cr {}.", request_.name,
+        "{}: forces of the machine's equilibria and load paths times their factors, moments of second order by (1 - "
+        "1/alpha_cr)/(1 - factor/alpha_cr) more; {}; N_cr {}.",
+        request_.name,
         crooked ? "sections are checked in the bent shape with sway and bow as built of EN 1993-1-1, 5.3.2, so that "
                   "(6.61) is not asked for (5.2.2 (7) a)"
                 : "(6.61) is asked for beside the sections, as the beam has no bow and sway as built of EN 1993-1-1, "
@@ -323,6 +354,7 @@ void complain_of_masts(const std::vector<MastCheckRequest>& masts, const Machine
     if (one.allowable_stress && one.safety) {
       complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
     }
+    refuse_both_factors(one, path, complaints);
     for (const std::string& name : beams_of(one)) complain_of_beam(one, name, path, deck, complaints);
     complain_of_terms(one, path, deck, complaints);
   }

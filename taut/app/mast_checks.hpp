@@ -56,6 +56,9 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
 void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, bool loads_elsewhere,
                           std::vector<Complaint>& complaints);
 
+/// Partial factors in two places.
+void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
+
 /// Such a mast, solved. `loads`: in place of those in the request.
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads);
 

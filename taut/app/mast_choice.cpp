@@ -77,7 +77,11 @@ Table& table_in(Result& r) {
 }  // namespace
 
 void add_mast_choice(const MastCheckRequest& request, const MastReport& report, Result& r) {
-  if (!request.choose || !report.in_section) return;
+  if (!request.choose) return;
+  if (!report.in_section) {
+    r.warnings.push_back(fmt::format("{}: 'choose' is for a mast of one section and leaves this one out", report.name));
+    return;
+  }
   const double height = height_of(report);
   std::optional<structure::SizedMast> best;
   for (const SectionShape shape : shapes_of(*request.choose)) {

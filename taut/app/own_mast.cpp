@@ -162,6 +162,12 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
     }
   }
   complain_of_loads(request, path, height_of(request), complaints);
+  refuse_both_factors(request, path, complaints);
+}
+
+void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  if (request.combinations.empty() || request.load_factor == 1 || request.own_weight) return;
+  complaints.push_back({path + ".load_factor", "'combinations' have the partial factors already"});
 }
 
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
