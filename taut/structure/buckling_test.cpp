@@ -9,8 +9,6 @@
 
 namespace taut::structure::buckling_test {
 
-const Sheet<double> no_sheet;
-
 double chi(double lambda, Curve curve) {
   Sheet<double> s;
   return flexural_buckling(lambda * lambda, 1.0, curve, "y", s).chi;
@@ -50,7 +48,7 @@ TEST(Buckling, CurveByMaking) {
   EXPECT_EQ(of("CHS 219x8 GOST 10704", 345e6), Curve::c);
 }
 
-TEST(Buckling, ImperfectionsOfThe853Clause) {
+TEST(Buckling, Imperfections) {
   EXPECT_DOUBLE_EQ(bow_share(Curve::a, true), 1.0 / 300);
   EXPECT_DOUBLE_EQ(bow_share(Curve::c, false), 1.0 / 150);
   EXPECT_DOUBLE_EQ(sway_of(1), 1.0 / 200);    // alpha_h at most 1
