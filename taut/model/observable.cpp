@@ -17,48 +17,49 @@ struct Named {
   Quantity quantity;
   Unit unit;
 };
-using Names = std::vector<Named>;
+using ObservableNames = std::vector<Named>;
 
-const Names of_place = {{"x", Quantity::x, si::m},         {"y", Quantity::y, si::m},
-                        {"z", Quantity::z, si::m},         {"vx", Quantity::vx, si::m_per_s},
-                        {"vy", Quantity::vy, si::m_per_s}, {"vz", Quantity::vz, si::m_per_s}};
-const Names of_body = {{"rx", Quantity::rx, si::rad},   {"ry", Quantity::ry, si::rad},
-                       {"rz", Quantity::rz, si::rad},   {"wx", Quantity::wx, si::per_s},
-                       {"wy", Quantity::wy, si::per_s}, {"wz", Quantity::wz, si::per_s}};
-const Names of_rope = {{"T_start", Quantity::T_start, si::N},
-                       {"T_end", Quantity::T_end, si::N},
-                       {"T_max", Quantity::T_max, si::N},
-                       {"length", Quantity::length, si::m}};
-const Names of_branch = {{"T", Quantity::branch_T, si::N}, {"length", Quantity::branch_length, si::m}};
-const Names of_sheave = {{"T_in", Quantity::T_in, si::N},
-                         {"T_out", Quantity::T_out, si::N},
-                         {"speed", Quantity::sheave_speed, si::m_per_s},
-                         {"omega", Quantity::sheave_omega, si::per_s},
-                         {"angle", Quantity::sheave_angle, si::rad},
-                         {"slip", Quantity::slip, si::m_per_s}};
-const Names of_drum = {{"T", Quantity::drum_T, si::N},
-                       {"speed", Quantity::drum_speed, si::m_per_s},
-                       {"length", Quantity::drum_length, si::m},
-                       {"torque", Quantity::drum_torque, si::N_m},
-                       {"power", Quantity::drum_power, si::W}};
-const Names of_contact = {{"N", Quantity::contact_N, si::N},
-                          {"Ff", Quantity::contact_F, si::N},
-                          {"speed", Quantity::contact_speed, si::m_per_s},
-                          {"state", Quantity::contact_state, si::one}};
-const Names of_actuator = {{"F", Quantity::actuator_F, si::N},
-                           {"speed", Quantity::actuator_speed, si::m_per_s},
-                           {"length", Quantity::actuator_length, si::m},
-                           {"power", Quantity::actuator_power, si::W}};
-const Names of_energy = {{"kinetic", Quantity::kinetic, si::J},     {"elastic", Quantity::elastic, si::J},
-                         {"potential", Quantity::potential, si::J}, {"dissipated", Quantity::dissipated, si::J},
-                         {"supplied", Quantity::supplied, si::J},   {"residual", Quantity::residual, si::J}};
+const ObservableNames of_place = {{"x", Quantity::x, si::m},         {"y", Quantity::y, si::m},
+                                  {"z", Quantity::z, si::m},         {"vx", Quantity::vx, si::m_per_s},
+                                  {"vy", Quantity::vy, si::m_per_s}, {"vz", Quantity::vz, si::m_per_s}};
+const ObservableNames of_body = {{"rx", Quantity::rx, si::rad},   {"ry", Quantity::ry, si::rad},
+                                 {"rz", Quantity::rz, si::rad},   {"wx", Quantity::wx, si::per_s},
+                                 {"wy", Quantity::wy, si::per_s}, {"wz", Quantity::wz, si::per_s}};
+const ObservableNames of_rope = {{"T_start", Quantity::T_start, si::N},
+                                 {"T_end", Quantity::T_end, si::N},
+                                 {"T_max", Quantity::T_max, si::N},
+                                 {"length", Quantity::length, si::m}};
+const ObservableNames of_branch = {{"T", Quantity::branch_T, si::N}, {"length", Quantity::branch_length, si::m}};
+const ObservableNames of_sheave = {{"T_in", Quantity::T_in, si::N},
+                                   {"T_out", Quantity::T_out, si::N},
+                                   {"speed", Quantity::sheave_speed, si::m_per_s},
+                                   {"omega", Quantity::sheave_omega, si::per_s},
+                                   {"angle", Quantity::sheave_angle, si::rad},
+                                   {"slip", Quantity::slip, si::m_per_s}};
+const ObservableNames of_drum = {{"T", Quantity::drum_T, si::N},
+                                 {"speed", Quantity::drum_speed, si::m_per_s},
+                                 {"length", Quantity::drum_length, si::m},
+                                 {"torque", Quantity::drum_torque, si::N_m},
+                                 {"power", Quantity::drum_power, si::W}};
+const ObservableNames of_contact = {{"N", Quantity::contact_N, si::N},
+                                    {"Ff", Quantity::contact_F, si::N},
+                                    {"speed", Quantity::contact_speed, si::m_per_s},
+                                    {"state", Quantity::contact_state, si::one}};
+const ObservableNames of_actuator = {{"F", Quantity::actuator_F, si::N},
+                                     {"speed", Quantity::actuator_speed, si::m_per_s},
+                                     {"length", Quantity::actuator_length, si::m},
+                                     {"power", Quantity::actuator_power, si::W}};
+const ObservableNames of_energy = {
+    {"kinetic", Quantity::kinetic, si::J},     {"elastic", Quantity::elastic, si::J},
+    {"potential", Quantity::potential, si::J}, {"dissipated", Quantity::dissipated, si::J},
+    {"supplied", Quantity::supplied, si::J},   {"residual", Quantity::residual, si::J}};
 
-const Named* find(const Names& names, const std::string& name) {
+const Named* find(const ObservableNames& names, const std::string& name) {
   const auto at = std::find_if(names.begin(), names.end(), [&](const Named& n) { return name == n.name; });
   return at == names.end() ? nullptr : &*at;
 }
 
-/// "ext[2].T" -> ext, 2, T. Names of parts may have dots: the last one counts.
+/// "ext[2].T" -> ext, 2, T. ObservableNames of parts may have dots: the last one counts.
 struct Path {
   std::string name;
   std::optional<int> number;
@@ -110,7 +111,7 @@ class Resolver {
   std::string reason;
 
  private:
-  std::optional<Observable> make(const Names& names, int index, int part = -1) {
+  std::optional<Observable> make(const ObservableNames& names, int index, int part = -1) {
     const Named* named = find(names, path_.quantity);
     if (named != nullptr) return Observable{text_, named->quantity, named->unit, index, part, Vector3::Zero()};
     for (const Named& n : names) offered_.emplace_back(n.name);
@@ -228,7 +229,8 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 
 std::vector<Observable> usual_observables(const Model& model) {
   std::vector<Observable> all;
-  const auto add = [&](const std::string& of, const Names& names, const char* name, std::size_t index, int part = -1) {
+  const auto add = [&](const std::string& of, const ObservableNames& names, const char* name, std::size_t index,
+                       int part = -1) {
     const Named* named = find(names, name);
     all.push_back(
         {fmt::format("{}.{}", of, name), named->quantity, named->unit, static_cast<int>(index), part, Vector3::Zero()});
