@@ -101,7 +101,8 @@ TEST(FrictionDriveMachine, AWeightSetsTheSameTensions) {
       Case k;
       k.speed = speed;
       k.cutting_force = force;
-      expect_same(k, 1e-6);
+      // the cut stands in the middle of the stretched branch there, of the unstretched one here: 5e-5 of the tensions
+      expect_same(k, 7e-5);
     }
   }
 }
