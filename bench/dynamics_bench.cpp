@@ -1,7 +1,7 @@
 // The swing of a load on a chain of 50 segments over 10 s, and a tackle of six falls with losses over 3 s, by the
-// general way of the transient analysis; beside them the same chain by a plain velocity Verlet written for it. Times
-// are CPU times of one core; `of_baseline` is the ratio to the baseline in this run, `error` the distance from the
-// reference place at 10 s, m.
+// general way of the transient analysis, a belt drive into its steady state; beside them the same chain by a plain
+// velocity Verlet written for it. Times are CPU times of one core; `of_baseline` is the ratio to the baseline in this
+// run, `error` the distance from the reference place at 10 s, m.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "taut/analysis/transient.hpp"
@@ -187,9 +188,53 @@ void tackle(benchmark::State& state) {
   state.counters["iterations"] = iterations;
 }
 
+/// A belt on two sheaves 10 m apart: the drive is brought to 2 m/s, a brake's moment works on the other one. The steady
+/// state: tensions that differ by the moment, the belt creeping on the drive.
+void belt(benchmark::State& state) {
+  model::Model m;
+  m.gravity = gravity;
+  model::Reeving rope;
+  rope.name = "belt";
+  rope.closed = true;
+  for (const bool drive : {true, false}) {
+    model::Node node = node_at({drive ? 0.0 : 10.0, 0, 0});
+    node.kind = drive ? model::NodeKind::drive : model::NodeKind::contact;
+    node.radius = 0.5;
+    node.inertia = 5;
+    node.law.friction = 0.4;
+    node.motor = drive ? 0 : 1;
+    rope.nodes.push_back(node);
+  }
+  rope.value = (20 + 2 * 0.5 * std::numbers::pi) / (1 + 5000 / EA);
+  rope.stiffness = EA;
+  rope.damping_time = 1e-3;
+  m.reevings.push_back(rope);
+  m.motors.resize(2);
+  m.motors[0].drive.kind = model::DriveKind::speed;
+  m.motors[0].drive.signal.law = model::Moves{0, {{0, 2, 0.2, true}}};
+  m.motors[1].drive.kind = model::DriveKind::torque;
+  m.motors[1].drive.signal.law = model::Moves{0, {{0, -1000, 0.2, true}}};
+  analysis::TransientOptions options;
+  options.duration = 2;
+  options.output_step = 2;
+  options.start = analysis::Start::assembled;
+  options.tolerance = 1e-3;
+  double difference = 0, steps = 0;
+  for (auto _ : state) {
+    const auto r = transient(m, options);
+    if (!r.outcome.ok()) state.SkipWithError(r.outcome.message.c_str());
+    const auto& last = r.frames.back().branches;
+    difference = std::abs(last[0].T_from - last[1].T_from);
+    steps = static_cast<double>(r.steps);
+  }
+  state.counters["T_difference"] = difference;
+  state.counters["steps"] = steps;
+}
+
 BENCHMARK(baseline)->Unit(benchmark::kMillisecond);
 BENCHMARK(swing_verlet)->Unit(benchmark::kMillisecond);
 BENCHMARK(swing_implicit)->Unit(benchmark::kMillisecond);
 BENCHMARK(tackle)->Unit(benchmark::kMillisecond);
+BENCHMARK(belt)->Unit(benchmark::kMillisecond);
 
 }  // namespace

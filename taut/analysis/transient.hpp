@@ -140,8 +140,8 @@ struct TransientFrame {
   EnergyLedger energy;
 };
 
-/// What happened: "slack", "taut", "stick", "slip", "break", "stop", "lift_off", "length_zero", "layer", "drive",
-/// "brake", "actuator", "contact", "apart".
+/// What happened: "slack", "taut", "stick", "slip", "break", "run_off", "stop", "lift_off", "length_zero", "layer",
+/// "drive", "brake", "actuator", "contact", "apart".
 struct TransientEvent {
   double t = 0;
   std::string what;

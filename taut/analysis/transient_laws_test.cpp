@@ -270,6 +270,38 @@ TEST(TransientLaws, DrumTakesInByTheLayer) {
   EXPECT_NE(layer, r.events.end());
 }
 
+/// A heavy rope is wound on a drum and let out by a tensioner at its other end: its weight goes with it.
+TEST(TransientLaws, TheLedgerClosesWithAHeavyRopeOnADrum) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.bodies.push_back(body("load", {3, 0, -20}, 100, "xz"));
+  model::Node winch = anchor("winch", {0, 0, 2});
+  winch.radius = 0.25;
+  winch.drum = 0;
+  m.drums.resize(1);
+  m.drums[0].core_radius = 0.25;
+  m.drums[0].drive.kind = model::DriveKind::speed;
+  model::Signal up;
+  up.law = model::Moves{0, {{0, 2, 1, true}}};
+  m.drums[0].drive.signal = up;
+  m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 0, 40, 1e7));
+  m.reevings.push_back(reeve("guide", {anchor("pin", {8, 0, 3}), anchor_on("load", 0)}, 0, 15, 1e7));
+  for (model::Reeving& rope : m.reevings) {
+    rope.given = model::Given::tension_at_start;
+    rope.value = 1000;
+  }
+  model::Signal out;
+  out.law = model::Moves{0, {{0, 0.5, 2, true}}};
+  m.tensioners.push_back({1, true, out});
+  TransientOptions options = lasting(4, 1e-7);
+  options.step = 2e-4;
+  const TransientResult r = transient(m, options);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  const auto& energy = r.frames.back().energy;
+  EXPECT_GT(r.frames.front().branches[0].unstretched - r.frames.back().branches[0].unstretched, 5);
+  EXPECT_LT(std::abs(energy.residual), 1e-5 * energy.turnover);
+}
+
 /// A mass falls into a slack rope and comes back: no push, and the events in order.
 TEST(TransientLaws, SlackRopeNeverPushes) {
   model::Model m;

@@ -16,6 +16,13 @@ double per_metre(const Line& line, const LineValues& v, std::size_t end) {
   return v.end_T[end] * (1 + v.e) - elastic_tension(line, v) * v.e / 2;
 }
 
+/// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
+/// less than its weight.
+double per_metre_let_in(const Line& line, const LineValues& v) {
+  const double middle = (v.touch[0].z() + v.touch[1].z()) / 2;
+  return v.T * (1 + v.e) - elastic_tension(line, v) * v.e / 2 - line.weight * middle;
+}
+
 Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
@@ -63,6 +70,12 @@ double damped(const Mechanism& m, std::size_t i, const Values& before, const Val
   const LineValues &a = before.lines[i], &b = now.lines[i];
   const double more_a = a.T - elastic_tension(line, a), more_b = b.T - elastic_tension(line, b);
   return line.copies * (more_a * a.L + more_b * b.L) / 2 * (b.e - a.e);
+}
+
+/// Strain energy that the fading of a breaking line takes.
+double torn(const Line& line, const LineValues& before, const LineValues& now) {
+  const auto square = [](const LineValues& v) { return v.e > 0 ? v.e * v.e * v.L : 0; };
+  return line.copies * line.stiffness * (before.gone - now.gone) * (square(before) + square(now)) / 4;
 }
 
 /// A body that signals move: its drive gives what inertia and weights ask and the ropes do not.
@@ -131,11 +144,10 @@ Powers powers(const Mechanism& m, const Values& v) {
     if (!light) p.supplied += drive_moment(m, static_cast<int>(i), v) * is.omega;
   }
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
-    const auto [line, end] = m.tensioner[k];
+    const int line = m.tensioner[k].first;
     const Line& of = m.lines[at(line)];
     const LineValues& is = v.lines[at(line)];
-    const double lifted = of.weight * is.touch[at(end)].z();  // rope that is let in comes from nowhere
-    p.supplied -= of.copies * (per_metre(of, is, at(end)) - lifted) * v.tension_rate[k];
+    p.supplied -= of.copies * per_metre_let_in(of, is) * v.tension_rate[k];
   }
   add_driven(m, v, p);
   return p;
@@ -193,6 +205,7 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   ledger.laid_by += wound(m, before, now);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
+    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m.lines[i], before.lines[i], now.lines[i]);
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
   const CoupleWork work = work_of_couples(m, before, now);

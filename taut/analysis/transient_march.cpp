@@ -17,22 +17,38 @@ constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment 
 constexpr int steps_between_asking = 32;
 constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
-constexpr double no_rope = 1e-3;  ///< of a line's first length
+constexpr double no_rope = 1e-3;          ///< of a line's first length
+constexpr double nearly_no_rope = 0.1;    ///< the same, where a step finds no place for a line
+constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is found
 
 bool used_up(const Run& run, std::size_t i) {
   const LineValues& line = run.before.lines[i];
   return !(line.L > no_rope * run.L_first[i] && line.l > no_rope * run.L_first[i]);
 }
 
-Outcome failure(const Run& run, StepEnd end, double t) {
+/// The line with the least rope left, by its first length, and that share.
+std::pair<std::size_t, double> shortest(const Run& run) {
+  std::pair<std::size_t, double> found{0, 1};
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues& line = run.before.lines[i];
+    const double share = line.gone > 0 ? std::min(line.L, line.l) / run.L_first[i] : 1;
+    if (share < found.second) found = {i, share};
+  }
+  return found;
+}
+
+Outcome failure(Run& run, StepEnd end, double t) {
+  const auto [line, share] = shortest(run);
+  const double left = end == StepEnd::no_place ? nearly_no_rope : hardly_any_rope;
+  if (!run.m.lines.empty() && share <= left) {
+    const Line& of = run.m.lines[line];
+    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
+    note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
+    return infeasible(
+        fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
+                    rope.nodes[at(of.from)].name, rope.nodes[at(of.to)].name, rope.name));
+  }
   if (end == StepEnd::no_place) {
-    for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
-      if (!used_up(run, i)) continue;
-      const model::Reeving& rope = run.model.reevings[at(run.m.lines[i].reeving)];
-      return infeasible(
-          fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
-                      rope.nodes[at(run.m.lines[i].from)].name, rope.nodes[at(run.m.lines[i].to)].name, rope.name));
-    }
     return infeasible(fmt::format(
         "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
   }
@@ -43,6 +59,16 @@ Outcome failure(const Run& run, StepEnd end, double t) {
       "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));
 }
 
+/// Without consistent accelerations, where no common answer was found at an unchanged time: the first steps, very
+/// short, find them.
+void begin_roughly(Run& run) {
+  std::fill(run.before.rate.begin(), run.before.rate.end(), 0.0);
+  run.w.mean_step = 0;
+  run.w.q_mean = run.before.nu;
+  run.w.nu_mean = run.before.rate;
+  run.now = run.before;
+}
+
 /// Consistent accelerations at the time reached; what slips at once goes to `where`.
 StepEnd begin_again(Run& run, double& where) {
   run.now.drums = run.before.drums;
@@ -50,7 +76,10 @@ StepEnd begin_again(Run& run, double& where) {
   run.now.motor_drive = run.before.motor_drive;
   take_modes(run.before, run.now);
   fade(run, run.before.t, run.now);
-  const StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
+  StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
+  const bool rough = end == StepEnd::not_converged || end == StepEnd::singular;
+  if (rough) begin_roughly(run);
+  if (rough) end = StepEnd::ok;
   if (end != StepEnd::ok) return end;
   add_jump(run.m, run.before, where, run.ledger);
   run.known = 0;
@@ -59,6 +88,7 @@ StepEnd begin_again(Run& run, double& where) {
     const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
     run.h = std::min({std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100,
                       run.h > 0 ? run.h : run.options.duration});
+    if (rough) run.h *= 1e-3;
   }
   return end;
 }
@@ -184,6 +214,26 @@ StepEnd advance(Run& run, double limit) {
   }
 }
 
+/// The end of a broken rope has run over the round that it lay on: what it held is free too. Else a part is used up.
+StepEnd run_off(Run& run, std::size_t line) {
+  if (run.before.lines[line].gone > 0) return StepEnd::no_place;
+  for (const int index : run.m.lines[line].contact) {
+    if (index < 0) continue;
+    const Contact& contact = run.m.contacts[at(index)];
+    const int other = contact.in == static_cast<int>(line) ? contact.out : contact.in;
+    if (other < 0) return StepEnd::no_place;
+    if (run.before.lines[at(other)].gone == 0) continue;
+    run.breaking.push_back({other, run.before.t, 0});
+    note(run, run.before.t, "run_off", run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+  }
+  run.L_first[line] = 0;
+  fade(run, run.before.t, run.before);
+  double freed = 0;
+  const StepEnd end = begin_again(run, freed);
+  run.ledger.broken += freed;
+  return end;
+}
+
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t) {
   const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
@@ -191,16 +241,13 @@ bool jumps_at(const Run& run, double t) {
   return !stops.empty();
 }
 
-}  // namespace
-
-void march(Run& run) {
-  bool stop = false;
+StepEnd begin(Run& run) {
   StepEnd end = StepEnd::ok;
   if (!run.resumed) {
     run.L_first.clear();
     for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
   }
-  // where a run left off, its accelerations stand, unless something happened or jumps at that very time
+  // where a run left off, its accelerations stand, unless something happens or jumps at that very time
   if (!run.resumed || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);
   record_extremes(run, run.before);
@@ -208,45 +255,56 @@ void march(Run& run) {
   const double step = run.options.output_step;
   if (!run.resumed || run.grid_step != step) run.grid_from = run.before.t;
   run.grid_step = step;
-  const double first = run.grid_from;
+  return end;
+}
+
+/// One step, or many of points.
+StepEnd go_on(Run& run, Points& points, double limit) {
+  if (steps_as_points(run)) {
+    step_points(run, points, limit, steps_at_once);
+    run.since_asked += steps_between_asking;
+  }
+  const StepEnd end = advance(run, limit);
+  if (end == StepEnd::ok && run.before.t >= limit) run.before.t = limit;
+  return end;
+}
+
+/// Events, layers, jumps of signals (`jump`), ropes that are used up.
+StepEnd look_round(Run& run, bool jump, bool& stop) {
+  StepEnd end = StepEnd::ok;
+  double broken = 0;
+  const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
+  if ((event || jump) && !stop && run.before.t < run.end) {
+    end = begin_again(run, broken);
+    (event ? run.ledger.broken : run.ledger.slipped) += broken;
+  }
+  for (std::size_t i = 0; i < run.m.lines.size() && end == StepEnd::ok; ++i) {
+    if (used_up(run, i)) end = run_off(run, i);
+  }
+  return end;
+}
+
+}  // namespace
+
+void march(Run& run) {
+  bool stop = false;
+  StepEnd end = begin(run);
+  const double first = run.grid_from, step = run.grid_step;
   long frame = std::lround(std::floor((run.before.t - first) / step + 1e-6)) + 1;
   std::size_t next = 0;
   Points points;
-  while (end == StepEnd::ok && !stop) {
+  while (end == StepEnd::ok && !stop && run.before.t < run.end) {
     const double output = std::min(run.end, first + static_cast<double>(frame) * step);
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
-    const double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
-    if (run.before.t >= run.end) break;
-    if (steps_as_points(run)) {
-      step_points(run, points, limit, steps_at_once);
-      run.since_asked += steps_between_asking;
-    }
-    end = advance(run, limit);
+    end = go_on(run, points, next < run.stops.size() ? std::min(output, run.stops[next]) : output);
     if (end != StepEnd::ok) break;
-    if (run.before.t >= limit) run.before.t = limit;
-    const bool at_output = run.before.t >= output;
-    if (at_output) {
+    if (run.before.t >= output) {
       if (run.m.lossless && run.breaking.empty()) add_step(run.m, run.before, run.before, run.ledger);
       record_frame(run, run.before);
       ++frame;
-      if (run.options.progress && !run.options.progress(run.before.t)) {
-        run.result.interrupted = true;
-        break;
-      }
+      if (run.options.progress && !run.options.progress(run.before.t)) end = StepEnd::interrupted;
     }
-    double broken = 0;
-    const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
-    const bool jump = next < run.stops.size() && run.before.t >= run.stops[next];
-    if ((event || jump) && !stop && run.before.t < run.end) {
-      end = begin_again(run, broken);
-      (event ? run.ledger.broken : run.ledger.slipped) += broken;
-    }
-    for (std::size_t i = 0; i < run.m.lines.size() && end == StepEnd::ok; ++i) {
-      if (!used_up(run, i)) continue;
-      const Line& line = run.m.lines[i];
-      note(run, run.before.t, "length_zero", run.model.reevings[at(line.reeving)].name, {{"L", run.before.lines[i].L}});
-      end = StepEnd::no_place;
-    }
+    if (end == StepEnd::ok) end = look_round(run, next < run.stops.size() && run.before.t >= run.stops[next], stop);
     if (run.result.steps + run.result.rejected > run.options.most_steps) {
       run.result.outcome = not_converged(fmt::format(
           "after {} steps only t = {:.6g} s is reached: a coarser 'tolerance' or a shorter 'duration' is needed",
@@ -254,7 +312,7 @@ void march(Run& run) {
       break;
     }
   }
-  run.result.interrupted = run.result.interrupted || end == StepEnd::interrupted;
+  run.result.interrupted = end == StepEnd::interrupted;
   if (end != StepEnd::ok && end != StepEnd::interrupted) run.result.outcome = failure(run, end, run.before.t);
   if (run.result.frames.back().t < run.before.t) record_frame(run, run.before);
   run.result.t_end = run.before.t;

@@ -1,6 +1,7 @@
 #include "taut/analysis/transient_memory.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <type_traits>
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -16,7 +17,11 @@ class Walk {
   void whole(Whole& x) {
     auto as_number = static_cast<double>(x);
     see_(as_number);
-    x = static_cast<Whole>(as_number);
+    if constexpr (std::is_same_v<Whole, bool>) {
+      x = as_number != 0;
+    } else {
+      x = static_cast<Whole>(as_number);
+    }
   }
   template <class Numbers>
   void all(Numbers& list) {
@@ -60,6 +65,22 @@ void walk_contact(W& w, ContactValues& c) {
 }
 
 template <class W>
+void walk_couples(W& w, Values& v) {
+  for (FaceValues& f : v.faces) {
+    for (bool* one : {&f.over, &f.closed, &f.sticks}) w.whole(*one);
+    for (double* one : {&f.pen, &f.pen_rate, &f.N, &f.limit}) w.number(*one);
+    for (Vector3* one : {&f.normal, &f.point, &f.arm, &f.slide, &f.bristle, &f.pull, &f.friction}) w.matrix(*one);
+  }
+  for (ActuatorValues& a : v.actuators) {
+    w.whole(a.mode);
+    for (double* one : {&a.hold, &a.length, &a.speed, &a.F, &a.F_l, &a.F_v}) w.number(*one);
+    for (Vector3& one : a.end) w.matrix(one);
+    w.matrix(a.t);
+    w.matrix(a.apart);
+  }
+}
+
+template <class W>
 void walk_values(W& w, Values& v) {
   w.number(v.t);
   w.number(v.when);
@@ -71,6 +92,7 @@ void walk_values(W& w, Values& v) {
     for (double* one : {&s.angle, &s.omega, &s.alpha, &s.bearing, &s.capacity, &s.torque, &s.speed}) w.number(*one);
     w.whole(s.turns);
   }
+  walk_couples(w, v);
 }
 
 template <class W>

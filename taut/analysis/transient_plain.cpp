@@ -55,7 +55,7 @@ void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, cons
 void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& now, const Work& w,
                          LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
-  const bool hangs = now.T > 0 && line.segment < 0 && line.weight > 0;
+  const bool hangs = line.segment < 0 && line.weight > 0;
   const double square = s.reach * s.reach;
   for (std::size_t k = 0; k < at(line.columns); ++k) {
     double weight = 0;
@@ -63,8 +63,10 @@ void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& no
       const double lifts = k < at(freedoms) ? square * now.L * w.plain[k].lifts : 0;
       weight = line.weight / 2 * (w.L_slope[k] * now.t.z() + lifts);
     }
-    tangent.end_T[0][k] = now.end_T[0] > 0 ? w.T_slope[k] - weight : 0;
-    tangent.end_T[1][k] = now.end_T[1] > 0 ? w.T_slope[k] + weight : 0;
+    if (now.end_T[0] <= 0) weight = w.T_slope[k];
+    if (now.end_T[1] <= 0) weight = -w.T_slope[k];
+    tangent.end_T[0][k] = w.T_slope[k] - weight;
+    tangent.end_T[1][k] = w.T_slope[k] + weight;
   }
 }
 

@@ -77,7 +77,7 @@ RopeStep pull_rope(Points& p, int first, int count, double& work) {
     step.turned = step.turned || (e > 0) != (was > 0);
     p.e[i] = e;
     p.T[i] = T / link.copies;
-    const double per = T / l, end = p.T[i] > 0 ? p.T[i] + link.hangs * std::abs(z) / l : 0;
+    const double per = T / l, end = p.T[i] + std::min(link.hangs * std::abs(z) / l, p.T[i]);
     if (end > step.largest) {
       step.largest = end;
       step.branch = static_cast<int>(i) - first;
@@ -144,8 +144,8 @@ void scatter(Run& run, const Points& p, double t) {
     is.T = p.T[i];
     is.l = (1 + is.e) * is.L;
     const auto end_z = [&](std::size_t end) { return p.x[3 * at(line.body[end] + 1) + 2] + line.offset[end].z(); };
-    const double hangs = is.T > 0 ? p.links[i].hangs * (end_z(1) - end_z(0)) / is.l : 0;
-    is.end_T = {std::max(0.0, is.T - hangs), std::max(0.0, is.T + hangs)};
+    const double hangs = std::clamp(p.links[i].hangs * (end_z(1) - end_z(0)) / is.l, -is.T, is.T);
+    is.end_T = {is.T - hangs, is.T + hangs};
   }
 }
 
