@@ -163,7 +163,12 @@ void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work&
   }
   is.rolled = w.q_star[c] + s.reach * is.roll_rate;
   is.slipped = now.q[c] - is.rolled;
-  is.slip_rate = s.slip_now * (is.slipped - was.slipped) + s.slip_before * was.slip_mean;
+  const double slips = is.slipped - was.slipped;
+  if (s.h == 0) {
+    is.slip_rate = slips_in_a_moment(m, s, contact) ? s.slip_now * slips : was.slip_mean;
+  } else {
+    is.slip_rate = s.slip_now * slips + s.slip_before * was.slip_mean;
+  }
   is.flow = is.roll_rate + is.slip_rate;
 }
 
@@ -291,6 +296,10 @@ double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
   const Vector3 &a = v.lines[at(of.in)].t, &b = v.lines[at(of.out)].t;
   const double wrap = std::atan2(a.cross(b).norm(), a.dot(b));
   return (b - a).dot(of.support) > 0 ? -wrap : wrap;
+}
+
+bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact) {
+  return s.slip_now > 0 && m.lines[at(contact.in >= 0 ? contact.in : contact.out)].damping > 0;
 }
 
 double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
+constexpr double moment = 1e-6;             ///< s, in which slip is looked for at an unchanged time
 constexpr double small_change = 1e-2;       ///< of tensions: the factors of the first iteration do for the next
 constexpr double good_contraction = 0.05;   ///< with which they go on to do
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
@@ -23,6 +24,7 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
     now.contacts[i].grip = was.grip;
     now.q[c] =
         was.grip == Grip::stuck ? was.slipped + w.q_star[c] + s.reach * was.roll_rate : before.q[c] + s.h * was.flow;
+    if (s.h == 0 && slips_in_a_moment(m, s, m.contacts[i])) now.q[c] += was.slip_mean / s.slip_now;
   }
 }
 
@@ -113,7 +115,8 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
 
 StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton) {
   s.h = s.reach = 0;
-  s.slip_now = 0;
+  // with dampers the tension of a slipping rope follows from its speed: the speed is found, by the slip of a moment
+  s.slip_now = 1 / moment;
   s.slip_before = 1;
   now.rate = before.rate;
   const StepEnd end = solve_step(m, s, before, before.t, now, w, newton);

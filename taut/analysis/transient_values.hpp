@@ -174,6 +174,10 @@ Vector3 dead_load(const Mechanism& m, int model_body);
 /// Acceleration of a body's origin, and its angular acceleration.
 std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now);
 
+/// At an unchanged time: whether the rate of a contact's slip is found with the tensions (its rope has dampers), by the
+/// slip in 1/slip_now. Else the rope slips at once, and goes on with the rate that it had.
+bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact);
+
 /// Radius of the rope on a round; of a drum that of the layer being wound, m.
 double working_radius(const Mechanism& m, const Contact& contact, const Values& v);
 
