@@ -77,6 +77,8 @@ void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Value
 void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w);
 void follow_actuator(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now);
 void assemble_actuator(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w);
+/// Whether a point that is pressed comes over the end of its face in the step: the force jumps then.
+bool meets_an_edge(const Mechanism& m, const Values& now);
 /// Whether the point is between the ends of its face; `arm`: in the frame of the face's body.
 bool is_over(const model::Face& face, const Vector3& arm);
 

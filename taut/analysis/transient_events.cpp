@@ -161,7 +161,7 @@ bool comes_true(const Run& run, const Values& v) {
     const model::Event& event = run.model.events[i];
     if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;
   }
-  return false;
+  return meets_an_edge(run.m, v);
 }
 
 bool happen(Run& run, Values& v, bool& stop) {

@@ -109,6 +109,14 @@ void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& n
   add_force(m, s, couple, is.N * n + is.friction, true, count, columns, w);
 }
 
+bool meets_an_edge(const Mechanism& m, const Values& now) {
+  for (std::size_t i = 0; i < now.faces.size(); ++i) {
+    const FaceValues& is = now.faces[i];
+    if (is.pen > 0 && is.over != is_over(m.model->faces[at(m.model->contacts[i].face)], is.arm)) return true;
+  }
+  return false;
+}
+
 double energy_of_faces(const Mechanism& m, const Values& v) {
   double energy = 0;
   for (std::size_t i = 0; i < v.faces.size(); ++i) {
