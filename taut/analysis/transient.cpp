@@ -6,6 +6,7 @@
 
 #include "taut/analysis/transient_damping.hpp"
 #include "taut/analysis/transient_memory.hpp"
+#include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
@@ -110,6 +111,11 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
   if (!run.result.outcome.ok()) return run.result;
+  if (options.method == TimeMethod::reference) {
+    options.step = 0;
+    run.result.outcome = reference_refuses(run.m);
+    if (!run.result.outcome.ok()) return run.result;
+  }
   if (settles) run.result.outcome = settle(run);
   if (!run.result.outcome.ok()) return run.result;
   damp(run);

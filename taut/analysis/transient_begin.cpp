@@ -101,6 +101,7 @@ void classify(Mechanism& m) {
     body.driven = body.model >= 0 && !m.model->bodies[at(body.model)].driven.empty();
     body.dead = -body.own_mass * m.model->gravity * up();
     if (body.model >= 0) body.dead += dead_load(m, body.model);
+    if (body.model >= 0) body.mass += m.model->bodies[at(body.model)].counterweight;
     m.body_columns += body.count;
   }
   const auto shifts = [&](int body) { return body < 0 || (!m.bodies[at(body)].turns && !m.bodies[at(body)].driven); };
@@ -114,6 +115,8 @@ void classify(Mechanism& m) {
   }
   for (const auto& [line, end] : m.tensioner) m.lines[at(line)].tensioned = true;
   for (Contact& contact : m.contacts) {
+    const model::Reeving& rope = m.model->reevings[at(contact.reeving)];
+    contact.load = rope.nodes[at(contact.node)].kind == model::NodeKind::load;
     const bool light = contact.spin < 0;
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
     contact.bearing_ratio = light ? 1 / contact.efficiency : std::numeric_limits<double>::infinity();

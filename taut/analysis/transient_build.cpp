@@ -9,6 +9,7 @@
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/system.hpp"
 #include "taut/analysis/transient_couple.hpp"
+#include "taut/analysis/transient_rope_load.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::analysis::dynamics {
@@ -37,6 +38,7 @@ class Builder {
     list_places();
     classify(built_.mechanism);
     fill_values(start_, built_);
+    measure_loaded_spans(built_.mechanism, start_);
     if (built_.outcome.ok()) built_.outcome = check(built_.mechanism, start_, built_.values);
     return std::move(built_);
   }

@@ -12,7 +12,10 @@ namespace taut::analysis::dynamics {
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
   const model::Model& model = *m.model;
   if (!model.beams.empty()) {
-    return infeasible("elastic beams are not computed in motion yet; make them rigid bodies");
+    return infeasible(fmt::format(
+        "the beam '{}' bends in statics only: for a motion put a body in its place (fixed, or hinged by 'free: [ry]' "
+        "with its inertia and held by its guys), and fix ropes to points on that body",
+        model.beams.front().name));
   }
   for (const Body& body : m.bodies) {
     if (body.count == 0) continue;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_rope_load.hpp"
 #include "taut/analysis/transient_values.hpp"
 
 namespace taut::analysis::dynamics {
@@ -76,6 +77,11 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, 
   const ContactValues& is = now.contacts[i];
   const double ratio = is.ratio;
   double& g = w.residual[at(contact.column)];
+  if (contact.load) {
+    g += p.out - p.in - asked_difference(is);
+    tension_row(m, contact, w, 1, 1, 0);
+    return;
+  }
   switch (is.grip) {
     case Grip::forward:
       g += p.out - ratio * p.in;
@@ -98,6 +104,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     pull_row(m, contact, *given, now, w);
     return;
   }
+  if (contact.load) assemble_rope_load(m, contact, now, w);
   if (now.contacts[i].grip == Grip::stuck) {
     rolling_row(m, s, i, before, now, w);
     return;
@@ -185,19 +192,27 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     return;
   }
   const Pressure p = pressure(m, static_cast<int>(i), now);
-  if (std::isinf(is.log_ratio)) {
+  if (!contact.load && std::isinf(is.log_ratio)) {
     is.grip = Grip::stuck;
-  } else if (is.log_ratio == 0 || p.in <= 0 || p.out <= 0) {
-    is.grip = Grip::equal;
-  } else {
-    const double ratio = is.ratio;
-    const double damping = m.lines[at(contact.in)].damping;
-    const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
-    const double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
-    is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
-              : p.in - ratio * p.out - slip > 0 ? Grip::backward
-                                                : Grip::stuck;
+    return;
   }
+  if (!contact.load && (is.log_ratio == 0 || p.in <= 0 || p.out <= 0)) {
+    is.grip = Grip::equal;
+    return;
+  }
+  // what has slipped in the step, as a force; at an unchanged time what slips goes on slipping
+  const double damping = m.lines[at(contact.in)].damping;
+  const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
+  double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
+  if (s.h == 0 && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
+  if (contact.load) {
+    is.grip = grip_at_load({is.drop, is.holds}, p.out - p.in, slip);
+    return;
+  }
+  const double ratio = is.ratio;
+  is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
+            : p.in - ratio * p.out - slip > 0 ? Grip::backward
+                                              : Grip::stuck;
 }
 
 void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "taut/analysis/transient_couple.hpp"
+#include "taut/analysis/transient_rope_load.hpp"
+#include "taut/analysis/transient_values.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -129,7 +131,18 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   } else if (!everywhere) {
     is.wrap = wrap_of(m, i, now);
   }
-  if (s.lossless) return;
+  if (contact.load) {
+    const RopeLoadStep load = rope_load(m, contact, now.when, before.contacts[i].flow, s.lossless);
+    is.drop = load.drop;
+    is.holds = load.holds;
+    return;
+  }
+  if (s.lossless) {
+    // an endless rope would run round by itself
+    const bool held = contact.spin >= 0 && m.spins[at(contact.spin)].motor >= 0;
+    if (held && m.model->reevings[at(contact.reeving)].closed) is.log_ratio = infinite;
+    return;
+  }
   const double grip = everywhere ? infinite : contact.friction * std::max(0.0, is.wrap);
   if (contact.bearing_log <= grip) {
     is.log_ratio = contact.bearing_log;

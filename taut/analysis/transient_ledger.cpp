@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/analysis/transient_couple.hpp"
+#include "taut/analysis/transient_rope_load.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -58,7 +59,8 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const std::size_t c = at(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
-  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0;
+  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0 && !contact.load;
+  if (contact.load) ledger.slipped += rope_load_work(contact, before, now);
   (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
   ledger.laid_by += passed * (a.laid_by + b.laid_by);
   ledger.supplied += passed * (a.supplied + b.supplied);

@@ -5,6 +5,7 @@
 
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_points.hpp"
+#include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
 
 namespace taut::analysis::dynamics {
@@ -258,13 +259,27 @@ StepEnd begin(Run& run) {
   return end;
 }
 
-/// One step, or many of points.
-StepEnd go_on(Run& run, Points& points, double limit) {
+/// One step of the reference; where a law changes, everything begins anew.
+StepEnd advance_reference(Run& run, Reference& reference, double limit) {
+  if (run.known == 0 || !reference.begun()) {
+    const StepEnd end = reference.begin(run);
+    if (end != StepEnd::ok) return end;
+  }
+  bool changed = false;
+  const StepEnd end = reference.step(run, limit, changed);
+  if (end != StepEnd::ok) return end;
+  accept(run);
+  return changed && run.before.t < limit ? begin_again(run, run.ledger.slipped) : StepEnd::ok;
+}
+
+/// One step by the scheme that is asked for, or many of points.
+StepEnd go_on(Run& run, Points& points, Reference& reference, double limit) {
   if (steps_as_points(run)) {
     step_points(run, points, limit, steps_at_once);
     run.since_asked += steps_between_asking;
   }
-  const StepEnd end = advance(run, limit);
+  const bool slow = run.options.method == TimeMethod::reference;
+  const StepEnd end = slow ? advance_reference(run, reference, limit) : advance(run, limit);
   if (end == StepEnd::ok && run.before.t >= limit) run.before.t = limit;
   return end;
 }
@@ -293,10 +308,11 @@ void march(Run& run) {
   long frame = std::lround(std::floor((run.before.t - first) / step + 1e-6)) + 1;
   std::size_t next = 0;
   Points points;
+  Reference reference;
   while (end == StepEnd::ok && !stop && run.before.t < run.end) {
     const double output = std::min(run.end, first + static_cast<double>(frame) * step);
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
-    end = go_on(run, points, next < run.stops.size() ? std::min(output, run.stops[next]) : output);
+    end = go_on(run, points, reference, next < run.stops.size() ? std::min(output, run.stops[next]) : output);
     if (end != StepEnd::ok) break;
     if (run.before.t >= output) {
       if (run.m.lossless && run.breaking.empty()) add_step(run.m, run.before, run.before, run.ledger);

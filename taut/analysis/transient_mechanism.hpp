@@ -105,6 +105,8 @@ struct Contact {
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
   int drum = -1;                   ///< an end on a drum
+  bool load = false;               ///< a force along the free rope acts there
+  double load_length = 0;          ///< unstretched rope of the span in which it lies, at the start, m
   std::vector<int> columns;        ///< all that its rows depend on
   std::vector<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
 };

@@ -21,6 +21,8 @@ struct ContactValues {
   double ratio = 1;    ///< exp(log_ratio)
   double lambda = 1;   ///< stretch of the rope that arrives
   int entry = 0;       ///< its line; -1: from a drum
+  double drop = 0;     ///< of a rope load: RopeLoadStep::drop, N
+  bool holds = true;   ///< and RopeLoadStep::holds
   double winding = 1;  ///< the stretch that counts for winding on and off in this step
   Grip grip = Grip::stuck;
 };

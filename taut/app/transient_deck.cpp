@@ -37,8 +37,10 @@ const Description& TransientRequest::describe() {
           .at_most(0.1)
           .field(&TransientRequest::step, "step", "dt", si::s, "this step throughout, without control of the error")
           .above(0)
-          .choice(&TransientRequest::method, "method", {{"implicit", Method::implicit}, {"verlet", Method::verlet}},
-                  "implicit with steps that follow the tolerance, or explicit (verlet) for waves and breaks")
+          .choice(&TransientRequest::method, "method",
+                  {{"implicit", Method::implicit}, {"verlet", Method::verlet}, {"reference", Method::reference}},
+                  "implicit with steps that follow the tolerance, explicit (verlet) for waves and breaks, or the slow "
+                  "reference (IDA of SUNDIALS) that judges both")
           .choice(&TransientRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
                   "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest")
           .field(&TransientRequest::damping_ratio, "damping_ratio", "zeta", si::one,

@@ -17,7 +17,7 @@ struct HoistFactor {
 
 /// A motion of the machine from its start on.
 struct TransientRequest {
-  enum class Method { implicit, verlet };
+  enum class Method { implicit, verlet, reference };
   enum class Start { settled, assembled };
 
   std::optional<std::string> name;    ///< ending of its files' names

@@ -19,6 +19,7 @@ using analysis::TransientFrame;
 
 constexpr std::size_t most_curves_in_plot = 6;
 constexpr std::size_t most_events = 10;
+constexpr double label_room = 0.03;  ///< of the time shown, between two marked events
 constexpr std::size_t most_readouts = 8;
 constexpr std::size_t buckets = 240;       ///< of the thinned plots
 constexpr double least_plan_width = 1e-3;  ///< machines narrower than this part of their length need no plan
@@ -149,6 +150,23 @@ std::vector<std::pair<double, std::string>> main_events(const TransientRun& run)
   return all;
 }
 
+/// Those of them whose words have room beside each other; what is done to the machine goes before what follows from it.
+std::vector<std::pair<double, std::string>> marked_events(const TransientRun& run) {
+  auto all = main_events(run);
+  const auto follows = [](const auto& e) {
+    return e.second.starts_with("slack") || e.second.starts_with("taut") || e.second.starts_with("apart");
+  };
+  std::stable_partition(all.begin(), all.end(), [&](const auto& e) { return !follows(e); });
+  const double room = label_room * (run.result.t_end - run.result.frames.front().t);
+  std::vector<std::pair<double, std::string>> marked;
+  for (auto& e : all) {
+    const bool free = std::none_of(marked.begin(), marked.end(),
+                                   [&](const auto& other) { return std::abs(other.first - e.first) < room; });
+    if (free) marked.push_back(std::move(e));
+  }
+  return marked;
+}
+
 Animation animation_of(const TransientRun& run, const PlaneView& view) {
   const auto& frames = run.result.frames;
   Animation a;
@@ -230,7 +248,7 @@ Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y,
     }
     p.curves.push_back(std::move(c));
   }
-  for (const auto& [t, words] : main_events(run)) p.marks.push_back({t, 0, words, false, true});
+  for (const auto& [t, words] : marked_events(run)) p.marks.push_back({t, 0, words, false, true});
   return p;
 }
 

@@ -83,6 +83,30 @@ void check_actuators(const model::Model& model, std::vector<Complaint>& complain
   }
 }
 
+/// What rope loads and take-up weights need in motion.
+void check_rope_loads(const TransientRequest& request, const Preparation& p, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < p.deck.machine.rope_loads.size(); ++i) {
+    const auto& load = p.deck.machine.rope_loads[i];
+    const std::string path = fmt::format("machine.rope_loads[{}]", i);
+    if (!load.tangential && !load.rate) {
+      complaints.push_back({path, "a motion needs its amount: 'tangential' or 'rate'"});
+    }
+    for (const model::Reeving& rope : p.model.reevings) {
+      if (rope.name != load.rope || (request.rope_mass && rope.weight > 0)) continue;
+      complaints.push_back({path, "in motion the rope on which it acts needs its mass"});
+    }
+  }
+  for (std::size_t i = 0; i < p.deck.machine.take_up.size(); ++i) {
+    const auto& given = p.deck.machine.take_up[i];
+    for (const model::Body& body : p.model.bodies) {
+      if (!given.weight || body.name != given.body || body.free.size() <= 1) continue;
+      complaints.push_back({fmt::format("machine.take_up[{}].weight", i),
+                            "in motion a weight hangs on a body with one way to move ('guide'); else make it a body on "
+                            "a rope over a sheave"});
+    }
+  }
+}
+
 void check(const TransientRequest& request, const std::string& path, Preparation& p) {
   std::vector<Complaint>& complaints = p.complaints;
   const double step = request.output_step.value_or(request.duration / 1000);
@@ -97,6 +121,7 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   check_signals(p.deck.machine, p.model, complaints);
   check_inertia(p.model, complaints);
   check_actuators(p.model, complaints);
+  check_rope_loads(request, p, complaints);
   if (request.hoist_factor) reeving_of(p, request.hoist_factor->rope, path + ".hoist_factor.rope");
 }
 
@@ -130,6 +155,7 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
   o.step = request.step.value_or(0);
   const bool explicit_steps = request.method == TransientRequest::Method::verlet;
   o.method = explicit_steps ? analysis::TimeMethod::verlet : analysis::TimeMethod::implicit;
+  if (request.method == TransientRequest::Method::reference) o.method = analysis::TimeMethod::reference;
   const bool settled = request.start == TransientRequest::Start::settled;
   o.start = settled ? analysis::Start::settled : analysis::Start::assembled;
   o.damping_ratio = request.damping_ratio;
@@ -175,6 +201,10 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
   TransientRun run;
   run.ending = ending_of(p, "transient", request.name, path);
   run.request = request;
+  const auto& all = p.deck.analyses;
+  if (std::any_of(all.begin(), all.end(), [](const auto& one) { return one.envelope.has_value(); })) {
+    run.envelope = "envelope_motion";
+  }
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;
     TransientRun one = run;

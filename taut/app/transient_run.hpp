@@ -13,6 +13,8 @@ namespace taut::app {
 /// One motion: what was asked, and the answer.
 struct TransientRun {
   std::string ending;  ///< of its tables' and files' names: "", "_2", "_stop"
+  std::string envelope =
+      "envelope";  ///< name of that table: another one where the deck has the analysis `envelope` too
   TransientRequest request;
   analysis::TransientOptions options;
   model::Model model;

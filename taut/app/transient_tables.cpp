@@ -44,7 +44,7 @@ void add_events(const TransientRun& run, Result& r) {
 
 void add_envelope(const TransientRun& run, Result& r) {
   Table t;
-  t.name = "envelope" + run.ending;
+  t.name = run.envelope + run.ending;
   t.title = "Envelope: smallest and largest over all steps (SI)";
   t.columns = {{"quantity", si::one}, {"unit", si::one}, {"min", si::one}, {"t_min", si::s},
                {"max", si::one},      {"t_max", si::s},  {"end", si::one}};
@@ -98,7 +98,7 @@ void add_energy(const TransientRun& run, Result& r) {
 
 /// "between head and block"
 std::string branch_words(const model::Reeving& rope, int branch) {
-  const auto k = static_cast<std::size_t>(std::max(branch, 0));
+  const auto k = static_cast<std::size_t>(std::max(branch, 0) / std::max(1, rope.segments));
   if (k + 1 > rope.nodes.size()) return {};
   return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
 }
@@ -169,18 +169,25 @@ std::string start_words(const TransientRun& run) {
                                                        : "starts assembled: as described, at rest";
 }
 
+std::string scheme_words(const TransientRun& run) {
+  switch (run.options.method) {
+    case analysis::TimeMethod::verlet:
+      return "velocity Verlet";
+    case analysis::TimeMethod::reference:
+      return fmt::format("the reference, IDA of SUNDIALS, tolerance {:.1e}", run.options.tolerance);
+    default:
+      return run.options.step > 0 ? std::string("generalised-alpha with a fixed step")
+                                  : fmt::format("generalised-alpha, tolerance {:.1e}", run.options.tolerance);
+  }
+}
+
 void add_words(const TransientRun& run, Result& r) {
   const analysis::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
                                   result.largest_step, result.rejected);
   if (explicit_steps) steps += fmt::format("; stable below {:.3g} s", result.stability_limit);
-  r.assumptions.push_back(fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run),
-                                      explicit_steps ? "velocity Verlet"
-                                      : run.options.step > 0
-                                          ? std::string("generalised-alpha with a fixed step")
-                                          : fmt::format("generalised-alpha, tolerance {:.1e}", run.options.tolerance),
-                                      steps));
+  r.assumptions.push_back(fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run), scheme_words(run), steps));
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const double beta = i < result.damping_time.size() ? result.damping_time[i] : 0;
     const double omega = i < result.frequency.size() ? result.frequency[i] : 0;

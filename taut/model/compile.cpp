@@ -276,6 +276,11 @@ class Compiler {
       if (t == nullptr || along.norm() == 0) continue;
       const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
       model_.loads.push_back({t->place, pull * along.normalized()});
+      if (!given.weight || t->place.body == ground) continue;
+      Body& body = model_.bodies[static_cast<std::size_t>(t->place.body)];
+      if (body.free.size() != 1) continue;
+      const double share = along.normalized().dot(body.free.front().along);
+      body.counterweight += *given.weight * share * share;
     }
   }
 

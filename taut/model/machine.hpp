@@ -188,9 +188,10 @@ struct RopeLoad {
   std::optional<double> tangential;  ///< N
   std::optional<double> rate;        ///< N per unstretched metre
   RopeLoadDirection direction = RopeLoadDirection::against_motion;
-  std::optional<double> position;  ///< share of the span's unstretched rope, from the first of `between` on
-  std::optional<double> from, to;  ///< shares between which a rate acts
-  std::optional<int> elements;     ///< parts into which a rate is divided
+  std::optional<double> position;     ///< share of the span's unstretched rope, from the first of `between` on
+  std::optional<double> from, to;     ///< shares between which a rate acts
+  std::optional<int> elements;        ///< parts into which a rate is divided
+  std::optional<std::string> signal;  ///< in motion: force, N, or rate, N/m, over time
   static const Description& describe();
 };
 

@@ -92,6 +92,8 @@ const Description& RopeLoad::describe() {
                    {"along_path", RopeLoadDirection::along_path},
                    {"against_path", RopeLoadDirection::against_path}},
                   "of the force on the rope; at rest the motion is 'in'")
+          .field(&RopeLoad::signal, "signal",
+                 "what the force, or the rate, is over time in a motion; else counts 'tangential' or 'rate'")
           .field(&RopeLoad::position, "position", "", si::one,
                  "share of the span's rope from the first of 'between' to the force; without it 0.5")
           .above(0)

@@ -34,7 +34,8 @@ struct Body {
   Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
   std::vector<DrivenWay> driven;              ///< what signals give; `position` and `orientation` are those at t = 0
-  int beam = -1;                              ///< a section of this beam, not a body of its own; -1: none
+  double counterweight = 0;  ///< kg: the inertia of take-up weights along its one way; their pull is among the loads
+  int beam = -1;             ///< a section of this beam, not a body of its own; -1: none
 };
 
 /// A dead force on a body (keeps its direction in the ground frame).
@@ -62,6 +63,7 @@ struct RopeLoad {
   int sense = 1;           ///< +1: along the path; -1: against it; by_motion: times the flow, at rest the haul
   bool by_motion = false;  ///< along or against the rope's motion
   bool open = false;       ///< the force is unknown: what the given torque of the rope's drive overcomes
+  std::optional<Signal> signal = std::nullopt;  ///< in motion the force over time, or, of a rate, N/m
 };
 
 /// Loss of tension at a contact, with the flow in the sense of growing tension: T_out = r T_in,

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "taut/base/suggest.hpp"
+#include "taut/model/signals_of.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::model {
@@ -131,7 +132,8 @@ class Adder {
     }
     const auto reeving = static_cast<std::size_t>(at - model_.reevings.begin());
     check_motor(given, model_.reevings[reeving], path);
-    const std::vector<RopeLoad> loads = loads_of(given, spans[0].reversed);
+    std::vector<RopeLoad> loads = loads_of(given, spans[0].reversed);
+    add_signal(given, loads, path);
     const std::string name = unused(given.name.value_or(given.rope + ".load"));
     for (std::size_t k = 0; k < loads.size(); ++k) {
       // in the deck's order of counting
@@ -141,6 +143,18 @@ class Adder {
   }
 
  private:
+  void add_signal(const GivenLoad& given, std::vector<RopeLoad>& loads, const std::string& path) {
+    if (!given.signal) return;
+    if (!given.tangential && !given.rate) {
+      complaints_.push_back({path + ".signal", "needs 'tangential' or 'rate' beside it, for what is at rest"});
+      return;
+    }
+    if (signals_.empty()) signals_ = signals_of(machine_, complaints_);
+    const Unit& unit = given.rate ? si::N_per_m : si::N;
+    const auto signal = signal_or_constant(*given.signal, unit, signals_, path + ".signal", complaints_);
+    for (RopeLoad& load : loads) load.signal = signal;
+  }
+
   void check_motor(const GivenLoad& given, const Reeving& reeving, const std::string& path) {
     if (given.tangential || given.rate) return;
     const bool driven =
@@ -204,6 +218,7 @@ class Adder {
   const Machine& machine_;
   Model& model_;
   std::vector<Complaint>& complaints_;
+  std::vector<Signal> signals_;
 };
 
 void check_amounts(const GivenLoad& given, const std::string& path, std::vector<Complaint>& complaints) {
