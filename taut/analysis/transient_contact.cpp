@@ -204,7 +204,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   const double damping = m.lines[at(contact.in)].damping;
   const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
   double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
-  if (s.h == 0 && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
+  if (s.h == 0 && s.slip_now == 0 && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
   if (contact.load) {
     is.grip = grip_at_load({is.drop, is.holds}, p.out - p.in, slip);
     return;
