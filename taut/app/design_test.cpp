@@ -176,7 +176,7 @@ TEST(Design, mistakes) {
   expect_mistake(run_text(deck("design: {unknowns: {x: {parameter: ropes.skyline.nonsense, from: 1 m, to: 2 m}}}")),
                  "is not a field there");
   expect_mistake(run_text(deck("design: {unknowns: {x: {parameter: \"points.tail.z\", from: 1 kN, to: 2 m}}}")),
-                 "1 kN");
+                 "is a unit of force");
   expect_mistake(run_text(deck("design: {catalogue: none.csv, ropes: {skyline: {}}}")), "can't read");
 }
 
