@@ -18,16 +18,16 @@ void check(const Contact& c) {
 double capstan(const Contact& c) { return c.friction * c.wrap; }
 
 /// ln of the largest ratio, and whether the groove or the bearing sets it.
-struct Limit {
+struct GripLimit {
   double log = 0;
   bool by_groove = true;
 };
 
-Limit limit_of(const Contact& c) {
+GripLimit limit_of(const Contact& c) {
   const double groove = capstan(c);
   if (!c.turns) return {groove, true};
   const double bearing = -std::log(c.efficiency);
-  return groove < bearing ? Limit{groove, true} : Limit{bearing, false};
+  return groove < bearing ? GripLimit{groove, true} : GripLimit{bearing, false};
 }
 
 double log_ratio(const Contact& c, double T_in, double T_out) {
@@ -42,7 +42,7 @@ double log_ratio(const Contact& c, double T_in, double T_out) {
 
 double largest_ratio(const Contact& contact) {
   check(contact);
-  const Limit limit = limit_of(contact);
+  const GripLimit limit = limit_of(contact);
   return limit.by_groove ? std::exp(limit.log) : 1 / contact.efficiency;
 }
 
