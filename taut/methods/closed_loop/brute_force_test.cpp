@@ -60,7 +60,9 @@ TEST(ClosedLoopChoice, no_smaller_pair_passes_in_200_random_loops) {
     for (const auto& b : all) {
       for (const auto& t : all) {
         const bool same = b.id == ropes.return_rope->id && t.id == ropes.traction_rope->id;
-        if (!same) EXPECT_FALSE(passes(in, b, t)) << i << " " << b.id << " " << t.id;
+        if (!same) {
+          EXPECT_FALSE(passes(in, b, t)) << i << " " << b.id << " " << t.id;
+        }
         if (t.id == ropes.traction_rope->id) break;
       }
       if (b.id == ropes.return_rope->id) break;
