@@ -26,6 +26,16 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
+void add_compare(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("compare", "Run a set of decks and compare their results with published values");
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("set", options->deck, "a folder with compare.part.yaml, or such a file")->required();
+  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV");
+  verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
+  verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
 void add_export(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("export", "Write what a deck computes in another program's format");
   auto format = std::make_shared<std::string>();
@@ -112,6 +122,7 @@ int main(int argc, char** argv) {
   std::function<int()> action;
   add_run(app, action);
   add_check(app, action);
+  add_compare(app, action);
   add_export(app, action);
   add_list(app, action);
   add_texts(app, action);

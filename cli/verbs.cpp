@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "cli/progress.hpp"
+#include "taut/app/compare.hpp"
 #include "taut/app/explain.hpp"
 #include "taut/app/explain_machine.hpp"
 #include "taut/app/job.hpp"
@@ -65,21 +66,17 @@ int write_report(const Result& result, const RunOptions& options) {
 }
 
 /// The job done, with its progress shown on a terminal.
-Result calculated(app::Job& job, const RunOptions& options) {
+Result calculated(app::Job& job, const RunOptions& options, Result (*how)(const app::Job&) = app::run) {
   ProgressLine line(!options.quiet && isatty(STDERR_FILENO) != 0);
   job.set = options.set;
   job.progress = [&line](const app::Progress& progress) { return line(progress); };
-  Result result = app::run(job);
+  Result result = how(job);
   line.clear();
   return result;
 }
 
-}  // namespace
-
-int run(const RunOptions& options) {
-  auto job = app::read_job(options.deck);
-  if (!job) return file_failure(job.error(), options);
-  const Result result = calculated(*job, options);
+/// Shows and writes what was found; the exit code.
+int tell(const Result& result, const RunOptions& options) {
   int code = exit_code(result);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
   if (options.json) {
@@ -93,6 +90,20 @@ int run(const RunOptions& options) {
   if (options.folder.empty() || result.status == Status::bad_deck) return code;
   const int written = write_report(result, options);
   return written == computed ? code : written;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  auto job = app::read_job(options.deck);
+  if (!job) return file_failure(job.error(), options);
+  return tell(calculated(*job, options), options);
+}
+
+int compare(const RunOptions& options) {
+  auto set = app::read_set(options.deck);
+  if (!set) return file_failure(set.error(), options);
+  return tell(calculated(*set, options, app::compare), options);
 }
 
 int export_as(const std::string& format, const RunOptions& options) {

@@ -27,6 +27,7 @@ struct RunOptions {
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.
 int run(const RunOptions& options);
 int check(const RunOptions& options);
+int compare(const RunOptions& options);
 int export_as(const std::string& format, const RunOptions& options);
 int print_new(const std::string& name);
 int print_list(const std::string& what, const app::ListFilter& filter);

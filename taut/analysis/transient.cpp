@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "taut/analysis/transient_damping.hpp"
 #include "taut/analysis/transient_memory.hpp"
@@ -97,31 +98,37 @@ void damp(Run& run) {
 
 }  // namespace
 
-TransientResult transient(const model::Model& model, const TransientOptions& given) {
-  expects(given.duration > 0, "a motion lasts");
-  TransientOptions options = given;
-  if (options.output_step <= 0) options.output_step = options.duration / 1000;
+bool dynamics::open_run(Run& run) {
+  const TransientOptions& options = run.options;
+  const model::Model& model = run.model;
   const bool settles = !options.from && options.start == Start::settled;
-  const DynamicState start = options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model);
-  Run run{.model = model, .options = options};
-  prepare(run, start);
+  prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
   run.result.observed.resize(model.observed.size());
+  run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
+  run.means.resize(model.observed.size());
   run.result.extremes.resize(model.observed.size());
   run.result.ropes.resize(model.reevings.size());
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
-  if (!run.result.outcome.ok()) return run.result;
-  if (options.method == TimeMethod::reference) {
-    options.step = 0;
-    run.result.outcome = reference_refuses(run.m);
-    if (!run.result.outcome.ok()) return run.result;
-  }
-  if (settles) run.result.outcome = settle(run);
-  if (!run.result.outcome.ok()) return run.result;
+  if (!run.result.outcome.ok()) return false;
+  if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
+  if (!run.result.outcome.ok()) return false;
+  if (settles) run.result.outcome = analysis::settle(run);
+  if (!run.result.outcome.ok()) return false;
   damp(run);
+  return true;
+}
+
+TransientResult transient(const model::Model& model, const TransientOptions& given) {
+  expects(given.duration > 0, "a motion lasts");
+  TransientOptions options = given;
+  if (options.output_step <= 0) options.output_step = options.duration / 1000;
+  if (options.method == TimeMethod::reference) options.step = 0;
+  Run run{.model = model, .options = options};
+  if (!open_run(run)) return run.result;
   run.happened.assign(model.events.size(), 0);
-  for (std::size_t i = 0; i < start.happened.size() && i < run.happened.size(); ++i) {
-    run.happened[i] = static_cast<char>(start.happened[i]);
+  for (std::size_t i = 0; i < run.origin.happened.size() && i < run.happened.size(); ++i) {
+    run.happened[i] = static_cast<char>(run.origin.happened[i]);
   }
   run.end = run.before.t + options.duration;
   run.stops = stops_of(model, run.before.t, run.end);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -152,6 +153,7 @@ struct TransientEvent {
 
 struct Extreme {
   double min = 0, max = 0, t_min = 0, t_max = 0, end = 0;
+  double mean = std::numeric_limits<double>::quiet_NaN();  ///< of a measure that has one, over its window
 };
 
 /// A rope over the whole run, at every step of the integrator.

@@ -82,18 +82,6 @@ double rope_tension(const Mechanism& m, const Values& v, int reeving, int* branc
   return largest;
 }
 
-void extend(Extreme& e, double value, double t, bool first) {
-  if (first || value < e.min) {
-    e.min = value;
-    e.t_min = t;
-  }
-  if (first || value > e.max) {
-    e.max = value;
-    e.t_max = t;
-  }
-  e.end = value;
-}
-
 int contact_at(const Mechanism& m, int reeving, int node) {
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (m.contacts[i].reeving == reeving && m.contacts[i].node == node) return static_cast<int>(i);
@@ -114,10 +102,28 @@ Vector3 angles_of(const Matrix3& R) {
   return {std::atan2(R(2, 1), R(2, 2)), ry, std::atan2(R(1, 0), R(0, 0))};
 }
 
+/// As one sees it who stands on another body, in that one's axes.
+double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm, Quantity what) {
+  const Vector3 apart = body.x + arm - seat.x;
+  const Vector3 rate = body.v + body.w.cross(arm) - seat.v - seat.w.cross(apart);
+  const int k = static_cast<int>(what);
+  switch (k / 3) {
+    case static_cast<int>(Quantity::x) / 3:
+      return (seat.R.transpose() * apart)[k % 3];
+    case static_cast<int>(Quantity::vx) / 3:
+      return (seat.R.transpose() * rate)[k % 3];
+    case static_cast<int>(Quantity::rx) / 3:
+      return angles_of(seat.R.transpose() * body.R)[k % 3];
+    default:
+      return (seat.R.transpose() * (body.w - seat.w))[k % 3];
+  }
+}
+
 double observe_place(const Run& run, const Values& v, const model::Observable& what) {
   static const Motion3 still;
   const Motion3& body = what.index < 0 ? still : v.bodies[at(what.index)];
   const Vector3 arm = body.R * what.at;
+  if (what.seen_from >= 0) return observe_from(v.bodies[at(what.seen_from)], body, arm, what.quantity);
   const int k = static_cast<int>(what.quantity);
   const auto in = [&](Quantity first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
   const auto axis = [&](Quantity first) { return k - static_cast<int>(first); };
@@ -208,7 +214,7 @@ double observe_energy(const Run& run, Quantity what) {
 
 }  // namespace
 
-double observe(const Run& run, const Values& v, const model::Observable& what) {
+double observe_as_it_is(const Run& run, const Values& v, const model::Observable& what) {
   if (what.quantity <= Quantity::wz) return observe_place(run, v, what);
   if (what.quantity <= Quantity::length) return observe_rope(run, v, what);
   if (what.quantity <= Quantity::slip) return observe_sheave(run, v, what);
@@ -266,9 +272,15 @@ void record_frame(Run& run, const Values& v) {
 }
 
 void extend_observed(Run& run, const Values& v) {
+  const bool first = run.result.steps == 0;
+  take_references(run, v);
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    extend(run.result.extremes[i], observe(run, v, run.model.observed[i]), v.t, run.result.steps == 0);
+    const model::Observable& what = run.model.observed[i];
+    const double value = observe(run, v, what);
+    extend(run.result.extremes[i], value, v.t, first || (v.t >= what.since && run.last_time < what.since));
+    add_to_mean(run, v, i, value);
   }
+  run.last_time = v.t;
 }
 
 void record_extremes(Run& run, const Values& v) {

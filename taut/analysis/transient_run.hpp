@@ -36,10 +36,29 @@ struct Run {
   double h_last = 0, h_older = 0;
   std::vector<double> T_largest{};  ///< by reeving, N
   std::vector<double> L_first{};    ///< by line, m
+  // of measures
+  struct Mean {
+    double integral = 0, duration = 0;  ///< of the value over time, s
+    double last_t = 0, last_value = 0;
+    bool inside = false;  ///< at the step before
+  };
+  double last_time = -1;            ///< of the step before, s
+  std::vector<double> reference{};  ///< by what is observed; NaN: none yet
+  std::vector<Mean> means{};
 };
 
-/// The value of an observable now.
+/// Builds the mechanism where the motion begins, settles it where the options say so, finds the damping. False with an
+/// outcome in the result.
+bool open_run(Run& run);
+
+/// The value of an observable now; of a measure as its deck wants it seen.
 double observe(const Run& run, const Values& v, const model::Observable& what);
+double observe_as_it_is(const Run& run, const Values& v, const model::Observable& what);
+/// What relative measures relate to, from their `since` on; before the extremes of a step.
+void take_references(Run& run, const Values& v);
+/// Adds the step to the mean of what is observed.
+void add_to_mean(Run& run, const Values& v, std::size_t observed, double value);
+void extend(Extreme& e, double value, double t, bool first);
 
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);

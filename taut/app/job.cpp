@@ -45,6 +45,7 @@ std::string hash_of(const Job& job, const io::Deck& deck) {
   for (const std::string& one : job.set) text += '\n' + one;
   std::set<const io::Source*> seen;
   collect(deck.input, seen, text);
+  collect(deck.parameters, seen, text);
   return fingerprint(text);
 }
 

@@ -44,6 +44,10 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
 Outcome install_guys(const model::Machine& machine, model::Model& model);
 
 Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p);
+
+/// Complains of bodies that turn freely without inertia: they can't move.
+void check_inertia(const model::Model& model, std::vector<Complaint>& complaints);
 
 /// Notes the first failure of a calculation in the result: its status, and `what` before its message.
 void note_failure(Result& r, const Outcome& outcome, const std::string& what);

@@ -63,9 +63,9 @@ const Description& AnalysisRequest::describe() {
           .record(&AnalysisRequest::envelope, "envelope", "worst cases for sizing")
           .record(&AnalysisRequest::sweep, "sweep", "the equilibrium over a number of the deck")
           .record(&AnalysisRequest::transient, "transient", "a motion of the machine")
-          .exactly_one(
-              {"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep", "transient"})
-          .later("modes", "frequencies and modes come with the dynamics");
+          .record(&AnalysisRequest::modes, "modes", "small vibrations: frequencies, damping, shapes")
+          .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep",
+                        "transient", "modes"});
   return d;
 }
 

@@ -7,6 +7,7 @@
 #include "taut/app/analysis_requests.hpp"
 #include "taut/app/checks_deck.hpp"
 #include "taut/app/design_deck.hpp"
+#include "taut/app/modes_deck.hpp"
 #include "taut/app/motion.hpp"
 #include "taut/app/transient_deck.hpp"
 #include "taut/calc/field.hpp"
@@ -47,6 +48,7 @@ struct AnalysisRequest {
   std::optional<EnvelopeRequest> envelope;
   std::optional<SweepRequest> sweep;
   std::optional<TransientRequest> transient;
+  std::optional<ModesRequest> modes;
   static const Description& describe();
 };
 

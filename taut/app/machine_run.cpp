@@ -75,6 +75,7 @@ class Requests {
       if (all[i].transient) {
         run.more.push_back(prepare_transient(*all[i].transient, path + ".transient", names_));
       }
+      if (all[i].modes) run.more.push_back(prepare_modes(*all[i].modes, path + ".modes", names_));
     }
     check_clamps(run);
     return run;

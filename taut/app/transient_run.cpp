@@ -52,6 +52,8 @@ void check_signals(const model::Machine& machine, const model::Model& model, std
   }
 }
 
+}  // namespace
+
 void check_inertia(const model::Model& model, std::vector<Complaint>& complaints) {
   for (const model::Body& body : model.bodies) {
     const bool turns =
@@ -67,6 +69,8 @@ void check_inertia(const model::Model& model, std::vector<Complaint>& complaints
     }
   }
 }
+
+namespace {
 
 /// A cylinder that is ever locked, or moves by a speed, is as stiff as the deck says.
 void check_actuators(const model::Model& model, std::vector<Complaint>& complaints) {

@@ -42,6 +42,23 @@ void add_events(const TransientRun& run, Result& r) {
   r.tables.push_back(std::move(t));
 }
 
+/// What a measure is in one number, under its own name.
+void add_measure(const TransientRun& run, const model::Observable& o, const analysis::Extreme& e, Result& r) {
+  using model::description::Taken;
+  if (o.taken == Taken::automatic) return;
+  const auto [x, words] = o.taken == Taken::mean  ? std::pair{e.mean, "mean"}
+                          : o.taken == Taken::min ? std::pair{e.min, "smallest value"}
+                          : o.taken == Taken::max ? std::pair{e.max, "largest value"}
+                                                  : std::pair{e.end, "value at the end"};
+  const std::string name = o.name + run.ending;
+  if (std::isfinite(x)) {
+    r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {}});
+  } else {
+    r.warnings.push_back(
+        fmt::format("{} has no mean: the motion never comes to where it is taken ({})", o.name, words_of(run)));
+  }
+}
+
 void add_envelope(const TransientRun& run, Result& r) {
   Table t;
   t.name = run.envelope + run.ending;
@@ -61,6 +78,7 @@ void add_envelope(const TransientRun& run, Result& r) {
     value("min", e.min, fmt::format("smallest value, at t = {:.6g} s,", e.t_min));
     value("max", e.max, fmt::format("largest value, at t = {:.6g} s,", e.t_max));
     value("end", e.end, fmt::format("value at the end, t = {:.6g} s,", run.result.t_end));
+    add_measure(run, o, e, r);
   }
   r.tables.push_back(std::move(t));
 }

@@ -10,11 +10,12 @@
 #include "taut/base/suggest.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/override.hpp"
+#include "taut/io/parameters.hpp"
 
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut",  "title",   "method",   "display", "include",
+const std::vector<std::string> deck_keys = {"taut",  "title",   "method",   "display", "include", "parameters",
                                             "input", "machine", "analyses", "checks",  "design"};
 
 void read_format(const Node& root, Diagnostics& mistakes) {
@@ -131,6 +132,7 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   read_format(root, mistakes);
   deck.title = read_title(root, mistakes);
   deck.display = read_display(root, mistakes);
+  if (const Node* parameters = root.find("parameters")) deck.parameters = *parameters;
   deck.is_machine =
       root.find("machine") != nullptr || (root.find("analyses") != nullptr && root.find("method") == nullptr);
   if (deck.is_machine) {
@@ -164,6 +166,7 @@ std::optional<Deck> read_deck(std::string_view text, const std::string& name, co
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
   resolve_includes(*document, mistakes);
   for (const std::string& one : set) override_value(*document, one, mistakes);
+  resolve_parameters(*document, mistakes);
   // a deck that is not even a map has told its one mistake
   if (document->root.kind != Node::Kind::map) {
     read_deck(*document, methods, mistakes);

@@ -17,14 +17,15 @@ struct Deck {
   bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
   std::optional<Node> checks;  ///< of a method's deck: a map with the key `checks` alone
+  Node parameters;  ///< as the deck has them; `input` holds their values already
   Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
                ///< with the keys `machine`, `analyses`, `checks` and `design` alone
 };
 
-/// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, and the keys
-/// `taut`, `title`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to `mistakes`; when
-/// nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read further, to find
-/// more of them; it must not be run.
+/// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
+/// and the keys `taut`, `title`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to
+/// `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read
+/// further, to find more of them; it must not be run.
 ///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
 ///         a name without a folder)
 ///   set: "input.cases[0].falls=6" and so on, in order
@@ -32,7 +33,7 @@ struct Deck {
 std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
                               const std::vector<std::string>& methods, Diagnostics& mistakes);
 
-/// The same from a document whose includes and overrides are done.
+/// The same from a document whose includes, overrides and parameters are done.
 Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes);
 
 }  // namespace taut::io

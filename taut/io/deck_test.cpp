@@ -179,6 +179,18 @@ TEST_F(Include, ALaterOneWinsOverAnEarlierOneAndEachLooksBesideItself) {
   EXPECT_DOUBLE_EQ(t.sample.rope.diameter, 0.004);
 }
 
+TEST_F(Include, AKeyWithAPlusAddsToTheListBelow) {
+  write("a.yaml", "taut: 1\nmethod: closed_loop\ninput:\n  span: 1 m\n  positions: [1 m]\n  rope: {diameter: 4 mm}\n");
+  write("b.yaml", "include: a.yaml\ninput: {positions+: [2 m, 3 m]}\n");
+  write("c.yaml", "input: {positions+: [4 m], cases+: [{name: one}]}\n");
+  const Told t = run("include: [b.yaml, c.yaml]\ninput: {cases+: [{name: two}]}\n");
+  ASSERT_EQ(t.mistakes, 0U) << t.text;
+  EXPECT_EQ(t.sample.positions, (std::vector<double>{1, 2, 3, 4}));
+  ASSERT_EQ(t.sample.cases.size(), 2U);
+  EXPECT_EQ(t.sample.cases[1].name, "two");
+  EXPECT_EQ(run("include: b.yaml\ninput: {positions: [7 m]}\n").sample.positions, std::vector<double>{7});
+}
+
 TEST_F(Include, ValuesKeepTheirOwnFileInMessages) {
   write("a.yaml", "taut: 1\ninput:\n  span: 1\n  spam: 2\n  spam: 3\n");
   const Told t = run("include: a.yaml\nmethod: closed_loop\ninput: {rope: {diameter: 1}}\n");

@@ -103,6 +103,23 @@ class Includer {
   std::size_t bytes_ = 0;
 };
 
+/// "contacts+: [...]" adds to the list `contacts` of the deck below; where it has none this is the list.
+void append_to_list(Node& under, const Entry& more, std::unordered_map<std::string, std::size_t>& index) {
+  const std::string key = more.key.substr(0, more.key.size() - 1);
+  const auto below = index.find(key);
+  if (below == index.end()) {
+    index.emplace(key, under.entries.size());
+    under.entries.push_back({key, more.key_spot, more.value});
+    return;
+  }
+  Node& list = under.entries[below->second].value;
+  if (list.kind != Node::Kind::sequence) {
+    list = more.value;
+  } else {
+    list.items.insert(list.items.end(), more.value.items.begin(), more.value.items.end());
+  }
+}
+
 }  // namespace
 
 Node merge(Node under, const Node& over) {
@@ -110,6 +127,10 @@ Node merge(Node under, const Node& over) {
   std::unordered_map<std::string, std::size_t> index;
   for (std::size_t i = 0; i < under.entries.size(); ++i) index.emplace(under.entries[i].key, i);
   for (const Entry& e : over.entries) {
+    if (e.key.size() > 1 && e.key.back() == '+' && e.value.kind == Node::Kind::sequence) {
+      append_to_list(under, e, index);
+      continue;
+    }
     const auto below = index.find(e.key);
     if (below == index.end()) {
       under.entries.push_back(e);

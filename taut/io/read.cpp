@@ -123,7 +123,8 @@ class FieldReader {
   }
 
   bool is_scalar(const Node& n, std::string_view expected) const {
-    if (n.kind == Node::Kind::scalar) return true;
+    // an expression that is still there has no value, which has been told (parameters.hpp)
+    if (n.kind == Node::Kind::scalar) return n.text.empty() || n.text.front() != '=';
     if (n.kind == Node::Kind::null) {
       wrong(n.spot, fmt::format("there is no value; {} is expected", expected));
     } else {

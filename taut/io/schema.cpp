@@ -56,6 +56,12 @@ void add_range(Json& schema, const Range& range) {
   if (std::isfinite(range.high)) schema[range.high_included ? "maximum" : "exclusiveMaximum"] = range.high;
 }
 
+/// "= 2 * travel": over the deck's parameters.
+const Json& expression() {
+  static const Json pattern = {{"type", "string"}, {"pattern", "^="}};
+  return pattern;
+}
+
 Json one_number(const Field& f) {
   Json choices = Json::array();
   if (f.unit.needs_text()) {
@@ -68,7 +74,8 @@ Json one_number(const Field& f) {
     choices.push_back(std::move(plain));
     choices.push_back({{"type", "string"}, {"pattern", fmt::format("^{}[ \t]*%$", number_pattern)}});
   }
-  return choices.size() == 1 ? choices[0] : Json{{"anyOf", std::move(choices)}};
+  choices.push_back(expression());
+  return {{"anyOf", std::move(choices)}};
 }
 
 Json object(const Description& d, bool whole);
@@ -93,7 +100,7 @@ Json of_kind(const Field& f, bool whole) {
     case FieldKind::whole_number: {
       Json whole_number = {{"type", "integer"}};
       add_range(whole_number, f.range);
-      return whole_number;
+      return {{"anyOf", {std::move(whole_number), expression()}}};
     }
     case FieldKind::flag:
       return {{"type", "boolean"}};
@@ -152,6 +159,8 @@ Json object(const Description& d, bool whole) {
     const std::string words = words_of(f);
     if (!words.empty()) schema["description"] = words;
     add_default(schema, d, f);
+    const bool list = f.kind == FieldKind::records || f.kind == FieldKind::texts || f.kind == FieldKind::numbers;
+    if (list && !whole) properties[f.key + "+"] = schema;  // adds to the list of an included deck
     properties[f.key] = std::move(schema);
     if (f.required) required.push_back(f.key);
   }
@@ -188,6 +197,10 @@ Json top_level(const std::vector<SchemaMethod>& methods) {
           {"include",
            {{"anyOf", {path, Json{{"type", "array"}, {"items", path}}}},
             {"description", "decks whose values hold where this one says nothing"}}},
+          {"parameters",
+           {{"type", "object"},
+            {"additionalProperties", {{"type", {"string", "number", "boolean"}}}},
+            {"description", "named values; a text '= 2 * travel' anywhere in the deck is an expression over them"}}},
           {"input", {{"type", "object"}, {"description", "the data of the method"}}}};
 }
 

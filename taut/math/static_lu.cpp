@@ -94,6 +94,14 @@ int StaticLu::place(int row, int column) const {
   return found->second;
 }
 
+std::vector<double> StaticLu::dense() const {
+  std::vector<double> full(at(size_) * at(size_), 0.0);
+  for (int row = 0; row < size_; ++row) {
+    for (const auto& [column, place] : places_[at(row)]) full[at(row) * at(size_) + at(column)] = values_[at(place)];
+  }
+  return full;
+}
+
 void StaticLu::set_zero() {
   if (!held_) std::fill(values_.begin(), values_.end(), 0.0);
 }

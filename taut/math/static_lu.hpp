@@ -18,6 +18,8 @@ class StaticLu {
   void set_zero();
   std::vector<double>& values() { return held_ ? spare_ : values_; }
   const std::vector<double>& values() const { return values_; }
+  /// What is in `values` as a full matrix, row by row.
+  std::vector<double> dense() const;
 
   /// While held, `values` gives a spare array that nobody reads: the factors stay for more right sides.
   void hold(bool factors);

@@ -7,6 +7,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/model/body_on.hpp"
 #include "taut/model/carriages.hpp"
 #include "taut/model/compile_motion.hpp"
 #include "taut/model/dragged.hpp"
@@ -47,6 +48,7 @@ class Compiler {
     model_.signals = signals_of(machine_, complaints_);
     add_bodies();
     add_body_motion(machine_, model_, complaints_);
+    place_bodies_on_others(machine_, model_, complaints_);
     add_drives(machine_, model_, complaints_);
     for (const auto& given : machine_.carriages) model_.bodies.push_back(body_of(given));
     if (complaints_.empty()) {

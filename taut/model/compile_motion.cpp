@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "taut/model/measures.hpp"
 #include "taut/model/motion_links.hpp"
 #include "taut/model/observable.hpp"
 #include "taut/model/signals_of.hpp"
@@ -289,11 +290,13 @@ void add_motion(const Machine& machine, const Links& links, Model& model, Compla
   add_contacts(machine, links, model, complaints);
   add_actuators(machine, links, model, complaints);
   add_tensioners(machine, model, complaints);
+  add_measures(machine, links, model, complaints);
   for (std::size_t i = 0; i < machine.observe.size(); ++i) {
     const auto found = observable(machine.observe[i], model, links, fmt::format("observe[{}]", i), complaints);
     if (found) model.observed.push_back(*found);
   }
   if (machine.observe.empty()) model.observed = usual_observables(model);
+  observe_measures(model);
   for (std::size_t i = 0; i < machine.events.size(); ++i) {
     model.events.push_back(event_of(machine.events[i], model, links, fmt::format("events[{}]", i), complaints));
   }

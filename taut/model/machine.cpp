@@ -38,7 +38,9 @@ const Description& Machine::describe() {
           .record(&Machine::tensioners, "tensioners", "lengths of ropes changed by a signal")
           .record(&Machine::events, "events", "what happens at a time or on a condition, in a transient")
           .field(&Machine::observe, "observe",
-                 "what a transient writes down: car.z, skyline.T_max, ext[2].T; without it the usual quantities");
+                 "what a transient writes down: car.z, skyline.T_max, ext[2].T; without it the usual quantities")
+          .named_records(&Machine::measures, "measures",
+                         "quantities of a motion under names of their own, written down beside what 'observe' names");
   return d;
 }
 
@@ -103,7 +105,10 @@ const Description& Body::describe() {
           .field(&Body::inertia, "inertia", "J", si::kg_m2,
                  "about the centre of mass: one for all axes, or Ixx, Iyy, Izz; statics does not depend on it")
           .at_least(0)
-          .record(&Body::motion, "motion", "how it is driven; statics takes its place at the start");
+          .record(&Body::motion, "motion", "how it is driven; statics takes its place at the start")
+          .field(
+              &Body::on, "on",
+              "the body in whose frame, as it is at the start, its place, axes and guide are given; else the ground's");
   return d;
 }
 

@@ -6,6 +6,7 @@
 
 #include "taut/calc/field.hpp"
 #include "taut/model/beam_keys.hpp"
+#include "taut/model/measure_keys.hpp"
 #include "taut/model/motion_keys.hpp"
 
 /// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
@@ -44,6 +45,7 @@ struct Body {
   std::optional<Triple> guide;    ///< direction of the one slide it moves on
   std::vector<double> inertia;    ///< about the centre of mass: one for all axes, or Ixx, Iyy, Izz, kg m2; for dynamics
   std::optional<BodyMotion> motion;
+  std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
   static const Description& describe();
 };
 
@@ -262,6 +264,7 @@ struct Machine {
   std::vector<description::Tensioner> tensioners;
   std::vector<description::Event> events;
   std::vector<std::string> observe;
+  std::vector<description::Measure> measures;
   static const Description& describe();
 };
 

@@ -171,6 +171,8 @@ struct Model {
   std::vector<Tensioner> tensioners;
   std::vector<Event> events;
   std::vector<Observable> observed;
+  std::vector<Observable> measures;      ///< by their names; each is observed too
+  std::vector<Observable> mean_windows;  ///< quantities that say where means are taken
   std::vector<Beam> beams;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/math/vector.hpp"
+#include "taut/model/measure_keys.hpp"
 #include "taut/model/motion_keys.hpp"
 #include "taut/model/signal.hpp"
 
@@ -159,6 +160,16 @@ struct Observable {
   int index = -1;  ///< body (-1: ground), reeving, drum, contact, actuator or signal, as the quantity needs it
   int part = -1;   ///< of a rope: the branch, from 0; of a sheave: its node
   Vector3 at = Vector3::Zero();  ///< of a place: in its body's frame, m
+  // of a measure
+  int seen_from = -1;  ///< body in whose axes a place or a rotation is seen; -1: the ground
+  double factor = 1, offset = 0;
+  double since = 0;  ///< s
+  description::Relative relative = description::Relative::none;
+  description::Taken taken = description::Taken::automatic;  ///< automatic: nothing stands under its own name
+  int slot = -1;                                             ///< of a measure: its place among what is observed
+  bool has_mean = false;                                     ///< while the quantity `mean_of` lies from .. to
+  double mean_from = 0, mean_to = 0;
+  int mean_of = -1;  ///< index in Model::mean_windows; -1: the time
 };
 
 struct Condition {

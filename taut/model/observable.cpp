@@ -93,8 +93,8 @@ class Resolver {
   /// Empty, with `reason`, when there is nothing of this kind.
   std::optional<Observable> resolve() {
     for (const auto attempt :
-         {&Resolver::signal, &Resolver::energy, &Resolver::body, &Resolver::rope, &Resolver::sheave, &Resolver::drum,
-          &Resolver::contact, &Resolver::actuator, &Resolver::place}) {
+         {&Resolver::measure, &Resolver::signal, &Resolver::energy, &Resolver::body, &Resolver::rope, &Resolver::sheave,
+          &Resolver::drum, &Resolver::contact, &Resolver::actuator, &Resolver::place}) {
       if (auto found = (this->*attempt)()) return found;
       if (!reason.empty()) return std::nullopt;
     }
@@ -118,6 +118,10 @@ class Resolver {
     return std::nullopt;
   }
 
+  std::optional<Observable> measure() {
+    const int i = index_of(model_.measures, text_);
+    return i < 0 ? std::nullopt : std::optional(model_.measures[static_cast<std::size_t>(i)]);
+  }
   std::optional<Observable> signal() {
     const int i = index_of(model_.signals, text_);
     if (i < 0) return std::nullopt;
@@ -181,7 +185,8 @@ class Resolver {
     const auto add = [&](const auto& all) {
       for (const auto& one : all) names.push_back(one.name);
     };
-    add(model_.signals), add(model_.bodies), add(model_.reevings), add(model_.drums), add(model_.contacts);
+    add(model_.measures), add(model_.signals), add(model_.bodies), add(model_.reevings), add(model_.drums),
+        add(model_.contacts);
     add(model_.actuators);
     for (const Reeving& rope : model_.reevings) add(rope.nodes);
     return names;

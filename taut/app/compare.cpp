@@ -1,0 +1,302 @@
+#include "taut/app/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "taut/app/fingerprint.hpp"
+#include "taut/io/include.hpp"
+#include "taut/io/override.hpp"
+#include "taut/io/parameters.hpp"
+#include "taut/io/read.hpp"
+#include "taut/units/display.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::app {
+
+const Description& ComparedValue::describe() {
+  static const Description d =
+      Describe<ComparedValue>()
+          .field(&ComparedValue::what, "what", "in words")
+          .required()
+          .field(&ComparedValue::deck, "deck", "the deck, beside this file")
+          .required()
+          .field(&ComparedValue::value, "value", "name of the result value")
+          .required()
+          .field(&ComparedValue::published, "published", "as the source prints it, with its unit")
+          .field(&ComparedValue::tolerance, "tolerance", "'2 %' of the published value, or a quantity")
+          .field(&ComparedValue::reference, "reference", "of another calculation with the same data, with its unit")
+          .field(&ComparedValue::reference_tolerance, "reference_tolerance", "'2 %' of the reference, or a quantity")
+          .field(&ComparedValue::set, "set", "values put over the deck's, as with --set")
+          .field(&ComparedValue::note, "note", "a remark");
+  return d;
+}
+
+const Description& ComparedSet::describe() {
+  static const Description d = Describe<ComparedSet>()
+                                   .field(&ComparedSet::source, "source", "where the values are published")
+                                   .required()
+                                   .record(&ComparedSet::values, "values", "what is compared")
+                                   .required()
+                                   .field(&ComparedSet::errata, "errata", "mistakes of the source, in words");
+  return d;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// Reads the set: everything around `compare` as in a deck.
+ComparedSet read_compared(const Job& job, io::Document& document, Result& r) {
+  ComparedSet set;
+  auto parsed = io::parse(job.text, job.name);
+  if (!parsed) {
+    r.errors = parsed.error();
+    return set;
+  }
+  document = std::move(*parsed);
+  r.errors = document.mistakes;
+  io::resolve_includes(document, r.errors);
+  for (const std::string& one : job.set) io::override_value(document, one, r.errors);
+  io::resolve_parameters(document, r.errors);
+  io::Node inner = document.root;
+  const io::Entry* compare = document.root.find_entry("compare");
+  for (const io::Entry& e : document.root.entries) {
+    const bool known =
+        e.key == "taut" || e.key == "title" || e.key == "display" || e.key == "compare" || e.key == "parameters";
+    if (!known)
+      io::add(r.errors, e.key_spot,
+              fmt::format("{} is not a key of a set; it has taut, title, compare", io::in_quotes(e.key)));
+    if (e.key == "title" && e.value.kind == io::Node::Kind::scalar) r.title = e.value.text;
+  }
+  if (compare == nullptr) {
+    io::add(r.errors, document.root.spot, "there is nothing to compare: 'compare' has 'source' and 'values'");
+    return set;
+  }
+  io::read(compare->value, ComparedSet::describe(), &set, "compare", r.errors);
+  return set;
+}
+
+/// The results of the decks, each computed once.
+class DeckRuns {
+ public:
+  DeckRuns(const Job& set, std::size_t count) : set_(set), folder_(fs::path(set.name).parent_path()), count_(count) {}
+
+  const Result& of(const ComparedValue& one, const io::Spot& spot, Result& r) {
+    const std::string key = fmt::format("{}\n{}", one.deck, fmt::join(one.set, "\n"));
+    const auto known = all_.find(key);
+    if (known != all_.end()) return known->second;
+    Result& made = all_[key];
+    const auto job = read_job((folder_ / one.deck).string());
+    if (!job) {
+      io::add(r.errors, spot, job.error().message);
+      return made;
+    }
+    Job run_job = *job;
+    run_job.set = one.set;
+    const double before = static_cast<double>(all_.size() - 1) / static_cast<double>(count_);
+    if (set_.progress) {
+      run_job.progress = [this, before, &one](const Progress& p) {
+        return set_.progress({one.deck, before + p.done / static_cast<double>(count_), p.words});
+      };
+    }
+    made = run(run_job);
+    for (const Diagnostic& d : made.errors) r.errors.push_back(d);
+    r.interrupted = r.interrupted || made.interrupted;
+    hashes += made.deck_hash;
+    return made;
+  }
+
+  std::string hashes;
+
+ private:
+  const Job& set_;
+  fs::path folder_;
+  std::size_t count_;
+  std::map<std::string, Result> all_;
+};
+
+/// A quantity of the set, NaN with a mistake at its place.
+double set_quantity(const std::optional<std::string>& text, const Unit& unit, const io::Node& at, const char* key,
+                    Result& r) {
+  if (!text) return no_value;
+  const auto x = parse_quantity(*text, unit);
+  if (x) return *x;
+  const io::Node* node = at.find(key);
+  io::add(r.errors, node != nullptr ? node->spot : at.spot, fmt::format("{}: {}", key, x.error().message));
+  return no_value;
+}
+
+/// "2 %" of a value, or a quantity of its kind.
+double tolerance_of(const std::optional<std::string>& text, double value, const Unit& unit, const io::Node& at,
+                    const char* key, Result& r) {
+  if (text && !text->empty() && text->back() == '%') {
+    const auto share = parse_quantity(*text, si::one);
+    if (share) return *share * std::abs(value);
+  }
+  return set_quantity(text, unit, at, key, r);
+}
+
+struct ComparedRow {
+  std::string what, deck, note, message;
+  Unit unit;
+  double value = no_value, published = no_value, tolerance = no_value, reference = no_value,
+         reference_tolerance = no_value;
+
+  static bool within(double x, double of, double by) { return std::abs(x - of) <= by * (1 + 1e-12); }
+  bool demanded() const { return !std::isnan(tolerance) || !std::isnan(reference_tolerance); }
+  bool near_published() const { return std::isnan(tolerance) || within(value, published, tolerance); }
+  bool near_reference() const {
+    return std::isnan(reference_tolerance) || within(value, reference, reference_tolerance);
+  }
+};
+
+std::string verdict_of_row(const ComparedRow& row) {
+  if (std::isnan(row.value)) return row.message;
+  if (!row.demanded()) return "shown only";
+  if (row.near_published() && row.near_reference()) return "agrees";
+  if (!row.near_published() && !row.near_reference()) return "off both";
+  return row.near_reference() ? "off the published value" : "off the reference";
+}
+
+std::string shown_value(const Display& display, double x, const Unit& unit) {
+  return std::isnan(x) ? "" : display.quantity(x, unit);
+}
+
+std::string deviation_text(const Display& display, double x, double of, double by, const Unit& unit) {
+  if (std::isnan(x) || std::isnan(of)) return "";
+  std::string share =
+      of != 0 ? fmt::format("{:+.2g} %", 100 * (x - of) / std::abs(of)) : display.quantity(x - of, unit);
+  if (std::isnan(by)) return share;
+  return of != 0 ? fmt::format("{} (may {:.2g} %)", share, 100 * by / std::abs(of)) : share;
+}
+
+void add_compared_table(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
+  Table t;
+  t.name = "compared";
+  t.title = "Published, reference, and what taut gives";
+  t.columns = {{"what", si::one},         {"published", si::one},    {"reference", si::one}, {"taut", si::one},
+               {"to_published", si::one}, {"to_reference", si::one}, {"verdict", si::one},   {"note", si::one}};
+  for (const ComparedRow& row : rows) {
+    t.rows.push_back({row.what, shown_value(display, row.published, row.unit),
+                      shown_value(display, row.reference, row.unit), shown_value(display, row.value, row.unit),
+                      deviation_text(display, row.value, row.published, row.tolerance, row.unit),
+                      deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit),
+                      verdict_of_row(row), row.note});
+  }
+  r.tables.push_back(std::move(t));
+}
+
+void add_compared_checks(const std::vector<ComparedRow>& rows, const std::string& source, Result& r) {
+  for (const ComparedRow& row : rows) {
+    const auto add = [&](const std::string& to, double of, double by, const std::string& rule) {
+      if (std::isnan(by)) return;
+      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), Sense::at_most, by,
+                                    row.unit, rule, "user"));
+    };
+    add("to the published value", row.published, row.tolerance, source);
+    add("to the reference", row.reference, row.reference_tolerance, "reference of the set");
+  }
+}
+
+void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
+  Plot p;
+  p.name = "deviations";
+  p.title = "Deviations";
+  p.caption = "By the row of the table; results over the published value and over the reference.";
+  p.x = {"row of the table", si::one};
+  p.y = {"result over it", si::one};
+  Curve published{"published", {}, {}, false, true}, reference{"reference", {}, {}, false, true};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto add = [&](Curve& c, double of) {
+      if (std::isnan(rows[i].value) || std::isnan(of) || of == 0) return;
+      c.x.push_back(static_cast<double>(i + 1));
+      c.y.push_back(rows[i].value / of);
+    };
+    add(published, rows[i].published);
+    add(reference, rows[i].reference);
+  }
+  for (Curve* c : {&published, &reference}) {
+    if (!c->x.empty()) p.curves.push_back(std::move(*c));
+  }
+  p.marks.push_back({0, 1, "the same", true, false});
+  if (!p.curves.empty()) r.figures.emplace_back(std::move(p));
+}
+
+ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Result& of, Result& r) {
+  ComparedRow row;
+  row.what = one.what;
+  row.deck = one.deck;
+  row.note = one.note.value_or("");
+  const Value* value = of.find_value(one.value);
+  if (value == nullptr) {
+    row.message = of.status == Status::ok ? fmt::format("no value '{}'", one.value) : of.message;
+    // whatever was demanded of it fails
+    if (one.tolerance) row.tolerance = 0;
+    if (one.reference_tolerance) row.reference_tolerance = 0;
+    return row;
+  }
+  row.unit = value->unit;
+  row.value = value->value;
+  row.published = set_quantity(one.published, row.unit, at, "published", r);
+  row.reference = set_quantity(one.reference, row.unit, at, "reference", r);
+  row.tolerance = tolerance_of(one.tolerance, row.published, row.unit, at, "tolerance", r);
+  row.reference_tolerance =
+      tolerance_of(one.reference_tolerance, row.reference, row.unit, at, "reference_tolerance", r);
+  if (of.status != Status::ok) row.message = of.message;
+  return row;
+}
+
+}  // namespace
+
+Result compare(const Job& job) {
+  Result r;
+  r.method = "compare";
+  r.method_title = "Comparison of a set of decks with published values";
+  r.deck_name = job.name;
+  io::Document document;
+  const ComparedSet set = read_compared(job, document, r);
+  std::vector<ComparedRow> rows;
+  DeckRuns runs(job, set.values.size());
+  if (r.errors.empty()) {
+    for (std::size_t i = 0; i < set.values.size() && !r.interrupted; ++i) {
+      const io::Node& at = *io::follow(document.root, fmt::format("compare.values[{}]", i)).node;
+      const Result& of = runs.of(set.values[i], at.spot, r);
+      rows.push_back(compared_row(set.values[i], at, of, r));
+    }
+  }
+  if (r.title.empty()) r.title = r.method_title;
+  if (!r.errors.empty()) {
+    r.status = Status::bad_deck;
+    r.message = r.errors.size() == 1 ? "there is a mistake" : fmt::format("there are {} mistakes", r.errors.size());
+    return r;
+  }
+  if (r.interrupted) {
+    r.status = Status::not_converged;
+    r.message = fmt::format("interrupted after {} of {} values", rows.size(), set.values.size());
+  }
+  r.source = set.source;
+  r.deck_hash = fingerprint(job.text + runs.hashes);
+  add_compared_table(rows, Display(), r);
+  add_compared_checks(rows, set.source, r);
+  add_deviation_plot(rows, r);
+  for (const ComparedRow& row : rows) {
+    if (!row.message.empty()) r.warnings.push_back(fmt::format("{}: {}", row.deck, row.message));
+  }
+  for (const std::string& erratum : set.errata)
+    r.assumptions.push_back(fmt::format("Erratum of the source: {}", erratum));
+  return r;
+}
+
+tl::expected<Job, FileError> read_set(const std::string& path) {
+  std::error_code failed;
+  const bool folder = fs::is_directory(path, failed);
+  return read_job(folder ? (fs::path(path) / "compare.part.yaml").string() : path);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,103 @@
+#include "taut/app/compare.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "taut/app/machine_decks_test.hpp"
+
+namespace taut_test::compare_test {
+
+namespace fs = std::filesystem;
+
+/// A folder with a deck of a weight on a rope, 9806.65 N, and a set.
+class Compare : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / fmt::format("taut_compare_{}", info->name());
+    fs::create_directories(folder_);
+    write("hanging.yaml", R"(taut: 1
+parameters: {mass: 1 t}
+machine:
+  points: {top: [0 m, 0 m, 10 m]}
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 MN}}
+  bodies: {hook: {mass: = mass, at: [0 m, 0 m, 5 m], free: [x, z]}}
+  reevings: [{rope: line, path: [{anchor: top}, {anchor: hook}], length: 5 m}]
+)");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  taut::Result run(const std::string& values) {
+    write("compare.part.yaml",
+          "taut: 1\ntitle: A set\ncompare:\n  source: a paper\n  values:\n" + values + "  errata: [the paper errs]\n");
+    const auto job = taut::app::read_set(folder_.string());
+    EXPECT_TRUE(job.has_value());
+    return taut::app::compare(*job);
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Compare, PutsPublishedReferenceAndResultBesideEachOther) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %, reference: 9807 N, "
+          "reference_tolerance: 1 N}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_max, published: 9 kN, tolerance: 1 kN, set: [parameters.mass=2 "
+          "t]}\n"
+          "    - {what: c, deck: hanging.yaml, value: T_max, published: 9 kN}\n"
+          "    - {what: d, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %, reference: 9 kN, "
+          "reference_tolerance: 1 %}\n");
+  ASSERT_EQ(r.status, taut::Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(r.title, "A set");
+  EXPECT_EQ(exit_code(r), 4);
+  const taut::Table& t = table_of(r, "compared");
+  EXPECT_EQ(text_cell(t, 0, "verdict"), "agrees");
+  EXPECT_EQ(text_cell(t, 0, "taut").substr(0, 5), "9.806");
+  EXPECT_EQ(text_cell(t, 0, "to_published"), "+0.068 % (may 1 %)");
+  EXPECT_EQ(text_cell(t, 1, "verdict"), "off the published value");
+  EXPECT_EQ(text_cell(t, 1, "taut"), "19.613 kN");
+  EXPECT_EQ(text_cell(t, 2, "verdict"), "shown only");
+  EXPECT_EQ(text_cell(t, 3, "verdict"), "off the reference");
+  ASSERT_EQ(r.checks.size(), 5U);
+  EXPECT_TRUE(r.checks[0].passes);
+  EXPECT_TRUE(r.checks[1].passes);
+  EXPECT_FALSE(r.checks[2].passes);
+  EXPECT_TRUE(r.checks[3].passes);
+  EXPECT_FALSE(r.checks[4].passes);
+  ASSERT_EQ(r.assumptions.size(), 1U);
+  EXPECT_EQ(r.assumptions[0], "Erratum of the source: the paper errs");
+}
+
+TEST_F(Compare, WhatIsMissingFails) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_least, published: 9 kN, tolerance: 1 %}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_least, published: 9 kN}\n");
+  EXPECT_EQ(exit_code(r), 4);
+  ASSERT_EQ(r.checks.size(), 1U);
+  EXPECT_FALSE(r.checks[0].passes);
+  EXPECT_EQ(text_cell(table_of(r, "compared"), 0, "verdict"), "no value 'T_least'");
+}
+
+TEST_F(Compare, MistakesAreToldAtTheirPlace) {
+  const auto told = [&](const std::string& values) { return to_text(run(values).errors); };
+  EXPECT_NE(told("    - {what: a, deck: hung.yaml, value: T_max}\n").find("error: can't read"), std::string::npos);
+  EXPECT_NE(
+      told("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n").find("6:62: error: published: "),
+      std::string::npos)
+      << told("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n");
+  EXPECT_NE(told("    - {what: a, deck: hanging.yaml}\n").find("lacks 'value'"), std::string::npos);
+  EXPECT_NE(told("    - {what: a, deck: hanging.yaml, value: T_max, set: [machine.gravty=1]}\n").find("gravty"),
+            std::string::npos);
+  write("other.part.yaml", "taut: 1\nmethod: x\n");
+  const auto job = taut::app::read_set((folder_ / "other.part.yaml").string());
+  ASSERT_TRUE(job);
+  const std::string text = to_text(taut::app::compare(*job).errors);
+  EXPECT_NE(text.find("'method' is not a key of a set"), std::string::npos) << text;
+  EXPECT_NE(text.find("there is nothing to compare"), std::string::npos) << text;
+  EXPECT_FALSE(taut::app::read_set((folder_ / "nowhere").string()));
+}
+
+}  // namespace taut_test::compare_test

@@ -1,0 +1,23 @@
+#include "taut/app/modes_deck.hpp"
+
+namespace taut::app {
+
+const Description& ModesRequest::describe() {
+  using Start = TransientRequest::Start;
+  static const Description d =
+      Describe<ModesRequest>()
+          .field(&ModesRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&ModesRequest::count, "count", "n", si::one, "how many, the lowest first")
+          .at_least(1)
+          .at_most(400)
+          .choice(&ModesRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
+                  "settled: about the equilibrium at rest; assembled: places and lengths as described")
+          .field(&ModesRequest::damping_ratio, "damping_ratio", "zeta", si::one,
+                 "of ropes that give none: of the lowest mode in which the rope stretches")
+          .at_least(0)
+          .at_most(10)
+          .field(&ModesRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia");
+  return d;
+}
+
+}  // namespace taut::app

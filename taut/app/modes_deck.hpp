@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "taut/app/transient_deck.hpp"
+#include "taut/calc/field.hpp"
+
+namespace taut::app {
+
+/// Small vibrations of the machine about where its motion would begin.
+struct ModesRequest {
+  std::optional<std::string> name;  ///< ending of its tables' names
+  int count = 10;
+  TransientRequest::Start start = TransientRequest::Start::settled;
+  double damping_ratio = 0;
+  bool rope_mass = true;
+  static const Description& describe();
+};
+
+}  // namespace taut::app

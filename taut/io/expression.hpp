@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "taut/units/any_quantity.hpp"
+#include "taut/units/dimension.hpp"
+
+namespace taut::io {
+
+/// A number with its dimension, SI. An angle is a plain number that may stand where an angle is asked for.
+struct Measure {
+  double value = 0;
+  Dimension dimension;
+  bool is_angle = false;
+};
+
+/// What a name stands for, or why it stands for nothing.
+using NameMeaning = std::function<tl::expected<Measure, std::string>(std::string_view name)>;
+
+/// The value of an arithmetic text: quantities with their units ("9 m", "3.5 kN/m"), names, + - * / ^ and parentheses,
+/// `pi`, and the functions sqrt abs min max sin cos tan asin acos atan atan2. Sums take equal dimensions (an angle and
+/// a plain number differ), a power a whole exponent, sin, cos and tan an angle. What follows a number and is the name
+/// of a unit is its unit: names that are units mean nothing here. Errors point into the text; parentheses at most 64
+/// deep.
+tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning);
+
+/// Whether `name` can stand for a value: letters, digits and _, no digit first; neither a unit nor a function.
+bool is_free_name(std::string_view name);
+
+/// The value as a deck writes it, with its SI unit and every digit: "0.95 m", "1200 kg m^2", "0.3"; an angle in rad.
+/// Empty when it has a fraction of a dimension, such as the square root of a length.
+std::string to_text(const Measure& measure);
+
+}  // namespace taut::io
