@@ -72,6 +72,18 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
   });
 }
 
+constexpr double slack_share = 1e-6;  ///< of its stiffness that a slack branch keeps in derivatives
+
+/// A branch without tension does not answer to its rope. Where it lies on both sides of a taut one, their two contacts
+/// would not know which of them passes rope on: neither does, by the little stiffness that is left in the derivatives.
+void keep_slack_apart(Mechanism& m, const Contact& contact, const Values& now) {
+  double spare = 0;
+  for (const int line : {contact.in, contact.out}) {
+    if (now.lines[at(line)].T <= 0) spare += m.lines[at(line)].stiffness / now.lines[at(line)].L;
+  }
+  if (spare > 0) m.solver.values()[at(contact.row[own_column(m, contact)])] -= slack_share * spare;
+}
+
 void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
@@ -96,6 +108,7 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, 
       tension_row(m, contact, w, 1, 1, 0);
       break;
   }
+  keep_slack_apart(m, contact, now);
 }
 
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
