@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/app/machine_decks_test.hpp"
+#include "test/paths.hpp"
 
 namespace mast_checks_test {
 
@@ -173,6 +174,21 @@ TEST(MastChecks, SteppedMastWithTwoCasesTogether) {
   EXPECT_GT(std::abs(cell(t, 1, "M_y")), 180e3);
   EXPECT_LT(std::abs(cell(t, 1, "M_y")), 280e3);
   EXPECT_NEAR(cell(t, 1, "height"), 6, 1e-9);
+}
+
+TEST(MastChecks, ExamplesDoWhatTheySay) {
+  const auto run_example = [](const char* name) {
+    const auto job = taut::app::read_job((source_dir() / "examples/design" / name).string());
+    EXPECT_TRUE(job) << name;
+    return job ? taut::app::run(*job) : taut::Result{};
+  };
+  const taut::Result yarder = run_example("yarder_mast.yaml");
+  EXPECT_EQ(exit_code(yarder), 0) << yarder.message << to_text(yarder.errors);
+  EXPECT_LT(check_of(yarder, "mast.section").value, 1);
+  EXPECT_EQ(check_of(yarder, "return.spar_rating").part, "return");
+  const taut::Result both = run_example("mast_case_a.yaml");
+  EXPECT_EQ(exit_code(both), 4) << "with factors the tube is too small by either route";
+  EXPECT_NEAR(check_of(both, "plain.member").value, 0.608284, 1e-5);
 }
 
 TEST(MastChecks, MistakesHaveTheirPlace) {
