@@ -343,8 +343,8 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     if (mistakes.size() > before) return {};
   }
   // a rope that is free is read as the first of its candidates
-  const auto first =
-      std::make_shared<MachineDeck>(with_choice(*deck, space, std::vector<std::size_t>(space.ropes.size(), 0)));
+  const auto first = std::make_shared<MachineDeck>(
+      with_choice(*deck, space, std::vector<std::size_t>(space.ropes.size() + space.sections.size(), 0)));
   auto model = model::compile(first->machine);
   if (!model) {
     place_in_machine(input, model.error(), mistakes);
