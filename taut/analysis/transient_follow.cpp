@@ -185,6 +185,22 @@ void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work&
   is.flow = is.roll_rate + is.slip_rate;
 }
 
+/// The flow that counts for the thrust of the rope. In very short steps a rate is noise over nothing: it would drive
+/// the tensions, and they the rate. So it follows within the time in which that can't grow.
+void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
+  constexpr double calm = 20, least_speed = 1;
+  const Contact& contact = m.contacts[i];
+  const ContactValues& was = before.contacts[i];
+  ContactValues& is = now.contacts[i];
+  if (contact.mass == 0) return;
+  double stiffness = 0;
+  for (const int line : {contact.in, contact.out}) {
+    if (line >= 0) stiffness += m.lines[at(line)].stiffness / before.lines[at(line)].L;
+  }
+  const double time = calm * contact.mass * std::max(least_speed, std::abs(was.steady)) / stiffness;
+  is.steady = was.steady + s.h / (s.h + time) * (is.flow - was.steady);
+}
+
 void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now) {
   const Line& line = m.lines[i];
   LineValues& is = now.lines[i];
@@ -199,7 +215,7 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
       if (line.contact[end] >= 0) {
         const ContactValues& contact = now.contacts[at(line.contact[end])];
         flows += (end == 0 ? 1 : -1) * contact.flow;
-        is.thrust[end] = m.contacts[at(line.contact[end])].mass * contact.lambda * contact.flow * contact.flow;
+        is.thrust[end] = m.contacts[at(line.contact[end])].mass * contact.lambda * contact.steady * contact.steady;
       }
       if (line.body[end] < 0) continue;
       const Motion3& body = now.bodies[at(line.body[end])];
@@ -297,6 +313,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     bound(m, s, before, i, now);
     flow(m, s, before, w, i, now);
+    steady_flow(m, s, before, i, now);
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, i, now);
   follow_couples(m, s, before, now);

@@ -56,8 +56,8 @@ void walk_line(W& w, LineValues& l) {
 
 template <class W>
 void walk_contact(W& w, ContactValues& c) {
-  for (double* one : {&c.rolled, &c.slipped, &c.flow, &c.roll_rate, &c.slip_rate, &c.slip_mean, &c.wrap, &c.log_ratio,
-                      &c.log_by_wrap, &c.ratio, &c.lambda, &c.winding}) {
+  for (double* one : {&c.rolled, &c.slipped, &c.flow, &c.steady, &c.roll_rate, &c.slip_rate, &c.slip_mean, &c.wrap,
+                      &c.log_ratio, &c.log_by_wrap, &c.ratio, &c.lambda, &c.winding}) {
     w.number(*one);
   }
   w.whole(c.entry);

@@ -12,6 +12,7 @@ struct ContactValues {
   double rolled = 0;     ///< rope passed by the rim's own turning, m
   double slipped = 0;    ///< beyond that, m: passed = rolled + slipped
   double flow = 0;       ///< m/s
+  double steady = 0;     ///< the same without what comes and goes at once: for the rope's momentum, m/s
   double roll_rate = 0;  ///< of the rim: R omega/lambda, m/s
   double slip_rate = 0;  ///< of `slipped`, m/s
   double slip_mean = 0;  ///< the same, mean of the last step
