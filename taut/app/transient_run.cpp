@@ -88,17 +88,10 @@ void check_actuators(const model::Model& model, std::vector<Complaint>& complain
 }
 
 /// What rope loads and take-up weights need in motion.
-void check_rope_loads(const TransientRequest& request, const Preparation& p, std::vector<Complaint>& complaints) {
+void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < p.deck.machine.rope_loads.size(); ++i) {
-    const auto& load = p.deck.machine.rope_loads[i];
-    const std::string path = fmt::format("machine.rope_loads[{}]", i);
-    if (!load.tangential && !load.rate) {
-      complaints.push_back({path, "a motion needs its amount: 'tangential' or 'rate'"});
-    }
-    for (const model::Reeving& rope : p.model.reevings) {
-      if (rope.name != load.rope || (request.rope_mass && rope.weight > 0)) continue;
-      complaints.push_back({path, "in motion the rope on which it acts needs its mass"});
-    }
+    complaints.push_back({fmt::format("machine.rope_loads[{}]", i),
+                          "forces along a rope are not computed in motion yet: take it out of the transient's deck"});
   }
   for (std::size_t i = 0; i < p.deck.machine.take_up.size(); ++i) {
     const auto& given = p.deck.machine.take_up[i];
@@ -125,7 +118,7 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   check_signals(p.deck.machine, p.model, complaints);
   check_inertia(p.model, complaints);
   check_actuators(p.model, complaints);
-  check_rope_loads(request, p, complaints);
+  check_rope_loads(p, complaints);
   if (request.hoist_factor) reeving_of(p, request.hoist_factor->rope, path + ".hoist_factor.rope");
 }
 

@@ -79,7 +79,7 @@ const Description& RopeLoad::describe() {
           .field(&RopeLoad::between, "between", "two neighbours of its path")
           .required()
           .field(&RopeLoad::tangential, "tangential", "F", si::N,
-                 "force along the rope; without it and 'rate': what the motor's torque overcomes")
+                 "force along the rope, in statics; without it and 'rate': what the motor's torque overcomes")
           .at_most(strongest)
           .at_least(0)
           .field(&RopeLoad::rate, "rate", "q", si::N_per_m,
@@ -92,8 +92,6 @@ const Description& RopeLoad::describe() {
                    {"along_path", RopeLoadDirection::along_path},
                    {"against_path", RopeLoadDirection::against_path}},
                   "of the force on the rope; at rest the motion is 'in'")
-          .field(&RopeLoad::signal, "signal",
-                 "what the force, or the rate, is over time in a motion; else counts 'tangential' or 'rate'")
           .field(&RopeLoad::position, "position", "", si::one,
                  "share of the span's rope from the first of 'between' to the force; without it 0.5")
           .above(0)

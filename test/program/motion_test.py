@@ -234,6 +234,22 @@ class Motion(unittest.TestCase):
             self.assertIn("timestep=\"0.5\"", (pathlib.Path(folder) / "motion.pvd").read_text())
             self.assertEqual(taut("export", "stl", "-", "-o", folder, stdin=HOIST).returncode, 2)
 
+    def test_two_envelopes_have_two_names(self):
+        deck = HOIST.replace("analyses:\n", "analyses:\n  - envelope: {motions: [in, out]}\n")
+        with tempfile.TemporaryDirectory() as folder:
+            r = self.run_to(folder, deck=deck)
+            self.assertIn("t_max", [c["name"] for c in r["tables"]["envelope_motion"]["columns"]])
+            self.assertNotIn("t_max", [c["name"] for c in r["tables"]["envelope"]["columns"]])
+
+    def test_the_reference_agrees_with_the_implicit_scheme(self):
+        with tempfile.TemporaryDirectory() as folder:
+            fast = self.run_to(folder + "/fast")
+            slow = self.run_to(folder + "/slow", "analyses[0].transient.method=reference")
+            for name in ("load.z_end", "load.vz_end", "hoist.T_max_max", "hoist.T_max_end"):
+                a, b = fast["values"][name]["value"], slow["values"][name]["value"]
+                self.assertAlmostEqual(a, b, delta=1e-3 * max(1, abs(b)), msg=name)
+            self.assertIn("SUNDIALS", (pathlib.Path(folder) / "slow/report.html").read_text(encoding="utf-8"))
+
     def test_the_examples_run(self):
         decks = [p for p in sorted(EXAMPLES.glob("*.yaml")) if not p.name.endswith(".part.yaml")]
         self.assertGreaterEqual(len(decks), 3)
