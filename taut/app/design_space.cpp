@@ -43,6 +43,12 @@ std::vector<RopeRow> catalogue_of(const io::Node& input, const DesignRequest& de
     io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
     return {};
   }
+  if (text->size() > io::largest_deck) {
+    io::add(mistakes, node.spot,
+            fmt::format("'{}' has more than {} MB: keep the ropes that may be chosen", path.string(),
+                        io::largest_deck >> 20U));
+    return {};
+  }
   auto rows = catalogue::read_ropes(*text, path.string());
   if (rows) return std::move(*rows);
   for (Diagnostic& d : rows.error()) io::add(mistakes, std::move(d));

@@ -220,6 +220,13 @@ TEST_F(UserCatalogue, mistakes_have_their_place) {
                  "does not fit");
 }
 
+// A million ropes are 70 MB: refused at once, not cut in silence.
+TEST_F(UserCatalogue, too_large_a_file) {
+  std::string rows = header;
+  while (rows.size() < (17U << 20U)) rows += "a,mine,6x36,IWRC,26,311,2.8,1960,480,verified,9\n";
+  expect_mistake(run_with(rows), "has more than 16 MB");
+}
+
 class DesignExamples : public testing::TestWithParam<const char*> {};
 
 // A rope that a design has chosen passes everything when it stands in the deck by itself.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "taut/catalogue/construction.hpp"
@@ -37,7 +38,10 @@ enum class SafeEnd { low, high };
 Limit limit_of(const RuleRow& row, SafeEnd end) {
   Limit limit{end == SafeEnd::high ? *row.high : *row.low, words_of(row), trust_of(row)};
   if (*row.low != *row.high) {
-    limit.rule += fmt::format("; of {:.4g} to {:.4g} the safe end", *row.low, *row.high);
+    const bool angle = row.unit == "rad";
+    const double shown = angle ? std::numbers::pi / 180 : 1;
+    limit.rule +=
+        fmt::format("; of {:.4g} to {:.4g}{} the safe end", *row.low / shown, *row.high / shown, angle ? " deg" : "");
   }
   return limit;
 }
