@@ -75,6 +75,7 @@ RopeUses::RopeUses(const MachineDeck& deck, const model::Model& model)
     : uses_(model.reevings.size()), bends_(model.reevings.size()), axes_(model.reevings.size(), Vector3::Zero()) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
+    uses_[i].closed = model.reevings[i].closed;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
     for (const model::Node& node : model.reevings[i].nodes) {

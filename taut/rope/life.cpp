@@ -16,6 +16,13 @@ bool counts(const Duty& duty, const Bend& bend) {
   return duty.over.empty() || std::find(duty.over.begin(), duty.over.end(), bend.name) != duty.over.end();
 }
 
+/// The last round that counts; none: nullptr.
+const Bend* last_of(const RopeUse& use, const Duty& duty) {
+  const auto own = [&](const Bend& bend) { return counts(duty, bend); };
+  const auto last = std::find_if(use.bends.rbegin(), use.bends.rend(), own);
+  return last == use.bends.rend() ? nullptr : &*last;
+}
+
 /// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
 /// against the sense of the round before, it counts more.
 double bendings(const Bend& bend, const Bend* before, double reverse_weight) {
@@ -50,7 +57,7 @@ std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
     Life& life = all.emplace_back();
     life.constants = &constants;
     for (const Duty& duty : rules.duty) {
-      const Bend* before = nullptr;
+      const Bend* before = use.closed ? last_of(use, duty) : nullptr;
       for (const Bend& bend : use.bends) {
         if (!counts(duty, bend)) continue;
         const double times = bendings(bend, before, rules.reverse_weight);

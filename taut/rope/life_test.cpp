@@ -54,6 +54,19 @@ TEST(Life, miner_adds_bends_and_duties) {
   EXPECT_NEAR(lives[0].damage, 2e4 / full + 4e4 / half, 1e-9);
 }
 
+// An endless rope comes from its last round to its first: of two of different sense both are bent in reverse.
+TEST(Life, endless_rope) {
+  RopeUse use = over_two_sheaves();
+  use.bends[1].side = -1;
+  use.closed = true;
+  LifeRules rules;
+  rules.duty = {{"all", 1e4, 1.0, {}}};
+  rules.constants = {seale()};
+  const double simple = life_of(use, rules)[0].damage;
+  rules.reverse_weight = 2;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, 2 * simple, 1e-12);
+}
+
 TEST(Life, drum_is_half_and_reverse_counts_more) {
   RopeUse use = over_two_sheaves();
   LifeRules rules;

@@ -47,6 +47,7 @@ struct RopeUse {
   std::vector<Bend> bends;  ///< along its path
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
+  bool closed = false;  ///< endless: the last bend stands before the first
 };
 
 }  // namespace taut::rope
