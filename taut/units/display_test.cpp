@@ -29,7 +29,7 @@ TEST(Display, PrintsInTheUnitChosenForTheKind) {
   EXPECT_EQ(d.quantity(0.012, si::m.in("cm")), "12 mm");
   EXPECT_EQ(d.quantity(std::atan(0.5), si::rad), "50 %");
   EXPECT_EQ(d.quantity(1e-6, si::m3), "1000 mm^3");
-  EXPECT_EQ(Display({{"temperature", "K"}}).quantity(253.15, si::K), "253.15 K");
+  EXPECT_EQ(Display(std::map<std::string, std::string>{{"temperature", "K"}}).quantity(253.15, si::K), "253.15 K");
   EXPECT_EQ(d.unit(si::Pa), "MPa");
   EXPECT_EQ(d.unit(si::one), "");
 }
