@@ -24,6 +24,12 @@ ArcLength as_it_runs(const Arc& a, double T_e, double T_x) {
   const double rest = EA / (EA + T_e);                       // 1/(1 + T_e/EA)
   const double slips = std::abs(q) / a.friction;             // rad
   ArcLength l;
+  if (std::abs(q) < as_good_as_equal) {  // the limit of what follows
+    l.length = a.radius * a.wrap * rest;
+    l.by_in = -l.length * rest / EA;
+    l.by_wrap = a.radius * rest;
+    return l;
+  }
   if (slips >= a.wrap) {
     // by the law of what slips as a whole, whatever it is on the way there
     const double R = a.radius, theta = a.wrap;
@@ -47,7 +53,7 @@ ArcLength as_it_runs(const Arc& a, double T_e, double T_x) {
 ArcLength arc_length(const Arc& a) {
   if (a.radius == 0) return {};
   const bool runs = a.flow != 0 && std::isfinite(a.stiffness) && a.wrap > 0 && a.T_in > 0 && a.T_out > 0;
-  if (!runs || !(a.friction > 0) || std::abs(std::log(a.T_out / a.T_in)) < as_good_as_equal) return by_mean(a);
+  if (!runs || !(a.friction > 0)) return by_mean(a);
   const bool along = a.flow > 0;
   ArcLength l = as_it_runs(a, along ? a.T_in : a.T_out, along ? a.T_out : a.T_in);
   if (!along) std::swap(l.by_in, l.by_out);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "taut/analysis/arc_length.hpp"
 #include "taut/analysis/load_path.hpp"
 #include "taut/analysis/machines_test.hpp"
 
@@ -185,7 +186,16 @@ TEST(FixedTo, FoundAgainByTheLengthBeforeTheGrip) {
   }
   // it counts from where the rope arrives at its drive
   for (const ContactResult& c : at.contacts) {
-    if (c.reeving == 1 && c.node == 0) before += 0.5 * c.wrap / (1 + (c.T_in + c.T_out) / 2 / 8e6);
+    if (c.reeving == 1 && c.node == 0) {
+      before += arc_length({.radius = 0.5,
+                            .wrap = c.wrap,
+                            .T_in = c.T_in,
+                            .T_out = c.T_out,
+                            .stiffness = 8e6,
+                            .friction = m.reevings[1].nodes[0].law.friction,
+                            .flow = 1})
+                    .length;
+    }
   }
   m.reevings[1].nodes[1].length_before = before;
   options.prescribed.reset();

@@ -13,8 +13,8 @@
 namespace taut::analysis {
 
 /// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is a share of the stability
-/// limit, which the result states. reference: another integrator (IDA of SUNDIALS, variable order) of the same laws, slow
-/// and exact, to judge the other two by.
+/// limit, which the result states. reference: another integrator (IDA of SUNDIALS, variable order) of the same laws,
+/// slow and exact, to judge the other two by.
 enum class TimeMethod { implicit, verlet, reference };
 
 /// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of

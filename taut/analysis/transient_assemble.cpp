@@ -182,13 +182,13 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
 void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const std::array<LineColumn, 14>& columns,
                 const Slopes& d, LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
+  const double half = line.weight * now.L * now.t.z() / 2;
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[at(k)].t.z() : 0;
-    double hangs = line.segment < 0 ? line.weight / 2 * (d.L[at(k)] * now.t.z() + turned) : 0;
-    if (now.end_T[0] <= 0) hangs = d.T[at(k)];
-    if (now.end_T[1] <= 0) hangs = -d.T[at(k)];
-    tangent.end_T[0][at(k)] = d.T[at(k)] - hangs;
-    tangent.end_T[1][at(k)] = d.T[at(k)] + hangs;
+    double hangs = line.weight / 2 * (d.L[at(k)] * now.t.z() + turned);
+    if (std::abs(half) >= now.T) hangs = half > 0 ? d.T[at(k)] : -d.T[at(k)];
+    tangent.end_T[0][at(k)] = d.T[at(k)] - (bears_half(line, 0) ? hangs : 0);
+    tangent.end_T[1][at(k)] = d.T[at(k)] + (bears_half(line, 1) ? hangs : 0);
   }
 }
 

@@ -231,8 +231,8 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
   }
   pull(line, is);
   // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
-  const double hangs = line.segment < 0 ? std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T) : 0;
-  is.end_T = {is.T - hangs, is.T + hangs};
+  const double hangs = std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T);
+  is.end_T = {is.T - (bears_half(line, 0) ? hangs : 0), is.T + (bears_half(line, 1) ? hangs : 0)};
 }
 
 }  // namespace

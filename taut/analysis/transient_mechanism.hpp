@@ -78,6 +78,10 @@ struct Line {
   std::vector<int> places;          ///< of the local matrix, row by row, in the values of the solver
 };
 
+/// Whether half of a line's weight is part of its tension at an end: where the rope runs on over a round the tension
+/// there is that of the rope itself; between the joints of a chain, and where one is held, it is the segment's.
+inline bool bears_half(const Line& line, std::size_t end) { return line.segment < 0 || line.contact[end] >= 0; }
+
 /// What turns: a sheave with inertia or a motor, a drum. Its angle is counted against the body that carries it, in path
 /// sense (a sheave) or taking in (a drum).
 struct Spin {

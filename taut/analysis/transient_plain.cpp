@@ -55,18 +55,16 @@ void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, cons
 void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& now, const Work& w,
                          LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
-  const bool hangs = line.segment < 0 && line.weight > 0;
-  const double square = s.reach * s.reach;
+  const double square = s.reach * s.reach, half = line.weight * now.L * now.t.z() / 2;
   for (std::size_t k = 0; k < at(line.columns); ++k) {
     double weight = 0;
-    if (hangs) {
+    if (line.weight > 0) {
       const double lifts = k < at(freedoms) ? square * now.L * w.plain[k].lifts : 0;
       weight = line.weight / 2 * (w.L_slope[k] * now.t.z() + lifts);
     }
-    if (now.end_T[0] <= 0) weight = w.T_slope[k];
-    if (now.end_T[1] <= 0) weight = -w.T_slope[k];
-    tangent.end_T[0][k] = w.T_slope[k] - weight;
-    tangent.end_T[1][k] = w.T_slope[k] + weight;
+    if (std::abs(half) >= now.T) weight = half > 0 ? w.T_slope[k] : -w.T_slope[k];
+    tangent.end_T[0][k] = w.T_slope[k] - (bears_half(line, 0) ? weight : 0);
+    tangent.end_T[1][k] = w.T_slope[k] + (bears_half(line, 1) ? weight : 0);
   }
 }
 

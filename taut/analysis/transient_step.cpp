@@ -57,8 +57,6 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     for (std::size_t k = 0; k < m.lines.size(); ++k) {
       change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
       turned = turned || (now.lines[k].T > 0) != (w.tension[k] > 0);
-      // a slack rope that runs over a point follows it at once: its tension says nothing of the contraction
-      turned = turned || (m.lines[k].plain && now.lines[k].T <= 0);
       w.tension[k] = now.lines[k].T;
       newton.largest = std::max(newton.largest, now.lines[k].T);
     }

@@ -53,6 +53,8 @@ std::string table_lines(const char* const (&tables)[N][2]) {
   return text;
 }
 
+constexpr const char* blocks[] = {"checks", "design"};
+
 const Field* analysis_named(const std::string& name) { return AnalysisRequest::describe().find(name); }
 
 std::string whole_machine() {
@@ -64,6 +66,9 @@ std::string whole_machine() {
   for (const Field& f : model::Machine::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
   text += "\nAnalyses (keys and results: taut explain ANALYSIS)\n";
   for (const Field& f : AnalysisRequest::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
+  text += "\nBeside them (keys: taut explain BLOCK)\n";
+  for (const char* block : blocks)
+    text += fmt::format("  {:<16}{}\n", block, MachineDeck::describe().find(block)->words);
   text += "\nLaws (docs/theory)\n";
   for (const auto& [name, law, page] : laws) text += fmt::format("  {:<17}{}  [{}]\n", name, law, page);
   text += "\nResult tables of an equilibrium\n" + table_lines(equilibrium_tables);
@@ -107,7 +112,7 @@ std::vector<std::string> machine_topics() {
   std::vector<std::string> all = {"machine"};
   for (const Field& f : model::Machine::describe().fields) all.push_back(f.key);
   for (const Field& f : AnalysisRequest::describe().fields) all.push_back(f.key);
-  for (const char* block : {"checks", "design"}) all.emplace_back(block);
+  for (const char* block : blocks) all.emplace_back(block);
   return all;
 }
 
