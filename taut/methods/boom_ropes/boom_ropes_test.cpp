@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "taut/math/degree.hpp"
-
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
 
 namespace taut::boom_ropes::boom_ropes_test {
