@@ -286,7 +286,10 @@ Result compare(const Job& job) {
   add_compared_checks(rows, set.source, r);
   add_deviation_plot(rows, r);
   for (const ComparedRow& row : rows) {
-    if (!row.message.empty()) r.warnings.push_back(fmt::format("{}: {}", row.deck, row.message));
+    if (row.message.empty()) continue;
+    std::string told = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck
+    if (std::find(r.warnings.begin(), r.warnings.end(), told) == r.warnings.end())
+      r.warnings.push_back(std::move(told));
   }
   for (const std::string& erratum : set.errata)
     r.assumptions.push_back(fmt::format("Erratum of the source: {}", erratum));
