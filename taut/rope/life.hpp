@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,7 @@ T life_of_length(const T& length_over_d) {
 template <class T>
 T log_cycles(const LifeConstants& c, const T& pull, const T& grade, const T& ratio, const T& factors) {
   using std::log;
-  const double ln10 = 2.302585092994046;
+  const double ln10 = std::numbers::ln10;
   const T lg_ratio = log(ratio) / ln10;
   return c.a[0] + (c.a[1] + c.a[3] * lg_ratio) * (log(pull) / ln10 - 0.4 * (log(grade) / ln10)) + c.a[2] * lg_ratio +
          log(factors) / ln10;
