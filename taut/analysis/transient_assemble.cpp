@@ -49,7 +49,7 @@ void assemble_shifting(Mechanism& m, int body, const Values& now, Work& w) {
     for (int k = 0; k < 3; ++k) {
       const std::size_t c = at(shape.first + k);
       w.residual[c] += shape.mass * now.rate[c] - shape.dead[k];
-      values[at(places[4 * k])] += shape.mass;
+      values[at(places[std::ptrdiff_t{4} * k])] += shape.mass;
     }
     return;
   }
