@@ -1,5 +1,8 @@
 #include "taut/app/design_deck.hpp"
 
+#include <memory>
+#include <utility>
+
 namespace taut::app {
 
 const Description& DesignRopeRequest::describe() {
@@ -27,28 +30,16 @@ const Description& DesignRopeRequest::describe() {
 
 const Description& DesignSectionRequest::describe() {
   using R = DesignSectionRequest;
-  static const Description d =
-      Describe<R>()
-          .choice(&R::shape, "shape",
-                  {{"any", MastShape::any}, {"chs", MastShape::chs}, {"shs", MastShape::shs}, {"rhs", MastShape::rhs}},
-                  "tube, square, rectangular")
-          .choice(&R::forming, "forming",
-                  {{"any", MastForming::any},
-                   {"hot", MastForming::hot},
-                   {"cold", MastForming::cold},
-                   {"seamless", MastForming::seamless},
-                   {"welded", MastForming::welded}},
-                  "how it is made")
-          .field(&R::standard, "standard", "the beginning of its name: EN 10210")
-          .field(&R::least_height, "least_height", "h", si::m.in("mm"), "smallest outer height")
-          .above(0)
-          .field(&R::most_height, "most_height", "h", si::m.in("mm"), "largest outer height")
-          .above(0)
-          .choice(&R::trust, "trust",
-                  {{"verified", MastTrust::verified},
-                   {"derived", MastTrust::derived},
-                   {"unverified", MastTrust::unverified}},
-                  "worst trust of a row that may be chosen");
+  static const Description d = [] {
+    Description own;
+    own.make_default = [] { return std::static_pointer_cast<void>(std::make_shared<R>()); };
+    for (Field f : SectionChoice::describe().fields) {
+      if (f.key == "least_trust") f.key = "trust";
+      f.slot = [slot = f.slot](void* s) { return slot(&static_cast<R*>(s)->which); };
+      own.fields.push_back(std::move(f));
+    }
+    return own;
+  }();
   return d;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/app/mast_checks_deck.hpp"
+#include "taut/app/section_choice.hpp"
 #include "taut/calc/field.hpp"
 
 namespace taut::app {
@@ -29,11 +29,7 @@ struct DesignRopeRequest {
 /// The sections of the catalogue from which that of a beam is chosen.
 struct DesignSectionRequest {
   std::string name;  ///< a beam of the machine
-  MastShape shape = MastShape::any;
-  MastForming forming = MastForming::any;
-  std::optional<std::string> standard;
-  std::optional<double> least_height, most_height;  ///< m, outer
-  MastTrust trust = MastTrust::unverified;          ///< of its properties, the worst allowed
+  SectionChoice which;
   static const Description& describe();
 };
 

@@ -14,18 +14,6 @@ namespace {
 
 using catalogue::SectionRow;
 
-catalogue::SectionFilter beam_filter(const DesignSectionRequest& one) {
-  catalogue::SectionFilter filter;
-  if (one.shape != MastShape::any) filter.shape = static_cast<catalogue::SectionShape>(static_cast<int>(one.shape) - 1);
-  if (one.forming != MastForming::any) {
-    filter.forming = static_cast<catalogue::Forming>(static_cast<int>(one.forming) - 1);
-  }
-  filter.standard = one.standard.value_or("");
-  filter.max_height = one.most_height;
-  filter.min_trust = static_cast<catalogue::Trust>(static_cast<int>(one.trust));
-  return filter;
-}
-
 /// Whether the beam's steel is made in that wall.
 bool is_made(const model::description::Beam& beam, const SectionRow& row) {
   if (!beam.steel) return true;
@@ -59,10 +47,8 @@ SectionCandidates candidates_of_beam(const DesignSectionRequest& request, const 
   }
   if (deck.design->seek == Seek::cheapest)
     complaints.push_back({"design.seek", "sections have no price: seek the lightest"});
-  own.rows = catalogue::sections_by_mass(beam_filter(request));
-  std::erase_if(own.rows, [&](const SectionRow& r) {
-    return !is_made(*beam, r) || (request.least_height && r.height < *request.least_height);
-  });
+  own.rows = catalogue::sections_by_mass(filter_of(request.which));
+  std::erase_if(own.rows, [&](const SectionRow& r) { return !is_made(*beam, r); });
   if (deck.design->seek == Seek::smallest) {
     std::stable_sort(own.rows.begin(), own.rows.end(),
                      [](const SectionRow& a, const SectionRow& b) { return a.height < b.height; });

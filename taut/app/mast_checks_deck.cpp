@@ -60,29 +60,6 @@ const Description& MastCombinationRequest::describe() {
   return d;
 }
 
-const Description& MastChoice::describe() {
-  using R = MastChoice;
-  static const Description d =
-      Describe<R>()
-          .choice(&R::shape, "shape",
-                  {{"any", MastShape::any}, {"chs", MastShape::chs}, {"shs", MastShape::shs}, {"rhs", MastShape::rhs}},
-                  "tube, square, rectangular")
-          .choice(&R::forming, "forming",
-                  {{"any", MastForming::any},
-                   {"hot", MastForming::hot},
-                   {"cold", MastForming::cold},
-                   {"seamless", MastForming::seamless},
-                   {"welded", MastForming::welded}},
-                  "how it is made")
-          .field(&R::standard, "standard", "the beginning of its name: EN 10210")
-          .choice(&R::least_trust, "least_trust",
-                  {{"verified", MastTrust::verified},
-                   {"derived", MastTrust::derived},
-                   {"unverified", MastTrust::unverified}},
-                  "worst trust of a row that may be chosen");
-  return d;
-}
-
 namespace {
 
 void add_own_mast(Describe<MastCheckRequest>& d) {

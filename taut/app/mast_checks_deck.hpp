@@ -3,15 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/section_choice.hpp"
 #include "taut/calc/field.hpp"
 
 namespace taut::app {
 
 enum class MastCurve { by_section, a0, a, b, c, d };
 enum class MastBase { clamped, hinge };
-enum class MastShape { any, chs, shs, rhs };
-enum class MastForming { any, hot, cold, seamless, welded };
-enum class MastTrust { verified, derived, unverified };
 
 /// A piece of a mast that is described here and not in a machine, from the base upwards.
 struct MastPieceRequest {
@@ -44,15 +42,6 @@ struct MastCombinationRequest {
   static const Description& describe();
 };
 
-/// Which sections may be chosen.
-struct MastChoice {
-  MastShape shape = MastShape::any;
-  MastForming forming = MastForming::any;
-  std::optional<std::string> standard;
-  MastTrust least_trust = MastTrust::unverified;
-  static const Description& describe();
-};
-
 /// What is checked of one mast or strut.
 struct MastCheckRequest {
   std::string name;                ///< of a beam, or of its own
@@ -75,7 +64,7 @@ struct MastCheckRequest {
   std::optional<double> allowable_stress;  ///< Pa
   std::optional<double> safety;            ///< of the yield stress
   std::optional<double> top_criterion;     ///< of the stiffness of its guys
-  std::optional<MastChoice> choose;
+  std::optional<SectionChoice> choose;
   static const Description& describe();
 };
 

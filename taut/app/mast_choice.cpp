@@ -9,24 +9,13 @@
 namespace taut::app {
 namespace {
 
-using catalogue::Forming;
 using catalogue::SectionShape;
-using catalogue::Trust;
 
 constexpr std::size_t told_of_each_shape = 3;
 
-catalogue::SectionFilter section_filter(const MastChoice& choice, SectionShape shape) {
-  catalogue::SectionFilter f;
-  f.shape = shape;
-  if (choice.forming != MastForming::any) f.forming = static_cast<Forming>(static_cast<int>(choice.forming) - 1);
-  f.standard = choice.standard.value_or("");
-  f.min_trust = static_cast<Trust>(static_cast<int>(choice.least_trust));
-  return f;
-}
-
-std::vector<SectionShape> shapes_of(const MastChoice& choice) {
-  if (choice.shape == MastShape::any) return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
-  return {static_cast<SectionShape>(static_cast<int>(choice.shape) - 1)};
+std::vector<SectionShape> shapes_of(const SectionChoice& choice) {
+  if (choice.shape) return {*choice.shape};
+  return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
 }
 
 const char* mast_governing(const structure::MastUse& u) {
@@ -85,8 +74,9 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
   const double height = height_of(report);
   std::optional<structure::SizedMast> best;
   for (const SectionShape shape : shapes_of(*request.choose)) {
-    const auto found = structure::size_mast(catalogue::sections_by_mass(section_filter(*request.choose, shape)),
-                                            report.in_section, told_of_each_shape);
+    catalogue::SectionFilter filter = filter_of(*request.choose);
+    filter.shape = shape;
+    const auto found = structure::size_mast(catalogue::sections_by_mass(filter), report.in_section, told_of_each_shape);
     for (const auto& one : found.passing) table_in(r).rows.push_back(sized_row(report.name, one, height));
     if (!found.passing.empty() && (!best || found.passing[0].section.mass_per_length < best->section.mass_per_length)) {
       best = found.passing[0];

@@ -106,6 +106,7 @@ bool matches(const SectionRow& row, const SectionFilter& filter) {
   if (filter.min_W_el_y && row.W_el_y < *filter.min_W_el_y) return false;
   if (filter.min_W_pl_y && row.W_pl_y < *filter.min_W_pl_y) return false;
   if (filter.min_thickness && row.thickness < *filter.min_thickness - same_size) return false;
+  if (filter.min_height && row.height < *filter.min_height - same_size) return false;
   if (filter.max_height && row.height > *filter.max_height + same_size) return false;
   return at_least(row.trust, filter.min_trust);
 }

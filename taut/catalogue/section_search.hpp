@@ -19,7 +19,8 @@ struct SectionFilter {
   std::optional<double> min_W_el_y;  ///< m3
   std::optional<double> min_W_pl_y;  ///< m3
   std::optional<double> min_thickness;  ///< m
-  std::optional<double> max_height;     ///< of the larger outer side, m
+  std::optional<double> min_height;     ///< of the larger outer side, m
+  std::optional<double> max_height;     ///< of the same, m
   Trust min_trust = Trust::unverified;
 };
 

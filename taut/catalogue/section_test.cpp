@@ -174,6 +174,7 @@ TEST(SectionSearch, lightest_first_within_the_filter) {
   filter.forming = Forming::hot;
   filter.standard = "EN";
   filter.min_W_el_y = 2900e-6;
+  filter.min_height = 0.500;
   filter.max_height = 0.610;
   filter.min_thickness = 0.008;
   const auto rows = sections_by_mass(filter);
@@ -183,6 +184,7 @@ TEST(SectionSearch, lightest_first_within_the_filter) {
     EXPECT_EQ(row.shape, SectionShape::chs);
     EXPECT_EQ(row.standard, "EN 10210-2");
     EXPECT_GE(row.W_el_y, 2900e-6);
+    EXPECT_GE(row.height, 0.4999);
     EXPECT_LE(row.height, 0.6101);
     EXPECT_GE(row.mass_per_length, last);
     last = row.mass_per_length;
