@@ -34,12 +34,25 @@ void place_inside(const model::Model& model, const EquilibriumResult& found, Dyn
   }
 }
 
+/// Forces along ropes as they are at rest: friction is none, others as they begin.
+model::Model with_loads_at_rest(model::Model model) {
+  for (model::Reeving& rope : model.reevings) {
+    for (model::Node& node : rope.nodes) {
+      if (node.kind != model::NodeKind::load) continue;
+      if (node.load.signal)
+        (node.load.part > 0 ? node.load.rate : node.load.force) = model::at(*node.load.signal, 0).value;
+      if (node.load.by_motion && node.load.sense < 0) node.load.force = node.load.rate = 0;
+    }
+  }
+  return model;
+}
+
 /// The equilibrium of catenaries as a start, else the machine as described.
 DynamicState near_equilibrium(const model::Model& model) {
   if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
-  const EquilibriumResult found = equilibrium(model, at_rest);
+  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
   if (!found.outcome.ok()) return assembled(model);
   model::Model by_length = model;
   for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;

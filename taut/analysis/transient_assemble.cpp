@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "taut/analysis/transient_couple.hpp"
+#include "taut/analysis/transient_rope_load.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -149,21 +150,21 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
                  const std::vector<ContactValues>& now_contacts, const std::array<LineColumn, 14>& columns,
                  LineTangent& tangent) {
   Slopes d;
-  const double square = s.reach * s.reach, lambda = 1 + now.e;
+  const double square = s.reach * s.reach, lambda = 1 + now.e, share = line.share;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < freedoms; ++k) {
     const LineColumn& c = columns[at(k)];
     for (const std::size_t end : {0U, 1U}) {
       tangent.angle[end][at(k)] = square * c.angle[end];
-      if (line.contact[end] < 0 || now.radius[end] == 0) continue;
+      if (line.contact[end] < 0 || now.radius[end] == 0 || line.at_load[end]) continue;
       const double on = now.radius[end] / before.contacts[at(line.contact[end])].winding * c.angle[end];
       d.L[at(k)] += square * (end == 0 ? -on : on);
     }
-    const double e = (square * c.l - lambda * d.L[at(k)]) / now.L;
+    const double e = (square * share * c.l - lambda * d.L[at(k)]) / now.L;
     const bool second = k >= line.freedoms[0];
-    const double rate = (s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart)) / now.L;
+    const double apart = s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart);
     tangent.e[at(k)] = e;
-    d.T[at(k)] = now.T_e * e + now.T_rate * rate;
+    d.T[at(k)] = now.T_e * e + now.T_rate * share * apart / now.L;
   }
   for (const std::size_t end : {0U, 1U}) {
     const int k = line.flow[end];
@@ -209,14 +210,18 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
   const LineValues& now = values_now.lines[i];
   if (!w.tangent) {
     line_velocities(line, m.bodies, values_now.bodies, now, w.columns);
-    add_pull(line, now, w);
+    line.part ? add_part(line, now, w) : add_pull(line, now, w);
     return;
   }
   LineTangent& tangent = w.tangents[i];
   line_columns(line, m.bodies, values_now.bodies, now, w.columns);
-  add_pull(line, now, w);
+  line.part ? add_part(line, now, w) : add_pull(line, now, w);
   const Slopes d = slopes_of(s, before, line, now, values_now.contacts, w.columns, tangent);
   end_slopes(s, line, now, w.columns, d, tangent);
+  if (line.part) {
+    add_part_slopes(m, s, line, now, tangent, d.L, w);
+    return;
+  }
   auto& values = m.solver.values();
   const double square = s.reach * s.reach, half = line.weight * now.L / 2;
   const int freedoms = line.freedoms[0] + line.freedoms[1];

@@ -9,6 +9,7 @@
 #include "taut/analysis/system.hpp"
 #include "taut/analysis/transient_build.hpp"
 #include "taut/analysis/transient_couple.hpp"
+#include "taut/analysis/transient_rope_load.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::analysis::dynamics {
@@ -40,7 +41,8 @@ void place_lines(const DynamicState& start, Built& built) {
     const auto& whole = start.ropes[at(m.lines[i].reeving)].whole;
     const std::size_t own = i - at(m.first_line[at(m.lines[i].reeving)].first);
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
-    line.e = line.l / line.L - 1;
+    if (m.lines[i].part) set_places(start, line, m.model->reevings[at(m.lines[i].reeving)], m.lines[i]);
+    line.e = length_of(m.lines[i], line.l) / line.L - 1;
     pull(m.lines[i], line);
     line.end_T = {line.T, line.T};
   }
@@ -109,7 +111,7 @@ void classify(Mechanism& m) {
     return body < 0 || (m.bodies[at(body)].count == 0 && !m.bodies[at(body)].driven);
   };
   for (Line& line : m.lines) {
-    line.plain = line.kind == LineKind::points && shifts(line.body[0]) && shifts(line.body[1]);
+    line.plain = line.kind == LineKind::points && !line.part && shifts(line.body[0]) && shifts(line.body[1]);
     line.still = rests(line.body[0]) && rests(line.body[1]);
     m.stiffest = std::max(m.stiffest, line.stiffness);
   }
@@ -117,6 +119,7 @@ void classify(Mechanism& m) {
   for (Contact& contact : m.contacts) {
     const model::Reeving& rope = m.model->reevings[at(contact.reeving)];
     contact.load = rope.nodes[at(contact.node)].kind == model::NodeKind::load;
+    m.rope_loads = m.rope_loads || contact.load;
     const bool light = contact.spin < 0;
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
     contact.bearing_ratio = light ? 1 / contact.efficiency : std::numeric_limits<double>::infinity();
@@ -197,6 +200,7 @@ void fill_values(const DynamicState& start, Built& built) {
   for (std::size_t k = 0; k < m.tensioner.size(); ++k)
     v.tensioned[k] = model::at(model.tensioners[k].change, v.t).value;
   place_lines(start, built);
+  if (m.rope_loads) place_rope_loads(m, v);
   fill_contacts(start, built);
   fill_drums(start, built);
   fill_couples(start, m, v);

@@ -51,9 +51,9 @@ class Builder {
       const model::Body& given = model_.bodies[at(b)];
       Body body;
       body.model = b;
-      body.count = count(given.free.size());
+      body.count = given.of_rope ? 0 : count(given.free.size());
       expects(body.count <= 6, "a body has six freedoms at most");
-      for (std::size_t f = 0; f < given.free.size(); ++f) {
+      for (std::size_t f = 0; f < at(body.count); ++f) {
         body.along[f] = given.free[f].along;
         body.about[f] = given.free[f].about;
         body.turns = body.turns || given.free[f].about != Vector3::Zero();
@@ -95,7 +95,8 @@ class Builder {
       line.mass = line.weight / model_.gravity;
     }
     for (const std::size_t end : {0U, 1U}) {
-      const model::Node& node = rope.nodes[at(end == 0 ? from : to)];
+      // beyond loads, whose parts have both ends of the whole free line
+      const model::Node& node = rope.nodes[at(line_end(rope, end == 0 ? from : to, end))];
       line.body[end] = node.at.body;
       line.place[end] = node.at.at;
       line.axis[end] = node.axis;
@@ -103,6 +104,7 @@ class Builder {
       line.radius[end] = node.radius;
       line.side[end] = node.side;
     }
+    set_part(built_.mechanism, rope, line);
     return line;
   }
 
@@ -240,10 +242,10 @@ class Builder {
   void add_lumps() {
     for (int i = 0; i < count(m().lines.size()); ++i) {
       const Line& line = m().lines[at(i)];
-      const double half = line.copies * line.mass * length_of(i) / 2;
+      const double mass = line.copies * line.mass * length_of(i);
       for (const std::size_t end : {0U, 1U}) {
-        if (line.body[end] < 0 || half == 0) continue;
-        add_mass(m().bodies[at(line.body[end])], half, line.place[end]);
+        if (line.body[end] < 0 || mass == 0) continue;
+        add_mass(m().bodies[at(line.body[end])], mass * (end == 0 ? 1 - line.middle : line.middle), line.place[end]);
       }
     }
   }

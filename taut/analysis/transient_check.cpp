@@ -45,6 +45,14 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
                                   model.motors[at(spin.motor)].name));
   }
   for (const model::Reeving& rope : model.reevings) {
+    const bool loaded = std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                                    [](const model::Node& node) { return node.kind == model::NodeKind::load; });
+    if (loaded && rope.segments > 1) {
+      return infeasible(fmt::format(
+          "a force acts along the rope '{}', which is in 'segments': in motion it wants a rope that is straight "
+          "between its sheaves",
+          rope.name));
+    }
     if (std::isinf(rope.stiffness)) {
       return infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));
     }

@@ -117,7 +117,6 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     pull_row(m, contact, *given, now, w);
     return;
   }
-  if (contact.load) assemble_rope_load(m, contact, now, w);
   if (now.contacts[i].grip == Grip::stuck) {
     rolling_row(m, s, i, before, now, w);
     return;
@@ -217,7 +216,8 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   const double damping = m.lines[at(contact.in)].damping;
   const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
   double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
-  if (s.h == 0 && s.slip_now == 0 && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
+  const bool goes_on = s.slip_now == 0 || (contact.load && damping == 0);
+  if (s.h == 0 && goes_on && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
   if (contact.load) {
     is.grip = grip_at_load({is.drop, is.holds}, p.out - p.in, slip);
     return;

@@ -38,7 +38,7 @@ std::vector<double> gradient(const Mechanism& m, const Values& v, std::size_t i,
   line_columns(line, m.bodies, v.bodies, v.lines[i], w.columns);
   for (int k = 0; k < line.freedoms[0] + line.freedoms[1]; ++k) {
     const double sign = k < line.freedoms[0] ? -1 : 1;
-    b[at(line.column[at(k)])] += sign * v.lines[i].t.dot(w.columns[at(k)].velocity);
+    b[at(line.column[at(k)])] += sign * line.share * v.lines[i].t.dot(w.columns[at(k)].velocity);
   }
   for (const std::size_t end : {0U, 1U}) {
     if (line.contact[end] < 0) continue;

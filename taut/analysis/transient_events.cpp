@@ -203,9 +203,14 @@ bool change_layers(Run& run, Values& v) {
     while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(std::max(0.0, rope.e));
     if (layer > is.layer) is.strain[at(layer - 1)] = std::max(0.0, rope.e);
     is.layer = layer;
-    rope.radius[end] = radius;
-    const LineValues as_was = rope;
-    if (place_line(run.m.lines[at(line)], v.bodies, as_was, rope)) rope.L = rope.l / (1 + rope.e);
+    for (int k = line;; k += end == 0 ? 1 : -1) {  // all parts of the free line
+      const Line& part = run.m.lines[at(k)];
+      LineValues& of = v.lines[at(k)];
+      of.radius[end] = radius;
+      const LineValues as_was = of;
+      if (place_line(part, v.bodies, as_was, of)) of.L = length_of(part, of.l) / (1 + of.e);
+      if (!part.at_load[1 - end]) break;
+    }
     note(run, v.t, "layer", drum.name, {{"layer", layer}, {"R", radius}});
     any = true;
   }
@@ -224,6 +229,11 @@ std::vector<double> stops_of(const model::Model& model, double from, double to) 
   for (const model::Tensioner& tensioner : model.tensioners) add(tensioner.change);
   for (const model::Body& body : model.bodies) {
     for (const model::DrivenWay& way : body.driven) add(way.signal);
+  }
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.load.signal) add(*node.load.signal);
+    }
   }
   for (const model::Event& event : model.events) {
     if (event.kind == model::EventKind::drive) add(event.drive.signal);

@@ -107,13 +107,14 @@ void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& no
     const ContactValues& contact = before.contacts[at(line.contact[end])];
     const std::size_t c = at(m.contacts[at(line.contact[end])].column);
     double out = now.q[c] - before.q[c];
-    if (line.radius[end] > 0) out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
+    if (line.radius[end] > 0 && !line.at_load[end])
+      out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
     is.L += end == 0 ? out : -out;
   }
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
     if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
   }
-  is.e = is.l / is.L - 1;
+  is.e = length_of(line, is.l) / is.L - 1;
 }
 
 /// Angle of the arc, and what its law allows.
@@ -201,7 +202,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   is.steady = was.steady + s.h / (s.h + time) * (is.flow - was.steady);
 }
 
-void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now) {
+void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
   const Line& line = m.lines[i];
   LineValues& is = now.lines[i];
   is.e_rate = 0;
@@ -227,7 +228,8 @@ void strain_rate(const Mechanism& m, const Scheme& s, std::size_t i, Values& now
       if (m.tensioner[k].first == static_cast<int>(i)) flows += now.tension_rate[k];
     }
     is.apart = apart;
-    is.e_rate = (is.t.dot(apart) - (1 + is.e) * flows) / is.L;
+    is.e_rate = (line.share * is.t.dot(apart) - (1 + is.e) * flows) / is.L;
+    if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
   }
   pull(line, is);
   // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
@@ -310,12 +312,13 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     stretch(m, before, i, now);
     if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
   }
+  if (m.rope_loads) place_rope_loads(m, now);
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     bound(m, s, before, i, now);
     flow(m, s, before, w, i, now);
     steady_flow(m, s, before, i, now);
   }
-  for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, i, now);
+  for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, before, i, now);
   follow_couples(m, s, before, now);
   return true;
 }

@@ -14,7 +14,8 @@ ContactState state_of_contact(const Contact& contact, const ContactValues& v, co
   if (contact.round && v.wrap < 0) return ContactState::lifted;
   if (p.in <= 0 && p.out <= 0) return ContactState::lifted;
   if (v.grip == Grip::forward || v.grip == Grip::backward) {
-    return contact.spin < 0 && v.log_by_wrap == 0 ? ContactState::turning : ContactState::slipping;
+    const bool turns = contact.spin < 0 && v.log_by_wrap == 0 && !contact.load;
+    return turns ? ContactState::turning : ContactState::slipping;
   }
   if (v.grip == Grip::equal) return ContactState::turning;
   return contact.spin >= 0 && omega != 0 ? ContactState::turning : ContactState::stuck;
@@ -39,7 +40,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   }
   c.flow = is.lambda * is.flow;
   const bool light = contact.spin < 0 && contact.efficiency > 0;
-  c.slip = light ? 0 : is.lambda * (is.flow - is.roll_rate);
+  c.slip = light && !contact.load ? 0 : is.lambda * (is.flow - is.roll_rate);
   c.state = state_of_contact(contact, is, pressure(m, static_cast<int>(i), v), c.spin);
   c.force = (c.T_out - out.thrust[0]) * out.t - (c.T_in - in.thrust[1]) * in.t;
   return c;
@@ -235,8 +236,12 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
-    f.branches.push_back({line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, is.l, is.touch[0],
-                          is.touch[1], is.gone > 0});
+    const double l = length_of(line, is.l);
+    const Vector3 start =
+        line.at_load[0] ? Vector3(is.touch[0] + (line.ahead * is.l + line.ahead_more) * is.t) : is.touch[0];
+    const Vector3 end = line.at_load[1] ? Vector3(start + l * is.t) : is.touch[1];
+    f.branches.push_back(
+        {line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, l, start, end, is.gone > 0});
   }
   for (const auto& inside : m.inside) {
     f.inside.emplace_back();

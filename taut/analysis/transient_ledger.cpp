@@ -20,7 +20,7 @@ double per_metre(const Line& line, const LineValues& v, std::size_t end) {
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
 /// less than its weight.
 double per_metre_let_in(const Line& line, const LineValues& v) {
-  const double middle = (v.touch[0].z() + v.touch[1].z()) / 2;
+  const double middle = borne(line, v.l, 0) * v.touch[0].z() + borne(line, v.l, 1) * v.touch[1].z();
   return v.T * (1 + v.e) - elastic_tension(line, v) * v.e / 2 - line.weight * middle;
 }
 
@@ -35,6 +35,7 @@ Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   p.passed = out - in;
   p.rolled = -(T_out - T_in) * is.lambda;
   if (contact.in >= 0 && contact.out >= 0) {
+    if (contact.load) return p;
     const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
     p.laid_by = -m.lines[at(contact.in)].weight * lifted;
     return p;
@@ -59,8 +60,12 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const std::size_t c = at(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
-  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0 && !contact.load;
-  if (contact.load) ledger.slipped += rope_load_work(contact, before, now);
+  if (contact.load) {
+    const double work = passed * (a.passed + b.passed) + rope_load_work(contact, before, now);
+    now.contacts[i].holds ? ledger.slipped += work : ledger.supplied -= work;
+    return;
+  }
+  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0;
   (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
   ledger.laid_by += passed * (a.laid_by + b.laid_by);
   ledger.supplied += passed * (a.supplied + b.supplied);
@@ -92,7 +97,9 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
       for (const std::size_t end : {0U, 1U}) {
         if (line.body[end] != static_cast<int>(b)) continue;
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
-        const Vector3 force = (end == 0 ? 1 : -1) * (is.T - is.thrust[end]) * is.t - line.weight * is.L / 2 * up();
+        const Vector3 force =
+            line.part ? part_force(line, is, end)
+                      : Vector3((end == 0 ? 1 : -1) * (is.T - is.thrust[end]) * is.t - line.weight * is.L / 2 * up());
         p.supplied -= line.copies * force.dot(moves);
       }
     }
@@ -106,7 +113,7 @@ double wound(const Mechanism& m, const Values& before, const Values& now) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     for (const std::size_t end : {0U, 1U}) {
-      if (line.contact[end] < 0 || now.lines[i].radius[end] == 0) continue;
+      if (line.contact[end] < 0 || now.lines[i].radius[end] == 0 || line.at_load[end]) continue;
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[at(line.contact[end])].winding;
@@ -185,7 +192,8 @@ Stored stored(const Mechanism& m, const Values& v) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
     s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
-    s.potential += line.copies * line.weight * is.L * (is.touch[0].z() + is.touch[1].z()) / 2;
+    const double height = borne(line, is.l, 0) * is.touch[0].z() + borne(line, is.l, 1) * is.touch[1].z();
+    s.potential += line.copies * line.weight * is.L * height;
   }
   s.elastic += energy_of_faces(m, v);
   return s;

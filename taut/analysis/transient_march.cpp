@@ -306,6 +306,17 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   return end;
 }
 
+/// Where the next step has to end: at the output or at what comes before it. Times that differ by their rounding alone
+/// (0.01 s * 610 and 6.1 s) are one: between them there is no step.
+double next_limit(const Run& run, double output, std::size_t next) {
+  constexpr double rounding = 1e-13;
+  double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
+  const double same = limit + rounding * std::max(std::abs(limit), run.options.duration);
+  if (output <= same) limit = output;
+  for (; next < run.stops.size() && run.stops[next] <= same; ++next) limit = std::max(limit, run.stops[next]);
+  return limit;
+}
+
 }  // namespace
 
 void march(Run& run) {
@@ -319,7 +330,7 @@ void march(Run& run) {
   while (end == StepEnd::ok && !stop && run.before.t < run.end) {
     const double output = std::min(run.end, first + static_cast<double>(frame) * step);
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;
-    end = go_on(run, points, reference, next < run.stops.size() ? std::min(output, run.stops[next]) : output);
+    end = go_on(run, points, reference, next_limit(run, output, next));
     if (end != StepEnd::ok) break;
     if (run.before.t >= output) {
       if (run.m.lossless && run.breaking.empty()) add_step(run.m, run.before, run.before, run.ledger);

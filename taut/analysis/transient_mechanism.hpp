@@ -64,7 +64,13 @@ struct Line {
   bool plain = false;             ///< between points of bodies that only shift
   std::array<Vector3, 2> offset;  ///< of a plain one: ends seen from the origins of their bodies, ground frame, m
   bool still = false;             ///< its ends never move
-  bool tensioned = false;         ///< by a tensioner
+  // of a part between rope loads: both ends are those of the whole free line, of length l
+  bool part = false;
+  std::array<bool, 2> at_load{false, false};  ///< its ends that are not the free line's
+  double share = 1, more = 0;                 ///< its length is share l + more
+  double ahead = 0, ahead_more = 0;           ///< before it lies ahead l + ahead_more
+  double middle = 0.5;                        ///< where its middle was at the start, as a share of l
+  bool tensioned = false;                     ///< by a tensioner
   std::array<int, 2> contact{-1, -1};
   double stiffness = 0;  ///< EA, N
   double damping = 0;    ///< beta, s
@@ -81,6 +87,15 @@ struct Line {
 /// Whether half of a line's weight is part of its tension at an end: where the rope runs on over a round the tension
 /// there is that of the rope itself; between the joints of a chain, and where one is held, it is the segment's.
 inline bool bears_half(const Line& line, std::size_t end) { return line.segment < 0 || line.contact[end] >= 0; }
+
+/// Length of a line, or of a part of one, where the free line has the length l.
+inline double length_of(const Line& line, double l) { return line.share * l + line.more; }
+/// What of a line's weight its end of the free line bears.
+inline double borne(const Line& line, double l, std::size_t end) {
+  if (!line.part) return 0.5;
+  const double middle = line.ahead + (line.ahead_more + length_of(line, l) / 2) / l;
+  return end == 0 ? 1 - middle : middle;
+}
 
 /// What turns: a sheave with inertia or a motor, a drum. Its angle is counted against the body that carries it, in path
 /// sense (a sheave) or taking in (a drum).
@@ -109,7 +124,7 @@ struct Contact {
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
   int drum = -1;                   ///< an end on a drum
-  bool load = false;               ///< a force along the free rope acts there
+  bool load = false;               ///< a force along the free rope acts there; `body`: its own, which has no freedoms
   double load_length = 0;          ///< unstretched rope of the span in which it lies, at the start, m
   std::vector<int> columns;        ///< all that its rows depend on
   std::vector<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
@@ -150,6 +165,7 @@ struct Mechanism {
   int body_columns = 0;                            ///< the first ones
   double stiffest = 0;                             ///< of all lines, N
   bool simple = false;                             ///< point masses and lines between points alone
+  bool rope_loads = false;                         ///< there are forces along its ropes
   bool lossless = false;                           ///< nothing in it takes or gives energy
   int size = 0;
   double size_of_machine = 1;  ///< m

@@ -279,7 +279,8 @@ StepEnd Reference::begin(Run& run) {
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     of.length.push_back(of.base.lines[i].L);
     for (const std::size_t end : {0U, 1U}) {
-      if (run.m.lines[i].contact[end] >= 0 && of.base.lines[i].radius[end] > 0) of.wound.push_back({i, end});
+      const bool real = run.m.lines[i].contact[end] >= 0 && !run.m.lines[i].at_load[end];
+      if (real && of.base.lines[i].radius[end] > 0) of.wound.push_back({i, end});
     }
   }
   // lengths follow what each end has wound, not an angle and one stretch

@@ -64,23 +64,122 @@ Grip grip_at_load(const RopeLoadStep& load, double difference, double slip) {
 
 double asked_difference(const ContactValues& is) { return is.grip == Grip::backward ? -is.drop : is.drop; }
 
-void assemble_rope_load(Mechanism& m, const Contact& contact, const Values& now, Work& w) {
-  const Body& body = m.bodies[at(contact.body)];
-  const Vector3 t = direction_at(contact, now);
-  const double difference = difference_at(contact, now);
+int line_end(const model::Reeving& rope, int node, std::size_t end) {
+  const int nodes = static_cast<int>(rope.nodes.size());
+  while (rope.nodes[at(node)].kind == model::NodeKind::load) node = (node + (end == 0 ? nodes - 1 : 1)) % nodes;
+  return node;
+}
+
+void set_part(const Mechanism& m, const model::Reeving& rope, Line& line) {
+  const model::Node &from = rope.nodes[at(line.from)], &to = rope.nodes[at(line.to)];
+  line.at_load = {from.kind == model::NodeKind::load, to.kind == model::NodeKind::load};
+  line.part = line.at_load[0] || line.at_load[1];
+  if (!line.part) return;
+  const auto stands = [&](int body) {
+    return body < 0 || (m.bodies[at(body)].count == 0 && m.model->bodies[at(body)].driven.empty());
+  };
+  // of how much of the line's length a place follows
+  const auto follows = [&](const model::Node& node) {
+    return stands(line.body[0]) ? 0.0 : stands(line.body[1]) ? 1.0 : node.load.share;
+  };
+  line.ahead = line.at_load[0] ? follows(from) : 0;
+  line.share = (line.at_load[1] ? follows(to) : 1) - line.ahead;
+  line.middle = ((line.at_load[0] ? from.load.share : 0) + (line.at_load[1] ? to.load.share : 1)) / 2;
+}
+
+void set_places(const DynamicState& start, const LineValues& now, const model::Reeving& rope, Line& line) {
+  // a motion that goes on has the places among its bodies
+  const bool anew = start.ropes[at(line.reeving)].passed.empty();
+  const auto place = [&](const model::Node& node) {
+    if (anew) return node.load.share * now.l;
+    return now.t.dot(start.bodies[at(node.at.body)].position - now.touch[0]);
+  };
+  const double ends = line.at_load[1] ? place(rope.nodes[at(line.to)]) : now.l;
+  line.ahead_more = line.at_load[0] ? place(rope.nodes[at(line.from)]) - line.ahead * now.l : 0;
+  line.more = ends - (line.ahead + line.share) * now.l - line.ahead_more;
+}
+
+void place_rope_loads(const Mechanism& m, Values& now) {
+  const auto velocity = [&](const Line& line, const LineValues& is, std::size_t end) {
+    if (line.body[end] < 0) return Vector3(Vector3::Zero());
+    const Motion3& body = now.bodies[at(line.body[end])];
+    return Vector3(body.v + body.w.cross(is.touch[end] - body.x));
+  };
+  for (const Contact& contact : m.contacts) {
+    if (!contact.load) continue;
+    const Line& line = m.lines[at(contact.out)];
+    const LineValues& is = now.lines[at(contact.out)];
+    Motion3& place = now.bodies[at(contact.body)];
+    place.x = is.touch[0] + (line.ahead * is.l + line.ahead_more) * is.t;
+    place.v = (1 - line.ahead) * velocity(line, is, 0) + line.ahead * velocity(line, is, 1);
+  }
+}
+
+double turned_strain_rate(const Line& line, const std::vector<Motion3>& bodies,
+                          const std::vector<ContactValues>& contacts, const LineValues& now) {
+  if (line.kind != LineKind::planar) return 0;
+  std::array<Vector3, 2> velocity{Vector3::Zero(), Vector3::Zero()};
+  std::array<double, 2> radius{}, carried{};
+  for (const std::size_t end : {0U, 1U}) {
+    Vector3 axis = line.axis[end];
+    if (line.body[end] >= 0) {
+      const Motion3& body = bodies[at(line.body[end])];
+      velocity[end] = body.v + body.w.cross(now.centre[end] - body.x);
+      carried[end] = body.w.dot(now.axis);
+      axis = body.R * axis;
+    }
+    radius[end] = (axis.dot(now.axis) < 0 ? -1 : 1) * line.side[end] * now.radius[end];
+  }
+  const Vector3 apart = velocity[1] - velocity[0], across = now.axis.cross(now.flat);
+  const double turn = across.dot(apart) / now.flat_l;
+  const double flat_rate = now.flat.dot(apart) + (radius[1] - radius[0]) * turn;
+  const double out = now.axis.dot(now.centre[1] - now.centre[0]);
+  const double l_rate = (now.flat_l * flat_rate + out * now.axis.dot(apart)) / now.l;
+  double wound = 0;  // into the line, unstretched, m/s
+  for (const std::size_t end : {0U, 1U}) {
+    if (line.contact[end] < 0 || line.at_load[end]) continue;
+    const double rate = radius[end] * (turn - carried[end]) / contacts[at(line.contact[end])].winding;
+    wound += end == 0 ? -rate : rate;
+  }
+  return (line.share * (l_rate - now.t.dot(now.apart)) - (1 + now.e) * wound) / now.L;
+}
+
+Vector3 part_force(const Line& line, const LineValues& now, std::size_t end) {
+  const double pull = line.at_load[end] ? 0 : (end == 0 ? 1 : -1) * (now.end_T[end] - now.thrust[end]);
+  const double weight = line.weight * now.L * borne(line, now.l, end);
+  return (pull + weight * now.t.z()) * now.t - weight * Vector3::UnitZ();
+}
+
+void add_part(const Line& line, const LineValues& now, Work& w) {
+  for (int r = 0; r < line.freedoms[0] + line.freedoms[1]; ++r) {
+    const std::size_t end = r < line.freedoms[0] ? 0 : 1;
+    w.residual[at(line.column[at(r)])] -= line.copies * part_force(line, now, end).dot(w.columns[at(r)].velocity);
+  }
+}
+
+void add_part_slopes(Mechanism& m, const Scheme& s, const Line& line, const LineValues& now, const LineTangent& tangent,
+                     const std::array<double, 14>& L, Work& w) {
   auto& values = m.solver.values();
-  for (std::size_t f = 0; f < at(body.count); ++f) {
-    const double share = contact.copies * t.dot(body.along[f]);
-    w.residual[at(body.first) + f] += share * difference;
-    if (!w.tangent) continue;
-    for (const bool out : {false, true}) {
-      const std::size_t i = at(out ? contact.out : contact.in);
-      const Line& line = m.lines[i];
-      const std::size_t row = f + (out ? 0 : at(line.freedoms[0]));
-      const auto& slopes = w.tangents[i].end_T[out ? 0 : 1];
-      for (std::size_t k = 0; k < at(line.columns); ++k) {
-        values[at(line.places[row * at(line.columns) + k])] += (out ? share : -share) * slopes[k];
+  const double square = s.reach * s.reach;
+  const int freedoms = line.freedoms[0] + line.freedoms[1];
+  for (int r = 0; r < freedoms; ++r) {
+    const std::size_t end = r < line.freedoms[0] ? 0 : 1;
+    const double sign = line.at_load[end] ? 0 : end == 0 ? 1 : -1;
+    const double per_metre = line.weight * borne(line, now.l, end), weight = per_metre * now.L;
+    const double pull = sign * (now.end_T[end] - now.thrust[end]) + weight * now.t.z();
+    const Vector3& V = w.columns[at(r)].velocity;
+    const double along = now.t.dot(V);
+    const Body& shape = m.bodies[at(line.body[end])];
+    const Vector3 force = part_force(line, now, end);
+    const Vector3 about = shape.turns ? shape.about[at(end == 0 ? r : r - line.freedoms[0])] : Vector3(Vector3::Zero());
+    for (int k = 0; k < line.columns; ++k) {
+      double Q =
+          (sign * tangent.end_T[end][at(k)] + per_metre * L[at(k)] * now.t.z()) * along - per_metre * L[at(k)] * V.z();
+      if (k < freedoms) {
+        const LineColumn& c = w.columns[at(k)];
+        Q += square * (pull * c.t.dot(V) + weight * c.t.z() * along + force.dot(about.cross(c.touch[end])));
       }
+      values[at(line.places[at(r * line.columns + k)])] -= line.copies * Q;
     }
   }
 }

@@ -89,9 +89,18 @@ void check_actuators(const model::Model& model, std::vector<Complaint>& complain
 
 /// What rope loads and take-up weights need in motion.
 void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) {
-  for (std::size_t i = 0; i < p.deck.machine.rope_loads.size(); ++i) {
-    complaints.push_back({fmt::format("machine.rope_loads[{}]", i),
-                          "forces along a rope are not computed in motion yet: take it out of the transient's deck"});
+  const auto& loads = p.deck.machine.rope_loads;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const std::string place = fmt::format("machine.rope_loads[{}]", i);
+    if (!loads[i].tangential && !loads[i].rate) {
+      complaints.push_back({place, "in motion a force along a rope needs its amount: 'tangential' or 'rate'"});
+    }
+    const auto rope = std::find_if(p.model.reevings.begin(), p.model.reevings.end(),
+                                   [&](const model::Reeving& one) { return one.name == loads[i].rope; });
+    if (rope == p.model.reevings.end() || rope->segments <= 1) continue;
+    complaints.push_back({place, fmt::format("the rope '{}' is in 'segments': in motion a force along it wants a rope "
+                                             "that is straight between its sheaves",
+                                             loads[i].rope)});
   }
   for (std::size_t i = 0; i < p.deck.machine.take_up.size(); ++i) {
     const auto& given = p.deck.machine.take_up[i];

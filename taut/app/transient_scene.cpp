@@ -76,6 +76,7 @@ class Parts {
       }
     }
     for (const auto& b : frame_.branches) add_ends(b);
+    drop_rounding();
     return std::move(parts_);
   }
 
@@ -96,6 +97,15 @@ class Parts {
     part.moves = node.at.body != model::ground && !model_.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
     parts_.push_back(std::move(part));
     return parts_.back();
+  }
+
+  /// Forces that are nothing beside the others.
+  void drop_rounding() {
+    double largest = 0;
+    for (const HeldPart& part : parts_) largest = std::max(largest, part.force.norm());
+    for (HeldPart& part : parts_) {
+      if (part.force.norm() < 1e-9 * largest) part.force.setZero();
+    }
   }
 
   /// Rope that is taken in at the start of a path runs against it.

@@ -160,6 +160,28 @@ void add_ropes(const TransientRun& run, Result& r) {
                   {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({}; {})", where, words_of(run)), {}});
 }
 
+/// How much of the way of each driven rim its rope did not go along with, over all that was written down.
+void add_slip_shares(const TransientRun& run, Result& r) {
+  const auto& frames = run.result.frames;
+  for (std::size_t c = 0; c < frames.front().contacts.size(); ++c) {
+    const auto& first = frames.front().contacts[c];
+    const model::Node& node =
+        run.model.reevings[static_cast<std::size_t>(first.reeving)].nodes[static_cast<std::size_t>(first.node)];
+    if (node.motor < 0) continue;
+    double slipped = 0, rim = 0;
+    for (std::size_t f = 1; f < frames.size(); ++f) {
+      const auto &a = frames[f - 1].contacts[c], &b = frames[f].contacts[c];
+      const double half = (frames[f].t - frames[f - 1].t) / 2;
+      slipped += half * (std::abs(a.slip) + std::abs(b.slip));
+      rim += half * node.radius * (std::abs(a.spin) + std::abs(b.spin));
+    }
+    if (!(rim > 0)) continue;
+    const std::string name = fmt::format("{}.slip_share{}", node.name, run.ending);
+    const std::string words = fmt::format("way that the rope slips on {}, as a share of the way of its rim", node.name);
+    r.values.push_back({name, slipped / rim, si::one, name, fmt::format("{} ({})", words, words_of(run)), {}});
+  }
+}
+
 /// Peak over static against phi2 of EN 13001-2.
 void check_hoist_factor(const TransientRun& run, Result& r) {
   if (!run.request.hoist_factor) return;
@@ -237,6 +259,7 @@ void add_transient_tables(const TransientRun& run, Result& r) {
   add_series(run, r);
   add_ropes(run, r);
   check_hoist_factor(run, r);
+  add_slip_shares(run, r);
   add_envelope(run, r);
   add_events(run, r);
   add_energy(run, r);

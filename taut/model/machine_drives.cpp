@@ -106,6 +106,8 @@ const Description& RopeLoad::describe() {
                  "parts into which a rate is divided; without it up to 16")
           .at_least(1)
           .at_most(64)
+          .field(&RopeLoad::signal, "signal",
+                 "in motion the force, or the rate, over time: a signal; statics takes 'tangential' or 'rate'")
           .field(&RopeLoad::name, "name", "for tables; without it ROPE.load");
   return d;
 }

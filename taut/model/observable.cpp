@@ -36,6 +36,8 @@ const ObservableNames of_sheave = {{"T_in", Quantity::T_in, si::N},
                                    {"omega", Quantity::sheave_omega, si::per_s},
                                    {"angle", Quantity::sheave_angle, si::rad},
                                    {"slip", Quantity::slip, si::m_per_s}};
+const ObservableNames of_load = {
+    {"T_in", Quantity::T_in, si::N}, {"T_out", Quantity::T_out, si::N}, {"speed", Quantity::slip, si::m_per_s}};
 const ObservableNames of_drum = {{"T", Quantity::drum_T, si::N},
                                  {"speed", Quantity::drum_speed, si::m_per_s},
                                  {"length", Quantity::drum_length, si::m},
@@ -151,7 +153,11 @@ class Resolver {
     for (std::size_t r = 0; r < model_.reevings.size(); ++r) {
       const auto& nodes = model_.reevings[r].nodes;
       for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const bool load = nodes[n].kind == NodeKind::load;
         const bool over = nodes[n].kind == NodeKind::contact || nodes[n].kind == NodeKind::drive;
+        if (load && nodes[n].name == text_.substr(0, text_.rfind('.'))) {
+          return make(of_load, static_cast<int>(r), static_cast<int>(n));
+        }
         if (!over || nodes[n].name != path_.name) continue;
         if (++count == path_.number.value_or(1)) return make(of_sheave, static_cast<int>(r), static_cast<int>(n));
       }
@@ -245,6 +251,7 @@ std::vector<Observable> usual_observables(const Model& model) {
   }
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
+    if (body.of_rope) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto moves = [&](const auto& ways) {
         return std::any_of(ways.begin(), ways.end(),
@@ -265,6 +272,8 @@ std::vector<Observable> usual_observables(const Model& model) {
     for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
       const Node& node = model.reevings[r].nodes[n];
       if (node.motor >= 0) add(node.name, of_sheave, "speed", r, static_cast<int>(n));
+      if (node.kind != NodeKind::load || node.load.part > 0) continue;
+      for (const char* name : {"T_in", "T_out"}) add(node.name, of_load, name, r, static_cast<int>(n));
     }
   }
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
