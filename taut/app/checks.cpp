@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "taut/app/guy_checks.hpp"
-#include "taut/app/machine_masts.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::app {
@@ -31,6 +30,19 @@ std::vector<std::string> parts_of(const model::Model& model) {
   return parts;
 }
 
+/// Checks that the user answers for.
+void confirm(const std::vector<std::string>& confirmed, Result& r) {
+  for (const std::string& text : confirmed) {
+    bool met = false;
+    for (Check& c : r.checks) {
+      const bool named = c.rule.find(text) != std::string::npos || c.name.find(text) != std::string::npos;
+      met |= named;
+      if (named && report::is_unverified(c.trust)) c.trust = fmt::format("user: confirmed in the deck ('{}')", text);
+    }
+    if (!met) r.warnings.push_back(fmt::format("'confirmed': no check has '{}' in its name or rule", text));
+  }
+}
+
 /// A check on an unverified number has no limit that this deck accepts.
 int refuse_unverified(Result& r) {
   int refused = 0;
@@ -48,12 +60,15 @@ int refuse_unverified(Result& r) {
 }  // namespace
 
 void finish_checks(const ChecksRequest& request, Result& r) {
+  confirm(request.confirmed, r);
   if (request.refuse_unverified) {
     if (const int refused = refuse_unverified(r); refused > 0) {
       const std::string words = fmt::format(
-          "{} check{} refused ('refuse_unverified'): confirm the number{} in the source named and give it in the deck "
-          "as your own, or choose a rule that is verified",
-          refused, refused == 1 ? " is" : "s are", refused == 1 ? "" : "s");
+          "{} check{} refused ('refuse_unverified'): compare {} with the source named, then give {} in the deck as "
+          "your "
+          "own or name the source under 'confirmed', or choose a rule that is verified",
+          refused, refused == 1 ? " is" : "s are", refused == 1 ? "its number" : "their numbers",
+          refused == 1 ? "it" : "them");
       r.message += r.message.empty() ? words : "; " + words;
     }
   }
@@ -72,12 +87,13 @@ std::vector<Complaint> check_complaints(const MachineDeck& deck, const model::Mo
 }
 
 void add_checks(const MachineDeck& deck, const MachineRun& run, Result& r) {
-  if (!deck.checks || r.status != Status::ok) return;
-  add_rope_checks(*deck.checks, deck, run, r);
-  add_machine_masts(deck.checks->masts, deck, run, r);
-  add_guy_checks(deck.checks->guys, deck, run, r);
-  add_anchor_checks(deck.checks->anchors, run, r);
-  add_line_checks(deck.checks->lines, run, r);
+  if (!deck.checks || r.status != Status::ok || !run.checked) return;
+  const CheckedParts& seen = *run.checked;
+  add_rope_checks(*deck.checks, deck, run.model, seen.ropes.all(), r);
+  add_machine_masts(seen.masts, deck, run.model, r);
+  add_guy_checks(seen.guys, deck, run.model, r);
+  add_anchor_checks(seen.anchors, r);
+  add_line_checks(seen.lines, run.model, r);
   const std::vector<std::string> parts = parts_of(run.model);
   for (Check& c : r.checks) {
     if (c.part.empty()) c.part = part_of(c.name, parts);

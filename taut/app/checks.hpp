@@ -27,6 +27,8 @@ void complain_of_ropes(const ChecksRequest& request, const MachineDeck& deck, co
                        std::vector<Complaint>& complaints);
 /// All that is to be told of one rope: checks, and what was left out.
 void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
-void add_rope_checks(const ChecksRequest& request, const MachineDeck& deck, const MachineRun& run, Result& r);
+/// `uses`: by reeving, over all states that are load cases.
+void add_rope_checks(const ChecksRequest& request, const MachineDeck& deck, const model::Model& model,
+                     const std::vector<rope::RopeUse>& uses, Result& r);
 
 }  // namespace taut::app

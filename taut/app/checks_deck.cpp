@@ -12,6 +12,10 @@ const Description& ChecksRequest::describe() {
           .named_records(&ChecksRequest::guys, "guys", "by the name of a guy, or of a rope with all guys of it")
           .named_records(&ChecksRequest::anchors, "anchors", "by the name of a point at which ropes end")
           .named_records(&ChecksRequest::lines, "lines", "by the name of a reeving over supports")
+          .field(
+              &ChecksRequest::confirmed, "confirmed",
+              "what you have compared with its source, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
+              "contains it are no longer unverified, but rest on your word")
           .field(&ChecksRequest::refuse_unverified, "refuse_unverified",
                  "a check that rests on an unverified number does not pass");
   return d;

@@ -16,7 +16,8 @@ struct ChecksRequest {
   std::vector<GuyCheckRequest> guys;
   std::vector<AnchorCheckRequest> anchors;
   std::vector<LineCheckRequest> lines;
-  bool refuse_unverified = false;  ///< a check on an unverified limit does not pass
+  std::vector<std::string> confirmed;  ///< rules that the user has compared with their sources
+  bool refuse_unverified = false;      ///< a check on an unverified limit does not pass
   static const Description& describe();
 };
 

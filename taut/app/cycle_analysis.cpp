@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/none.hpp"
-#include "taut/app/rope_uses.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/math/index.hpp"
 
@@ -146,9 +146,9 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
         continue;
       }
       p.z = point.z;
-      if (machine.rope_uses) {
-        machine.rope_uses->take(part.model, point.at,
-                                fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x));
+      if (machine.checked) {
+        machine.checked->take(part.model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x),
+                              analysis_name(run.ending, "cycle"));
       }
       for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }

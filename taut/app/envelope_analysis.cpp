@@ -7,10 +7,10 @@
 #include <unordered_map>
 
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
-#include "taut/app/rope_uses.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
@@ -209,13 +209,13 @@ class Combination {
     add_contacts(envelope_, m, e, where);
     add_anchors(envelope_, m, e, where);
     add_bodies(envelope_, m, e, where);
-    if (machine_.rope_uses) machine_.rope_uses->take(m, e, words);
+    std::string all = words;
+    if (!std::isnan(where.load)) all += fmt::format(", {:.6g} kg", where.load);
+    if (!std::isnan(where.temperature)) all += ", " + celsius(where.temperature);
+    if (machine_.checked) machine_.checked->take(m, e, all, analysis_name(run_.ending, "envelope"));
     for (const auto& rope : e.ropes) {
       if (rope.T_max <= most_) continue;
       most_ = rope.T_max;
-      std::string all = words;
-      if (!std::isnan(where.load)) all += fmt::format(", {:.6g} kg", where.load);
-      if (!std::isnan(where.temperature)) all += ", " + celsius(where.temperature);
       worst_ = {all, m, e};
     }
   }

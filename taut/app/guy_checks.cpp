@@ -7,6 +7,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
@@ -33,52 +34,29 @@ const model::Reeving* reeving_named(const model::Model& model, const std::string
 
 /// The tension of a rope that is just as long as its chord, by the parabola: (EA (w c cos theta)^2/24)^(1/3), N. Below
 /// it the rope only carries itself.
-double slack_tension(const model::Reeving& rope, const analysis::SpanResult& span) {
-  const Vector3 chord = span.end - span.start;
+double slack_tension(const model::Reeving& rope, const CheckBranch& branch) {
+  const Vector3 chord = branch.end - branch.start;
   const double across = rope.weight * std::hypot(chord.x(), chord.y());
   const double T = std::isfinite(rope.stiffness) ? std::cbrt(rope.stiffness * across * across / 24) : HUGE_VAL;
   return std::max(T, least_tension);
 }
 
-/// Over all states: largest tension, and how far it is from going slack.
-struct GuyStates {
-  double T_max = 0, reserve = HUGE_VAL, T = 0, T_slack = 0;  ///< the latter two where it is slackest, N
-  std::string where_max, where_slack;
-};
-GuyStates states_of(const MachineRun& run, const std::string& name) {
-  GuyStates all;
-  for (const Answer& a : answers_of(run)) {
-    for (const analysis::SpanResult& span : a.result->spans) {
-      if (a.model->reevings[static_cast<std::size_t>(span.reeving)].name != name) continue;
-      const double T = std::max({span.T_from, span.T_to, span.T_from_max, span.T_to_max});
-      if (T > all.T_max) {
-        all.T_max = T;
-        all.where_max = a.words;
-      }
-      const double T_slack = slack_tension(a.model->reevings[static_cast<std::size_t>(span.reeving)], span);
-      const double mean = (span.T_from + span.T_to) / 2;
-      if (mean / T_slack < all.reserve) {
-        all.reserve = mean / T_slack;
-        all.T = mean;
-        all.T_slack = T_slack;
-        all.where_slack = a.words;
-      }
-    }
-  }
-  return all;
+void take_least(double T, double T_slack, const std::string& words, GuyStates& guy) {
+  if (T / T_slack >= guy.reserve) return;
+  guy.reserve = T / T_slack;
+  guy.T_least = T;
+  guy.T_slack = T_slack;
+  guy.where_least = words;
 }
 
-void check_safety(const GuyCheckRequest& request, const std::string& name, const GuyStates& states, double strength,
-                  Result& r) {
+void check_safety(const GuyStates& guy, const std::string& name, double strength, Result& r) {
+  const GuyCheckRequest& request = *guy.request;
   RuleLimit limit{2, "partial factor of guys, EN 1993-3-1", by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
   if (request.safety_factor) limit = {*request.safety_factor, "the deck's own", "user"};
-  const double S = strength / (states.T_max * request.dynamic_factor);
-  const std::string factor =
-      request.dynamic_factor == 1 ? std::string() : fmt::format(" times {:.4g}", request.dynamic_factor);
-  add_part_check(name, "guy_safety", S, Sense::at_least, limit.value, si::one,
-                 fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN{} ({}); {}", strength / 1e3,
-                             states.T_max / 1e3, factor, states.where_max, limit.words),
+  add_part_check(name, "guy_safety", strength / guy.T_max, Sense::at_least, limit.value, si::one,
+                 fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}", strength / 1e3,
+                             guy.T_max / 1e3, guy.where_max, limit.words),
                  limit.trust, r);
 }
 
@@ -104,6 +82,10 @@ RuleLimit rule_limit(const std::string& id, bool high_end) {
                                                              : std::string(to_text(row->trust))};
   if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
   return limit;
+}
+
+std::string with_factor(const std::string& words, double factor) {
+  return factor == 1 ? words : fmt::format("{}, times {:.4g}", words, factor);
 }
 
 void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
@@ -146,25 +128,61 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const MachineDec
   }
 }
 
-void add_guy_checks(const std::vector<GuyCheckRequest>& guys, const MachineDeck& deck, const MachineRun& run,
-                    Result& r) {
+std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const MachineDeck& deck,
+                                  const model::Model& model) {
+  std::vector<GuyStates> all;
   for (const GuyCheckRequest& one : guys) {
     for (const std::string& name : guys_named(one.name, deck)) {
-      const model::Reeving& rope = *reeving_named(run.model, name);
-      const double strength = one.breaking_force.value_or(rope.breaking_force);
-      const GuyStates states = states_of(run, name);
-      if (states.T_max > 0) check_safety(one, name, states, strength, r);
-      if (!one.may_go_slack && std::isfinite(states.reserve)) {
-        add_part_check(
-            name, "slackness", states.T, Sense::at_least, states.T_slack, si::N,
-            fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
-                        "slack and holds nothing ({})",
-                        states.where_slack),
-            "derived", r);
-      }
-      const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
-                                    [&](const auto& g) { return g.name == name; });
-      if (one.check_pretension && guy->install) check_pretension(one, name, guy->install->tension, strength, r);
+      GuyStates& guy = all.emplace_back();
+      guy.request = &one;
+      guy.reeving = static_cast<int>(reeving_named(model, name) - model.reevings.data());
+    }
+  }
+  return all;
+}
+
+void take(const CheckState& state, GuyStates& guy) {
+  const double factor = guy.request->dynamic_factor;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != guy.reeving) continue;
+    if (b.T * factor > guy.T_max) {
+      guy.T_max = b.T * factor;
+      guy.where_max = with_factor(state.words, factor);
+    }
+    take_least(b.mean, slack_tension(state.model->reevings[at(guy.reeving)], b), state.words, guy);
+  }
+}
+
+void take_motion(const CheckState& begins, const analysis::TransientResult& motion, const std::string& words,
+                 GuyStates& guy) {
+  const analysis::Extreme& T = motion.ropes[at(guy.reeving)].T;
+  if (T.max > guy.T_max) {
+    guy.T_max = T.max;
+    guy.where_max = fmt::format("{}, t = {:.4g} s", words, T.t_max);
+  }
+  for (const CheckBranch& b : begins.branches) {
+    if (b.reeving != guy.reeving) continue;
+    take_least(T.min, slack_tension(begins.model->reevings[at(guy.reeving)], b),
+               fmt::format("{}, t = {:.4g} s", words, T.t_min), guy);
+  }
+}
+
+void add_guy_checks(const std::vector<GuyStates>& guys, const MachineDeck& deck, const model::Model& model, Result& r) {
+  for (const GuyStates& one : guys) {
+    const model::Reeving& rope = model.reevings[at(one.reeving)];
+    const double strength = one.request->breaking_force.value_or(rope.breaking_force);
+    if (one.T_max > 0) check_safety(one, rope.name, strength, r);
+    if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
+      add_part_check(rope.name, "slackness", one.T_least, Sense::at_least, one.T_slack, si::N,
+                     fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
+                                 "slack and holds nothing ({})",
+                                 one.where_least),
+                     "derived", r);
+    }
+    const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
+                                  [&](const auto& g) { return g.name == rope.name; });
+    if (one.request->check_pretension && guy->install) {
+      check_pretension(*one.request, rope.name, guy->install->tension, strength, r);
     }
   }
 }

@@ -25,6 +25,25 @@ const Description& GuyCheckRequest::describe() {
   return d;
 }
 
+const Description& FasteningRequest::describe() {
+  using F = FasteningRequest;
+  static const Description d =
+      Describe<F>()
+          .field(&F::wraps, "wraps", "", si::one, "turns of the line round it: 2.5")
+          .above(0)
+          .at_most(100)
+          .field(&F::spikes, "spikes", "", si::one, "railroad spikes on the first and the last wrap together: 8")
+          .at_least(0)
+          .at_most(1000)
+          .field(&F::staples, "staples", "", si::one, "in place of spikes: 6")
+          .at_least(0)
+          .at_most(1000)
+          .field(&F::clips, "clips", "", si::one, "on the line's end: 2 up to 1 in., 3 above")
+          .at_least(0)
+          .at_most(1000);
+  return d;
+}
+
 const Description& AnchorCheckRequest::describe() {
   using R = AnchorCheckRequest;
   static const Description d =
@@ -43,7 +62,12 @@ const Description& AnchorCheckRequest::describe() {
           .at_least(0)
           .field(&R::angle, "angle", "", si::rad, "largest angle of the pull above the horizontal")
           .above(-1.5708)
-          .below(1.5708);
+          .below(1.5708)
+          .field(&R::tree_diameter, "tree_diameter", "", si::m.in("cm"),
+                 "of the tree or stump that it is: its pull by a rule of thumb, 80 kN at 50 cm")
+          .above(0)
+          .at_most(5)
+          .record(&R::fastening, "fastening", "how the line is made fast to it, by WAC 296-54-569");
   return d;
 }
 
@@ -64,6 +88,11 @@ const Description& LineCheckRequest::describe() {
                  "whether the angle by which it bends over each support lies within the limits of the rules layout.*")
           .field(&R::hold_down, "hold_down", "whether straps hold it down on its saddles: at least 1 deg, else 3 deg")
           .field(&R::end_masts, "end_masts", "supports at the ends of the line: at most 60 deg, the others 30 deg")
+          .field(&R::clearance, "clearance",
+                 "whether the rope keeps its distance from the terrain: layout.ground_clearance, 7 m")
+          .field(&R::least_clearance, "least_clearance", "", si::m, "the same with a distance of the deck's own")
+          .above(0)
+          .at_most(1000)
           .field(&R::spar_rating, "spar_rating", "", si::N,
                  "breaking strength of this line on the plate of the spar (WAC 296-54-553)")
           .above(0)

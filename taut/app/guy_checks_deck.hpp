@@ -20,6 +20,14 @@ struct GuyCheckRequest {
   static const Description& describe();
 };
 
+/// How a line is made fast to a stump or tree.
+struct FasteningRequest {
+  std::optional<double> wraps;
+  std::optional<double> spikes, staples;  ///< on the first and on the last wrap together
+  std::optional<double> clips;
+  static const Description& describe();
+};
+
 /// What is checked of a place to which ropes are anchored, by the point's name.
 struct AnchorCheckRequest {
   std::string name;
@@ -27,8 +35,10 @@ struct AnchorCheckRequest {
   double safety_factor = 1;        ///< of it over the force
   bool as_strong_as_rope = false;  ///< strength >= breaking force of the ropes
   double dynamic_factor = 1;
-  std::optional<double> uplift;  ///< N, largest
-  std::optional<double> angle;   ///< rad, largest, of the force above the horizontal
+  std::optional<double> uplift;         ///< N, largest
+  std::optional<double> angle;          ///< rad, largest, of the force above the horizontal
+  std::optional<double> tree_diameter;  ///< m, of the tree or stump that it is
+  std::optional<FasteningRequest> fastening;
   static const Description& describe();
 };
 
@@ -39,11 +49,13 @@ struct LineCheckRequest {
   std::optional<double> tail_angle;      ///< rad, largest
   std::optional<double> off_line;        ///< rad, largest
   bool break_angles = false;
-  bool hold_down = false;                ///< the rope is strapped to its saddles
-  std::vector<std::string> end_masts;    ///< supports at the ends of the line
-  std::optional<double> spar_rating;     ///< N, strength of this line on the spar's plate
-  std::optional<double> limiter;         ///< N, tension limiter or line fuse
-  std::optional<double> breaking_force;  ///< N, where neither deck nor catalogue says it
+  bool hold_down = false;                 ///< the rope is strapped to its saddles
+  std::vector<std::string> end_masts;     ///< supports at the ends of the line
+  bool clearance = false;                 ///< over the ground, at least that of the rules
+  std::optional<double> least_clearance;  ///< m, in place of it
+  std::optional<double> spar_rating;      ///< N, strength of this line on the spar's plate
+  std::optional<double> limiter;          ///< N, tension limiter or line fuse
+  std::optional<double> breaking_force;   ///< N, where neither deck nor catalogue says it
   static const Description& describe();
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/guy_checks.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
@@ -31,61 +33,86 @@ double plan_angle(const Vector3& a, const Vector3& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y()));
 }
 
-/// One value over all states.
-struct LineExtreme {
-  double value = std::nan("");
-  std::string where;
-  void largest(double x, const std::string& words) {
-    if (std::isnan(value) || x > value) *this = {x, words};
-  }
-  void least(double x, const std::string& words) {
-    if (std::isnan(value) || x < value) *this = {x, words};
-  }
-};
-
-/// The spans on both sides of a support: the one to the rope's end, and the one on the line's side.
+/// The branches on both sides of a support: the one to the rope's end, and the one on the line's side.
 struct Tail {
-  const analysis::SpanResult* to_anchor = nullptr;
-  const analysis::SpanResult* of_line = nullptr;
+  const CheckBranch* to_anchor = nullptr;
+  const CheckBranch* of_line = nullptr;
   bool at_end = true;  ///< of the path
 };
-std::optional<Tail> tail_at(const model::Model& m, const analysis::EquilibriumResult& e, const model::Reeving& rope,
-                            const std::string& support) {
-  const int last = static_cast<int>(rope.nodes.size()) - 1;
+std::optional<Tail> tail_at(const CheckState& state, int reeving, const std::string& support) {
+  const auto& nodes = state.model->reevings[at(reeving)].nodes;
+  const auto is_support = [&](int node) { return nodes[at(node)].name == support; };
+  const int last = static_cast<int>(nodes.size()) - 1;
   Tail tail;
-  for (const analysis::SpanResult& span : e.spans) {
-    if (&m.reevings[static_cast<std::size_t>(span.reeving)] != &rope) continue;
-    const auto& from = rope.nodes[static_cast<std::size_t>(span.from)].name;
-    const auto& to = rope.nodes[static_cast<std::size_t>(span.to)].name;
-    if (from == support && span.to == last) {
-      tail.to_anchor = &span;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != reeving) continue;
+    if (is_support(b.from) && b.to == last) {
+      tail.to_anchor = &b;
       tail.at_end = true;
-    } else if (to == support && span.from == 0) {
-      tail.to_anchor = &span;
+    } else if (is_support(b.to) && b.from == 0) {
+      tail.to_anchor = &b;
       tail.at_end = false;
     }
   }
   if (tail.to_anchor == nullptr) return std::nullopt;
-  for (const analysis::SpanResult& span : e.spans) {
-    if (&m.reevings[static_cast<std::size_t>(span.reeving)] != &rope || &span == tail.to_anchor) continue;
-    const int node = tail.at_end ? span.to : span.from;
-    if (rope.nodes[static_cast<std::size_t>(node)].name == support) tail.of_line = &span;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != reeving || &b == tail.to_anchor) continue;
+    if (is_support(tail.at_end ? b.to : b.from)) tail.of_line = &b;
   }
   return tail;
 }
 
-void check_tail(const LineCheckRequest& request, const MachineRun& run, Result& r) {
-  LineExtreme angle, off;
-  for (const Answer& a : answers_of(run)) {
-    const auto tail = tail_at(*a.model, *a.result, *line_named(*a.model, request.name), *request.tail_tree);
-    if (!tail) continue;
-    const analysis::SpanResult& s = *tail->to_anchor;
-    const double V = tail->at_end ? s.V_from : s.V_to;  // at the tree
-    angle.largest(std::atan2(std::abs(V), s.H), a.words);
-    if (tail->of_line != nullptr) {
-      off.largest(plan_angle(s.end - s.start, tail->of_line->end - tail->of_line->start), a.words);
+void take_tail(const CheckState& state, LineStates& line) {
+  const auto tail = tail_at(state, line.reeving, *line.request->tail_tree);
+  if (!tail) return;
+  const CheckBranch& b = *tail->to_anchor;
+  const Vector3& pull = tail->at_end ? b.on_start : b.on_end;  // on the tree
+  line.tail_angle.largest(std::atan2(std::abs(pull.z()), std::hypot(pull.x(), pull.y())), state.words);
+  if (tail->of_line != nullptr) {
+    line.off_line.largest(plan_angle(b.end - b.start, tail->of_line->end - tail->of_line->start), state.words);
+  }
+}
+
+void take_bends(const CheckState& state, LineStates& line) {
+  const auto& nodes = state.model->reevings[at(line.reeving)].nodes;
+  for (const CheckContact& c : state.contacts) {
+    if (c.reeving != line.reeving) continue;
+    for (LineStates::Bend& bend : line.bends) {
+      if (nodes[at(c.node)].name != bend.support) continue;
+      bend.most.largest(c.wrap, state.words);
+      // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
+      if (!state.moves || c.lifts) bend.least.least(c.lifts ? -c.wrap : c.wrap, state.words);
     }
   }
+}
+
+void take_clearance(const CheckState& state, LineStates& line) {
+  if (state.rest == nullptr) return;
+  for (const analysis::SpanResult& span : state.rest->spans) {
+    if (span.reeving != line.reeving) continue;
+    const analysis::RopeClearance found = analysis::rope_clearance(*state.model, span);
+    if (std::isnan(found.height)) continue;
+    line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
+  }
+}
+
+void check_clearance(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
+  if (!request.clearance && !request.least_clearance) return;
+  RuleLimit limit = rule_limit("layout.ground_clearance", true);
+  if (request.least_clearance) limit = {*request.least_clearance, "the deck's own", "user"};
+  if (std::isnan(line.clearance.value)) {
+    r.warnings.push_back(fmt::format(
+        "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
+    return;
+  }
+  add_part_check(request.name, "clearance", line.clearance.value, Sense::at_least, limit.value, si::m,
+                 fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust,
+                 r);
+}
+
+void check_tail(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
   const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
     if (std::isnan(x.value)) return;
@@ -94,37 +121,33 @@ void check_tail(const LineCheckRequest& request, const MachineRun& run, Result& 
     add_part_check(request.name, name, x.value, Sense::at_most, limit.value, si::rad,
                    fmt::format("{} ({}); {}", words, x.where, limit.words), limit.trust, r);
   };
-  add("tail_angle", angle, request.tail_angle, "layout.tail_tree_angle",
+  add("tail_angle", line.tail_angle, request.tail_angle, "layout.tail_tree_angle",
       "from the horizontal, between the tail tree and the anchor");
-  add("anchor_off_line", off, request.off_line, "layout.anchor_off_line", "anchor against the line, seen from above");
+  add("anchor_off_line", line.off_line, request.off_line, "layout.anchor_off_line",
+      "anchor against the line, seen from above");
 }
 
-void check_breaks(const LineCheckRequest& request, const MachineRun& run, Result& r) {
-  for (const std::string& support : supports_of(run.model, *line_named(run.model, request.name))) {
-    LineExtreme most, least;
-    for (const Answer& a : answers_of(run)) {
-      const model::Reeving& rope = *line_named(*a.model, request.name);
-      for (const analysis::ContactResult& c : a.result->contacts) {
-        if (&a.model->reevings[static_cast<std::size_t>(c.reeving)] != &rope) continue;
-        if (rope.nodes[static_cast<std::size_t>(c.node)].name != support) continue;
-        const bool lifts = c.state == analysis::ContactState::lifted || c.state == analysis::ContactState::pulled;
-        most.largest(c.wrap, a.words);
-        least.least(lifts ? -c.wrap : c.wrap, a.words);
-      }
-    }
-    if (std::isnan(most.value)) continue;
+void check_bends(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
+  for (const LineStates::Bend& bend : line.bends) {
     const auto& ends = request.end_masts;
-    const bool end = std::find(ends.begin(), ends.end(), support) != ends.end();
-    const RuleLimit high =
-        rule_limit(end ? "layout.break_angle_loaded_end" : "layout.break_angle_loaded_support", false);
-    const RuleLimit low =
-        rule_limit(request.hold_down ? "layout.break_angle_hold_down" : "layout.break_angle_empty", true);
-    add_part_check(request.name, support + ".break_angle", most.value, Sense::at_most, high.value, si::rad,
-                   fmt::format("largest bend over '{}' ({}); {}", support, most.where, high.words), high.trust, r);
-    add_part_check(request.name, support + ".least_break_angle", least.value, Sense::at_least, low.value, si::rad,
-                   fmt::format("least bend over '{}', with the empty line among the states ({}); {}", support,
-                               least.where, low.words),
-                   low.trust, r);
+    const bool end = std::find(ends.begin(), ends.end(), bend.support) != ends.end();
+    if (!std::isnan(bend.most.value)) {
+      const RuleLimit high =
+          rule_limit(end ? "layout.break_angle_loaded_end" : "layout.break_angle_loaded_support", false);
+      add_part_check(request.name, bend.support + ".break_angle", bend.most.value, Sense::at_most, high.value, si::rad,
+                     fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words),
+                     high.trust, r);
+    }
+    if (!std::isnan(bend.least.value)) {
+      const RuleLimit low =
+          rule_limit(request.hold_down ? "layout.break_angle_hold_down" : "layout.break_angle_empty", true);
+      add_part_check(request.name, bend.support + ".least_break_angle", bend.least.value, Sense::at_least, low.value,
+                     si::rad,
+                     fmt::format("least bend over '{}', with the empty line among the states ({}); {}", bend.support,
+                                 bend.least.where, low.words),
+                     low.trust, r);
+    }
   }
 }
 
@@ -178,6 +201,9 @@ void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::
                             fmt::format("'{}' does not run over a support '{}'{}", one.name, one.end_masts[i],
                                         did_you_mean(one.end_masts[i], supports))});
     }
+    if ((one.clearance || one.least_clearance) && model.terrain.empty()) {
+      complaints.push_back({path, "a clearance needs the machine's 'terrain'"});
+    }
     if (one.limiter && !one.spar_rating) complaints.push_back({path + ".limiter", "needs 'spar_rating'"});
     if (one.spar_rating && !one.breaking_force && rope->breaking_force == 0) {
       complaints.push_back({path, "the rope's breaking force is not known: give 'breaking_force'"});
@@ -185,11 +211,31 @@ void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::
   }
 }
 
-void add_line_checks(const std::vector<LineCheckRequest>& lines, const MachineRun& run, Result& r) {
+std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const model::Model& model) {
+  std::vector<LineStates> all;
   for (const LineCheckRequest& one : lines) {
-    if (one.tail_tree) check_tail(one, run, r);
-    if (one.break_angles) check_breaks(one, run, r);
-    if (one.spar_rating) check_rating(one, run.model, r);
+    const model::Reeving* rope = line_named(model, one.name);
+    LineStates& line = all.emplace_back();
+    line.request = &one;
+    line.reeving = static_cast<int>(rope - model.reevings.data());
+    if (!one.break_angles) continue;
+    for (std::string& support : supports_of(model, *rope)) line.bends.push_back({std::move(support), {}, {}});
+  }
+  return all;
+}
+
+void take(const CheckState& state, LineStates& line) {
+  if (line.request->tail_tree) take_tail(state, line);
+  take_bends(state, line);
+  if (line.request->clearance || line.request->least_clearance) take_clearance(state, line);
+}
+
+void add_line_checks(const std::vector<LineStates>& lines, const model::Model& model, Result& r) {
+  for (const LineStates& line : lines) {
+    check_tail(line, r);
+    check_bends(line, r);
+    check_clearance(line, r);
+    if (line.request->spar_rating) check_rating(*line.request, model, r);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -44,6 +45,17 @@ inline double cell(const taut::Table& t, std::size_t row, const std::string& col
 inline std::string text_cell(const taut::Table& t, std::size_t row, const std::string& column) {
   const taut::Cell found = any_cell(t, row, column);
   return std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : std::string{};
+}
+
+inline const taut::Check& check_of(const taut::Result& r, const std::string& name) {
+  static const taut::Check none;
+  const auto found = std::find_if(r.checks.begin(), r.checks.end(), [&](const auto& c) { return c.name == name; });
+  EXPECT_NE(found, r.checks.end()) << "no check " << name << to_text(r.errors) << r.message;
+  return found == r.checks.end() ? none : *found;
+}
+
+inline bool has_check(const taut::Result& r, const std::string& name) {
+  return std::any_of(r.checks.begin(), r.checks.end(), [&](const auto& c) { return c.name == name; });
 }
 
 /// The row whose cell in `column` has this text.

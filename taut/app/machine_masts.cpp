@@ -6,24 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/app/guy_checks.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/section_search.hpp"
-#include "taut/rope/guy.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
 
 using model::description::Beam;
-
-std::vector<std::string> beams_of(const MastCheckRequest& request) {
-  return request.beams.empty() ? std::vector<std::string>{request.name} : request.beams;
-}
-
-const Beam* beam_named(const MachineDeck& deck, const std::string& name) {
-  const auto& all = deck.machine.beams;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Beam& b) { return b.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
 
 std::size_t index_in(const model::Model& model, const std::string& name) {
   const auto found =
@@ -39,12 +30,18 @@ std::string steel_of(const MastCheckRequest& request, const Beam& beam) {
   return request.steel ? *request.steel : beam.steel.value_or("");
 }
 
-/// Names that a combination may use.
-std::vector<std::string> analyses_of(const MachineDeck& deck) {
+/// Names that a combination may use; beams don't move.
+std::vector<std::string> analyses_of(const MachineDeck& deck, bool with_motions) {
   std::vector<std::string> names;
+  const auto add = [&](const auto& analysis, const char* kind) {
+    if (analysis) names.push_back(analysis->name.value_or(kind));
+  };
   for (const AnalysisRequest& a : deck.analyses) {
-    if (a.equilibrium) names.push_back(a.equilibrium->name.value_or("equilibrium"));
-    if (a.load_path) names.push_back(a.load_path->name.value_or("load_path"));
+    add(a.equilibrium, "equilibrium");
+    add(a.load_path, "load_path");
+    add(a.envelope, "envelope");
+    add(a.cycle, "cycle");
+    if (with_motions) add(a.transient, "transient");
   }
   if (deck.analyses.empty()) names.emplace_back("equilibrium");
   return names;
@@ -52,7 +49,7 @@ std::vector<std::string> analyses_of(const MachineDeck& deck) {
 
 void complain_of_terms(const MastCheckRequest& request, const std::string& path, const MachineDeck& deck,
                        std::vector<Complaint>& complaints) {
-  const std::vector<std::string> known = analyses_of(deck);
+  const std::vector<std::string> known = analyses_of(deck, false);
   for (const MastCombinationRequest& c : request.combinations) {
     const std::string at = fmt::format("{}.combinations.{}", path, c.name);
     if (c.terms.size() != 1) {
@@ -62,9 +59,9 @@ void complain_of_terms(const MastCheckRequest& request, const std::string& path,
     }
     for (const MastTerm& t : c.terms) {
       if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
-      complaints.push_back(
-          {fmt::format("{}.{}", at, t.name),
-           fmt::format("no equilibrium or load_path has the name '{}'{}", t.name, did_you_mean(t.name, known))});
+      complaints.push_back({fmt::format("{}.{}", at, t.name),
+                            fmt::format("no equilibrium, load_path, envelope or cycle has the name '{}'{}", t.name,
+                                        did_you_mean(t.name, known))});
     }
   }
 }
@@ -109,13 +106,13 @@ bool built_crooked(const Beam& beam, const MastMaterial& material, double length
 /// One mast of the machine's beams.
 class MachineMast {
  public:
-  MachineMast(const MastCheckRequest& request, const MachineDeck& deck, const MachineRun& run)
-      : request_(request), deck_(deck), run_(run) {
+  MachineMast(const MastStates& mast, const MachineDeck& deck, const model::Model& model)
+      : request_(*mast.request), deck_(deck), mast_(mast) {
+    const MastCheckRequest& request = request_;
     report_.name = request.name;
-    for (const std::string& name : beams_of(request)) {
-      const Beam& beam = *beam_named(deck, name);
-      beams_.push_back(index_in(run.model, name));
-      lengths_.push_back(run.model.beams[beams_.back()].length);
+    for (std::size_t i = 0; i < mast.beams.size(); ++i) {
+      const Beam& beam = *beam_named(deck, beams_of(request)[i]);
+      lengths_.push_back(model.beams[mast.beams[i]].length);
       std::vector<Complaint> told_before;
       report_.materials.push_back(*mast_material(request, *beam.section, steel_of(request, beam), {}, told_before));
     }
@@ -123,7 +120,7 @@ class MachineMast {
 
   MastReport report() {
     bool crooked = true;
-    for (std::size_t i = 0; i < beams_.size(); ++i) {
+    for (std::size_t i = 0; i < mast_.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck_, beams_of(request_)[i]);
       report_.loaded.mast.parts.push_back(part(report_.materials[i], beam.E));
       crooked = crooked && built_crooked(beam, report_.materials[i], lengths_[i]);
@@ -132,7 +129,7 @@ class MachineMast {
     add_cases();
     if (report_.loaded.cases.empty()) report_.refused = "no analysis found an equilibrium";
     tell(crooked);
-    if (beams_.size() == 1) report_.in_section = other_section();
+    if (mast_.beams.size() == 1) report_.in_section = other_section();
     return std::move(report_);
   }
 
@@ -148,20 +145,20 @@ class MachineMast {
   }
 
   void add_cases() {
-    for (const NamedAnswer& one : named_answers(run_)) {
-      if (request_.combinations.empty()) add_case(one.answer, one.answer.words, request_.load_factor);
+    for (const BeamState& one : mast_.states) {
+      if (request_.combinations.empty()) add_case(one, one.words, request_.load_factor);
       for (const MastCombinationRequest& c : request_.combinations) {
         for (const MastTerm& t : c.terms) {
-          if (t.name == one.analysis) add_case(one.answer, fmt::format("{}: {}", c.name, one.answer.words), t.factor);
+          if (t.name == one.analysis) add_case(one, fmt::format("{}: {}", c.name, one.words), t.factor);
         }
       }
     }
   }
 
-  double inverse_critical(const Answer& answer) const {
+  static double inverse_critical(const BeamState& state) {
     double sum = 0;
-    for (const std::size_t i : beams_) {
-      const double alpha = answer.result->beams[i].critical_factor;
+    for (const analysis::BeamResult& beam : state.beams) {
+      const double alpha = beam.critical_factor;
       if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
     }
     return sum;
@@ -184,16 +181,16 @@ class MachineMast {
     return second && factor > 1 ? (1 - inverse) / (1 - factor * inverse) : 1;
   }
 
-  void add_case(const Answer& answer, const std::string& words, double factor) {
+  void add_case(const BeamState& state, const std::string& words, double factor) {
     structure::MastCase c;
     c.words = words;
     const double all = factor * request_.dynamic_factor;
     // each beam's factor is for its own forces alone: together they buckle not before 1/sum(1/alpha) (Dunkerley)
-    const double together = inverse_critical(answer);
+    const double together = inverse_critical(state);
     const double bends = magnified(all, together, words);
     double height = 0;
-    for (std::size_t i = 0; i < beams_.size(); ++i) {
-      const analysis::BeamResult& b = answer.result->beams[beams_[i]];
+    for (std::size_t i = 0; i < state.beams.size(); ++i) {
+      const analysis::BeamResult& b = state.beams[i];
       for (const analysis::BeamPoint& p : b.points) {
         const structure::CrossForces f = forces_of(p);
         structure::CrossForces design = all * f;
@@ -203,14 +200,15 @@ class MachineMast {
       height += lengths_[i];
     }
     if (!request_.buckling_length && together > 0) {
-      for (const std::size_t i : beams_) c.critical_force.push_back(answer.result->beams[i].compression / together);
+      for (const analysis::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / together);
     }
     report_.loaded.cases.push_back(std::move(c));
   }
 
   void tell(bool crooked) {
     report_.words.push_back(fmt::format(
-        "{}: forces of the machine's equilibria and load paths times their factors, moments of second order by (1 - "
+        "{}: forces of the machine's equilibria, load paths, envelopes and cycles times their factors, moments of "
+        "second order by (1 - "
         "1/alpha_cr)/(1 - factor/alpha_cr) more; {}; N_cr {}.",
         request_.name,
         crooked ? "sections are checked in the bent shape with sway and bow as built of EN 1993-1-1, 5.3.2, so that "
@@ -245,105 +243,66 @@ class MachineMast {
 
   const MastCheckRequest& request_;
   const MachineDeck& deck_;
-  const MachineRun& run_;
+  const MastStates& mast_;
   MastReport report_;
-  std::vector<std::size_t> beams_;
   std::vector<double> lengths_;
 };
 
-/// The least horizontal stiffness of all guys at the top of a beam, in a state, N/m.
-std::optional<double> guy_stiffness(const MachineDeck& deck, const Answer& answer, const std::string& top) {
-  rope::RingStiffness ring;
-  bool any = false;
-  for (const auto& guy : deck.machine.guys) {
-    if (guy.from != top && guy.to != top) continue;
-    for (const analysis::SpanResult& span : answer.result->spans) {
-      const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
-      if (rope.name != guy.name || span.unstretched >= span.chord) continue;  // slack ones give nothing
-      const Vector3 d = span.end - span.start;
-      rope::GuyLine line;
-      line.length = span.chord;
-      line.slope = std::atan2(d.z(), std::hypot(d.x(), d.y()));
-      line.weight = rope.weight;
-      line.stiffness = rope.stiffness;
-      line.tension = (span.T_from + span.T_to) / 2;
-      rope::RingStiffness one = rope::in_ring(rope::horizontal_stiffness(line), std::atan2(d.y(), d.x()));
-      for (int copy = 0; copy < rope.copies; ++copy) ring = ring + one;
-      any = true;
-    }
-  }
-  if (!any) return std::nullopt;
-  const double mean = (ring.xx + ring.yy) / 2;
-  return mean - std::hypot((ring.xx - ring.yy) / 2, ring.xy);
-}
-
-void add_top_check(const MastCheckRequest& request, const MachineDeck& deck, const MachineRun& run,
-                   const MastReport& report, Result& r) {
-  if (!request.top_criterion) return;
-  const std::string top = beams_of(request).back() + ".top";
-  double height = 0, EI = HUGE_VAL;
-  for (std::size_t i = 0; i < report.materials.size(); ++i) {
-    height += run.model.beams[index_in(run.model, beams_of(request)[i])].length;
-    EI = std::min(EI, beam_named(deck, beams_of(request)[i])->E * report.materials[i].section.I_z);
-  }
-  const double wanted = *request.top_criterion * structure::euler_load(1, EI, height) / height;
-  double least = HUGE_VAL;
-  std::string when;
-  for (const Answer& a : answers_of(run)) {
-    const auto k = guy_stiffness(deck, a, top);
-    if (!k || *k >= least) continue;
-    least = *k;
-    when = a.words;
-  }
-  Check c = make_check(
-      request.name + ".top_stiffness", std::isfinite(least) ? least : 0, Sense::at_least, wanted,
-      si::N_per_m.in("kN/m"),
-      fmt::format("horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
-                  "mast hinged at both ends; {}",
-                  *request.top_criterion, when.empty() ? "no guy holds it" : when),
-      "UNVERIFIED: 3 to 4 recalled practice");
-  c.part = request.name;
-  r.checks.push_back(std::move(c));
-}
-
 }  // namespace
 
-std::vector<NamedAnswer> named_answers(const MachineRun& run) {
-  std::vector<NamedAnswer> all;
-  const auto name = [](const std::string& ending, const char* kind) {  // "_2": the second without a name
-    const bool numbered = ending.find_first_not_of("0123456789", 1) == std::string::npos;
-    return ending.size() < 2 || numbered ? std::string(kind) : ending.substr(1);
-  };
-  std::vector<std::string> names;
-  for (const EquilibriumRun& one : run.equilibria) {
-    if (one.result.outcome.ok()) names.push_back(name(one.ending, "equilibrium"));
-  }
-  for (const LoadPathRun& one : run.paths) {
-    for (const LoadPathPart& part : one.parts) {
-      for (const auto& point : part.result.points) {
-        if (point.at.outcome.ok()) names.push_back(name(one.ending, "load_path"));
-      }
-    }
-  }
-  for (const Answer& a : answers_of(run)) {  // in the same order, then others
-    all.push_back({a, all.size() < names.size() ? names[all.size()] : std::string{}});
+std::vector<std::string> beams_of(const MastCheckRequest& request) {
+  return request.beams.empty() ? std::vector<std::string>{request.name} : request.beams;
+}
+
+const Beam* beam_named(const MachineDeck& deck, const std::string& name) {
+  const auto& all = deck.machine.beams;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Beam& b) { return b.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, const MachineDeck& deck,
+                                    const model::Model& model) {
+  std::vector<MastStates> all;
+  for (const MastCheckRequest& one : masts) {
+    MastStates& mast = all.emplace_back();
+    mast.request = &one;
+    if (is_own(one, deck)) continue;
+    for (const std::string& name : beams_of(one)) mast.beams.push_back(index_in(model, name));
   }
   return all;
 }
 
-void complain_of_masts(const std::vector<MastCheckRequest>& masts, const MachineDeck& deck, const model::Model&,
+void take(const CheckState& state, const MachineDeck& deck, MastStates& mast) {
+  if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
+  if (mast.beams.empty() || state.rest == nullptr) return;
+  BeamState& one = mast.states.emplace_back(BeamState{state.words, state.analysis, {}});
+  for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
+  if (!mast.request->top_criterion) return;
+  const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");
+  if (!k || *k >= mast.guy_stiffness) return;
+  mast.guy_stiffness = *k;
+  mast.where_stiffness = state.words;
+}
+
+void complain_of_masts(const std::vector<MastCheckRequest>& masts, const MachineDeck& deck, const model::Model& model,
                        std::vector<Complaint>& complaints) {
   for (const MastCheckRequest& one : masts) {
     const std::string path = fmt::format("checks.masts.{}", one.name);
     if (is_own(one, deck)) {
-      complain_of_own_mast(one, path, false, complaints);
+      if (one.carries.empty()) {
+        complain_of_own_mast(one, path, LoadsOf::deck, {}, complaints);
+      } else {
+        complain_of_carried(one, path, model, analyses_of(deck, true), complaints);
+      }
       if (one.top_criterion) complaints.push_back({path + ".top_criterion", "is of the guys of a beam of the machine"});
+      if (one.plate) complaints.push_back({path + ".plate", "is of the guys of a beam of the machine"});
       continue;
     }
     const auto refuse = [&](bool given, const char* key) {
       if (given) complaints.push_back({path + "." + key, "is the machine's: say it of the beam there"});
     };
     refuse(!one.loads.empty(), "loads");
+    refuse(!one.carries.empty(), "carries");
     refuse(one.section.has_value(), "section");
     refuse(!one.pieces.empty(), "pieces");
     refuse(one.height.has_value(), "height");
@@ -360,16 +319,22 @@ void complain_of_masts(const std::vector<MastCheckRequest>& masts, const Machine
   }
 }
 
-void add_machine_masts(const std::vector<MastCheckRequest>& masts, const MachineDeck& deck, const MachineRun& run,
+void add_machine_masts(const std::vector<MastStates>& masts, const MachineDeck& deck, const model::Model& model,
                        Result& r) {
-  for (const MastCheckRequest& one : masts) {
-    if (is_own(one, deck)) {
-      add_mast_report(one, own_mast(one, one.loads), r);
+  for (const MastStates& mast : masts) {
+    const MastCheckRequest& one = *mast.request;
+    if (mast.beams.empty()) {
+      add_mast_report(one, one.carries.empty() ? own_mast(one, one.loads) : carrying_mast(one, mast.carried), r);
       continue;
     }
-    const MastReport report = MachineMast(one, deck, run).report();
+    const MastReport report = MachineMast(mast, deck, model).report();
     add_mast_report(one, report, r);
-    add_top_check(one, deck, run, report, r);
+    double bending = HUGE_VAL;
+    for (std::size_t i = 0; i < report.materials.size(); ++i) {
+      bending = std::min(bending, beam_named(deck, beams_of(one)[i])->E * report.materials[i].section.I_z);
+    }
+    add_top_check(mast, bending, model, r);
+    add_plate_checks(one, deck, model, r);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/checks.hpp"
 #include "taut/app/design.hpp"
 #include "taut/app/machine_analysis.hpp"
@@ -17,7 +18,6 @@
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
-#include "taut/app/rope_uses.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -246,7 +246,10 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     }
     watch.note(r);
   }
-  if (deck.checks) run.rope_uses = std::make_shared<RopeUses>(deck, run.model);
+  if (deck.checks) {
+    run.checked = std::make_shared<CheckedParts>(deck, run.model);
+    run.checked->take_answers(run);
+  }
   // what they find comes behind the tables and values of the states that they leave
   Result more;
   for (const Analysis& one : run.more) {

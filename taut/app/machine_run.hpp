@@ -42,7 +42,7 @@ struct LoadPathRun {
 };
 
 struct MachineRun;
-class RopeUses;
+struct CheckedParts;
 /// Another analysis, ready to run: calculates on the run's model and adds to the result.
 using Analysis = std::function<void(MachineRun&, Result&)>;
 
@@ -62,7 +62,7 @@ struct MachineRun {
   std::vector<LoadPathRun> paths;
   std::vector<Analysis> more;  ///< in the deck's order
   std::vector<OtherAnswer> others;
-  std::shared_ptr<RopeUses> rope_uses;  ///< where checks want it: is shown every state that is no answer of its own
+  std::shared_ptr<CheckedParts> checked;          ///< where checks want it: is shown every state that is a load case
   std::function<bool(const Progress&)> progress;  ///< as in a Job
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/check_state.hpp"
 #include "taut/app/mast_checks_deck.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
@@ -51,16 +52,30 @@ std::string factor_words(const MastCheckRequest& request, const MastReport& repo
 /// The lightest sections that pass, as a table `mast_sections`.
 void add_mast_choice(const MastCheckRequest& request, const MastReport& report, Result& r);
 
-/// What is wrong with a mast that the deck gives with its loads, at paths below `path`; `loads_elsewhere`: they come
-/// from a method.
-void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, bool loads_elsewhere,
-                          std::vector<Complaint>& complaints);
+/// Where the loads of a mast come from that is no beam of the machine.
+enum class LoadsOf { deck, method, machine };
+/// What is wrong with such a mast, at paths below `path`. `analyses`: names of load cases that a machine gives.
+void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
+                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 
 /// Partial factors in two places.
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
 
 /// Such a mast, solved. `loads`: in place of those in the request.
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads);
+
+/// What the ropes of a machine do to a mast that carries their sheaves and anchors, in one state.
+struct CarriedState {
+  std::string words, analysis;
+  bool moves = false;
+  std::vector<MastLoadRequest> loads;  ///< by the mast's axes
+};
+CarriedState carried_by(const MastCheckRequest& request, const CheckState& state);
+void complain_of_carried(const MastCheckRequest& request, const std::string& path, const model::Model& model,
+                         const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
+/// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
+/// factor. Of many states those count that bend or press some piece most, in any direction.
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states);
 
 /// The masts of a deck with a published method: those with loads, and of `mast_section` without loads the method's own
 /// resultants on its blocks.

@@ -60,6 +60,18 @@ const Description& MastCombinationRequest::describe() {
   return d;
 }
 
+const Description& PlateRequest::describe() {
+  using P = PlateRequest;
+  static const Description d =
+      Describe<P>()
+          .field(&P::guys, "guys", "", si::one, "number of guylines, at least")
+          .above(0)
+          .at_most(100)
+          .field(&P::guy_strength, "guy_strength", "", si::N, "breaking force of each guyline, at least")
+          .above(0);
+  return d;
+}
+
 namespace {
 
 void add_own_mast(Describe<MastCheckRequest>& d) {
@@ -77,6 +89,11 @@ void add_own_mast(Describe<MastCheckRequest>& d) {
       .may_be_infinite()
       .at_least(0)
       .record(&R::loads, "loads", "on a mast that is not in the machine")
+      .field(&R::carries, "carries",
+             "sheaves, supports and anchors of the machine whose ropes press on such a mast, in every equilibrium and "
+             "motion of the deck")
+      .field(&R::foot, "foot", "", si::m, "its base, x, y, z; with 'carries'")
+      .field(&R::towards, "towards", "", si::one, "horizontal direction in which its strong axis bends; with 'carries'")
       .field(&R::own_weight, "own_weight", "whether the weight of such a mast counts, with 'load_factor'")
       .field(&R::sway, "sway", "phi", si::one, "inclination as built; without it by (5.5) of EN 1993-1-1")
       .at_least(0)
@@ -136,6 +153,7 @@ void add_resistance(Describe<MastCheckRequest>& d) {
              "for a top that counts as held")
       .above(0)
       .at_most(100)
+      .record(&R::plate, "plate", "what the plate of the spar says of its guylines (WAC 296-54-553)")
       .record(&R::choose, "choose", "also tell the lightest sections that pass under these forces");
 }
 

@@ -42,6 +42,13 @@ struct MastCombinationRequest {
   static const Description& describe();
 };
 
+/// What the plate of a metal spar says of its guylines.
+struct PlateRequest {
+  std::optional<double> guys;          ///< how many at least
+  std::optional<double> guy_strength;  ///< N, breaking force of each at least
+  static const Description& describe();
+};
+
 /// What is checked of one mast or strut.
 struct MastCheckRequest {
   std::string name;                ///< of a beam, or of its own
@@ -53,6 +60,9 @@ struct MastCheckRequest {
   MastBase base = MastBase::clamped;
   double top_stiffness = 0;  ///< N/m
   std::vector<MastLoadRequest> loads;
+  std::vector<std::string> carries;      ///< sheaves, supports and anchors whose ropes press on it
+  std::vector<double> foot = {0, 0, 0};  ///< m, of a mast that carries them
+  std::vector<double> towards = {1, 0};  ///< in which its strong axis bends
   bool own_weight = false;
   std::optional<double> sway, bow;
   double load_factor = 1, dynamic_factor = 1, gamma_M0 = 1, gamma_M1 = 1;
@@ -64,6 +74,7 @@ struct MastCheckRequest {
   std::optional<double> allowable_stress;  ///< Pa
   std::optional<double> safety;            ///< of the yield stress
   std::optional<double> top_criterion;     ///< of the stiffness of its guys
+  std::optional<PlateRequest> plate;
   std::optional<SectionChoice> choose;
   static const Description& describe();
 };

@@ -53,6 +53,17 @@ void one_end(rope::RopeUse& use) { use.ends = {{"an end", use.tension}}; }
 
 }  // namespace
 
+std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Result* /*r*/) {
+  std::vector<rope::RopeUse> all = {named_use("skyline"), named_use("mainline")};
+  all[0].tension = in.skyline_force;
+  all[1].tension = in.mainline_force;
+  for (rope::RopeUse& use : all) {
+    use.where = "the deck's largest";
+    one_end(use);
+  }
+  return all;
+}
+
 std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r) {
   std::vector<rope::RopeUse> all = {named_use("return"), named_use("traction")};
   const std::optional<std::string>* const named[] = {&in.return_rope, &in.traction_rope};

@@ -7,6 +7,7 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/rope/rope_use.hpp"
 
 /// The block `checks:` beside the `input:` of a published method.
@@ -19,6 +20,8 @@ struct MethodChecks {
   std::vector<rope::RopeUse> (*ropes)(const Input&, const Result*) = nullptr;
 };
 
+/// Of mast_section `skyline` and `mainline`.
+std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Result* r);
 /// Of closed_loop `return` and `traction`, of friction_drive `rope`, of boom_ropes `extension` and `retraction`.
 std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r);
 std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const Result* r);

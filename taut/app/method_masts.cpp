@@ -56,7 +56,9 @@ void complain_of_method_masts(const std::vector<MastCheckRequest>& masts, const 
         complaints.push_back({path + ".combinations", "with the method's own forces give 'load_factor'"});
       }
     }
-    complain_of_own_mast(one, path, takes_methods_loads(one, method), complaints);
+    if (!one.carries.empty()) complaints.push_back({path + ".carries", "is of a machine"});
+    if (one.plate) complaints.push_back({path + ".plate", "is of the guys of a machine"});
+    complain_of_own_mast(one, path, takes_methods_loads(one, method) ? LoadsOf::method : LoadsOf::deck, {}, complaints);
   }
 }
 

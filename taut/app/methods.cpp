@@ -84,9 +84,9 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
 
 const std::vector<MethodEntry>& methods() {
   static const std::vector<MethodEntry> all = {
-      entry<mast_section::Input, mast_section::Output>(mast_section::about(), mast_section::complaints,
-                                                       mast_section::run,
-                                                       {&MastSectionExact::describe(), complete_mast_section}),
+      entry<mast_section::Input, mast_section::Output>(
+          mast_section::about(), mast_section::complaints, mast_section::run,
+          {&MastSectionExact::describe(), complete_mast_section}, {ropes_of_mast}),
       entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop, {},
                                                      {ropes_of_loop}),
       entry<friction_drive::Input, friction_drive::Output>(

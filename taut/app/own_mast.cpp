@@ -109,7 +109,7 @@ std::optional<structure::MastPiece> piece_of(const MastCheckRequest& request, co
 }
 
 void complain_of_loads(const MastCheckRequest& request, const std::string& path, double height,
-                       std::vector<Complaint>& complaints) {
+                       const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < request.loads.size(); ++i) {
     const MastLoadRequest& l = request.loads[i];
     if (l.at && *l.at > height * (1 + 1e-9)) {
@@ -117,22 +117,24 @@ void complain_of_loads(const MastCheckRequest& request, const std::string& path,
           {fmt::format("{}.loads[{}].at", path, i), fmt::format("is above the top of the mast at {:.6g} m", height)});
     }
   }
-  const std::vector<std::string> known = cases_of(request.loads);
+  std::vector<std::string> known = cases_of(request.loads);
+  known.insert(known.end(), analyses.begin(), analyses.end());
   for (const MastCombinationRequest& c : request.combinations) {
     const std::string at = fmt::format("{}.combinations.{}", path, c.name);
     if (c.terms.empty()) complaints.push_back({at, "has no load case: `{work: 1.5}`"});
     for (const MastTerm& t : c.terms) {
       if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
       complaints.push_back({fmt::format("{}.{}", at, t.name),
-                            fmt::format("no load is of case '{}'{}", t.name, did_you_mean(t.name, known))});
+                            fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis", t.name,
+                                        did_you_mean(t.name, known))});
     }
   }
 }
 
 }  // namespace
 
-void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, bool loads_elsewhere,
-                          std::vector<Complaint>& complaints) {
+void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
+                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   const std::size_t before = complaints.size();
   if (!request.steel) complaints.push_back({path, "needs 'steel', such as S355 (taut list steels)"});
   if (request.pieces.empty() && !request.section) complaints.push_back({path, "needs 'section' or 'pieces'"});
@@ -142,9 +144,11 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
   if (!request.pieces.empty() && request.height) {
     complaints.push_back({path + ".height", "the pieces have their lengths already"});
   }
-  if (request.pieces.empty() && !request.height && !loads_elsewhere) complaints.push_back({path, "needs 'height'"});
-  if (request.loads.empty() && !loads_elsewhere) {
-    complaints.push_back({path, "is no beam of a machine: give its 'loads'"});
+  if (request.pieces.empty() && !request.height && loads != LoadsOf::method) {
+    complaints.push_back({path, "needs 'height'"});
+  }
+  if (request.loads.empty() && loads == LoadsOf::deck) {
+    complaints.push_back({path, "is no beam of a machine: give its 'loads', or what of the machine it 'carries'"});
   }
   if (request.allowable_stress && request.safety) {
     complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
@@ -161,7 +165,7 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
       complaints.push_back(std::move(c));
     }
   }
-  complain_of_loads(request, path, height_of(request), complaints);
+  complain_of_loads(request, path, height_of(request), analyses, complaints);
   refuse_both_factors(request, path, complaints);
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,11 +43,6 @@ void complain_of_places(const RopeCheckRequest& request, const std::string& path
     complaints.push_back({fmt::format("{}.compensating[{}]", path, i),
                           fmt::format("no rope runs over a sheave '{}'{}", name, did_you_mean(name, known))});
   }
-}
-
-bool is_other(const MachineRun& run, const Answer& a) {
-  return std::any_of(run.others.begin(), run.others.end(),
-                     [&](const OtherAnswer& other) { return &other.result == a.result; });
 }
 
 void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
@@ -102,17 +96,11 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
   add_life(request, use, rules, r);
 }
 
-void add_rope_checks(const ChecksRequest& request, const MachineDeck& deck, const MachineRun& run, Result& r) {
-  if (request.ropes.empty()) return;
-  RopeUses uses = run.rope_uses ? *run.rope_uses : RopeUses(deck, run.model);
-  for (const Answer& a : answers_of(run)) {
-    // what a payload leaves at its limits is no load case of the deck
-    if (!is_other(run, a)) uses.take(*a.model, *a.result, a.words);
-  }
-  const std::vector<rope::RopeUse> all = uses.all();
+void add_rope_checks(const ChecksRequest& request, const MachineDeck& deck, const model::Model& model,
+                     const std::vector<rope::RopeUse>& uses, Result& r) {
   for (const RopeCheckRequest& one : request.ropes) {
-    for (const std::size_t i : reevings_named(one.name, deck, run.model)) {
-      rope::RopeUse use = all[i];
+    for (const std::size_t i : reevings_named(one.name, deck, model)) {
+      rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
       std::vector<Complaint> told_before;

@@ -129,33 +129,6 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
   r.checks.push_back(std::move(c));
 }
 
-void add_discard(const rope::RopeUse& use, Result& r) {
-  const auto construction = catalogue::parse_construction(use.rope.construction);
-  Table t{"discard_" + use.name,
-          fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
-          {{"criterion", si::one}, {"limit", si::one}, {"trust", si::one}},
-          {}};
-  bool wires_told = false;
-  for (const catalogue::RuleRow& row : catalogue::rules_of("discard")) {
-    std::string item = row.item;
-    if (row.id.starts_with("discard.wires.")) {
-      const int upto = std::stoi(row.id.substr(14));
-      // strands that do not turn the rope have their outer wires in another layer
-      if (!construction || construction->strands >= 10) continue;
-      const int wires = construction->strands * construction->wires;
-      if (wires_told || wires > upto) continue;
-      wires_told = true;
-      item += fmt::format(" ({} wires)", wires);
-    } else if (row.id.starts_with("discard.diameter.")) {
-      const bool turns = construction && construction->strands >= 10;
-      const std::string own = turns ? "WSC" : use.rope.core;
-      if (row.id.substr(17) != (own.empty() ? "IWRC" : own)) continue;
-    }
-    t.rows.push_back({item, row.text, doubt(row)});
-  }
-  r.tables.push_back(std::move(t));
-}
-
 }  // namespace
 
 void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
@@ -184,7 +157,7 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
-  if (request.discard) add_discard(use, r);
+  if (request.discard) add_discard(request, use, r);
   if (request.duty.empty() || !(use.rope.diameter > 1.4e-3) || !use.rope.grade) return;
   const rope::LifeRules life_rules = rules_of(request, use, rules);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);

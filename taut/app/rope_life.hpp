@@ -19,4 +19,8 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 /// NAME.life_repeats, the table `life_NAME` of a rope with a duty, and the table `discard_NAME`.
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
 
+/// The table `discard_NAME`: when the rope is to be put away, with its own numbers where its data are known.
+/// rope_discard.cpp.
+void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r);
+
 }  // namespace taut::app

@@ -231,6 +231,12 @@ class RopeRuleReader {
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }
+    if (!request_.termination) return;
+    for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
+      if (row.group != *request_.termination) continue;
+      const double upto = std::stod(row.id.substr(row.id.rfind('.') + 1)) + freezing;
+      rules_.hottest_end = Limit{upto, words_of(row), trust_of(row)};
+    }
   }
 
   bool runs() const {

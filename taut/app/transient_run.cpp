@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
-#include "taut/app/rope_uses.hpp"
 #include "taut/app/transient_figures.hpp"
 #include "taut/app/transient_state.hpp"
 #include "taut/app/transient_tables.hpp"
@@ -217,9 +217,8 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
     one.model = machine.model;
     solve(one, machine.progress);
     add_transient(one, r);
-    for (std::size_t i = 0; machine.rope_uses && i < one.result.ropes.size(); ++i) {
-      const analysis::RopeExtreme& e = one.result.ropes[i];
-      machine.rope_uses->take_motion(static_cast<int>(i), e.T_static, e.T.max, words_of(one));
+    if (machine.checked) {
+      machine.checked->take(one.model, one.result, words_of(one), analysis_name(one.ending, "transient"));
     }
   };
 }

@@ -20,19 +20,20 @@ struct RuleUnit {
   double factor;
 };
 
-constexpr std::array<RuleUnit, 6> units{{{"1", "1", 1.0},
+constexpr std::array<RuleUnit, 7> units{{{"1", "1", 1.0},
                                          {"deg", "rad", std::numbers::pi / 180.0},
                                          {"m", "m", 1.0},
                                          {"GPa", "Pa", 1e9},
                                          {"MPa", "Pa", 1e6},
-                                         {"s/m", "s/m", 1.0}}};
+                                         {"s/m", "s/m", 1.0},
+                                         {"kN", "N", 1e3}}};
 
 void read_numbers(CsvReader& csv, RuleRow& row) {
   const std::string& printed = csv.text("unit");
   const auto unit =
       std::find_if(units.begin(), units.end(), [&](const RuleUnit& one) { return one.printed == printed; });
   if (unit == units.end()) {
-    csv.fail("unit", fmt::format("unit {} is not 1, deg, m, GPa, MPa or s/m", in_quotes(printed)));
+    csv.fail("unit", fmt::format("unit {} is not 1, deg, m, GPa, MPa, s/m or kN", in_quotes(printed)));
     return;
   }
   row.unit = std::string(unit->si);

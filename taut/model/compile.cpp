@@ -152,6 +152,7 @@ class Compiler {
     reeving.weight = rope.mass * gravity;
     reeving.stiffness = rope.stiffness;
     reeving.breaking_force = rope.breaking_force;
+    reeving.diameter = rope.diameter;
     reeving.thermal_strain = rope.thermal_strain;
     reeving.damping_ratio = rope.damping_ratio;
     reeving.damping_time = rope.damping_time;

@@ -178,6 +178,10 @@ class RopeChecker {
   }
 
   void heat() {
+    if (rules_.temperature && rules_.hottest_end) {
+      add("end_temperature", *rules_.temperature, Sense::at_most, rules_.hottest_end->value, si::K,
+          rules_.hottest_end->rule, rules_.hottest_end->trust);
+    }
     if (!rules_.temperature || !rules_.hottest) return;
     add("temperature", *rules_.temperature, Sense::at_most, rules_.hottest->value, si::K, rules_.hottest->rule,
         rules_.hottest->trust);

@@ -29,6 +29,7 @@ struct RopeRules {
   std::optional<Limit> least_termination;  ///< what the rules ask of it
   std::optional<double> temperature;       ///< the rope's, K
   std::optional<Limit> hottest;            ///< K
+  std::optional<Limit> hottest_end;        ///< K, by the termination
   std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
   std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
   std::optional<Limit> resistance;        ///< EN 13001-3-2, static: F_min gamma_rb; value not used

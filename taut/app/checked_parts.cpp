@@ -1,0 +1,64 @@
+#include "taut/app/checked_parts.hpp"
+
+#include <fmt/format.h>
+
+namespace taut::app {
+
+CheckedParts::CheckedParts(const MachineDeck& given, const model::Model& model) : deck(&given), ropes(given, model) {
+  if (!given.checks) return;
+  guys = guy_states(given.checks->guys, given, model);
+  anchors = anchor_states(given.checks->anchors);
+  lines = line_states(given.checks->lines, model);
+  masts = mast_states(given.checks->masts, given, model);
+}
+
+void CheckedParts::take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
+                        const std::string& analysis) {
+  ropes.take(model, state, words);
+  if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
+  const CheckState seen = state_of(model, state, words, analysis);
+  for (GuyStates& one : guys) app::take(seen, one);
+  for (AnchorStates& one : anchors) app::take(seen, one);
+  for (LineStates& one : lines) app::take(seen, one);
+  for (MastStates& one : masts) app::take(seen, *deck, one);
+}
+
+void CheckedParts::take_answers(const MachineRun& run) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    const std::string name = analysis_name(one.ending, "equilibrium");
+    const std::string words =
+        one.ending.empty() ? one.words : fmt::format("{}, {}", analysis_words(one.ending, "equilibrium"), one.words);
+    take(one.model, one.result, words, name);
+  }
+  for (const LoadPathRun& one : run.paths) {
+    for (const LoadPathPart& part : one.parts) {
+      for (const auto& point : part.result.points) {
+        if (!point.at.outcome.ok()) continue;
+        const std::string words =
+            fmt::format("{}, {}, x = {:.6g} m", analysis_words(one.ending, "load path"), one.words, point.x);
+        take(part.model, point.at, words, analysis_name(one.ending, "load_path"));
+      }
+    }
+  }
+}
+
+void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
+                        const std::string& analysis) {
+  for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
+    ropes.take_motion(static_cast<int>(i), motion.ropes[i].T_static, motion.ropes[i].T.max, words);
+  }
+  for (std::size_t i = 0; i < motion.frames.size(); ++i) {
+    if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
+    const CheckState seen =
+        state_of(model, motion, i, fmt::format("{}, t = {:.4g} s", words, motion.frames[i].t), analysis);
+    for (GuyStates& one : guys) {
+      if (i == 0) take_motion(seen, motion, words, one);
+    }
+    for (AnchorStates& one : anchors) app::take(seen, one);
+    for (LineStates& one : lines) app::take(seen, one);
+    for (MastStates& one : masts) app::take(seen, *deck, one);
+  }
+}
+
+}  // namespace taut::app

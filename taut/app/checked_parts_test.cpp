@@ -1,0 +1,102 @@
+#include "taut/app/checked_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "taut/app/machine_decks_test.hpp"
+#include "test/paths.hpp"
+
+namespace taut::app::checked_parts_test {
+
+using taut_test::cell;
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::has_check;
+using taut_test::run_text;
+using taut_test::skyline_deck;
+using taut_test::table_of;
+
+constexpr const char* anchors_and_lines =
+    "checks:\n"
+    "  anchors: {stump: {strength: 300 kN}, tower: {strength: 300 kN}}\n"
+    "  lines: {skyline: {break_angles: true}}\n";
+
+// The envelope's own table says the same extremes, and where.
+TEST(CheckedParts, every_state_of_an_envelope) {
+  const Result r = run_text(skyline_deck("  - envelope: {carriage: car, from: 140 m, to: 220 m, steps: 4, loads: [0.5 "
+                                         "t, 2 t], motions: [in, out]}\n") +
+                            anchors_and_lines);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "envelope");
+  const auto largest = [&](const std::string& name, const std::string& what) {
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      if (taut_test::text_cell(t, i, "name") == name && taut_test::text_cell(t, i, "quantity") == what) {
+        return cell(t, i, "max");
+      }
+    }
+    return std::nan("");
+  };
+  const double pull = largest("skyline on stump", "resultant");
+  EXPECT_NEAR(check_of(r, "stump.anchor_strength").value * pull / 300e3, 1, 1e-9);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("envelope, "), std::string::npos);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("2000 kg"), std::string::npos);
+  const Table& angles = table_of(r, "envelope_angles");
+  double wrap = 0;
+  for (std::size_t i = 0; i < angles.rows.size(); ++i) {
+    if (taut_test::text_cell(angles, i, "name") == "skyline on jack1") wrap = cell(angles, i, "max");
+  }
+  EXPECT_GT(wrap, 0);
+  EXPECT_NEAR(check_of(r, "skyline.jack1.break_angle").value, wrap, 1e-9);
+}
+
+TEST(CheckedParts, a_cycle_is_a_load_case_and_a_sweep_is_none) {
+  const Result r = run_text(
+      skyline_deck("  - cycle: {carriage: car, from: 140 m, to: 220 m, steps: 4, phases: [{name: home, load: 2 t, "
+                   "motion: in}]}\n") +
+      anchors_and_lines);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("cycle, home, x = "), std::string::npos);
+}
+
+/// The yarder of the examples with its analyses in another block.
+std::string yarder(const std::string& analyses) {
+  const auto job = read_job((taut_test::source_dir() / "examples/design/yarder_mast.yaml").string());
+  EXPECT_TRUE(job.has_value());
+  std::string text = job->text;
+  const auto from = text.find("  - load_path:");
+  text.replace(from, text.find('\n', from) + 1 - from, analyses);
+  return text;
+}
+
+// The same states as an envelope, a load path or a cycle: the same mast.
+TEST(CheckedParts, a_mast_over_an_envelope_and_a_cycle) {
+  const Result path =
+      run_text(yarder("  - load_path: {name: inhaul, carriage: car, from: 30 m, to: 170 m, steps: 7, "
+                      "motion: in}\n"));
+  ASSERT_EQ(path.status, Status::ok) << path.message << to_text(path.errors);
+  for (const char* const same :
+       {"  - envelope: {name: inhaul, carriage: car, from: 30 m, to: 170 m, steps: 7, motions: [in]}\n",
+        "  - cycle: {name: inhaul, carriage: car, from: 30 m, to: 170 m, steps: 7, phases: [{name: home, load: 0 kg, "
+        "motion: in}]}\n"}) {
+    const Result r = run_text(yarder(same));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    for (const char* name : {"mast.section", "mast.shear", "mast.allowable_stress", "guy1.guy_safety", "guy2.slackness",
+                             "stump1.anchor_strength", "mast.top_stiffness"}) {
+      EXPECT_NEAR(check_of(r, name).value / check_of(path, name).value, 1, 1e-6) << name << same;
+    }
+  }
+}
+
+TEST(CheckedParts, the_plate_of_a_spar) {
+  const std::string path =
+      "  - load_path: {name: inhaul, carriage: car, from: 30 m, to: 100 m, steps: 1, motion: in}\n";
+  const Result r = run_text(yarder(path), {"checks.masts.mast.plate={guys: 3, guy_strength: 200 kN}"});
+  EXPECT_EQ(check_of(r, "mast.guys_by_plate").value, 2);
+  EXPECT_FALSE(check_of(r, "mast.guys_by_plate").passes);
+  EXPECT_TRUE(check_of(r, "mast.guy_strength_by_plate").passes);  // 0.356 x 18^2 x 1960 N = 226 kN
+  EXPECT_NEAR(check_of(r, "mast.guy_strength_by_plate").value, 226e3, 1e3);
+}
+
+}  // namespace taut::app::checked_parts_test

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "taut/app/guyed_decks_test.hpp"
+#include "taut/app/machine_decks_test.hpp"
+
+namespace taut::app::line_checks_test {
+
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::line_over_tree;
+using taut_test::run_text;
+
+TEST(LineChecks, TailTreeAndAnchor) {
+  const std::string checks =
+      "  lines: {skyline: {tail_tree: tree, break_angles: true, end_masts: [tree], spar_rating: 350 kN}}\n";
+  const Result r = run_text(line_over_tree(checks));
+  const double angle = std::atan2(25, 30);
+  EXPECT_NEAR(check_of(r, "skyline.tail_angle").value, angle, 0.01);
+  EXPECT_NEAR(check_of(r, "skyline.tail_angle").limit, 50 * std::numbers::pi / 180, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.anchor_off_line").value, 0, 1e-6);
+  EXPECT_FALSE(check_of(r, "skyline.spar_rating").passes);
+  EXPECT_NEAR(check_of(r, "skyline.tree.break_angle").limit, std::numbers::pi / 3, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.jack.break_angle").limit, std::numbers::pi / 6, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.jack.break_angle").value, std::atan(10.0 / 150) + std::atan(5.0 / 150), 0.05);
+  // 4.5 m off the line in 30 m: 8.53 degrees
+  const Result off = run_text(line_over_tree(checks, "[330 m, 4.5 m, 10 m]"));
+  EXPECT_NEAR(check_of(off, "skyline.anchor_off_line").value, std::atan2(4.5, 30), 0.003);
+  EXPECT_FALSE(check_of(off, "skyline.anchor_off_line").passes);
+  const Result other = run_text(line_over_tree(checks, "[330 m, -4.5 m, 10 m]"));
+  EXPECT_NEAR(check_of(other, "skyline.anchor_off_line").value, check_of(off, "skyline.anchor_off_line").value, 1e-9);
+}
+
+TEST(LineChecks, LimiterTakesTheRopesPlace) {
+  const Result r = run_text(line_over_tree("  lines: {skyline: {spar_rating: 350 kN, limiter: 200 kN}}\n"));
+  EXPECT_TRUE(check_of(r, "skyline.limiter").passes);
+  EXPECT_NEAR(check_of(r, "skyline.limiter").limit, 350e3, 1e-9);
+}
+
+// The sag of 100 m at 50 kN and 1 kg/m is 0.245 m: over a hill of 12 m the rope of 20 m is 7.755 m above the ground.
+TEST(LineChecks, ClearanceOverTheGround) {
+  const auto deck = [](const std::string& rest) {
+    return std::string(R"(taut: 1
+machine:
+  ropes: {skyline: {mass: 1 kg/m, stiffness: 30 MN}}
+  points: {left: [0 m, 0 m, 20 m], right: [100 m, 0 m, 20 m]}
+  reevings: [{rope: skyline, path: [{anchor: left}, {anchor: right}], tension_at_start: 50 kN}]
+  terrain: {x: [0 m, 50 m, 100 m], z: [0 m, 12 m, 0 m]}
+checks: {lines: {skyline: )") +
+           rest + "}}\n";
+  };
+  const Result r = run_text(deck("{clearance: true}"));
+  EXPECT_NEAR(check_of(r, "skyline.clearance").value, 8 - 9.80665 * 1e4 / (8 * 50e3), 2e-3);
+  EXPECT_EQ(check_of(r, "skyline.clearance").limit, 7);
+  EXPECT_TRUE(check_of(r, "skyline.clearance").passes);
+  EXPECT_FALSE(check_of(run_text(deck("{least_clearance: 8 m}")), "skyline.clearance").passes);
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {clearance: true}}\n")), "'terrain'");
+}
+
+TEST(LineChecks, MistakesHaveTheirPlace) {
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {tail_tree: jock}}\n")), "did you mean 'jack'");
+  expect_mistake(run_text(line_over_tree("  lines: {skylin: {}}\n")), "did you mean 'skyline'");
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {limiter: 200 kN}}\n")), "needs 'spar_rating'");
+}
+
+}  // namespace taut::app::line_checks_test
