@@ -7,6 +7,7 @@
 
 #include "taut/analysis/transient_damping.hpp"
 #include "taut/analysis/transient_memory.hpp"
+#include "taut/analysis/transient_quasi_static.hpp"
 #include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
 #include "taut/base/expects.hpp"
@@ -114,7 +115,7 @@ void damp(Run& run) {
 bool dynamics::open_run(Run& run) {
   const TransientOptions& options = run.options;
   const model::Model& model = run.model;
-  const bool settles = !options.from && options.start == Start::settled;
+  const bool settles = !options.from && options.start != Start::assembled;
   prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
   run.result.observed.resize(model.observed.size());
   run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
@@ -127,8 +128,15 @@ bool dynamics::open_run(Run& run) {
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;
   if (settles) run.result.outcome = analysis::settle(run);
+  const bool slides = !options.from && options.start == Start::sliding;
+  if (slides || options.quasi_static) {
+    for (Line& line : run.m.lines) line.damping = 0;
+  }
+  if (run.result.outcome.ok() && slides) {
+    run.result.outcome = slide_into_place(run);
+  }
   if (!run.result.outcome.ok()) return false;
-  damp(run);
+  if (!options.quasi_static) damp(run);
   return true;
 }
 
@@ -137,6 +145,10 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   TransientOptions options = given;
   if (options.output_step <= 0) options.output_step = options.duration / 1000;
   if (options.method == TimeMethod::reference) options.step = 0;
+  if (options.quasi_static) {
+    options.method = TimeMethod::implicit;
+    if (options.step <= 0) options.step = options.output_step;
+  }
   Run run{.model = model, .options = options};
   if (!open_run(run)) return run.result;
   run.happened.assign(model.events.size(), 0);

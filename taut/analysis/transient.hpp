@@ -18,8 +18,17 @@ namespace taut::analysis {
 enum class TimeMethod { implicit, verlet, reference };
 
 /// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of
-/// the same machine.
-enum class Start { assembled, settled };
+/// the same machine. sliding: there too, but with all friction as it is when the machine has come slowly from a little
+/// before, as `slid` says: at rest and about to go on the same way.
+enum class Start { assembled, settled, sliding };
+
+/// What has moved slowly into its place before a motion begins: a cylinder (by > 0: it has extended) or the rope of a
+/// drum that is held (by > 0: taken in), m.
+struct Slid {
+  bool drum = false;  ///< `index` of a drum, else of an actuator
+  int index = 0;
+  double by = 0;
+};
 
 /// What a moving machine remembers: a value that can be kept, written down and started from. Ropes: by reeving; a
 /// branch runs from node k to node k + 1.
@@ -69,6 +78,12 @@ struct TransientOptions {
   double rho = 0.9;          ///< of generalised-alpha: what a step leaves of the fastest motions, 0 .. 1
   double damping_ratio = 0;  ///< of ropes that give none
   Start start = Start::settled;
+  std::vector<Slid> slid;  ///< of a sliding start; its ways there are gone back and come again together
+  /// So slow that nothing has inertia, and dampers do nothing: an equilibrium at the end of every step, with friction
+  /// carried on from one to the next: what slides does so with its kinetic friction, and what sticks with its static
+  /// one. Steps of `step`, else of `output_step`. Cylinders with a law follow their reference speed. Where a state
+  /// can't be held any more the machine goes, without swinging, to the next one that can.
+  bool quasi_static = false;
   double light = 0.05;               ///< m g l/T below which half of a branch's mass goes to each end
   bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
   std::optional<DynamicState> from;  ///< go on from there

@@ -24,9 +24,10 @@ void push_actuator(const model::Actuator& law, const Scheme& s, double when, con
   is.F = is.F_l = is.F_v = 0;
   if (is.mode == ActuatorMode::free) return;
   if (holds_length(law, is.mode, s.at_rest)) {
-    const bool moves = is.mode != ActuatorMode::lock && !s.at_rest;
+    const double passed = s.at_rest ? s.elapsed : s.h;
+    const bool moves = is.mode != ActuatorMode::lock && (!s.at_rest || passed > 0);
     const double rate = moves ? sense * model::at(law.signal, when).value : 0;
-    if (moves && s.h > 0) is.hold += sense * model::integral(law.signal, when - s.h, when);
+    if (moves && passed > 0) is.hold += sense * model::integral(law.signal, when - passed, when);
     const double c = s.at_rest ? 0 : law.lock_damping;
     is.F = law.lock_stiffness * (is.hold - is.length) + c * (rate - is.speed);
     is.F_l = -law.lock_stiffness;

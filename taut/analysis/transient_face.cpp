@@ -10,12 +10,18 @@ namespace {
 /// The part of a vector along the face.
 Vector3 along_face(const Vector3& normal, const Vector3& v) { return v - normal * normal.dot(v); }
 
+/// By the speed of the contact; in a quasi-static step by whether it slides.
+Friction friction_of(const model::FaceContact& law, const FaceValues& is) {
+  if (is.slid) return {law.kinetic_friction, 0};
+  return friction_at(law, is.slide.norm());
+}
+
 /// Pressure and friction by the strain and speed of the contact; the bristle as it ends.
 void push_face(const model::FaceContact& law, const Matrix3& R, bool at_rest, FaceValues& is) {
   const double c = at_rest ? 0 : law.damping, ct = at_rest ? 0 : law.tangential_damping;
   is.N = is.over && is.pen > 0 ? std::max(0.0, law.stiffness * is.pen + c * is.pen_rate) : 0;
   is.closed = is.N > 0;
-  is.limit = friction_at(law, is.slide.norm()).f * is.N;
+  is.limit = friction_of(law, is).f * is.N;
   is.sticks = false;
   is.friction.setZero();
   if (!(is.limit > 0)) {
@@ -66,6 +72,7 @@ void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   if (!s.at_rest) apart = of_point.v + of_point.w.cross(lever) - of_face.v - of_face.w.cross(is.point - of_face.x);
   is.pen_rate = -is.normal.dot(apart);
   is.slide = along_face(is.normal, apart);
+  is.slid = s.creeps && was.closed && !was.sticks;
   is.bristle = was.bristle + along_face(face.normal, is.arm - was.arm);
   push_face(law, of_face.R, s.at_rest, is);
 }
@@ -83,7 +90,7 @@ void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& n
   const Vector3 strain = (is.pull - ct * is.slide) / law.tangential_stiffness;  // as if it stuck
   const Vector3 apart = is.slide - is.pen_rate * n;
   const double speed = is.slide.norm(), size = is.pull.norm();
-  const Friction f = friction_at(law, speed);
+  const Friction f = friction_of(law, is);
   const Vector3 d = size > 0 ? Vector3(is.pull / size) : Vector3(Vector3::Zero());
   for (int k = 0; k < count; ++k) {
     CoupleColumn& column = columns[at(k)];

@@ -80,6 +80,11 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
   is.w += is.driven_w;
 }
 
+/// Velocities and accelerations of a body that moves without inertia.
+void stop(Motion3& body) {
+  for (Vector3* of : {&body.v, &body.w, &body.driven_v, &body.driven_w, &body.driven_a, &body.driven_b}) of->setZero();
+}
+
 void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, double t, Values& now) {
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
@@ -89,6 +94,11 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
       now.rate[c] = s.at_rest ? 0 : set->alpha;
       now.nu[c] = s.at_rest ? 0 : set->omega;
       now.q[c] = before.q[c] + s.h * (before.nu[c] + now.nu[c]) / 2;
+      if (s.elapsed > 0) {  // the whole way of the step as what the freedoms' velocities are then
+        const auto was = prescribed(m, spin, before, t - s.elapsed);
+        now.nu[c] = s.elapsed * (set->omega + (was ? was->omega : 0)) / 2 / s.reach;
+        now.q[c] = before.q[c] + s.reach * now.nu[c];
+      }
     }
     is.angle = now.q[c];
     is.omega = now.nu[c];
@@ -285,7 +295,8 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
 
 bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now) {
   now.t = t;
-  now.when = s.h > 0 ? t - 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), s.h) : t;
+  const double h = s.creeps ? s.elapsed : s.h;
+  now.when = h > 0 ? t - 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), h) : t;
   for (std::size_t c = 0; c < at(m.body_columns); ++c) {
     now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
     now.q[c] = w.q_star[c] + s.reach * now.nu[c];
@@ -295,7 +306,10 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
     now.q[c] = w.q_star[c] + s.reach * now.nu[c];
   }
-  for (std::size_t b = 0; b < m.bodies.size(); ++b) move_body(m, before, b, now.when, now);
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    move_body(m, before, b, now.when, now);
+    if (s.creeps) stop(now.bodies[b]);
+  }
   turn_spins(m, s, before, now.when, now);
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
     const model::SignalValue change = model::at(m.model->tensioners[k].change, now.when);

@@ -5,6 +5,7 @@
 
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_points.hpp"
+#include "taut/analysis/transient_quasi_static.hpp"
 #include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
 
@@ -84,6 +85,7 @@ StepEnd begin_again(Run& run, double& where) {
   run.now.motor_drive = run.before.motor_drive;
   take_modes(run.before, run.now);
   fade(run, run.before.t, run.now);
+  if (run.options.quasi_static) return rest_again(run);
   StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
   const bool rough = end == StepEnd::not_converged || end == StepEnd::singular;
   if (rough) begin_roughly(run);
@@ -106,6 +108,7 @@ StepEnd begin_again(Run& run, double& where) {
 StepEnd try_step(Run& run, double h, double t, bool last) {
   Scheme& s = run.scheme;
   s.h = h;
+  if (run.options.quasi_static) return try_slowly(run, h, t);
   s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
   const double more = run.known > 0 ? h / (h + run.h_last) : 0;
   s.slip_now = (1 + more) / h;
@@ -158,9 +161,10 @@ void commit_contacts(Run& run) {
 
 void accept(Run& run) {
   commit_contacts(run);
-  const bool implicit = run.options.method == TimeMethod::implicit;
+  const bool slowly = run.options.quasi_static;
+  const bool implicit = run.options.method == TimeMethod::implicit && !slowly;
   if (implicit) end_step(run.m, run.scheme, run.before, run.now, run.w);
-  if (!run.m.lossless || !run.breaking.empty()) add_step(run.m, run.before, run.now, run.ledger);
+  if (!slowly && (!run.m.lossless || !run.breaking.empty())) add_step(run.m, run.before, run.now, run.ledger);
   if (implicit) keep_history(run);
   note_changes(run);
   ++run.result.steps;
@@ -333,7 +337,8 @@ void march(Run& run) {
     end = go_on(run, points, reference, next_limit(run, output, next));
     if (end != StepEnd::ok) break;
     if (run.before.t >= output) {
-      if (run.m.lossless && run.breaking.empty()) add_step(run.m, run.before, run.before, run.ledger);
+      if (run.m.lossless && run.breaking.empty() && !run.options.quasi_static)
+        add_step(run.m, run.before, run.before, run.ledger);
       record_frame(run, run.before);
       ++frame;
       if (run.options.progress && !run.options.progress(run.before.t)) end = StepEnd::interrupted;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
+constexpr int turns_until = 15;             ///< of contacts that stick and slide in turn at their very limit
 constexpr double moment = 1e-6;             ///< s, in which slip is looked for at an unchanged time
 constexpr double small_change = 1e-2;       ///< of tensions: the factors of the first iteration do for the next
 constexpr double good_contraction = 0.05;   ///< with which they go on to do
@@ -22,8 +23,8 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
     const ContactValues& was = before.contacts[i];
     const std::size_t c = at(m.contacts[i].column);
     now.contacts[i].grip = was.grip;
-    now.q[c] =
-        was.grip == Grip::stuck ? was.slipped + w.q_star[c] + s.reach * was.roll_rate : before.q[c] + s.h * was.flow;
+    const double reach = s.creeps ? s.elapsed : s.reach, h = s.creeps ? s.elapsed : s.h;
+    now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate : before.q[c] + h * was.flow;
     if (s.h == 0 && slips_in_a_moment(m, s, m.contacts[i])) now.q[c] += was.slip_mean / s.slip_now;
   }
 }
@@ -65,7 +66,9 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     newton.largest = std::max(newton.largest, pushed.largest);
     turned = turned || pushed.turned;
     if (!std::isfinite(change)) return StepEnd::not_converged;
-    if (i > 0 && !changed) {
+    // without masses what has begun to slide may go far: its own tangent has to say so
+    const bool begins = s.creeps && pushed.turned && i < turns_until;
+    if (i > 0 && !changed && !begins) {
       const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {

@@ -41,14 +41,15 @@ struct SpinValues {
 struct FaceValues {
   bool over = true;  ///< between the ends of the face when the step began
   bool closed = false, sticks = false;
-  double pen = 0, pen_rate = 0;        ///< how deep the point is, m, m/s
-  double N = 0, limit = 0;             ///< pressure and the most that friction can be, N
-  Vector3 normal = Vector3::UnitZ();   ///< of the face
-  Vector3 point = Vector3::Zero();     ///< m
-  Vector3 arm = Vector3::Zero();       ///< the same in the frame of the face's body, m
-  Vector3 slide = Vector3::Zero();     ///< velocity of the point along the face, seen from it, m/s
-  Vector3 bristle = Vector3::Zero();   ///< strain of the contact along the face, frame of the face's body, m
-  Vector3 pull = Vector3::Zero();      ///< what friction would have to hold if it stuck, N
+  bool slid = false;                  ///< of a quasi-static step: it slid before, and does so with its kinetic friction
+  double pen = 0, pen_rate = 0;       ///< how deep the point is, m, m/s
+  double N = 0, limit = 0;            ///< pressure and the most that friction can be, N
+  Vector3 normal = Vector3::UnitZ();  ///< of the face
+  Vector3 point = Vector3::Zero();    ///< m
+  Vector3 arm = Vector3::Zero();      ///< the same in the frame of the face's body, m
+  Vector3 slide = Vector3::Zero();    ///< velocity of the point along the face, seen from it, m/s
+  Vector3 bristle = Vector3::Zero();  ///< strain of the contact along the face, frame of the face's body, m
+  Vector3 pull = Vector3::Zero();     ///< what friction would have to hold if it stuck, N
   Vector3 friction = Vector3::Zero();  ///< on the point, N
 };
 
@@ -97,7 +98,9 @@ struct Scheme {
   double slip_now = 0, slip_before = 0;  ///< slip_rate = slip_now * (slipped since the start of the step) + slip_before
                                          ///< * slip_mean of the step before
   bool lossless = false;                 ///< no friction: looking for the start
-  bool at_rest = false;                  ///< without velocities: looking for the start
+  bool at_rest = false;                  ///< without velocities: looking for the start, or quasi-static
+  bool creeps = false;                   ///< quasi-static: from rest to rest, with friction
+  double elapsed = 0;                    ///< then: the time in which drives and signals go on, s
 };
 Scheme scheme_of(double rho);
 

@@ -44,6 +44,7 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
 Outcome install_guys(const model::Machine& machine, model::Model& model);
 
 Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p);
+Analysis prepare_pretension(const PretensionRequest& request, const std::string& path, Preparation& p);
 Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p);
 
 /// Complains of bodies that turn freely without inertia: they can't move.

@@ -9,6 +9,7 @@
 #include "taut/app/design_deck.hpp"
 #include "taut/app/modes_deck.hpp"
 #include "taut/app/motion.hpp"
+#include "taut/app/pretension_deck.hpp"
 #include "taut/app/transient_deck.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/catalogue/rope.hpp"
@@ -49,6 +50,7 @@ struct AnalysisRequest {
   std::optional<SweepRequest> sweep;
   std::optional<TransientRequest> transient;
   std::optional<ModesRequest> modes;
+  std::optional<PretensionRequest> pretension;
   static const Description& describe();
 };
 

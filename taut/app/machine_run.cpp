@@ -75,6 +75,9 @@ class Requests {
       if (all[i].transient) {
         run.more.push_back(prepare_transient(*all[i].transient, path + ".transient", names_));
       }
+      if (all[i].pretension) {
+        run.more.push_back(prepare_pretension(*all[i].pretension, path + ".pretension", names_));
+      }
       if (all[i].modes) run.more.push_back(prepare_modes(*all[i].modes, path + ".modes", names_));
     }
     check_clamps(run);

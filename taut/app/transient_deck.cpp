@@ -17,6 +17,19 @@ const Description& HoistFactor::describe() {
   return d;
 }
 
+const Description& SlidRequest::describe() {
+  static const Description d =
+      Describe<SlidRequest>()
+          .field(&SlidRequest::actuator, "actuator", "a cylinder that holds its length")
+          .field(&SlidRequest::drum, "drum", "a drum that is held or turns by a speed")
+          .exactly_one({"actuator", "drum"})
+          .field(&SlidRequest::by, "by", "", si::m, "that it has extended or, below 0, retracted; rope taken in or out")
+          .at_least(-1000)
+          .at_most(1000)
+          .required();
+  return d;
+}
+
 const Description& TransientRequest::describe() {
   static const Description d =
       Describe<TransientRequest>()
@@ -41,8 +54,14 @@ const Description& TransientRequest::describe() {
                   {{"implicit", Method::implicit}, {"verlet", Method::verlet}, {"reference", Method::reference}},
                   "implicit with steps that follow the tolerance, explicit (verlet) for waves and breaks, or the slow "
                   "reference (IDA of SUNDIALS) that judges both")
-          .choice(&TransientRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
-                  "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest")
+          .choice(
+              &TransientRequest::start, "start",
+              {{"settled", Start::settled}, {"assembled", Start::assembled}, {"sliding", Start::sliding}},
+              "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest; sliding: "
+              "settled, with all friction as it is when the machine has come slowly by what 'slid' names")
+          .record(&TransientRequest::slid, "slid", "what has moved slowly before a start 'sliding', and how far")
+          .field(&TransientRequest::quasi_static, "quasi_static",
+                 "true: so slow that nothing has inertia: an equilibrium at the end of every step, with friction")
           .field(&TransientRequest::damping_ratio, "damping_ratio", "zeta", si::one,
                  "of ropes that give none: of the lowest mode in which the rope stretches")
           .at_least(0)

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "taut/calc/field.hpp"
 
@@ -15,10 +16,17 @@ struct HoistFactor {
   static const Description& describe();
 };
 
+/// What has come slowly into its place before a motion begins, with all friction against that.
+struct SlidRequest {
+  std::optional<std::string> actuator, drum;
+  double by = 0;  ///< m: extended, or taken in
+  static const Description& describe();
+};
+
 /// A motion of the machine from its start on.
 struct TransientRequest {
   enum class Method { implicit, verlet, reference };
-  enum class Start { settled, assembled };
+  enum class Start { settled, assembled, sliding };
 
   std::optional<std::string> name;    ///< ending of its files' names
   double duration = 0;                ///< s
@@ -27,6 +35,8 @@ struct TransientRequest {
   std::optional<double> step;  ///< s, fixed
   Method method = Method::implicit;
   Start start = Start::settled;
+  std::vector<SlidRequest> slid;
+  bool quasi_static = false;
   double damping_ratio = 0;
   bool rope_mass = true;
   std::optional<std::string> save;     ///< file for the state at the end, in the folder of the results

@@ -113,6 +113,64 @@ void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) 
   }
 }
 
+/// The place of a name among `things`; -1 with a complaint.
+template <class Things>
+int slid_index(const Things& things, const char* kind, const std::string& name, const std::string& path,
+               std::vector<Complaint>& complaints) {
+  const auto found = std::find_if(things.begin(), things.end(), [&](const auto& one) { return one.name == name; });
+  if (found != things.end()) return static_cast<int>(found - things.begin());
+  complaints.push_back({path, fmt::format("there is no {} '{}'", kind, name)});
+  return -1;
+}
+
+/// What has moved slowly before a sliding start, with all names resolved.
+std::vector<analysis::Slid> slid_of(const TransientRequest& request, const std::string& path, Preparation& p) {
+  std::vector<analysis::Slid> all;
+  const bool slides = request.start == TransientRequest::Start::sliding;
+  if (slides && request.slid.empty()) {
+    p.complaints.push_back({path + ".start", "'sliding' needs 'slid': what has moved slowly, and how far"});
+  }
+  if (!slides && !request.slid.empty()) {
+    p.complaints.push_back({path + ".slid", "belongs to a start 'sliding'"});
+  }
+  for (std::size_t i = 0; i < request.slid.size(); ++i) {
+    const SlidRequest& one = request.slid[i];
+    const std::string at = fmt::format("{}.slid[{}]", path, i);
+    analysis::Slid slid;
+    slid.by = one.by;
+    slid.drum = one.drum.has_value();
+    slid.index = slid.drum ? slid_index(p.model.drums, "drum", *one.drum, at + ".drum", p.complaints)
+                           : slid_index(p.model.actuators, "actuator", *one.actuator, at + ".actuator", p.complaints);
+    if (slid.index < 0) continue;
+    if (one.by == 0) p.complaints.push_back({at + ".by", "is no way"});
+    const auto index = static_cast<std::size_t>(slid.index);
+    if (slid.drum) {
+      const model::Drive& drive = p.model.drums[index].drive;
+      if (!drive.brake && drive.kind != model::DriveKind::held && drive.kind != model::DriveKind::speed) {
+        p.complaints.push_back({at + ".drum", "turns by a force: only rope that is held comes slowly into its place"});
+      }
+    } else if (!(p.model.actuators[index].lock_stiffness > 0)) {
+      p.complaints.push_back({at + ".actuator", "needs its 'lock_stiffness' to hold its length"});
+    }
+    all.push_back(slid);
+  }
+  return all;
+}
+
+/// A machine without inertia: what would need its mass to have an answer.
+void check_quasi_static(const TransientRequest& request, const std::string& path, Preparation& p) {
+  if (!request.quasi_static) return;
+  if (request.method != TransientRequest::Method::implicit) {
+    p.complaints.push_back({path + ".method", "a quasi-static motion has its own steps"});
+  }
+  for (std::size_t i = 0; i < p.model.actuators.size(); ++i) {
+    const model::Actuator& one = p.model.actuators[i];
+    if (one.kind != model::ActuatorKind::law || one.lock_stiffness > 0) continue;
+    p.complaints.push_back({fmt::format("machine.actuators.{}", one.name),
+                            "follows its reference speed in a quasi-static motion: it needs its 'lock_stiffness'"});
+  }
+}
+
 void check(const TransientRequest& request, const std::string& path, Preparation& p) {
   std::vector<Complaint>& complaints = p.complaints;
   const double step = request.output_step.value_or(request.duration / 1000);
@@ -128,6 +186,7 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   check_inertia(p.model, complaints);
   check_actuators(p.model, complaints);
   check_rope_loads(p, complaints);
+  check_quasi_static(request, path, p);
   if (request.hoist_factor) reeving_of(p, request.hoist_factor->rope, path + ".hoist_factor.rope");
 }
 
@@ -148,6 +207,18 @@ void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistak
   }
 }
 
+analysis::Start start_of(TransientRequest::Start start) {
+  switch (start) {
+    case TransientRequest::Start::settled:
+      return analysis::Start::settled;
+    case TransientRequest::Start::sliding:
+      return analysis::Start::sliding;
+    case TransientRequest::Start::assembled:
+      break;
+  }
+  return analysis::Start::assembled;
+}
+
 std::string words_of(const TransientRun& run) {
   return run.request.name ? fmt::format("transient, {}", *run.request.name) : std::string("transient");
 }
@@ -162,8 +233,9 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
   const bool explicit_steps = request.method == TransientRequest::Method::verlet;
   o.method = explicit_steps ? analysis::TimeMethod::verlet : analysis::TimeMethod::implicit;
   if (request.method == TransientRequest::Method::reference) o.method = analysis::TimeMethod::reference;
-  const bool settled = request.start == TransientRequest::Start::settled;
-  o.start = settled ? analysis::Start::settled : analysis::Start::assembled;
+  o.start = start_of(request.start);
+  o.slid = run.slid;
+  o.quasi_static = request.quasi_static;
   o.damping_ratio = request.damping_ratio;
   o.rope_mass = request.rope_mass;
   if (!request.state.empty()) {
@@ -207,6 +279,7 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
   TransientRun run;
   run.ending = ending_of(p, "transient", request.name, path);
   run.request = request;
+  run.slid = slid_of(request, path, p);
   const auto& all = p.deck.analyses;
   if (std::any_of(all.begin(), all.end(), [](const auto& one) { return one.envelope.has_value(); })) {
     run.envelope = "envelope_motion";

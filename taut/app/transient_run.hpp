@@ -16,6 +16,7 @@ struct TransientRun {
   std::string envelope =
       "envelope";  ///< name of that table: another one where the deck has the analysis `envelope` too
   TransientRequest request;
+  std::vector<analysis::Slid> slid;  ///< of a sliding start
   analysis::TransientOptions options;
   model::Model model;
   analysis::TransientResult result;
@@ -24,6 +25,9 @@ struct TransientRun {
 /// Puts the text of the file that each `restart` names, beside the deck that names it, into its request; notes those
 /// that can't be read.
 void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistakes);
+
+/// Where a deck lets a motion begin.
+analysis::Start start_of(TransientRequest::Start start);
 
 /// The motion, with its options from the request.
 void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress);

@@ -203,13 +203,32 @@ void check_hoist_factor(const TransientRun& run, Result& r) {
                  phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)));
 }
 
+std::string slid_words(const TransientRun& run) {
+  std::string ways;
+  for (const analysis::Slid& slid : run.options.slid) {
+    const auto index = static_cast<std::size_t>(slid.index);
+    const std::string& name = slid.drum ? run.model.drums[index].name : run.model.actuators[index].name;
+    const char* verb = slid.drum ? (slid.by > 0 ? "taken in" : "let out") : slid.by > 0 ? "extended" : "retracted";
+    ways += fmt::format("{}{} has {} {:.4g} m", ways.empty() ? "" : ", ", name, verb, std::abs(slid.by));
+  }
+  return fmt::format("starts sliding: at rest, with the friction that is left when slowly {}", ways);
+}
+
 std::string start_words(const TransientRun& run) {
   if (run.options.from) return fmt::format("goes on from a saved state at t = {:.6g} s", run.options.from->t);
-  return run.options.start == analysis::Start::settled ? "starts settled: at rest in equilibrium, without loss"
-                                                       : "starts assembled: as described, at rest";
+  switch (run.options.start) {
+    case analysis::Start::settled:
+      return "starts settled: at rest in equilibrium, without loss";
+    case analysis::Start::sliding:
+      return slid_words(run);
+    case analysis::Start::assembled:
+      break;
+  }
+  return "starts assembled: as described, at rest";
 }
 
 std::string scheme_words(const TransientRun& run) {
+  if (run.options.quasi_static) return "quasi-static: an equilibrium at the end of every step, with friction";
   switch (run.options.method) {
     case analysis::TimeMethod::verlet:
       return "velocity Verlet";

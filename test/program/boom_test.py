@@ -29,8 +29,25 @@ REFERENCE = (
 )
 
 
-def run(deck):
-    done = subprocess.run([PROGRAM, "run", "--json", str(DECKS / f"{deck}.yaml")], capture_output=True, text=True,
+# Quasi-static extension: Fh at these lengths in kN, by angle and load.
+LENGTHS = (9, 12, 15, 18, 21)
+SLIDING = {
+    (19, "load"): (62.8, 66.7, 79.3, 103.2, 166.4), (52, "load"): (101.4, 103.2, 111.3, 126.4, 166.7),
+    (76, "load"): (113.3, 113.6, 115.9, 121.4, 136.1), (19, "hook"): (25.0, 24.9, 25.7, 31.6, 46.7),
+    (52, "hook"): (39.3, 39.3, 39.4, 43.1, 52.7), (76, "hook"): (43.7, 43.7, 43.7, 44.6, 47.9),
+}
+# S1, S2 there, kN: 52 degrees, then 19, with 3 t
+SLIDING_TENSIONS = ((52, 9, 105.0, 168.4), (52, 21, 111.3, 150.9), (19, 9, 100.9, 177.1), (19, 21, 111.2, 151.1))
+
+# Table 1: S10, S20 after each pull, kN
+TENSIONING = {
+    "extension_first": ((0.635, 0), (0.635, 2.54), (1.905, 2.54), (1.905, 5.08)),
+    "retraction_first": ((0, 1.27), (1.27, 1.27), (1.27, 3.81), (2.54, 3.81)),
+}
+
+
+def run(deck, *settings):
+    done = subprocess.run([PROGRAM, "run", "--json", str(DECKS / f"{deck}.yaml"), *settings], capture_output=True, text=True,
                           timeout=200, check=False)
     return done.returncode, json.loads(done.stdout)
 
@@ -54,6 +71,49 @@ class Boom(unittest.TestCase):
             for _, name, wanted, near in (one for one in REFERENCE if one[0] == deck):
                 with self.subTest(deck=deck, value=name):
                     self.assertLess(abs(value(result, name) - wanted), near if near > 1 else near * wanted)
+
+    def test_tensioners_pulled_in_turn_give_table_1(self):
+        code, result = run("pretension")
+        self.assertEqual(code, 0, result["message"])
+        for order, rows in TENSIONING.items():
+            table = result["tables"][f"tensioning_{order}"]
+            names = [c["name"] for c in table["columns"]]
+            for i, (S1, S2) in enumerate(rows):
+                row = dict(zip(names, table["rows"][i + 1]))
+                with self.subTest(order=order, step=i + 1):
+                    self.assertAlmostEqual(row["S1"] / 1e3, S1, delta=0.0005)
+                    self.assertAlmostEqual(row["S2"] / 1e3, S2, delta=0.0005)
+                    self.assertEqual(value(result, f"S1_{i + 1}_{order}"), row["S1"])
+
+    def test_slow_extension_is_the_sliding_equilibrium(self):
+        for (angle, load), forces in SLIDING.items():
+            code, result = run(f"sliding_{angle}_{load}")
+            self.assertEqual(code, 0, result["message"])
+            for length, force in zip(LENGTHS, forces):
+                with self.subTest(angle=angle, load=load, length=length):
+                    # section 3 stays behind by the stretch of its ropes, which the model leaves out of its overlap
+                    self.assertLess(abs(value(result, f"Fh_{length}") / (1e3 * force) - 1), 0.015)
+            for at, length, S1, S2 in SLIDING_TENSIONS:
+                if (angle, load) == (at, "load"):
+                    self.assertLess(abs(value(result, f"S1_{length}") / (1e3 * S1) - 1), 0.01)
+                    self.assertLess(abs(value(result, f"S2_{length}") / (1e3 * S2) - 1), 0.01)
+
+    def test_slow_and_real_extension_agree(self):
+        # means over the way in which the load swings once, 5.3 s
+        settings = []
+        for length, middle in ((9, 10.66), (15, 15), (21, 19.92)):
+            for name, of in (("S1", "extension[2].T"), ("S2", "retraction[2].T"), ("Fh", "cylinder.F")):
+                window = f"{{of: Lb, from: {middle - 1.06} m, to: {middle + 1.06} m}}"
+                settings += ["--set", f"machine.measures.{name}_near_{length}={{of: \"{of}\", mean: {window}}}"]
+        for angle in (19, 52):
+            _, slow = run(f"sliding_{angle}_load", *settings)
+            code, real = run(f"force_{angle}_load", *settings)
+            self.assertEqual(code, 0, real["message"])
+            for length in (9, 15, 21):
+                for name, near in (("S1", 0.01), ("S2", 0.01), ("Fh", 0.02)):
+                    with self.subTest(angle=angle, length=length, value=name):
+                        there = value(slow, f"{name}_near_{length}")
+                        self.assertLess(abs(value(real, f"{name}_near_{length}") / there - 1), near)
 
     def test_ropes_as_chains_give_the_same(self):
         _, plain = run("row4")

@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/app/analysis_requests.hpp"
+#include "taut/calc/field.hpp"
+
+namespace taut::app {
+
+/// One rope tightened at one of its ends until something is reached.
+struct PullRequest {
+  std::string rope;
+  RopeEnd end = RopeEnd::start;
+  std::optional<double> force;       ///< N
+  std::optional<double> take_up;     ///< m
+  std::optional<std::string> until;  ///< a path as in `observe`, or a measure, that has moved ...
+  std::optional<std::string> moves;  ///< ... by so much, with its unit
+  static const Description& describe();
+};
+
+/// Ropes pulled tight in turn.
+struct PretensionRequest {
+  enum class Start { settled, assembled };
+  std::optional<std::string> name;  ///< ending of its tables' names
+  std::vector<PullRequest> pull;    ///< in this order
+  int rounds = 1;                   ///< and again from the first
+  double longest = 0.5;             ///< m
+  double tolerance = 1e-9;
+  Start start = Start::settled;
+  static const Description& describe();
+};
+
+}  // namespace taut::app
