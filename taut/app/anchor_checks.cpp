@@ -163,7 +163,10 @@ void check_fastening(const AnchorStates& s, Result& r) {
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   bool told = false;
   for (const AnchorStates& s : anchors) {
-    if (s.force == 0) continue;
+    if (s.force == 0) {
+      r.warnings.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
+      continue;
+    }
     if (!told) r.assumptions.emplace_back(fastening);
     told = true;
     add_anchor_row(s, r);

@@ -46,7 +46,8 @@ void CheckedParts::take_answers(const MachineRun& run) {
 void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
                         const std::string& analysis) {
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
-    ropes.take_motion(static_cast<int>(i), motion.ropes[i].T_static, motion.ropes[i].T.max, words);
+    const analysis::RopeExtreme& e = motion.ropes[i];
+    ropes.take_motion(static_cast<int>(i), e.T_static, e.T.max, e.T.t_max, words);
   }
   for (std::size_t i = 0; i < motion.frames.size(); ++i) {
     if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;

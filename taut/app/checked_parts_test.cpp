@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -58,6 +59,54 @@ TEST(CheckedParts, a_cycle_is_a_load_case_and_a_sweep_is_none) {
       anchors_and_lines);
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("cycle, home, x = "), std::string::npos);
+}
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  ASSERT_NE(at, std::string::npos) << what;
+  text.replace(at, what.size(), by);
+}
+
+void expect_same_checks(const Result& a, const Result& b) {
+  ASSERT_EQ(a.status, Status::ok) << a.message << to_text(a.errors);
+  ASSERT_EQ(b.status, Status::ok) << b.message << to_text(b.errors);
+  ASSERT_EQ(a.checks.size(), b.checks.size());
+  for (const Check& one : a.checks) {
+    const Check& other = check_of(b, one.name);
+    EXPECT_NEAR(other.value, one.value, 1e-6 * std::max(1.0, std::abs(one.value))) << one.name;
+    EXPECT_NEAR(other.limit, one.limit, 1e-9 * std::abs(one.limit)) << one.name;
+  }
+}
+
+// Ends of the ropes swapped, the machine mirrored, entries in another order: the same checks.
+TEST(CheckedParts, the_same_machine_written_otherwise) {
+  const std::string checks =
+      "checks:\n"
+      "  ropes: {skyline: {field: skyline.ch}, mainline: {safety_factor: 3, dynamic_factor: 1.3}}\n"
+      "  anchors: {stump: {strength: 300 kN, uplift: 50 kN, angle: 30 deg, tree_diameter: 60 cm}, tower: {strength: "
+      "300 "
+      "kN}}\n"
+      "  lines: {skyline: {tail_tree: jack1, break_angles: true, end_masts: [jack2], clearance: true}}\n";
+  const std::string plain = skyline_deck(
+                                "  - envelope: {carriage: car, from: 130 m, to: 220 m, steps: 3, loads: [0 t, 2 "
+                                "t], motions: [in, out]}\n") +
+                            checks;
+  const Result original = run_text(plain);
+  std::string swapped = plain;
+  replace(swapped, "path: [{anchor: stump}, {over: jack1}, {through: car}, {over: jack2}, {anchor: tower}]",
+          "path: [{anchor: tower}, {over: jack2}, {through: car}, {over: jack1}, {anchor: stump}]");
+  replace(swapped, "path: [{drum: winch}, {anchor: car}]", "path: [{anchor: car}, {drum: winch}]");
+  expect_same_checks(original, run_text(swapped));
+  std::string mirrored = plain;
+  replace(mirrored, "tower: [360 m, 0 m, 124 m]", "tower: [-360 m, 0 m, 124 m]");
+  replace(mirrored, "jack1: {at: [110 m", "jack1: {at: [-110 m");
+  replace(mirrored, "jack2: {at: [240 m", "jack2: {at: [-240 m");
+  replace(mirrored, "winch: {at: [362 m", "winch: {at: [-362 m");
+  replace(mirrored, "{x: [0 m, 110 m, 170 m, 240 m, 360 m], z: [-4 m, 22 m, 34 m, 66 m, 106 m]}",
+          "{x: [-360 m, -240 m, -170 m, -110 m, 0 m], z: [106 m, 66 m, 34 m, 22 m, -4 m]}");
+  replace(mirrored, "from: 130 m, to: 220 m", "from: -13000 cm, to: -0.22 km");
+  replace(mirrored, "loads: [0 t, 2 t]", "loads: [2000 kg, 0 t]");
+  expect_same_checks(original, run_text(mirrored));
 }
 
 /// The yarder of the examples with its analyses in another block.

@@ -283,6 +283,11 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
     };
     add("min", e.least, "least");
     add("max", e.most, "largest");
+    for (const model::Reeving& rope : machine.model.reevings) {
+      if (rope.name != e.name || !(rope.breaking_force > 0)) continue;
+      r.checks.push_back(make_check(fmt::format("{}.T_max_envelope{}", e.name, run.ending), e.most, Sense::at_most,
+                                    rope.breaking_force, si::N, "minimum breaking force of the rope", "user"));
+    }
   }
   one.keep_worst();
 }

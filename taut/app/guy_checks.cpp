@@ -171,7 +171,11 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const MachineDeck& deck,
   for (const GuyStates& one : guys) {
     const model::Reeving& rope = model.reevings[at(one.reeving)];
     const double strength = one.request->breaking_force.value_or(rope.breaking_force);
-    if (one.T_max > 0) check_safety(one, rope.name, strength, r);
+    if (one.T_max > 0) {
+      check_safety(one, rope.name, strength, r);
+    } else {
+      r.warnings.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
+    }
     if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
       add_part_check(rope.name, "slackness", one.T_least, Sense::at_least, one.T_slack, si::N,
                      fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "

@@ -83,7 +83,13 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
             recalled_curve, r);
 }
 
-void add_stress_check(const MastReport& report, const MastUse& u, Result& r) {
+/// [sigma] of the deck, or as good as the yield stress that it is a share of.
+std::string trust_of_stress(const MastCheckRequest& request, const MastReport& report, std::size_t part) {
+  const std::string& yield = report.materials[std::min(part, report.materials.size() - 1)].trust;
+  return request.safety && yield.starts_with("UNVERIFIED") ? yield : std::string("user");
+}
+
+void add_stress_check(const MastCheckRequest& request, const MastReport& report, const MastUse& u, Result& r) {
   if (u.stress_use.value == 0) return;
   const LoadedMast& m = report.loaded;
   const MastPlace& at = u.stress_use.at;
@@ -91,7 +97,7 @@ void add_stress_check(const MastReport& report, const MastUse& u, Result& r) {
   add_check(
       report.name, "allowable_stress", u.stress_use.value * allowed, allowed, si::Pa,
       fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}", place_words(m, at)),
-      "user", r);
+      trust_of_stress(request, report, at.part), r);
 }
 
 void add_row(const MastReport& report, const MastUse& u, Result& r) {
@@ -283,7 +289,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   } else {
     r.warnings.push_back(fmt::format("{}: {}", report.name, u.refused));
   }
-  add_stress_check(report, u, r);
+  add_stress_check(request, report, u, r);
   for (const MastMaterial& one : report.materials) {
     if (!one.trust.starts_with("UNVERIFIED")) continue;
     r.warnings.push_back(fmt::format("{}: f_y of {} is {}", report.name, one.steel, one.trust));

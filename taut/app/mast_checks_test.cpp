@@ -49,6 +49,14 @@ TEST(MastChecks, CaseAByBothRoutes) {
   EXPECT_GT(r.steps.size(), 20U);
 }
 
+// A share of a recalled yield stress is no better than that.
+TEST(MastChecks, StressOfARecalledSteelIsMarked) {
+  const taut::Result r = run_text(case_a("section: CHS 508x16, steel: S355 product, safety: 2"));
+  EXPECT_NE(check_of(r, "mast.allowable_stress").trust.find("UNVERIFIED"), std::string::npos);
+  const taut::Result own = run_text(case_a("section: CHS 508x16, steel: S355 product, allowable_stress: 160 MPa"));
+  EXPECT_EQ(check_of(own, "mast.allowable_stress").trust, "user");
+}
+
 TEST(MastChecks, FactorsRaiseTheUse) {
   const taut::Result r = run_text(case_a("section: CHS 508x16, steel: S355, load_factor: 1.5, dynamic_factor: 1.1"));
   EXPECT_NEAR(check_of(r, "mast.section").value, 1.069647, 2e-5);

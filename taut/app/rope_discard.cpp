@@ -43,7 +43,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table&
   const bool turns = construction->strands >= 10;
   const int wires = construction->strands * construction->wires;
   const int from_class = turns ? 3 : 5;
-  const bool twice = class_number(request) >= from_class || layered;
+  const bool twice = class_number(request) >= from_class;
   for (const char* topic : {"discard.ordinary", "discard.lang", "discard.rotation_resistant"}) {
     if (turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
     const auto row = row_for(topic, wires);
@@ -51,7 +51,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table&
     for (const auto& [length, count] : {std::pair{6, *row->low}, std::pair{30, *row->high}}) {
       const double most = twice ? 2 * count : count;
       std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
-      if (layered) why = "it lies in layers on a drum";
+      if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
       t.rows.push_back({row->item, length * (use.rope.diameter > 0 ? use.rope.diameter : not_told), most, not_told,
                         fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
                                     turns ? "" : " in the outer strands", why),

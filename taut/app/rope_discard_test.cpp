@@ -40,7 +40,10 @@ TEST(RopeDiscard, broken_wires_by_length_lay_and_class) {
   EXPECT_THAT(text_cell(t, 0, "criterion"), HasSubstr("ordinary lay"));
   EXPECT_THAT(text_cell(t, 2, "criterion"), HasSubstr("lang lay"));
   EXPECT_EQ(cell(discard("6x36WS", "IWRC", "M5"), 0, "broken_wires"), 18);
-  EXPECT_EQ(cell(discard("6x36WS", "IWRC", "M4", 2), 1, "broken_wires"), 36);
+  // twice only where it lies in layers: over the sheaves the lower number holds
+  const Table layered = discard("6x36WS", "IWRC", "M4", 2);
+  EXPECT_EQ(cell(layered, 1, "broken_wires"), 18);
+  EXPECT_THAT(text_cell(layered, 1, "limit"), HasSubstr("36 on the part that lies in layers"));
   EXPECT_EQ(cell(discard("6x36WS", "IWRC", ""), 0, "broken_wires"), 9);
   EXPECT_EQ(cell(discard("6x19S", "IWRC", "M1"), 0, "broken_wires"), 5);  // 114 wires
   const Table turns = discard("35x7", "WSC", "M3");

@@ -94,13 +94,25 @@ void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, R
   r.tables.push_back(std::move(t));
 }
 
-void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const rope::RopeUse& use, Result& r) {
+/// Of the number that is doubted most: constants, the weight of reverse bending, the dynamic factor.
+std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& life, const rope::RopeRules& rules) {
+  const auto doubted = [](const std::string& trust) { return trust.starts_with("UNVERIFIED"); };
+  if (doubted(life.constants->trust)) return life.constants->trust;
+  const bool own_weight = request.life && request.life->reverse_weight;
+  if (const auto row = catalogue::find_rule("life.reverse_weight"); life.reversed && !own_weight && row) {
+    if (doubted(doubt(*row))) return doubt(*row);
+  }
+  return doubted(rules.dynamic_trust) ? rules.dynamic_trust : life.constants->trust;
+}
+
+void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,
+                    const rope::RopeUse& use, Result& r) {
   const std::string name = use.name + ".life";
   Check c = make_check(name, life.damage, Sense::at_most, 1, si::one,
                        fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
                                    life.constants->count, life.constants->words,
                                    rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
-                       rope::trust_with_rope(life.constants->trust, use.rope));
+                       rope::trust_with_rope(trust, use.rope));
   c.part = use.name;
   r.checks.push_back(std::move(c));
   r.values.push_back({name + "_damage",
@@ -168,7 +180,7 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
         fmt::format("{}: its life is not computed: no sheave or drum bends it under tension", use.name));
     return;
   }
-  add_life_check(*worst, life_rules, use, r);
+  add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);
   add_table(lives, use, r);
 }
 

@@ -1,5 +1,6 @@
 #include "taut/app/rope_life.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +66,21 @@ TEST(RopeLife, own_constants_and_the_worst_count) {
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_NEAR(value_of(r, "hoist.life_damage"), 0.2, 1e-9);
   EXPECT_EQ(table_of(r, "life_hoist").rows.size(), 2U);
+}
+
+// The constants are the deck's own; that a bending in reverse counts twice is recalled.
+TEST(RopeLife, what_is_recalled_besides_the_constants) {
+  const std::string own = "{duty: [{name: lifts, cycles: 2e4}], life: {constants: [{count: discard, a: [5, 0, 0, 0]}]";
+  const auto trust = [](const std::string& checks, const char* side) {
+    const Result r = run_text(lift(checks), {fmt::format("machine.reevings[0].path[1].side={}", side)});
+    return taut_test::check_of(r, "hoist.life").trust;
+  };
+  const std::string right = trust(own + "}}", "right");
+  const std::string left = trust(own + "}}", "left");
+  EXPECT_NE(right.starts_with("UNVERIFIED"), left.starts_with("UNVERIFIED"));  // one of them turns against the drum
+  EXPECT_EQ(trust(own + ", reverse_weight: 2}}", "left"), "user");
+  EXPECT_EQ(trust(own + ", reverse_weight: 2}}", "right"), "user");
+  EXPECT_THAT(trust(own + ", reverse_weight: 2}, hoist: {class: HC2, speed: 1 m/s}}", "left"), HasSubstr("UNVERIFIED"));
 }
 
 TEST(RopeLife, donandt_and_discard) {

@@ -160,6 +160,7 @@ class RopeRuleReader {
     const auto slope = rule_named(fmt::format("hoist.HC{}.beta2", number));
     if (!least || !slope) return;
     rules_.dynamic_factor = *least->low + *slope->low * given.speed;
+    rules_.dynamic_trust = trust_of(*least);
     rules_.dynamic_words = fmt::format("phi2 = {} + {} v_h, HC{}, v_h = {:.4g} m/s, {}, unverified", *least->low,
                                        *slope->low, number, given.speed, least->source);
   }

@@ -102,7 +102,7 @@ void RopeUses::take(const model::Model& model, const analysis::EquilibriumResult
   take_ends(model, state);
 }
 
-void RopeUses::take_motion(int reeving, double at_rest, double peak, const std::string& words) {
+void RopeUses::take_motion(int reeving, double at_rest, double peak, double when, const std::string& words) {
   rope::RopeUse& use = uses_[at(reeving)];
   if (at_rest > use.tension) {
     use.tension = at_rest;
@@ -110,7 +110,7 @@ void RopeUses::take_motion(int reeving, double at_rest, double peak, const std::
   }
   if (peak > use.peak) {
     use.peak = peak;
-    use.peak_where = words;
+    use.peak_where = fmt::format("{}, t = {:.4g} s", words, when);
   }
 }
 

@@ -18,8 +18,9 @@ class RopeUses {
 
   /// `words`: which state it is, "load path, in, x = 130 m".
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  /// Of a calculated motion: the largest tension of the rope at rest before it (0: not known), and its peak, N.
-  void take_motion(int reeving, double at_rest, double peak, const std::string& words);
+  /// Of a calculated motion: the largest tension of the rope at rest before it (0: not known), and its peak, N, at the
+  /// time `when`, s.
+  void take_motion(int reeving, double at_rest, double peak, double when, const std::string& words);
 
   /// As in the model. Where no state was shown, but a motion, each round and end has the largest tension of its rope.
   std::vector<rope::RopeUse> all() const;

@@ -85,6 +85,7 @@ tl::expected<std::vector<RopeRow>, Diagnostics> read_ropes(std::string_view csv_
     mistakes = csv.mistakes();
     rows.push_back(std::move(row));
   }
+  if (rows.empty() && !csv.failed()) csv.fail("id", "the table has no rows, only the names of its columns");
   if (csv.failed()) return tl::unexpected(csv.take_diagnostics());
   return rows;
 }

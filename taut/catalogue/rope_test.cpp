@@ -91,6 +91,12 @@ std::vector<std::string> mistakes(std::string_view lines) {
   return out;
 }
 
+TEST(Ropes, a_table_without_rows_is_told) {
+  const auto read = read_ropes(header, "mine.csv");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().at(0).message, "the table has no rows, only the names of its columns");
+}
+
 TEST(Ropes, a_users_table) {
   const auto read = read_ropes(fmt::format("{}A,maker,6x26K,IWRC,16,140,1.2,1960,230,verified,\"certificate, 2024\"\n"
                                            "B,maker,swaged,,20,220,1.98,,356,unverified,\n",

@@ -25,9 +25,8 @@ const Bend* last_of(const RopeUse& use, const Duty& duty) {
 
 /// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
 /// against the sense of the round before, it counts more.
-double bendings(const Bend& bend, const Bend* before, double reverse_weight) {
+double bendings(const Bend& bend, bool reverse, double reverse_weight) {
   const double passes = bend.kind == BendKind::drum ? 0.5 : 1.0;
-  const bool reverse = before != nullptr && before->side != bend.side;
   return passes * (reverse ? reverse_weight : 1.0);
 }
 
@@ -60,7 +59,9 @@ std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
       const Bend* before = use.closed ? last_of(use, duty) : nullptr;
       for (const Bend& bend : use.bends) {
         if (!counts(duty, bend)) continue;
-        const double times = bendings(bend, before, rules.reverse_weight);
+        const bool reverse = before != nullptr && before->side != bend.side;
+        life.reversed |= reverse;
+        const double times = bendings(bend, reverse, rules.reverse_weight);
         life.lines.push_back(line_of(use, rules, constants, duty, bend, times));
         life.damage += life.lines.back().damage;
         before = &bend;

@@ -81,7 +81,8 @@ struct LifeLine {
 struct Life {
   const LifeConstants* constants = nullptr;
   std::vector<LifeLine> lines;
-  double damage = 0;  ///< at most 1 in the wanted life; how often the duty list can run is its inverse
+  double damage = 0;      ///< at most 1 in the wanted life; how often the duty list can run is its inverse
+  bool reversed = false;  ///< some round turns against the one before
 };
 /// Saddles do not count: what runs over them slides. A drum is half a bending. Precondition: diameter > 1.4 mm and a
 /// grade.

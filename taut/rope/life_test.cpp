@@ -74,7 +74,9 @@ TEST(Life, drum_is_half_and_reverse_counts_more) {
   rules.constants = {seale()};
   rules.reverse_weight = 2;
   const double simple = life_of(use, rules)[0].damage;
+  EXPECT_FALSE(life_of(use, rules)[0].reversed);
   use.bends[1].side = -1;
+  EXPECT_TRUE(life_of(use, rules)[0].reversed);
   EXPECT_NEAR(life_of(use, rules)[0].damage, 1.5 * simple, 1e-12);
   use.bends[1].side = 1;
   use.bends[1].kind = BendKind::drum;

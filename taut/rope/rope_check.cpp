@@ -73,6 +73,12 @@ class RopeChecker {
     const bool weakened = heat_share() < 1 && !limit.starts_with("UNVERIFIED");
     return trust_with_rope(weakened ? rules_.heat_strength->trust : limit, use_.rope);
   }
+  /// The same of the peak, where the dynamic factor has a part in it.
+  std::string trust_of_peak(const std::string& limit) const {
+    const bool of_motion = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension;
+    const bool doubted = !of_motion && rules_.dynamic_trust.starts_with("UNVERIFIED");
+    return trust(doubted && !limit.starts_with("UNVERIFIED") ? rules_.dynamic_trust : limit);
+  }
   std::string strength_words() const {
     const std::string cold = fmt::format("breaking force {}", kilonewton(use_.rope.breaking_force));
     return heat_share() < 1 ? fmt::format("{} x {:.3g} ({})", cold, heat_share(), rules_.heat_strength->rule) : cold;
@@ -167,13 +173,13 @@ class RopeChecker {
     if (rules_.dynamic_safety) {
       add("dynamic_safety_factor", strength() / peak, Sense::at_least, rules_.dynamic_safety->value, si::one,
           fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
-          trust(rules_.dynamic_safety->trust));
+          trust_of_peak(rules_.dynamic_safety->trust));
     }
     if (rules_.elastic_share) {
       add("elastic_limit", peak, Sense::at_most, rules_.elastic_share->value * strength(), si::N,
           fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
                       rules_.elastic_share->rule),
-          trust(rules_.elastic_share->trust));
+          trust_of_peak(rules_.elastic_share->trust));
     }
   }
 

@@ -19,18 +19,19 @@ struct Limit {
 
 /// Which limits hold for one rope. What is empty is not checked.
 struct RopeRules {
-  std::vector<Limit> safety_factors;       ///< least F_min/T, static
-  bool factor_covers_bending = false;      ///< the rules' factors have bending and terminations in them (cranes)
-  double dynamic_factor = 1;               ///< on the static tension
-  std::string dynamic_words;               ///< where it comes from, with its trust
-  std::optional<Limit> dynamic_safety;     ///< least F_min/(phi T)
-  std::optional<Limit> elastic_share;      ///< of F_min that the peak may reach
-  std::optional<Limit> termination;        ///< efficiency of the ends
-  std::optional<Limit> least_termination;  ///< what the rules ask of it
-  std::optional<double> temperature;       ///< the rope's, K
-  std::optional<Limit> hottest;            ///< K
-  std::optional<Limit> hottest_end;        ///< K, by the termination
-  std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
+  std::vector<Limit> safety_factors;   ///< least F_min/T, static
+  bool factor_covers_bending = false;  ///< the rules' factors have bending and terminations in them (cranes)
+  double dynamic_factor = 1;           ///< on the static tension
+  std::string dynamic_words;           ///< where it comes from, with its trust
+  std::string dynamic_trust = "user";
+  std::optional<Limit> dynamic_safety;                                 ///< least F_min/(phi T)
+  std::optional<Limit> elastic_share;                                  ///< of F_min that the peak may reach
+  std::optional<Limit> termination;                                    ///< efficiency of the ends
+  std::optional<Limit> least_termination;                              ///< what the rules ask of it
+  std::optional<double> temperature;                                   ///< the rope's, K
+  std::optional<Limit> hottest;                                        ///< K
+  std::optional<Limit> hottest_end;                                    ///< K, by the termination
+  std::optional<Limit> heat_strength;                                  ///< share of the strength at its temperature
   std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
   std::optional<Limit> resistance;        ///< EN 13001-3-2, static: F_min gamma_rb; value not used
   std::optional<double> fatigue_history;  ///< s_r of EN 13001-3-2

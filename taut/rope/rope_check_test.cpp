@@ -91,6 +91,18 @@ TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
   EXPECT_NEAR(value_of(all, "hoist.dynamic_safety_factor"), 160.0 / 97, 1e-12);
 }
 
+// phi2 as recalled decides nothing in silence; the peak of a motion has no part of it.
+TEST(RopeCheck, a_recalled_dynamic_factor_is_told) {
+  RopeUse use = hoist_rope();
+  RopeRules rules;
+  rules.dynamic_factor = 1.5;
+  rules.dynamic_trust = "UNVERIFIED: phi2 recalled";
+  rules.dynamic_safety = Limit{2.0, "own", "user"};
+  EXPECT_EQ(find(check_rope(use, rules), "hoist.dynamic_safety_factor")->trust, "UNVERIFIED: phi2 recalled");
+  use.peak = 97e3;
+  EXPECT_EQ(find(check_rope(use, rules), "hoist.dynamic_safety_factor")->trust, "user");
+}
+
 TEST(RopeCheck, heat_takes_strength_and_its_trust) {
   RopeRules rules;
   rules.safety_factors = {{3.5, "a rule", "verified"}};

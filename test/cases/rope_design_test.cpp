@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "taut/app/job.hpp"
+#include "taut/app/machine_decks_test.hpp"
 #include "taut/rope/strength.hpp"
 #include "test/paths.hpp"
 
@@ -12,24 +12,13 @@
 namespace rope_design_test {
 
 using namespace taut;
+using taut_test::check_of;
+using taut_test::value_of;
 
 Result example(const std::string& name) {
   const auto job = app::read_job((taut_test::source_dir() / "examples/design" / name).string());
   EXPECT_TRUE(job.has_value());
   return app::run(*job);
-}
-
-double value_of(const Result& r, const std::string& name) {
-  const Value* v = r.find_value(name);
-  EXPECT_NE(v, nullptr) << name << r.message << to_text(r.errors);
-  return v == nullptr ? std::nan("") : v->value;
-}
-
-const Check& check_of(const Result& r, const std::string& name) {
-  static const Check none;
-  const auto at = std::find_if(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
-  EXPECT_NE(at, r.checks.end()) << name << r.message << to_text(r.errors);
-  return at == r.checks.end() ? none : *at;
 }
 
 // Lead line of n parts, S = Q K^n (K - 1)/(K^n - 1), and d_min = sqrt(Z_p S/(K' R_r)) (ISO 4308-1, rope dealers' public
