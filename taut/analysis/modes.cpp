@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -168,6 +169,18 @@ Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
   return moved;
 }
 
+/// How large the machine is as it is drawn, m: the diagonal of the box round its ropes.
+double drawn_size(const Values& v) {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const LineValues& line : v.lines) {
+    for (const Vector3& end : line.touch) {
+      low = low.cwiseMin(end);
+      high = high.cwiseMax(end);
+    }
+  }
+  return v.lines.empty() ? 1 : (high - low).norm();
+}
+
 /// Shifts, turns, who moves most, the drawing.
 void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen::VectorXd x, Mode& mode) {
   const Mechanism& m = run.m;
@@ -179,13 +192,14 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
     }
     return motion;
   };
+  const double machine = drawn_size(rest);
   double shifted = 0, turned = 0, most = 0, of_ropes = 0;
   for (const Body& body : m.bodies) {
     const Mode::Motion motion = motion_of(body);
     shifted = std::max(shifted, motion.shift.norm());
     turned = std::max(turned, motion.turn.norm());
   }
-  const double size = std::max(shifted, turned * run.m.size_of_machine);
+  const double size = std::max(shifted, turned * machine);
   const double unit = shifted > 1e-9 * size ? shifted : turned;
   if (unit > 0) x /= unit;
   mode.bodies.assign(m.model->bodies.size(), {});
@@ -201,7 +215,7 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
     }
   }
   if (of_ropes > most) mode.largest = -1;
-  if (unit > 0) mode.shape = frame_of(m, displaced_by(run, x * (drawn_share * m.size_of_machine * unit / size), rest));
+  if (unit > 0) mode.shape = frame_of(m, displaced_by(run, x * (drawn_share * machine * unit / size), rest));
 }
 
 Mode mode_of(Complex lambda) {

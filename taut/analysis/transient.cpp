@@ -169,6 +169,9 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
     run.T_largest[r] = std::max(run.T_largest[r], line.T);
   }
   march(run);
+  // those of one step stand at the moments within it
+  std::stable_sort(run.result.events.begin(), run.result.events.end(),
+                   [](const TransientEvent& a, const TransientEvent& b) { return a.t < b.t; });
   run.result.iterations = run.newton.used;
   run.result.state = state_of(run.m, run.before, run.origin);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());

@@ -113,7 +113,7 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, 
 
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
   const Contact& contact = m.contacts[i];
-  if (const auto given = given_tension(m, contact, before, now.when)) {
+  if (const auto given = contact.drum < 0 ? std::nullopt : given_tension(m, contact, before, now.when)) {
     pull_row(m, contact, *given, now, w);
     return;
   }

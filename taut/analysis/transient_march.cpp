@@ -14,6 +14,10 @@ namespace {
 
 constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it ends the run
 constexpr double growth = 2;
+// A step that is much longer than the last one stirs up the ropes' fast motions and errs by more than its length says.
+// Where one has been taken back, steps near the limit grow a little at a time for a while.
+constexpr double careful_growth = 1.1, far_below = 0.05, much_longer = 1.2;
+constexpr int careful_steps = 64;
 constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
 
 constexpr int steps_between_asking = 32;
@@ -93,6 +97,7 @@ StepEnd begin_again(Run& run, double& where) {
   if (end != StepEnd::ok) return end;
   add_jump(run.m, run.before, where, run.ledger);
   run.known = 0;
+  run.newton.forget();
   for (ContactValues& contact : run.before.contacts) contact.slip_mean = contact.slip_rate;
   if (run.options.step <= 0) {
     const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
@@ -211,13 +216,16 @@ StepEnd advance(Run& run, double limit) {
     const double error = error_of(run, kink);
     if (error > 1 && h > 1e-12 * run.options.duration) {
       ++run.result.rejected;
+      if (h > much_longer * run.h_last) run.careful = careful_steps;
       if (last_h > 0 && !kink && error > last_error * (h / last_h)) kink = true;
       last_error = error;
       last_h = h;
       run.h = h * std::clamp(0.9 / std::sqrt(error), 0.1, 0.7);
       continue;
     }
-    const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, growth) : growth;
+    const double most = error < far_below || run.careful == 0 ? growth : careful_growth;
+    if (run.careful > 0) --run.careful;
+    const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, most) : growth;
     const bool shortened = h < 0.9 * run.h;
     accept(run);
     if (kink) run.known = 0;
@@ -340,6 +348,7 @@ void march(Run& run) {
       if (run.m.lossless && run.breaking.empty() && !run.options.quasi_static)
         add_step(run.m, run.before, run.before, run.ledger);
       record_frame(run, run.before);
+      run.newton.forget();
       ++frame;
       if (run.options.progress && !run.options.progress(run.before.t)) end = StepEnd::interrupted;
     }

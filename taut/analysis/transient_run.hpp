@@ -34,6 +34,7 @@ struct Run {
   std::vector<double> nu_old{}, rate_old{};  ///< at the start of the last step
   std::vector<double> T_old{}, T_older{};    ///< by line
   double h_last = 0, h_older = 0;
+  int careful = 0;                  ///< steps that still grow a little at a time
   std::vector<double> T_largest{};  ///< by reeving, N
   std::vector<double> L_first{};    ///< by line, m
   // of measures

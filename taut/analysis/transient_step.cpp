@@ -11,11 +11,21 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
-constexpr int turns_until = 15;             ///< of contacts that stick and slide in turn at their very limit
-constexpr double moment = 1e-6;             ///< s, in which slip is looked for at an unchanged time
-constexpr double small_change = 1e-2;       ///< of tensions: the factors of the first iteration do for the next
-constexpr double good_contraction = 0.05;   ///< with which they go on to do
-constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
+constexpr int turns_until = 15;            ///< of contacts that stick and slide in turn at their very limit
+constexpr double moment = 1e-6;            ///< s, in which slip is looked for at an unchanged time
+constexpr double small_change = 1e-2;      ///< of tensions: the factors of the first iteration do for the next
+constexpr double good_contraction = 0.05;  ///< with which they go on to do
+constexpr int most_trusted = 15;           ///< steps until it is looked at again
+constexpr double least_contraction = 1e-7, caution = 8;
+
+/// The flow of a contact in the step, if it goes on as before: what slips between taut branches with the change of its
+/// rate.
+double flow_ahead(const Scheme& s, const Contact& contact, const ContactValues& was, const Values& before) {
+  const double more = s.h > 0 ? -s.slip_before : 0;
+  const auto taut = [&](int line) { return line >= 0 && before.lines[at(line)].T > 0; };
+  if (s.creeps || more >= 1 || !taut(contact.in) || !taut(contact.out)) return was.flow;
+  return was.flow + more / (1 - more) * (was.slip_rate - was.slip_mean);
+}
 
 /// Rope passed at each contact, as it went on before.
 void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, Values& now) {
@@ -24,7 +34,8 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
     const std::size_t c = at(m.contacts[i].column);
     now.contacts[i].grip = was.grip;
     const double reach = s.creeps ? s.elapsed : s.reach, h = s.creeps ? s.elapsed : s.h;
-    now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate : before.q[c] + h * was.flow;
+    now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate
+                                       : before.q[c] + h * flow_ahead(s, m.contacts[i], was, before);
     if (s.h == 0 && slips_in_a_moment(m, s, m.contacts[i])) now.q[c] += was.slip_mean / s.slip_now;
   }
 }
@@ -44,11 +55,23 @@ double move_of(const Mechanism& m, const Scheme& s, const std::vector<double>& s
   return largest;
 }
 
+/// Remembers what the first iteration of a step left, so that the next steps need no second one to be sure of the
+/// first. Now and then it is seen anew; where laws have changed, nothing is taken for granted.
+void learn(Newton& newton, int iterations, bool laws_changed, double contraction) {
+  if (iterations == 1 && ++newton.trusted <= most_trusted) return;
+  newton.trusted = 0;
+  const bool seen = iterations == 2 && !laws_changed;
+  newton.contraction =
+      seen ? std::clamp(caution * contraction, least_contraction, first_contraction) : first_contraction;
+}
+
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
   guess_flows(m, s, before, w, now);
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
+  bool laws_changed = false;
+  const bool moves = s.h > 0 && !s.at_rest;
   for (int i = 0; i <= newton.most; ++i) {
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     const bool changed = decide(m, s, before, now);
@@ -69,15 +92,18 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     if (i > 0 && !changed && !begins) {
-      const double contraction = std::isinf(last_change) ? first_contraction : std::min(1.0, change / last_change);
+      const double expected = moves && !turned ? newton.contraction : first_contraction;
+      const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
         newton.used += i;
+        if (moves) learn(newton, i, laws_changed || turned, contraction);
         return StepEnd::ok;
       }
       last_change = change;
     }
     if (i == newton.most) break;
+    laws_changed = laws_changed || (i > 0 && turned);
     const double small = i == 1 ? small_change * newton.largest : good_contraction * change_before;
     w.tangent = i == 0 || turned || change > small;
     change_before = change;
@@ -113,6 +139,7 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
   const StepEnd end = iterations(m, s, before, t, now, w, newton);
   m.solver.hold(false);
   w.tangent = true;
+  if (end != StepEnd::ok) newton.forget();
   return end;
 }
 

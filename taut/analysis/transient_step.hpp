@@ -5,6 +5,8 @@
 
 namespace taut::analysis::dynamics {
 
+constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
+
 /// How the solution of a step ended.
 enum class StepEnd {
   ok,
@@ -22,7 +24,13 @@ struct Newton {
   double tolerance = 1e-9;
   int most = 45;
   int used = 0;
-  int line = -1;                              ///< that has no place
+  int line = -1;                           ///< that has no place
+  double contraction = first_contraction;  ///< what the first iteration of a step leaves, by those before
+  int trusted = 0;                         ///< steps since that was seen
+  void forget() {                          ///< what was seen: a run that goes on from here knows nothing of it
+    contraction = first_contraction;
+    trusted = 0;
+  }
   std::function<bool(double)> ask = nullptr;  ///< false: interrupts; for what takes many steps at one time
 };
 StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);

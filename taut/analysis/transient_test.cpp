@@ -121,6 +121,18 @@ TEST(Transient, SwingingLoadOnAChain) {
   EXPECT_LT(std::abs(r.frames[2].energy.residual), 1e-6 * r.frames[2].energy.turnover);
 }
 
+/// The shock as the rope tightens again, in the segment at the fixed end: lasting for 10 us, it wants such steps.
+TEST(Transient, SwingingLoadTightensItsChain) {
+  TransientOptions options = lasting(9, 1e-6);
+  options.method = taut::analysis::TimeMethod::verlet;
+  options.step = 1e-5;
+  const TransientResult r = transient(swing(), options);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(std::max(r.ropes[0].T.max, r.ropes[1].T.max) / 13388.40, 1, 1e-4);
+  EXPECT_NEAR(r.ropes[0].T.t_max, 8.939, 5e-4);
+  EXPECT_EQ(r.ropes[0].branch, 0);
+}
+
 TEST(Transient, ChainComesToRestWhereTheStaticOneHangs) {
   model::Model m;
   m.gravity = 9.81;

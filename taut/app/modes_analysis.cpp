@@ -67,6 +67,8 @@ void add_modes_table(const ModesRun& run, Result& r) {
   r.tables.push_back(std::move(t));
 }
 
+constexpr double mode_rounding = 1e-10;  ///< beside the largest shift, which is 1
+
 void add_mode_shapes(const ModesRun& run, Result& r) {
   Table t;
   t.name = "mode_shapes" + run.ending;
@@ -78,8 +80,10 @@ void add_mode_shapes(const ModesRun& run, Result& r) {
       for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
         if (run.model.bodies[b].free.empty()) continue;
         const Mode::Motion& m = set.modes[i].bodies[b];
-        t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), run.model.bodies[b].name, m.shift.x(),
-                          m.shift.y(), m.shift.z(), m.turn.x(), m.turn.y(), m.turn.z()});
+        t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), run.model.bodies[b].name});
+        for (const Vector3& v : {m.shift, m.turn}) {
+          for (const double x : v) t.rows.back().emplace_back(std::abs(x) < mode_rounding ? 0 : x);
+        }
       }
     }
   }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/report/embedded/animation_js.hpp"
 #include "taut/report/pen.hpp"
+#include "taut/report/placement.hpp"
 #include "taut/report/text.hpp"
 #include "taut/report/ticks.hpp"
 
@@ -131,17 +133,60 @@ std::string svg_line(const Animation::Line& line, const View& v) {
   return fmt::format("<polyline points=\"{}\" fill=\"none\" {}/>\n", points, stroke_of(pen(line.role)));
 }
 
-/// The name beside a round, to the left of it where it would leave the picture on the right.
-std::string round_label(const Animation::Round& round, const View& v, double radius) {
-  if (round.label.empty()) return {};
-  double right = -1e300;
-  for (const Point& p : round.at) right = std::max(right, is_finite(p) ? v.x(p.x) : right);
-  const bool leaves = right + radius + 3 + 0.56 * font_size * length(round.label) > v.width;
-  return fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>", leaves ? -radius - 3 : radius + 3,
-                     -radius - 2, leaves ? " text-anchor=\"end\"" : "", escape(round.label));
+/// Where the name stands beside its round: above it to the right as a rule.
+struct LabelPlace {
+  bool left = false, below = false;
+};
+
+/// What the name covers at one time, pixels.
+Box label_box(const Animation::Round& round, const View& v, std::size_t time, LabelPlace place) {
+  const Point& p = round.at[std::min(time, round.at.size() - 1)];
+  if (!is_finite(p)) return {};
+  const double away = std::max(round.radius * v.scale, smallest_round) + 3, x = v.x(p.x), y = v.y(p.y);
+  const double width = 0.56 * font_size * length(round.label);
+  Box box;
+  box.add(Pixel{place.left ? x - away - width : x + away, place.below ? y + away : y - away - font_size});
+  box.add(Pixel{place.left ? x - away : x + away + width, place.below ? y + away + font_size : y - away});
+  return box;
 }
 
-std::string svg_round(const Animation::Round& round, const View& v) {
+/// A place for each name that keeps clear, over all times, of the names before it and of the picture's edge.
+std::vector<LabelPlace> label_places(const Animation& a, const View& v) {
+  constexpr std::size_t looks = 60;
+  constexpr double edge = 10;  ///< times as bad as another name
+  const std::size_t every = std::max<std::size_t>(1, a.t.size() / looks);
+  std::vector<LabelPlace> places;
+  for (std::size_t r = 0; r < a.rounds.size(); ++r) {
+    LabelPlace best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const LabelPlace place : {LabelPlace{false, false}, {false, true}, {true, false}, {true, true}}) {
+      double cost = 0;
+      for (std::size_t t = 0; t < a.t.size(); t += every) {
+        const Box box = label_box(a.rounds[r], v, t, place);
+        if (box.empty()) continue;
+        if (box.left < 0 || box.right > v.width || box.top < 0 || box.bottom > v.height) cost += edge;
+        for (std::size_t other = 0; other < r; ++other) {
+          if (a.rounds[other].label.empty()) continue;
+          if (overlap_area(box, label_box(a.rounds[other], v, t, places[other])) > 0) ++cost;
+        }
+      }
+      if (cost >= least) continue;
+      least = cost;
+      best = place;
+    }
+    places.push_back(best);
+  }
+  return places;
+}
+
+std::string round_label(const Animation::Round& round, LabelPlace place, double radius) {
+  if (round.label.empty()) return {};
+  return fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>",
+                     place.left ? -radius - 3 : radius + 3, place.below ? radius + font_size : -radius - 2,
+                     place.left ? " text-anchor=\"end\"" : "", escape(round.label));
+}
+
+std::string svg_round(const Animation::Round& round, const View& v, LabelPlace place) {
   const Pen& p = pen(round.role);
   const double radius = std::max(round.radius * v.scale, smallest_round);
   const bool dot = round.radius * v.scale < smallest_round;
@@ -150,7 +195,7 @@ std::string svg_round(const Animation::Round& round, const View& v) {
   const Point at = round.at.front();
   return fmt::format("<g transform=\"translate({:.1f} {:.1f})\"><circle r=\"{:.1f}\" fill=\"{}\" {}/><g>{}</g>{}</g>\n",
                      v.x(at.x), v.y(at.y), radius, dot ? p.stroke : "#fff", stroke_of(p), spoke,
-                     round_label(round, v, radius));
+                     round_label(round, place, radius));
 }
 
 std::string scale_bar(const View& v, const Display& display) {
@@ -189,7 +234,8 @@ std::string animation_html(const Animation& a, const Display& display, int numbe
   const std::vector<std::size_t> kept = kept_times(a);
   std::string body;
   for (const auto& line : a.lines) body += svg_line(line, v);
-  for (const auto& round : a.rounds) body += svg_round(round, v);
+  const std::vector<LabelPlace> places = label_places(a, v);
+  for (std::size_t r = 0; r < a.rounds.size(); ++r) body += svg_round(a.rounds[r], v, places[r]);
   const std::string svg = fmt::format(
       "<svg class=\"moving\" id=\"motion{}\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" "
       "width=\"{:.0f}\" height=\"{:.0f}\">\n{}{}</svg>\n",

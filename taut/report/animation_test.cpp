@@ -70,6 +70,19 @@ TEST(Animation, NothingToPlay) {
   EXPECT_EQ(animation_html(Animation{}, Display(), 0), "");
 }
 
+/// A load that hangs below its trolley, seen from above: one name above, the other below.
+TEST(Animation, NamesOfOnePlaceStandApart) {
+  Animation a = sinking(4);
+  a.rounds.push_back(a.rounds[0]);
+  a.rounds[1].label = "hook";
+  const std::string html = animation_html(a, Display(), 0);
+  const auto y_of = [&](const std::string& label) {
+    const std::size_t end = html.find(">" + label + "</text>"), y = html.rfind(" y=\"", end) + 4;
+    return std::stod(html.substr(y));
+  };
+  EXPECT_GT(std::abs(y_of("hook") - y_of("head")), 12);
+}
+
 TEST(Animation, WhatIsNotFiniteIsLeftOut) {
   Animation a = sinking(4);
   a.lines[0].points[1][1].y = NAN;

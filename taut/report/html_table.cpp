@@ -27,6 +27,13 @@ std::vector<std::size_t> shown_rows(const Table& t) {
   return all;
 }
 
+constexpr int own_digits = 5;
+
+/// Whether a column says the unit of its row's numbers.
+bool rows_have_units(const Table& t) {
+  return std::any_of(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.name == "unit"; });
+}
+
 /// Cells of one column, in the order of `rows`.
 std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::vector<std::size_t>& rows,
                                       const Display& display) {
@@ -36,7 +43,10 @@ std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::
     const auto* x = k < t.rows[i].size() ? std::get_if<double>(&t.rows[i][k]) : nullptr;
     numbers.push_back(x == nullptr ? NAN : u.of(*x));
   }
-  const std::vector<std::string> shown = column_shown(numbers);
+  std::vector<std::string> shown = column_shown(numbers);
+  if (rows_have_units(t) && t.columns[k].unit.symbol == si::one.symbol) {  // each of another size
+    std::transform(numbers.begin(), numbers.end(), shown.begin(), [](double x) { return number_shown(x, own_digits); });
+  }
   std::vector<std::string> cells;
   for (std::size_t n = 0; n < rows.size(); ++n) {
     const auto& row = t.rows[rows[n]];

@@ -48,6 +48,16 @@ TEST(HtmlTable, AColumnInWhichNothingStandsIsLeftOut) {
   EXPECT_EQ(times(html, "<td class=\"num\">"), 2U);
 }
 
+TEST(HtmlTable, RowsWithUnitsOfTheirOwnKeepTheirDigits) {
+  const Table t{"envelope",
+                "Envelope",
+                {{"quantity", si::one}, {"unit", si::one}, {"max", si::one}},
+                {{std::string("T"), std::string("N"), 22078.4}, {std::string("z"), std::string("m"), 3.56648}}};
+  const std::string html = table_html(t, {});
+  EXPECT_EQ(times(html, ">3.5665<"), 1U);
+  EXPECT_EQ(times(html, ">22078<"), 1U);
+}
+
 TEST(HtmlTable, WithoutRowsIsNotShown) {
   Table t = wide(3);
   t.rows.clear();
