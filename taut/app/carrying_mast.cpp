@@ -14,7 +14,8 @@ namespace taut::app {
 namespace {
 
 constexpr double on_top = 1e-6;  // m
-constexpr int directions = 16;   // in which the most bent state is looked for
+constexpr double places_on_mast = 200;
+constexpr int directions = 16;  // in which the most bent state is looked for
 
 bool carries(const MastCheckRequest& request, const std::string& name) {
   return std::find(request.carries.begin(), request.carries.end(), name) != request.carries.end();
@@ -38,7 +39,9 @@ void add_force(const MastCheckRequest& request, const Vector3& place, const Vect
   if (from_foot.z() <= 0) return;  // goes into the ground
   const auto [strong, weak] = axes_of(request);
   MastLoadRequest load;
-  load.at = std::min(from_foot.z(), height_of_pieces(request));
+  // ropes leave their rounds at changing heights; a mast has no more places than it needs
+  const double height = height_of_pieces(request), grid = height / places_on_mast;
+  load.at = std::clamp(std::round(from_foot.z() / grid) * grid, grid, height);
   const double above = from_foot.z() - *load.at;
   load.down = -F.z();
   load.across = F.dot(strong);

@@ -257,6 +257,7 @@ class RopeRuleReader {
       rules_.drum_ratios = {{request_.diameter_ratio.back(), "D/d of the deck", "user"}};
       return;
     }
+    rules_.runs = runs();
     if (!runs()) return;
     if (request_.group) {
       ladder("crane_sheave", rules_.sheave_ratios);

@@ -36,6 +36,7 @@ class RopeChecker {
     heat();
     ratios();
     for (const DrumEnd& drum : use_.drums) on_drum(drum);
+    drums_left_out();
     return std::move(out_);
   }
 
@@ -185,12 +186,12 @@ class RopeChecker {
 
   void heat() {
     if (rules_.temperature && rules_.hottest_end) {
-      add("end_temperature", *rules_.temperature, Sense::at_most, rules_.hottest_end->value, si::K,
+      add("end_temperature", *rules_.temperature, Sense::at_most, rules_.hottest_end->value, si::K.in("degC"),
           rules_.hottest_end->rule, rules_.hottest_end->trust);
     }
     if (!rules_.temperature || !rules_.hottest) return;
-    add("temperature", *rules_.temperature, Sense::at_most, rules_.hottest->value, si::K, rules_.hottest->rule,
-        rules_.hottest->trust);
+    add("temperature", *rules_.temperature, Sense::at_most, rules_.hottest->value, si::K.in("degC"),
+        rules_.hottest->rule, rules_.hottest->trust);
   }
 
   void ratios() {
@@ -207,6 +208,11 @@ class RopeChecker {
         }
       }
     };
+    const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
+                                  [](const Bend& bend) { return bend.kind != BendKind::saddle; });
+    if (rules_.runs && bent && rules_.sheave_ratios.empty() && rules_.drum_ratios.empty()) {
+      leave_out("D/d", "no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'");
+    }
     check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
     check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");
     check(BendKind::drum, rules_.drum_ratios, "drum_ratio");
@@ -259,6 +265,19 @@ class RopeChecker {
                              kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
                  "user");
     }
+  }
+
+  /// What the deck asks of drums and none of them has the data for.
+  void drums_left_out() {
+    const auto tell = [&](bool asked, const char* what, const auto& known) {
+      if (!asked || std::any_of(use_.drums.begin(), use_.drums.end(), known)) return;
+      leave_out(what, use_.drums.empty() ? "it ends on no drum"
+                                         : "its drum has no 'face_width', or for layers no 'length_on_drum'");
+    };
+    tell(rules_.fleet_angle.has_value(), "its fleet angle", [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
+    const auto layered = [](const DrumEnd& d) { return d.layers.has_value(); };
+    tell(rules_.layers.has_value(), "the number of its layers", layered);
+    tell(rules_.rated_pull.has_value(), "the pull in the last layer", layered);
   }
 
   const RopeUse& use_;

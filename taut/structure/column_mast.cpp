@@ -15,7 +15,7 @@ namespace {
 using catalogue::SectionRow;
 
 constexpr int parts_of_taper = 8;
-constexpr std::size_t told_every = 24;  // of the 96 steps of a column's piece
+constexpr std::size_t told_every = 12;  // of the 96 steps of a column's piece
 
 enum class Plane { y, z };
 
@@ -124,6 +124,24 @@ double most_bent(const std::vector<ColumnPoint>& points) {
   return M;
 }
 
+/// Indices that become stations: of each slice its ends, some between, and where it is bent most either way.
+std::vector<std::size_t> told_points(const std::vector<ColumnPoint>& y, const std::vector<ColumnPoint>& z,
+                                     std::size_t of_slice) {
+  std::vector<std::size_t> told;
+  for (std::size_t first = 0; first < y.size(); first += of_slice) {
+    std::size_t most_y = first, most_z = first;
+    for (std::size_t i = first; i < first + of_slice; ++i) {
+      if (std::abs(y[i].M) > std::abs(y[most_y].M)) most_y = i;
+      if (std::abs(z[i].M) > std::abs(z[most_z].M)) most_z = i;
+    }
+    for (std::size_t i = first; i < first + of_slice; ++i) {
+      const bool end = i + 1 == first + of_slice;
+      if (end || (i - first) % told_every == 0 || i == most_y || i == most_z) told.push_back(i);
+    }
+  }
+  return told;
+}
+
 /// In the direction of the imperfection that bends it more.
 std::vector<ColumnPoint> worse_way(Column column) {
   std::vector<ColumnPoint> one = *bent_shape(column);
@@ -204,7 +222,7 @@ class Combination {
                                       leans == Plane::y ? "in the plane of the strong axis" : "across it")
                         : c_.words;
     const std::size_t of_slice = y.size() / slices_.size();
-    for (std::size_t i = 0; i < y.size(); i += (i % of_slice == of_slice - 1 ? 1 : told_every)) {
+    for (const std::size_t i : told_points(y, z, of_slice)) {
       const std::size_t slice = i / of_slice;
       // just above a slice's lower end, just below its upper one
       const double inside = i % of_slice == 0 ? 1e-6 * height() : -1e-6 * height();
