@@ -61,8 +61,9 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
   if (contact.load) {
-    const double work = passed * (a.passed + b.passed) + rope_load_work(contact, before, now);
+    const double work = passed * (a.passed + b.passed);
     now.contacts[i].holds ? ledger.slipped += work : ledger.supplied -= work;
+    ledger.supplied -= rope_load_work(contact, before, now);  // what carries the place
     return;
   }
   const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0;

@@ -92,6 +92,7 @@ void put(ReferenceState& of, const double* place, const double* rate, Values& no
     const std::size_t c = at(m.contacts[i].column);
     now.contacts[i].grip = of.base.contacts[i].grip;
     of.base.contacts[i].slip_mean = rolls(of, i) ? 0 : rate[c];
+    of.base.contacts[i].steady = rate[c];
     w.q_star[c] = place[size + c];
   }
 }

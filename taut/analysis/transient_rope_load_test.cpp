@@ -284,7 +284,6 @@ TEST(TransientRopeLoad, NoForceIsNoLoad) {
 TEST(TransientRopeLoad, GoesOnFromItsStateAndAgreesWithTheReference) {
   Saw of;
   of.speed = 4;
-  of.per_metre = 0;
   const model::Model m = saw(of);
   const TransientResult whole = run(m, lasting(1, 1e-6));
   TransientOptions options = lasting(0.6, 1e-6);
