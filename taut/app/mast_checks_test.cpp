@@ -109,6 +109,29 @@ TEST(MastChecks, MachineBeamIsTheCantilever) {
   EXPECT_NEAR(check_of(turned, "mast.section").value, check_of(r, "mast.section").value, 1e-6);
 }
 
+// Two places a hair apart are as good as one: a short piece of the beam must not spoil its critical load.
+TEST(MastChecks, PlacesNearlyTogether) {
+  const auto use = [](const std::string& second) {
+    const taut::Result r = run_text(R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m], p1: {body: mast, at: [0 m, 0 m, 7 m]}, p2: {body: mast, at: [0 m, 0 m, )" +
+                                    second + R"(]}}
+  beams:
+    mast: {from: foot, to: head, section: CHS 219.1x8, steel: S355, mass: 0 kg/m}
+  loads: [{at: mast.top, force: [5 kN, 0 N, -50 kN]}, {at: p1, force: [2 kN, 0 kN, -30 kN]}, {at: p2, force: [2 kN, 0 kN, -30 kN]}]
+checks: {masts: {mast: {load_factor: 1.35}}}
+)");
+    EXPECT_EQ(r.status, taut::Status::ok) << r.message << second;
+    return std::pair{check_of(r, "mast.buckling").value, check_of(r, "mast.section").value};
+  };
+  const auto one = use("7 m");
+  for (const char* near : {"7.000001 m", "7.0001 m", "7.001 m", "6.997 m", "7.01 m"}) {
+    const auto two = use(near);
+    EXPECT_NEAR(two.first / one.first, 1, 2e-3) << near;
+    EXPECT_NEAR(two.second / one.second, 1, 2e-3) << near;
+  }
+}
+
 TEST(MastChecks, CombinationsNameAnalyses) {
   const std::string deck = std::string(pole) + "      combinations: {one: {equilibrium: 1.5}}\n";
   std::string text = deck;

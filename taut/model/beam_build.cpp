@@ -12,7 +12,7 @@
 namespace taut::model {
 namespace {
 
-constexpr double same_station = 1e-6;  ///< of the length
+constexpr double same_station = 5e-4;  ///< of the length: shorter pieces are stiff beyond what numbers hold
 constexpr double strongest = 400e6;    ///< a stress, Pa
 constexpr double longest_decay = 5;    ///< of a piece, in lengths sqrt(EI/N) of decay
 constexpr int most_cuts = 6;

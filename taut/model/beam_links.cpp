@@ -14,7 +14,7 @@ namespace {
 using description::BeamEnd;
 
 constexpr std::string_view top_ending = ".top";
-constexpr double at_an_end = 1e-6;  ///< of the length
+constexpr double at_an_end = 5e-4;  ///< of the length, as the least piece of a beam
 
 std::string path_of(const std::string& beam, const char* key) { return fmt::format("beams.{}.{}", beam, key); }
 

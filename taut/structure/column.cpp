@@ -129,7 +129,17 @@ double largest_compression(const Column& c) {
 // Whether it stays: the tangent stiffness of short elements (cubic between their ends, so that the first critical load
 // comes out to 1e-6) is positive. Unlike a determinant's sign this sees two critical loads that coincide.
 
-constexpr int elements_of_piece = 32;
+constexpr int elements_of_column = 64;
+constexpr int most_elements = 32;  // of a piece
+constexpr double least_length = 1e-4;
+
+/// Elements of a piece. Very short ones would be so stiff that rounding drowns the axial force: a piece that is no
+/// longer than a ten thousandth of the column has none, what it carries acts at its ends.
+int elements_of(double length, double height) {
+  if (length < least_length * height) return 0;
+  return std::min(most_elements, static_cast<int>(std::ceil(elements_of_column * length / height)));
+}
+
 using Element = std::array<std::array<double, 4>, 4>;
 
 /// Of an element between w, slope at both ends: bending, less the axial force's part.
@@ -167,7 +177,9 @@ bool positive(Band K) {
 }
 
 bool stays(const Column& c, double factor) {
-  const std::size_t nodes = c.pieces.size() * elements_of_piece + 1;
+  const double height = c.height();
+  std::size_t nodes = 1;
+  for (const ColumnPiece& p : c.pieces) nodes += static_cast<std::size_t>(elements_of(p.length, height));
   Band K(2 * nodes, std::array<double, 4>{});
   double N = 0;
   for (const ColumnLoad& load : c.loads) N += load.down * factor;
@@ -175,9 +187,11 @@ bool stays(const Column& c, double factor) {
   std::size_t node = 0;
   for (std::size_t i = 0; i < c.pieces.size(); ++i) {
     const ColumnPiece& p = c.pieces[i];
-    const double l = p.length / elements_of_piece, dN = p.weight * factor * l;
-    const double dEI = (p.EI_top.value_or(p.EI) - p.EI) / elements_of_piece;
-    for (int k = 0; k < elements_of_piece; ++k, ++node, N -= dN) {
+    const int elements = elements_of(p.length, height);
+    const double l = p.length / std::max(elements, 1), dN = p.weight * factor * l;
+    const double dEI = (p.EI_top.value_or(p.EI) - p.EI) / std::max(elements, 1);
+    if (elements == 0) N -= dN;
+    for (int k = 0; k < elements; ++k, ++node, N -= dN) {
       const Element e = tangent(l, p.EI + k * dEI, p.EI + (k + 1) * dEI, N, N - dN);
       for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = a; b < 4; ++b) K[2 * node + a].at(b - a) += e.at(a).at(b);

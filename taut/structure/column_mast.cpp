@@ -15,6 +15,7 @@ namespace {
 using catalogue::SectionRow;
 
 constexpr int parts_of_taper = 8;
+constexpr double least_slice = 1e-3;    // of the height
 constexpr std::size_t told_every = 12;  // of the 96 steps of a column's piece
 
 enum class Plane { y, z };
@@ -33,19 +34,46 @@ SectionRow between(const SectionRow& a, const SectionRow& b, double x) {
                          mix(&SectionRow::thickness), mix(&SectionRow::outer_radius), mix(&SectionRow::inner_radius)});
 }
 
-std::vector<double> heights_of(const ColumnMast& m) {
-  std::vector<double> cuts = {0};
-  double x = 0;
+/// The base, and where pieces and the parts of tapered ones end.
+std::vector<double> ends_of_pieces(const ColumnMast& m) {
+  std::vector<double> ends = {0};
   for (const MastPiece& p : m.pieces) {
+    const double x = ends.back();
     const int n = p.top ? parts_of_taper : 1;
-    for (int k = 1; k <= n; ++k) cuts.push_back(x + p.length * k / n);
-    x += p.length;
+    for (int k = 1; k <= n; ++k) ends.push_back(x + p.length * k / n);
   }
-  for (const MastCombination& c : m.combinations) {
-    for (const MastLoad& l : c.loads) {
-      expects(l.height >= 0 && l.height <= x * (1 + 1e-12), "loads act on the mast");
-      cuts.push_back(l.height);
+  return ends;
+}
+
+/// Loads that stand nearly at one place stand there, with the moment of the rest: slices have a length that one can
+/// reckon with.
+ColumnMast gathered(ColumnMast m) {
+  std::vector<double> places = ends_of_pieces(m);
+  const double height = places.back(), near = least_slice * height;
+  for (MastCombination& c : m.combinations) {
+    for (MastLoad& l : c.loads) {
+      expects(l.height >= 0 && l.height <= height * (1 + 1e-12), "loads act on the mast");
+      const auto place = std::min_element(places.begin(), places.end(), [&](double a, double b) {
+        return std::abs(a - l.height) < std::abs(b - l.height);
+      });
+      if (std::abs(*place - l.height) > near) {
+        places.push_back(l.height);
+        continue;
+      }
+      if (*place == 0) continue;  // on the base itself
+      l.moment_y += l.across_y * (l.height - *place);
+      l.moment_z += l.across_z * (l.height - *place);
+      l.height = *place;
     }
+  }
+  return m;
+}
+
+std::vector<double> heights_of(const ColumnMast& m) {
+  std::vector<double> cuts = ends_of_pieces(m);
+  const double x = cuts.back();
+  for (const MastCombination& c : m.combinations) {
+    for (const MastLoad& l : c.loads) cuts.push_back(l.height);
   }
   std::sort(cuts.begin(), cuts.end());
   std::vector<double> apart = {0};
@@ -251,8 +279,9 @@ class Combination {
 
 }  // namespace
 
-ColumnMastResult column_mast(const ColumnMast& m) {
-  expects(!m.pieces.empty() && !m.combinations.empty(), "a mast has pieces and loads");
+ColumnMastResult column_mast(const ColumnMast& given) {
+  expects(!given.pieces.empty() && !given.combinations.empty(), "a mast has pieces and loads");
+  const ColumnMast m = gathered(given);
   ColumnMastResult r;
   const std::vector<Slice> slices = slices_of(m);
   for (const Slice& s : slices) {

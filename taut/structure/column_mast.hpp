@@ -63,6 +63,6 @@ struct ColumnMastResult {
   double sway = 0, bow = 0;                                          ///< as taken (the bow of the worst combination, m)
   double top_displacement = 0;                                       ///< the largest, m
 };
-ColumnMastResult column_mast(const ColumnMast& m);
+ColumnMastResult column_mast(const ColumnMast& given);
 
 }  // namespace taut::structure

@@ -72,6 +72,27 @@ TEST(ColumnMast, WorstSectionBetweenItsPlaces) {
   EXPECT_NEAR(mast_use(r.mast, r.cases).section.value / mast_use(f.mast, f.cases).section.value, 1, 1e-5);
 }
 
+// Loads a hair apart are as good as one: short slices must not spoil the critical load.
+TEST(ColumnMast, LoadsNearlyAtOnePlace) {
+  const auto use = [](const std::vector<MastLoad>& loads) {
+    ColumnMast m = cantilever("CHS 323.9x10", 42, 5e3, 10e3);
+    m.top_stiffness = std::numeric_limits<double>::infinity();
+    m.combinations[0].loads.insert(m.combinations[0].loads.end(), loads.begin(), loads.end());
+    m.combinations[0].factors.assign(m.combinations[0].loads.size(), 1.35);
+    const auto r = column_mast(m);
+    return std::pair{r.critical_factor, mast_use(r.mast, r.cases).member.value};
+  };
+  const auto one = use({{41, 4e3, 1e3, 0, 0, 0}});
+  // clamped and held: 2.0457 (pi/L)^2 E I = 292.2 kN over 1.35 x 9 kN, of which 4 kN act 1 m lower
+  EXPECT_GT(one.first, 292.2e3 / (1.35 * 9e3));
+  EXPECT_LT(one.first, 1.05 * 292.2e3 / (1.35 * 9e3));
+  for (const double apart : {1e-7, 1e-4, 3e-3, 0.03, 0.05}) {
+    const auto two = use({{41, 2e3, 500, 0, 0, 0}, {41 + apart, 2e3, 500, 0, 0, 0}});
+    EXPECT_NEAR(two.first / one.first, 1, 2e-4 + 0.02 * apart) << apart;
+    EXPECT_NEAR(two.second / one.second, 1, 3e-3) << apart;
+  }
+}
+
 TEST(ColumnMast, MirroredAndTurned) {
   for (const char* name : {"CHS 323.9x10", "RHS 300x200x10"}) {
     const auto use = [](const ColumnMast& m) {

@@ -31,6 +31,23 @@ TEST(Column, EulersFourCases) {
   EXPECT_NEAR(buckling_length(EI, pinned / 4, N), 2 * L, 1e-9);
 }
 
+// Cut into pieces of any length it is the same column: short ones are stiff beyond what numbers hold.
+TEST(Column, CutAnywhere) {
+  for (const double top : {0.0, 4e5, infinite}) {
+    const double whole = critical_factor(prismatic(7, 3e7, 1e5, true, top));
+    for (const double cut : {3.0, 0.02, 1e-3, 1e-4, 1e-7}) {
+      Column c = prismatic(7, 3e7, 1e5, true, top);
+      c.pieces = {{3.5, 3e7, {}, 0}, {cut, 3e7, {}, 0}, {3.5 - cut, 3e7, {}, 0}};
+      c.loads[0].piece = 2;
+      EXPECT_NEAR(critical_factor(c) / whole, 1, 3e-4) << top << " " << cut;
+    }
+    Column many = prismatic(7, 3e7, 1e5, true, top);
+    many.pieces.assign(300, {7.0 / 300, 3e7, {}, 0});
+    many.loads[0].piece = 299;
+    EXPECT_NEAR(critical_factor(many) / whole, 1, 1e-5) << top;
+  }
+}
+
 // On a hinge with a spring at its top it leans over at k L, or buckles as if both ends were held: whichever is less,
 // also where both are the same.
 TEST(Column, SpringAtTheTopOfAHingedColumn) {
