@@ -11,7 +11,7 @@
 namespace taut::analysis {
 namespace {
 
-constexpr double pull_time = 1e-3;  ///< s of a whole pull: signals stand still in it
+constexpr double pull_speed = 1e-3;  ///< m/s of rope taken out
 constexpr int pull_steps = 250;
 
 std::string words_of_pull(const model::Model& model, std::size_t number, const Pull& pull) {
@@ -95,6 +95,35 @@ model::Event stop_when(const model::Observable& of, bool above, double threshold
   return stop;
 }
 
+void hold_still(model::Signal& signal) {
+  const double value = model::at(signal, 0).value;
+  if (!std::isnan(value)) signal.law = model::Moves{value, {}};
+}
+
+void hold_still(model::Drive& drive) {
+  if (drive.kind == model::DriveKind::speed) drive.kind = model::DriveKind::held;
+  hold_still(drive.signal);
+}
+
+/// The machine with its drives and signals as they begin, and no events.
+model::Model standing_still(const model::Model& given) {
+  model::Model m = given;
+  m.events.clear();
+  for (model::Signal& signal : m.signals) hold_still(signal);
+  for (model::Drum& drum : m.drums) hold_still(drum.drive);
+  for (model::Motor& motor : m.motors) hold_still(motor.drive);
+  for (model::Tensioner& tensioner : m.tensioners) hold_still(tensioner.change);
+  for (model::Body& body : m.bodies) {
+    for (model::DrivenWay& way : body.driven) hold_still(way.signal);
+  }
+  for (model::Actuator& actuator : m.actuators) {
+    hold_still(actuator.signal);
+    if (actuator.kind != model::ActuatorKind::force && actuator.lock_stiffness > 0)
+      actuator.mode = model::ActuatorMode::lock;
+  }
+  return m;
+}
+
 /// The machine slowly: the ropes' tensions are observed behind what the deck observes.
 struct SlowMachine {
   model::Model model;
@@ -106,8 +135,7 @@ struct SlowMachine {
 
 SlowMachine slow_machine(const model::Model& given, const PretensionOptions& options) {
   SlowMachine slow;
-  slow.model = given;
-  slow.model.events.clear();
+  slow.model = standing_still(given);
   slow.own = given.observed.size();
   for (std::size_t r = 0; r < given.reevings.size(); ++r) {
     for (const bool end : {false, true}) {
@@ -120,8 +148,8 @@ SlowMachine slow_machine(const model::Model& given, const PretensionOptions& opt
   slow.options.quasi_static = true;
   slow.options.tolerance = options.tolerance;
   slow.options.start = options.start;
-  slow.options.duration = pull_time;
-  slow.options.output_step = pull_time / pull_steps;
+  slow.options.duration = options.longest / pull_speed;
+  slow.options.output_step = slow.options.duration / pull_steps;
   return slow;
 }
 
@@ -151,7 +179,7 @@ model::Model being_pulled(const SlowMachine& slow, const Pull& pull, double way,
   tensioner.reeving = pull.reeving;
   tensioner.at_start = !pull.at_end;
   tensioner.change.unit = si::m;
-  tensioner.change.law = model::Curve{{slow.t, slow.t + pull_time}, {0, -way}, {}};
+  tensioner.change.law = model::Curve{{slow.t, slow.t + slow.options.duration}, {0, -way}, {}};
   m.tensioners.push_back(tensioner);
   if (pull.force) m.events.push_back(stop_when(tension_at(pull), way > 0, *pull.force));
   if (pull.until) {
@@ -176,13 +204,15 @@ Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMach
   double way = options.longest;
   if (pull.force && T > *pull.force) way = -way;
   if (pull.take_up) way = *pull.take_up;
+  slow.options.duration = std::abs(way) / pull_speed;
+  slow.options.output_step = slow.options.duration / pull_steps;
   const double where = pull.until ? where_now(slow, pull) : 0;
   const TransientResult r = transient(being_pulled(slow, pull, way, where), slow.options);
   interrupted = r.interrupted;
   if (!r.outcome.ok() || r.interrupted) return r.outcome;
   const double begun = slow.t;
   take_over(r, slow);
-  slow.last.taken = way * (slow.t - begun) / pull_time;
+  slow.last.taken = way * (slow.t - begun) / slow.options.duration;
   const bool stopped = std::any_of(r.events.begin(), r.events.end(), [](const auto& e) { return e.what == "stop"; });
   if (stopped || pull.take_up) return {};
   return infeasible(fmt::format(

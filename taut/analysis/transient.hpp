@@ -80,9 +80,9 @@ struct TransientOptions {
   Start start = Start::settled;
   std::vector<Slid> slid;  ///< of a sliding start; its ways there are gone back and come again together
   /// So slow that nothing has inertia, and dampers do nothing: an equilibrium at the end of every step, with friction
-  /// carried on from one to the next: what slides does so with its kinetic friction, and what sticks with its static
-  /// one. Steps of `step`, else of `output_step`. Cylinders with a law follow their reference speed. Where a state
-  /// can't be held any more the machine goes, without swinging, to the next one that can.
+  /// carried on from one to the next, by the speed at which it slid in the step before. Steps of `step`, else of
+  /// `output_step`. Cylinders with a law follow their reference speed. Where a state can't be held any more the machine
+  /// goes, without swinging, to the next one that can.
   bool quasi_static = false;
   double light = 0.05;               ///< m g l/T below which half of a branch's mass goes to each end
   bool rope_mass = true;             ///< false: ropes have neither weight nor inertia

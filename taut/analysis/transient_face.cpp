@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/analysis/transient_couple.hpp"
 
@@ -10,10 +11,18 @@ namespace {
 /// The part of a vector along the face.
 Vector3 along_face(const Vector3& normal, const Vector3& v) { return v - normal * normal.dot(v); }
 
-/// By the speed of the contact; in a quasi-static step by whether it slides.
+/// By the speed of the contact; in a quasi-static step by that of the step before.
 Friction friction_of(const model::FaceContact& law, const FaceValues& is) {
-  if (is.slid) return {law.kinetic_friction, 0};
+  if (is.held_by >= 0) return {is.held_by, 0};
   return friction_at(law, is.slide.norm());
+}
+
+/// Speed at which a point has slid so far in a quasi-static step. Where no time passes (it falls, or comes to its
+/// start) it is fast as soon as that is more than its bristle yields.
+double pace_of(const model::FaceContact& law, const Scheme& s, double slid, const FaceValues& is) {
+  if (!is.closed || is.sticks) return 0;
+  if (s.elapsed > 0) return slid / s.elapsed;
+  return slid * law.tangential_stiffness > is.limit ? std::numeric_limits<double>::infinity() : 0;
 }
 
 /// Pressure and friction by the strain and speed of the contact; the bristle as it ends.
@@ -72,9 +81,11 @@ void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   if (!s.at_rest) apart = of_point.v + of_point.w.cross(lever) - of_face.v - of_face.w.cross(is.point - of_face.x);
   is.pen_rate = -is.normal.dot(apart);
   is.slide = along_face(is.normal, apart);
-  is.slid = s.creeps && was.closed && !was.sticks;
-  is.bristle = was.bristle + along_face(face.normal, is.arm - was.arm);
+  is.held_by = s.creeps ? friction_at(law, was.pace).f : -1;
+  const Vector3 strained = was.bristle + along_face(face.normal, is.arm - was.arm);
+  is.bristle = strained;
   push_face(law, of_face.R, s.at_rest, is);
+  is.pace = s.creeps ? pace_of(law, s, (strained - is.bristle).norm(), is) : 0;
 }
 
 void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w) {

@@ -67,6 +67,12 @@ Outcome failure(Run& run, StepEnd end, double t) {
     return infeasible(fmt::format(
         "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
   }
+  if (run.options.quasi_static && end == StepEnd::singular) {
+    return infeasible(fmt::format(
+        "at t = {:.6g} s there is no equilibrium any more: what is no longer held goes on without end; give it a stop, or "
+        "end the motion by an event before",
+        t));
+  }
   // bodies have masses: what has no answer now is a fault of the search, not of the machine
   return not_converged(fmt::format(
       "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));

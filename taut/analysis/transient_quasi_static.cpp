@@ -13,6 +13,7 @@ namespace {
 constexpr double without_inertia = 1e4;  ///< s: of a step so long that masses are nothing
 constexpr double far_away = 0.05;        ///< of the machine's size: a step that goes so far has left its way
 constexpr double quiet_way = 1e-12;      ///< of the same
+constexpr double deepest_fall = 20;      ///< of the same: a fall beyond it has no end
 constexpr int most_falls = 600;          ///< little steps
 constexpr double brief_step = 0.02;      ///< of the usual one: then the machine may fall
 constexpr int slide_steps = 50;          ///< each way
@@ -79,8 +80,10 @@ StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t
   return largest_way(m, before, now).way < far_away * m.size_of_machine ? end : StepEnd::not_converged;
 }
 
-StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton) {
+StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton,
+                     const std::function<bool(const Values&)>& until) {
   double h = 1 / std::max(highest_frequency(m, before), 1e-3), left = elapsed;
+  double fallen = 0;
   int quiet = 0;
   for (int i = 0; i < most_falls; ++i) {
     if (newton.ask && i % 8 == 7 && !newton.ask(before.t)) return StepEnd::interrupted;
@@ -92,9 +95,10 @@ StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Val
       continue;
     }
     const double way = largest_way(m, before, now).way;
-    if (!(way < 1e3 * m.size_of_machine)) return StepEnd::singular;
+    fallen += way;
+    if (!(fallen < deepest_fall * m.size_of_machine)) return StepEnd::singular;
     quiet = way < quiet_way * m.size_of_machine ? quiet + 1 : 0;
-    if (quiet >= 2 && h > 1e3) return StepEnd::ok;
+    if ((quiet >= 2 && h > 1e3) || (until && until(now))) return StepEnd::ok;
     left = 0;
     before = now;
     if (way < far_away * m.size_of_machine) h = std::min(h * 3, 2 * without_inertia);
@@ -153,7 +157,8 @@ StepEnd try_slowly(Run& run, double h, double t) {
   StepEnd end = quasi_static_step(run.m, h, run.before, t, run.now, run.w, run.newton);
   if (end != StepEnd::ok && h < brief_step * run.options.step) {
     const Values start = run.before;
-    end = fall_to_rest(run.m, h, run.before, t, run.now, run.w, run.newton);
+    const auto event = [&](const Values& v) { return comes_true(run, v); };
+    end = fall_to_rest(run.m, h, run.before, t, run.now, run.w, run.newton, event);
     run.before = start;
     if (end == StepEnd::ok && !comes_true(run, run.now)) note_fall(run, run.before, run.now);
   }

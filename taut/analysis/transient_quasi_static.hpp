@@ -10,8 +10,10 @@ namespace taut::analysis::dynamics {
 StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton);
 
 /// The same in so many little steps from rest to rest as it takes, the first of them as short as the fastest vibration:
-/// the way that the machine takes when all its motion is damped away at once. `before` is lost.
-StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton);
+/// the way that the machine takes when all its motion is damped away at once. `before` is lost. It ends on the way
+/// where `until` says so.
+StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton,
+                     const std::function<bool(const Values&)>& until = {});
 
 /// Mean velocities of an accepted step, for what observes them; nothing else uses them.
 void set_mean_velocities(const Mechanism& m, double elapsed, const Values& before, Values& now);

@@ -41,15 +41,16 @@ struct SpinValues {
 struct FaceValues {
   bool over = true;  ///< between the ends of the face when the step began
   bool closed = false, sticks = false;
-  bool slid = false;                  ///< of a quasi-static step: it slid before, and does so with its kinetic friction
-  double pen = 0, pen_rate = 0;       ///< how deep the point is, m, m/s
-  double N = 0, limit = 0;            ///< pressure and the most that friction can be, N
-  Vector3 normal = Vector3::UnitZ();  ///< of the face
-  Vector3 point = Vector3::Zero();    ///< m
-  Vector3 arm = Vector3::Zero();      ///< the same in the frame of the face's body, m
-  Vector3 slide = Vector3::Zero();    ///< velocity of the point along the face, seen from it, m/s
-  Vector3 bristle = Vector3::Zero();  ///< strain of the contact along the face, frame of the face's body, m
-  Vector3 pull = Vector3::Zero();     ///< what friction would have to hold if it stuck, N
+  double pace = 0;      ///< of a quasi-static step: at which it slid in it, m/s
+  double held_by = -1;  ///< of the same: its coefficient of friction, by the pace of the step before; < 0: by its speed
+  double pen = 0, pen_rate = 0;        ///< how deep the point is, m, m/s
+  double N = 0, limit = 0;             ///< pressure and the most that friction can be, N
+  Vector3 normal = Vector3::UnitZ();   ///< of the face
+  Vector3 point = Vector3::Zero();     ///< m
+  Vector3 arm = Vector3::Zero();       ///< the same in the frame of the face's body, m
+  Vector3 slide = Vector3::Zero();     ///< velocity of the point along the face, seen from it, m/s
+  Vector3 bristle = Vector3::Zero();   ///< strain of the contact along the face, frame of the face's body, m
+  Vector3 pull = Vector3::Zero();      ///< what friction would have to hold if it stuck, N
   Vector3 friction = Vector3::Zero();  ///< on the point, N
 };
 

@@ -171,9 +171,9 @@ std::string shown_value(const Display& display, double x, const Unit& unit) {
 std::string deviation_text(const Display& display, double x, double of, double by, const Unit& unit) {
   if (std::isnan(x) || std::isnan(of)) return "";
   std::string share =
-      of != 0 ? fmt::format("{:+.2g} %", 100 * (x - of) / std::abs(of)) : display.quantity(x - of, unit);
+      of != 0 ? fmt::format("{:+.3g} %", 100 * (x - of) / std::abs(of)) : display.quantity(x - of, unit);
   if (std::isnan(by)) return share;
-  return of != 0 ? fmt::format("{} (may {:.2g} %)", share, 100 * by / std::abs(of)) : share;
+  return of != 0 ? fmt::format("{} (may {:.3g} %)", share, 100 * by / std::abs(of)) : share;
 }
 
 void add_compared_table(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
@@ -192,15 +192,24 @@ void add_compared_table(const std::vector<ComparedRow>& rows, const Display& dis
   r.tables.push_back(std::move(t));
 }
 
-void add_compared_checks(const std::vector<ComparedRow>& rows, const std::string& source, Result& r) {
+/// "row 1, 0 deg: S1" is about S1 of "row 1, 0 deg": checks stand below that.
+std::pair<std::string, std::string> case_and_quantity(const std::string& what) {
+  const auto colon = what.rfind(": ");
+  if (colon == std::string::npos) return {"", what};
+  return {what.substr(0, colon), what.substr(colon + 2)};
+}
+
+void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
   for (const ComparedRow& row : rows) {
-    const auto add = [&](const std::string& to, double of, double by, const std::string& rule) {
+    const auto [part, quantity] = case_and_quantity(row.what);
+    const auto add = [&, &part = part, &quantity = quantity](const char* to, double of, double by) {
       if (std::isnan(by)) return;
-      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), Sense::at_most, by,
-                                    row.unit, rule, "user"));
+      r.checks.push_back(make_check(fmt::format("{} to the {}", quantity, to), std::abs(row.value - of), Sense::at_most,
+                                    by, row.unit, fmt::format("from the {}", to), "user"));
+      r.checks.back().part = part;
     };
-    add("to the published value", row.published, row.tolerance, source);
-    add("to the reference", row.reference, row.reference_tolerance, "reference of the set");
+    add("published value", row.published, row.tolerance);
+    add("reference", row.reference, row.reference_tolerance);
   }
 }
 
@@ -283,7 +292,7 @@ Result compare(const Job& job) {
   r.source = set.source;
   r.deck_hash = fingerprint(job.text + runs.hashes);
   add_compared_table(rows, Display(), r);
-  add_compared_checks(rows, set.source, r);
+  add_compared_checks(rows, r);
   add_deviation_plot(rows, r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;

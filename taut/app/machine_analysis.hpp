@@ -45,6 +45,9 @@ Outcome install_guys(const model::Machine& machine, model::Model& model);
 
 Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p);
 Analysis prepare_pretension(const PretensionRequest& request, const std::string& path, Preparation& p);
+/// Its part `least`.
+Analysis prepare_least_tension(const PretensionRequest& request, const std::string& path, const std::string& ending,
+                               Preparation& p);
 Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p);
 
 /// Complains of bodies that turn freely without inertia: they can't move.

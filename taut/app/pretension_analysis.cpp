@@ -191,6 +191,7 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
   PretensionRun run;
   run.ending = ending_of(p, "pretension", request.name, path);
   run.request = request;
+  if (request.least) return prepare_least_tension(request, path, run.ending, p);
   run.observes = !p.deck.machine.observe.empty();
   for (std::size_t i = 0; i < request.pull.size(); ++i) {
     run.pulls.push_back(resolved_pull(request.pull[i], fmt::format("{}.pull[{}]", path, i), p));

@@ -28,12 +28,36 @@ const Description& PullRequest::describe() {
   return d;
 }
 
+const Description& LoadCaseRequest::describe() {
+  static const Description d =
+      Describe<LoadCaseRequest>()
+          .field(&LoadCaseRequest::name, "name", "of the case, for the tables")
+          .required()
+          .record(&LoadCaseRequest::loads, "loads", "beside those of the machine, after the ropes are up");
+  return d;
+}
+
+const Description& LeastTensionRequest::describe() {
+  static const Description d = Describe<LeastTensionRequest>()
+                                   .field(&LeastTensionRequest::ropes, "ropes", "reevings or guys whose lengths follow")
+                                   .required()
+                                   .field(&LeastTensionRequest::tension, "tension", "s", si::N,
+                                          "that each of them has where and when it is slackest")
+                                   .above(0)
+                                   .at_most(pull_strongest)
+                                   .required()
+                                   .record(&LeastTensionRequest::cases, "cases",
+                                           "loads under which they are to stay taut; without any: as put up");
+  return d;
+}
+
 const Description& PretensionRequest::describe() {
   static const Description d =
       Describe<PretensionRequest>()
           .field(&PretensionRequest::name, "name", "ending of its tables' names, when a deck has several")
           .record(&PretensionRequest::pull, "pull", "ropes pulled tight, one after the other")
-          .required()
+          .record(&PretensionRequest::least, "least", "lengths of ropes for which none gets too slack under any loads")
+          .exactly_one({"pull", "least"})
           .field(&PretensionRequest::rounds, "rounds", "n", si::one, "so often, always from the first on")
           .at_least(1)
           .at_most(1000)

@@ -5,6 +5,7 @@
 
 #include "taut/app/analysis_requests.hpp"
 #include "taut/calc/field.hpp"
+#include "taut/model/machine.hpp"
 
 namespace taut::app {
 
@@ -19,13 +20,29 @@ struct PullRequest {
   static const Description& describe();
 };
 
-/// Ropes pulled tight in turn.
+/// Loads that act together after the ropes are up.
+struct LoadCaseRequest {
+  std::string name;
+  std::vector<model::description::Load> loads;  ///< beside those of the machine
+  static const Description& describe();
+};
+
+/// Ropes just so tight that none of them gets slacker than that in any case.
+struct LeastTensionRequest {
+  std::vector<std::string> ropes;
+  double tension = 0;  ///< N
+  std::vector<LoadCaseRequest> cases;
+  static const Description& describe();
+};
+
+/// Ropes pulled tight in turn, or as little as keeps them taut.
 struct PretensionRequest {
   enum class Start { settled, assembled };
   std::optional<std::string> name;  ///< ending of its tables' names
   std::vector<PullRequest> pull;    ///< in this order
-  int rounds = 1;                   ///< and again from the first
-  double longest = 0.5;             ///< m
+  std::optional<LeastTensionRequest> least;
+  int rounds = 1;        ///< and again from the first
+  double longest = 0.5;  ///< m
   double tolerance = 1e-9;
   Start start = Start::settled;
   static const Description& describe();

@@ -281,7 +281,7 @@ void add_transient_tables(const TransientRun& run, Result& r) {
   add_slip_shares(run, r);
   add_envelope(run, r);
   add_events(run, r);
-  add_energy(run, r);
+  if (!run.options.quasi_static) add_energy(run, r);
   add_words(run, r);
 }
 

@@ -4,6 +4,7 @@
 TAUT_PROGRAM names the program, TAUT_SOURCE_DIR the source tree with its examples.
 """
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -38,6 +39,16 @@ SLIDING = {
 }
 # S1, S2 there, kN: 52 degrees, then 19, with 3 t
 SLIDING_TENSIONS = ((52, 9, 105.0, 168.4), (52, 21, 111.3, 150.9), (19, 9, 100.9, 177.1), (19, 21, 111.2, 151.1))
+
+# Rows of table 2, slowly: S1, S2 in kN, how near: a share, or newtons
+SLOW_ROWS = (
+    ("sliding_row2", 175.5, 24.9, 0.015, 2.5e3), ("sliding_row3", 162.5, 50.9, 0.015, 2.5e3),
+    ("sliding_row9", 97.0, 183.4, 0.015, 0.015),
+)
+
+# Angle from which section 3 slides on its own, degrees
+SLIPS = {"slip_21_hook": 30.4, "slip_21_load": 45.1, "slip_17_hook": 8.8, "slip_17_load": 15.8, "slip_out_21_hook": 48.9,
+         "slip_out_21_load": 55.0}
 
 # Table 1: S10, S20 after each pull, kN
 TENSIONING = {
@@ -97,6 +108,46 @@ class Boom(unittest.TestCase):
                 if (angle, load) == (at, "load"):
                     self.assertLess(abs(value(result, f"S1_{length}") / (1e3 * S1) - 1), 0.01)
                     self.assertLess(abs(value(result, f"S2_{length}") / (1e3 * S2) - 1), 0.01)
+
+    def test_slow_lifting_and_drawing_in(self):
+        for deck, S1, S2, near1, near2 in SLOW_ROWS:
+            code, result = run(deck)
+            self.assertEqual(code, 0, result["message"])
+            for name, wanted, near in (("S1", 1e3 * S1, near1), ("S2", 1e3 * S2, near2)):
+                with self.subTest(deck=deck, value=name):
+                    self.assertLess(abs(value(result, name) - wanted), near if near > 1 else near * wanted)
+
+    def test_slip_angles(self):
+        for deck, angle in SLIPS.items():
+            code, result = run(deck)
+            self.assertEqual(code, 0, f"{deck}: {result['message']}")
+            with self.subTest(deck=deck):
+                self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 1)
+
+    def test_slow_extension_is_that_of_the_method(self):
+        # other angles, loads, frictions and losses than the paper's
+        for angle, load, f, eta, zeta in ((5, 1.2, 0.12, 0.99, 0.96), (35, 2.1, 0.15, 0.97, 0.95), (68, 0.7, 0.1, 1.0, 0.98)):
+            settings = ["luffing_angle=[%g deg]" % angle, "suspended_weight=[%.10g kN]" % ((load + 0.3) * 9.81),
+                        f"kinetic_friction={f}", f"sheave_efficiency_1={eta}", f"sheave_efficiency_2={eta}"]
+            done = subprocess.run([PROGRAM, "run", "--json", str(DECKS.parent / "boom_ropes.yaml"), "--set",
+                                   f"input.tackle_efficiency={zeta}"] + [x for s in settings for x in ("--set", f"input.sliding.{s}")],
+                                  capture_output=True, text=True, timeout=100, check=False)
+            method = json.loads(done.stdout)
+            self.assertIn("extension", method["tables"], method["message"] or method["errors"])
+            table = method["tables"]["extension"]
+            names = [c["name"] for c in table["columns"]]
+            engine_settings = [f"luffing_angle={angle} deg", f"load_mass={load} t", f"f_inf={f}", f"f0={f}",
+                               f"sheave_efficiency={eta}", f"tackle_efficiency={zeta}"]
+            code, engine = run("sliding_52_load", *[x for s in engine_settings for x in ("--set", f"parameters.{s}")])
+            self.assertEqual(code, 0, engine["message"])
+            for row in table["rows"]:
+                row = dict(zip(names, row))
+                length = round(row["boom_length"])
+                for name in ("Fh", "S1", "S2"):
+                    if f"{name}_{length}" not in engine["values"]:
+                        continue
+                    with self.subTest(angle=angle, value=name, length=length):
+                        self.assertLess(abs(value(engine, f"{name}_{length}") / row[name] - 1), 0.015)
 
     def test_slow_and_real_extension_agree(self):
         # means over the way in which the load swings once, 5.3 s

@@ -1,0 +1,306 @@
+#include "taut/analysis/transient_quasi_static.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/analysis/boom_machine_test.hpp"
+
+/// Motions without inertia, starts in sliding friction: against closed forms.
+namespace taut_test::transient_quasi_static_test {
+namespace {
+
+using taut::analysis::Slid;
+using taut::analysis::Start;
+using taut::analysis::transient;
+using taut::analysis::TransientOptions;
+using taut::analysis::TransientResult;
+
+constexpr double degree = std::numbers::pi / 180, g = 10;
+
+TransientOptions slowly(double duration, int steps, Start start = Start::settled) {
+  TransientOptions o;
+  o.quasi_static = true;
+  o.duration = duration;
+  o.output_step = duration / steps;
+  o.tolerance = 1e-8;
+  o.start = start;
+  return o;
+}
+
+TransientResult run(const model::Model& m, const TransientOptions& o) {
+  TransientResult r = transient(m, o);
+  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+  return r;
+}
+
+model::Signal through(const std::vector<double>& t, const std::vector<double>& value, const taut::Unit& unit) {
+  model::Signal s;
+  s.unit = unit;
+  s.law = model::Curve{t, value, {}};
+  return s;
+}
+
+bool has(const TransientResult& r, const std::string& what, const std::string& where) {
+  return std::any_of(r.events.begin(), r.events.end(),
+                     [&](const auto& e) { return e.what == what && e.where == where; });
+}
+
+/// A block of 500 kg on a floor of 10 m, drawn to the right by a rope of 100 kN/m whose end a tensioner takes in at 1
+/// cm/s and, from `turns` on, lets out again.
+model::Model drawn_block(double f0, double f_inf, double turns) {
+  model::Model m;
+  m.gravity = g;
+  m.bodies.push_back(body("block", origin, 500, "xz"));
+  model::Face floor;
+  floor.name = "floor";
+  floor.from = {-5, 0, 0};
+  floor.to = {5, 0, 0};
+  m.faces.push_back(floor);
+  model::FaceContact sole;
+  sole.name = "sole";
+  sole.body = 0;
+  sole.stiffness = sole.tangential_stiffness = 1e9;
+  sole.damping = sole.tangential_damping = 1e5;
+  sole.static_friction = f0;
+  sole.kinetic_friction = f_inf;
+  sole.stribeck_speed = 1e-4;
+  m.contacts.push_back(sole);
+  m.reevings.push_back(reeve("rope", {anchor_on("block", 0), anchor("end", {20, 0, 0})}, 20, 0, 2e6));
+  m.reevings[0].damping_time = 0.02;
+  model::Tensioner end;
+  end.at_start = false;
+  end.change = through({0, turns, turns + 20}, {0, -0.01 * turns, -0.01 * turns + 0.2}, taut::si::m);
+  m.tensioners.push_back(end);
+  return m;
+}
+
+double tension(const TransientResult& r, double t, std::size_t branch = 0) {
+  const auto frame = std::min_element(r.frames.begin(), r.frames.end(), [&](const auto& a, const auto& b) {
+    return std::abs(a.t - t) < std::abs(b.t - t);
+  });
+  return frame->branches[branch].T_from;
+}
+
+TEST(QuasiStatic, ABlockIsDrawnByItsFriction) {
+  const double W = 500 * g;
+  const TransientResult r = run(drawn_block(0.3, 0.2, 5), slowly(10, 200));
+  // it sticks: the rope stretches by 1 cm/s and what it is wound off is the shorter for it
+  for (const double t : {0.5, 1.0, 1.4}) {
+    const double strain = 20 / (20 - 0.01 * t) - 1;
+    EXPECT_NEAR(tension(r, t), 2e6 * strain, 0.01 * 2e6 * strain);
+  }
+  EXPECT_NEAR(tension(r, 3), 0.2 * W, 1e-3);  // steady: at a hundred times the Stribeck speed
+  EXPECT_NEAR(tension(r, 5), 0.2 * W, 1e-3);
+  EXPECT_LT(tension(r, 5.5), 0.2 * W);  // let out, and the block stays
+  EXPECT_NEAR(tension(r, 9), 0, 1e-6);
+  EXPECT_NEAR(r.frames.back().bodies[0].position.x(), r.frames[100].bodies[0].position.x(), 2e-5);
+  double largest = 0;
+  for (const auto& frame : r.frames) largest = std::max(largest, frame.branches[0].T_from);
+  EXPECT_LT(largest, 0.3 * W + 1e-3);
+  EXPECT_GT(largest, 0.3 * W - 1e5 * 0.01 * 0.05 - 1e-3);  // but for the rope of one step
+  EXPECT_NEAR(r.frames[90].bodies[0].velocity.x(), 0.01 * (1 + 0.2 * W / 2e6), 1e-9);
+  EXPECT_TRUE(has(r, "slip", "sole"));
+}
+
+/// A weight on a rope over a sheave with losses, from a drum.
+model::Model hoist(double eta, const model::Signal& speed) {
+  model::Model m;
+  m.gravity = g;
+  m.bodies.push_back(body("load", {2, 0, -10}, 300, "z"));
+  m.reevings.push_back(
+      reeve("rope", {anchor("drum", {-8, 0, 0}), sheave("top", {1.8, 0, 0}, 0.2, 1, eta), anchor_on("load", 0)}, 3000,
+            0, 2e6));
+  m.reevings[0].given = model::Given::tension_at_end;
+  m.reevings[0].damping_time = 0.01;
+  model::Drum drum;
+  drum.name = "drum";
+  drum.core_radius = 0.15;
+  drum.drive.kind = model::DriveKind::speed;
+  drum.drive.signal = speed;
+  m.drums.push_back(drum);
+  model::Node& at_drum = m.reevings[0].nodes[0];
+  at_drum.drum = 0;
+  at_drum.radius = 0.15;
+  at_drum.side = 1;
+  return m;
+}
+
+TEST(QuasiStatic, HoistingAndLoweringDifferByTheLossesTwice) {
+  const double W = 3000, eta = 0.95;
+  const model::Model m = hoist(eta, through({0, 0.001, 5, 5.001, 20}, {0, 0.1, 0.1, -0.1, -0.1}, taut::si::m_per_s));
+  const TransientResult r = run(m, slowly(10, 100));
+  EXPECT_NEAR(tension(r, 0), W, 1e-6 * W);
+  EXPECT_NEAR(tension(r, 1), W / eta, 1e-8 * W);
+  EXPECT_NEAR(tension(r, 5), W / eta, 1e-8 * W);
+  EXPECT_NEAR(tension(r, 6), W * eta, 1e-8 * W);
+  EXPECT_NEAR(tension(r, 10), W * eta, 1e-8 * W);
+  EXPECT_NEAR(r.frames[40].drums[0].speed, 0.1, 1e-6);
+  // the weight rises by what the drum takes in, stretched as it lies there
+  const double up = r.frames[50].bodies[0].position.z() - r.frames[10].bodies[0].position.z();
+  EXPECT_NEAR(up, 0.4, 2e-3);
+}
+
+TEST(QuasiStatic, AStartInSlidingFrictionIsTheEndOfASlowMotion) {
+  const double W = 3000, eta = 0.95;
+  const TransientResult settled = run(hoist(eta, through({0, 1}, {0, 0}, taut::si::m_per_s)), slowly(1, 4));
+  for (const double sense : {1.0, -1.0}) {
+    TransientOptions o = slowly(1, 4, Start::sliding);
+    o.slid = {Slid{true, 0, 0.1 * sense}};
+    const TransientResult slow = run(hoist(eta, through({0, 1}, {0, 0}, taut::si::m_per_s)), o);
+    EXPECT_NEAR(tension(slow, 0), sense > 0 ? W / eta : W * eta, 1e-8 * W);
+    EXPECT_NEAR(slow.frames.front().bodies[0].position.z(), settled.frames.front().bodies[0].position.z(), 1e-3);
+    EXPECT_NEAR(tension(slow, 1), tension(slow, 0), 1e-8 * W);
+    // and stays when masses count, held by the same friction
+    o.quasi_static = false;
+    o.tolerance = 1e-6;
+    const TransientResult real = run(hoist(eta, through({0, 1}, {0, 0}, taut::si::m_per_s)), o);
+    EXPECT_NEAR(tension(real, 1), tension(slow, 0), 1e-3 * W);
+  }
+}
+
+/// A weight over a sheave by half a turn, drawn and let out by a tensioner: with a light sheave and with one that has a
+/// bearing and inertia the tight side is 1/eta of the other.
+TEST(QuasiStatic, HalfATurnRoundASheaveLosesItsEfficiency) {
+  const double W = 3000, eta = 0.94;
+  for (const double inertia : {0.0, 0.5}) {
+    model::Model m;
+    m.gravity = g;
+    m.bodies.push_back(body("load", {2, 0, -10}, W / g, "z"));
+    model::Node top = sheave("top", {1.8, 0, 0}, 0.2, 1, eta);
+    top.inertia = inertia;
+    m.reevings.push_back(reeve("rope", {anchor("pull", {1.6, 0, -10}), top, anchor_on("load", 0)}, W, 0, 2e6));
+    m.reevings[0].given = model::Given::tension_at_end;
+    model::Tensioner end;
+    end.change = through({0, 5, 10}, {0, -0.5, 0}, taut::si::m);
+    m.tensioners.push_back(end);
+    const TransientResult r = run(m, slowly(10, 100));
+    EXPECT_NEAR(r.frames[50].contacts[0].wrap, std::numbers::pi, 1e-9);
+    EXPECT_NEAR(tension(r, 5), W / eta, 1e-8 * W) << inertia;
+    EXPECT_NEAR(tension(r, 10), W * eta, 1e-8 * W) << inertia;
+  }
+}
+
+/// A block on a board that is tilted: it slides from tan a = f_0 on, down to a stop that it meets after 2 m.
+model::Model tilted_board(double f0, double f_inf) {
+  model::Model m;
+  m.gravity = g;
+  model::Body board = body("board", origin, 0, "");
+  board.driven.push_back({Vector3::Zero(), Vector3::UnitY(), through({0, 40}, {0, 40 * degree}, taut::si::rad)});
+  m.bodies.push_back(board);
+  m.bodies.push_back(body("block", origin, 100, "xz"));
+  model::Face face;
+  face.name = "board";
+  face.body = 0;
+  face.from = {-1, 0, 0};
+  face.to = {5, 0, 0};
+  m.faces.push_back(face);
+  model::Face stop;
+  stop.name = "stop";
+  stop.body = 0;
+  stop.from = {2, 0, -1};
+  stop.to = {2, 0, 1};
+  stop.normal = {-1, 0, 0};
+  m.faces.push_back(stop);
+  model::FaceContact sole;
+  sole.name = "sole";
+  sole.body = 1;
+  sole.stiffness = sole.tangential_stiffness = 1e9;
+  sole.static_friction = f0;
+  sole.kinetic_friction = f_inf;
+  m.contacts.push_back(sole);
+  sole.name = "bumper";
+  sole.face = 1;
+  sole.static_friction = sole.kinetic_friction = 0;
+  m.contacts.push_back(sole);
+  return m;
+}
+
+TEST(QuasiStatic, ABlockFallsFromWhereNothingHoldsItToItsStop) {
+  for (const double f_inf : {0.4, 0.3}) {
+    const TransientResult r = run(tilted_board(0.4, f_inf), slowly(40, 80));
+    const double slips = std::atan(0.4) / degree;
+    for (const auto& frame : r.frames) {
+      const double way = frame.bodies[1].position.norm();
+      if (frame.t < slips) {
+        EXPECT_LT(way, 1e-5) << frame.t;
+      } else if (frame.t > slips + 1) {
+        EXPECT_NEAR(way, 2, 1e-4) << frame.t;
+      }
+    }
+    EXPECT_TRUE(has(r, "fall", "block"));
+    EXPECT_TRUE(has(r, "contact", "bumper"));
+  }
+}
+
+/// The same angle found by the motion itself: an event stops it where the block has gone a millimetre.
+TEST(QuasiStatic, TheSlipAngleIsFoundToTheLastDigits) {
+  model::Model m = tilted_board(0.4, 0.35);
+  model::Event stop;
+  stop.words = "slides";
+  stop.kind = model::EventKind::stop;
+  model::Observable x;
+  x.name = "x";
+  x.unit = taut::si::m;
+  x.index = 1;
+  x.seen_from = 0;
+  stop.when = model::Condition{x, true, 1e-3};
+  m.events.push_back(stop);
+  const TransientResult r = run(m, slowly(40, 80));
+  EXPECT_NEAR(r.t_end, std::atan(0.4) / degree, 1e-6);
+}
+
+TEST(QuasiStatic, NothingHoldsABlockOnABoardWithoutEnd) {
+  model::Model m = tilted_board(0.4, 0.3);
+  m.contacts.pop_back();
+  m.faces[0].to = {20, 0, 0};
+  const TransientResult r = transient(m, slowly(40, 80));
+  EXPECT_FALSE(r.outcome.ok());
+  EXPECT_NEAR(r.t_end, std::atan(0.4) / degree, 0.02);
+  EXPECT_EQ(r.outcome.status, taut::Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("no equilibrium any more"), std::string::npos) << r.outcome.message;
+}
+
+/// Of two ropes that carry a weight side by side one breaks: the other has all of it, at rest.
+TEST(QuasiStatic, ABreakEndsAtRest) {
+  model::Model m;
+  m.gravity = g;
+  m.bodies.push_back(body("load", {0, 0, -10}, 200, "z"));
+  for (const char* name : {"one", "two"}) {
+    m.reevings.push_back(reeve(name, {anchor(name, origin), anchor_on("load", 0)}, 10 / (1 + 1e3 / 1e6), 0, 1e6));
+  }
+  model::Event gone;
+  gone.words = "break";
+  gone.kind = model::EventKind::breaks;
+  gone.at = 1;
+  gone.index = gone.part = 0;
+  m.events.push_back(gone);
+  const TransientResult r = run(m, slowly(2, 20));
+  EXPECT_NEAR(tension(r, 0.9, 1), 1000, 1e-6);
+  EXPECT_NEAR(tension(r, 2, 1), 2000, 1e-6);
+  EXPECT_NEAR(r.frames.back().bodies[0].position.z(), -10 / (1 + 1e3 / 1e6) * (1 + 2e3 / 1e6), 1e-9);
+}
+
+/// Sliding is no matter of the step, nor of the way before it.
+TEST(QuasiStatic, SteadySlidingOfTheBoomKeepsItsForces) {
+  Boom b;
+  b.angle = 19 * degree;
+  b.start = 0;
+  b.travel = 4;
+  std::vector<BoomState> at_end;
+  for (const double step : {0.1, 0.05, 0.02}) {
+    TransientOptions o = slowly(5, static_cast<int>(5 / step), Start::sliding);
+    o.slid = {Slid{false, 0, step == 0.02 ? 0.2 : 0.1}};
+    at_end.push_back(boom_state(b, run(boom_machine(b), o).frames.back()));
+  }
+  for (const BoomState& one : at_end) {
+    EXPECT_NEAR(one.S1, at_end[0].S1, 1e-5 * one.S1);
+    EXPECT_NEAR(one.S2, at_end[0].S2, 1e-5 * one.S2);
+    EXPECT_NEAR(one.Fh, at_end[0].Fh, 1e-4 * one.Fh);
+  }
+}
+
+}  // namespace
+}  // namespace taut_test::transient_quasi_static_test
