@@ -72,6 +72,26 @@ TEST(ColumnMast, WorstSectionBetweenItsPlaces) {
   EXPECT_NEAR(mast_use(r.mast, r.cases).section.value / mast_use(f.mast, f.cases).section.value, 1, 1e-5);
 }
 
+// A piece in two of the same section is one member, wherever it is cut and wherever loads act on it.
+RC_GTEST_PROP(ColumnMast, CutIntoPiecesOfOneSection, ()) {
+  const auto share = [](const char* what) { return *rc::gen::inRange(1, 100).as(what) / 100.0; };
+  ColumnMast one = cantilever("RHS 300x200x10", 9, 200e3 * share("down"), 8e3 * share("across"));
+  one.clamped_base = share("base") < 0.6;
+  one.top_stiffness = one.clamped_base && share("free") < 0.4 ? 0 : 3e5 + 3e6 * share("spring");
+  one.combinations[0].loads.push_back({9 * share("height"), 50e3, -5e3 * share("side"), 2e3, 0, 0});
+  one.combinations[0].factors.push_back(1.35);
+  ColumnMast two = one;
+  two.pieces.push_back(two.pieces[0]);
+  two.pieces[0].length = 9 * share("cut");
+  two.pieces[1].length = 9 - two.pieces[0].length;
+  const auto a = column_mast(one), b = column_mast(two);
+  RC_PRE(a.refused.empty() && b.refused.empty());
+  const MastUse u = mast_use(a.mast, a.cases), v = mast_use(b.mast, b.cases);
+  RC_ASSERT(std::abs(v.member.value / u.member.value - 1) < 1e-3);
+  RC_ASSERT(std::abs(v.flexural.value / u.flexural.value - 1) < 1e-3);
+  RC_ASSERT(std::abs(v.section.value / u.section.value - 1) < 1e-3);
+}
+
 // Loads a hair apart are as good as one: short slices must not spoil the critical load.
 TEST(ColumnMast, LoadsNearlyAtOnePlace) {
   const auto use = [](const std::vector<MastLoad>& loads) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "taut/base/expects.hpp"
 
@@ -11,6 +13,19 @@ namespace {
 
 void take_worse(MastWorst& worst, double value, const MastPlace& at) {
   if (value > worst.value) worst = {value, at};
+}
+
+/// Parts that are one member with this one: beside each other in the same section and steel. Cuts where something acts
+/// make no members.
+std::pair<std::size_t, std::size_t> member_of(const Mast& mast, std::size_t part) {
+  const auto same = [&](std::size_t other) {
+    const SteelSection &a = mast.parts.at(part).member.steel, &b = mast.parts.at(other).member.steel;
+    return a.section.name == b.section.name && a.section.area == b.section.area && a.yield == b.yield;
+  };
+  std::size_t first = part, last = part;
+  while (first > 0 && same(first - 1)) --first;
+  while (last + 1 < mast.parts.size() && same(last + 1)) ++last;
+  return {first, last};
 }
 
 /// One station: false where its section is of class 4.
@@ -62,10 +77,11 @@ double MastUse::utilisation() const {
 
 CrossForces member_forces(const Mast& mast, const MastCase& c, std::size_t part) {
   const bool round = mast.parts.at(part).member.steel.section.shape == catalogue::SectionShape::chs;
+  const auto [first, last] = member_of(mast, part);
   CrossForces most;
   bool any = false;
   for (const MastStation& s : c.stations) {
-    if (s.part != part) continue;
+    if (s.part < first || s.part > last) continue;
     most.N = any ? std::max(most.N, s.member.N) : s.member.N;
     most.M_y = std::max(most.M_y, round ? std::hypot(s.member.M_y, s.member.M_z) : std::abs(s.member.M_y));
     if (!round) most.M_z = std::max(most.M_z, std::abs(s.member.M_z));
@@ -76,7 +92,12 @@ CrossForces member_forces(const Mast& mast, const MastCase& c, std::size_t part)
 
 Member member_in(const Mast& mast, const MastCase& c, std::size_t part) {
   Member m = mast.parts.at(part).member;
-  if (part < c.critical_force.size()) m.y.critical_force = m.z.critical_force = c.critical_force[part];
+  if (part >= c.critical_force.size()) return m;
+  // that of the part that is pressed most
+  const auto [first, last] = member_of(mast, part);
+  const auto from = c.critical_force.begin() + static_cast<std::ptrdiff_t>(first);
+  const double N_cr = *std::max_element(from, c.critical_force.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  m.y.critical_force = m.z.critical_force = N_cr;
   return m;
 }
 

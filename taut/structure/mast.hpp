@@ -70,8 +70,8 @@ struct MastUse {
 /// All cases, stations and parts. Expects at least one case with a station.
 MastUse mast_use(const Mast& mast, const std::vector<MastCase>& cases);
 
-/// What (6.61) takes of a part in a case: the largest compression and the largest moments, of a tube the largest
-/// resultant (as M_y).
+/// What (6.61) takes of a part (with those beside it in the same section, which are one member) in a case: the largest
+/// compression and the largest moments, of a tube the largest resultant (as M_y).
 CrossForces member_forces(const Mast& mast, const MastCase& c, std::size_t part);
 
 /// The member of a part in a case: with the case's critical force where it has one.
