@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace taut::app {
 
 CheckedParts::CheckedParts(const MachineDeck& given, const model::Model& model) : deck(&given), ropes(given, model) {
@@ -40,6 +42,21 @@ void CheckedParts::take_answers(const MachineRun& run) {
         take(part.model, point.at, words, analysis_name(one.ending, "load_path"));
       }
     }
+  }
+}
+
+void CheckedParts::take_empty(const model::Model& model, const analysis::EquilibriumResult& state,
+                              const std::string& line, const std::string& words) {
+  const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
+                                 [&](const model::Reeving& one) { return one.name == line; });
+  if (lines.empty() || rope == model.reevings.end()) return;
+  const CheckState seen = state_of(model, state, words, "installation");
+  for (LineStates& one : lines) {
+    if (one.request->name != line) continue;
+    const int own = one.reeving;
+    one.reeving = static_cast<int>(rope - model.reevings.begin());
+    app::take(seen, one);
+    one.reeving = own;
   }
 }
 

@@ -20,6 +20,9 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
+  /// A line as it is put up, empty, in a model without what hangs on it: for its bends, angles and clearance alone.
+  void take_empty(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& line,
+                  const std::string& words);
   /// A motion: tensions at all its steps, forces and places at its output steps.
   void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
             const std::string& analysis);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "taut/analysis/installation.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/temperature.hpp"
@@ -298,7 +299,14 @@ Analysis prepare_installation(const InstallationRequest& request, const std::str
       p.complaints.push_back({path + ".given.span", fmt::format("the empty rope has {} free spans", spans)});
     }
   }
-  return [run](MachineRun& machine, Result& r) { add_results(*run, solve(machine.model, *run), r); };
+  return [run](MachineRun& machine, Result& r) {
+    const std::vector<Row> rows = solve(machine.model, *run);
+    add_results(*run, rows, r);
+    for (const Row& row : rows) {
+      if (!machine.checked || !row.at.outcome.ok()) continue;
+      machine.checked->take_empty(row.at.at.model, row.at.at.result, run->words, words_of(row, *run));
+    }
+  };
 }
 
 }  // namespace taut::app

@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -38,6 +40,32 @@ TEST(LineChecks, LimiterTakesTheRopesPlace) {
   const Result r = run_text(line_over_tree("  lines: {skyline: {spar_rating: 350 kN, limiter: 200 kN}}\n"));
   EXPECT_TRUE(check_of(r, "skyline.limiter").passes);
   EXPECT_NEAR(check_of(r, "skyline.limiter").limit, 350e3, 1e-9);
+}
+
+// The empty line is the one that is put up: its bends are those of an installation.
+TEST(LineChecks, TheEmptyLine) {
+  const std::string checks = "checks: {lines: {skyline: {break_angles: true}}}\n";
+  const std::string load = "  - load_path: {carriage: car, from: 130 m, to: 220 m, steps: 3, motion: in}\n";
+  const std::string empty = "  - installation: {reeving: skyline, given: {tension: 60 kN, at: end}}\n";
+  const Result loaded = run_text(taut_test::skyline_deck(load) + checks);
+  const Result both = run_text(taut_test::skyline_deck(load + empty) + checks);
+  const Result bare = run_text(R"(taut: 1
+machine:
+  points: {stump: [0 m, 0 m, 4 m], tower: [360 m, 0 m, 124 m]}
+  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN}}
+  supports:
+    jack1: {at: [110 m, 0 m, 33 m], diameter: 400 mm, friction: 0.1}
+    jack2: {at: [240 m, 0 m, 78 m], friction: 0.1}
+  reevings: [{rope: skyline, path: [{anchor: stump}, {over: jack1}, {over: jack2}, {anchor: tower}], tension_at_end: 60 kN}]
+)" + checks);
+  for (const char* jack : {"jack1", "jack2"}) {
+    const std::string least = fmt::format("skyline.{}.least_break_angle", jack);
+    EXPECT_NEAR(check_of(both, least).value, std::min(check_of(loaded, least).value, check_of(bare, least).value), 1e-6)
+        << jack;
+    EXPECT_NEAR(check_of(both, fmt::format("skyline.{}.break_angle", jack)).value,
+                check_of(loaded, fmt::format("skyline.{}.break_angle", jack)).value, 1e-9);
+  }
+  EXPECT_NE(check_of(both, "skyline.jack2.least_break_angle").rule.find("installation of skyline"), std::string::npos);
 }
 
 // The sag of 100 m at 50 kN and 1 kg/m is 0.245 m: over a hill of 12 m the rope of 20 m is 7.755 m above the ground.
