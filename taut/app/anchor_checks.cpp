@@ -113,7 +113,7 @@ void take(const CheckState& state, AnchorStates& anchor) {
 namespace {
 
 /// Force against what the anchor holds: declared, by its ropes, by the tree's diameter.
-void check_hold(const AnchorStates& s, Result& r) {
+void check_holding(const AnchorStates& s, Result& r) {
   const AnchorCheckRequest& one = *s.request;
   if (one.strength) {
     add_part_check(one.name, "anchor_strength", *one.strength / s.force, Sense::at_least, one.safety_factor, si::one,
@@ -170,7 +170,7 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
     if (!told) r.assumptions.emplace_back(fastening);
     told = true;
     add_anchor_row(s, r);
-    check_hold(s, r);
+    check_holding(s, r);
     check_fastening(s, r);
     const AnchorCheckRequest& one = *s.request;
     if (one.uplift) {

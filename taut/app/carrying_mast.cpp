@@ -34,7 +34,7 @@ double height_of_pieces(const MastCheckRequest& request) {
 }
 
 /// A force at a place of the machine as loads of the mast: beside its axis it bends the mast, too.
-void add_force(const MastCheckRequest& request, const Vector3& place, const Vector3& F, CarriedState& all) {
+void add_pull(const MastCheckRequest& request, const Vector3& place, const Vector3& F, CarriedState& all) {
   const Vector3 from_foot = place - Vector3(request.foot[0], request.foot[1], request.foot[2]);
   if (from_foot.z() <= 0) return;  // goes into the ground
   const auto [strong, weak] = axes_of(request);
@@ -174,17 +174,17 @@ CarriedState carried_by(const MastCheckRequest& request, const CheckState& state
   CarriedState all{state.words, state.analysis, state.moves, {}};
   for (const CheckContact& c : state.contacts) {
     const model::Reeving& rope = state.model->reevings[at(c.reeving)];
-    if (carries(request, rope.nodes[at(c.node)].name)) add_force(request, c.place, rope.copies * c.force, all);
+    if (carries(request, rope.nodes[at(c.node)].name)) add_pull(request, c.place, rope.copies * c.force, all);
   }
   for (const CheckBranch& b : state.branches) {
     const model::Reeving& rope = state.model->reevings[at(b.reeving)];
     if (rope.closed) continue;
     const int last = static_cast<int>(rope.nodes.size()) - 1;
     if (b.from == 0 && carries(request, rope.nodes.front().name)) {
-      add_force(request, b.start, rope.copies * b.on_start, all);
+      add_pull(request, b.start, rope.copies * b.on_start, all);
     }
     if (b.to == last && carries(request, rope.nodes.back().name)) {
-      add_force(request, b.end, rope.copies * b.on_end, all);
+      add_pull(request, b.end, rope.copies * b.on_end, all);
     }
   }
   return all;

@@ -122,7 +122,7 @@ std::string exact_values(const Description& d) {
 std::string keys_text(const std::string& prefix, const Description& description) {
   std::string text;
   walk(prefix, description, [&](const std::string& key, const Description& d, const Field& f) {
-    text += fmt::format("  {:<32}{:<24}{:<14}{}{}\n", key, kind_text(f), default_of(d, f),
+    text += fmt::format("  {:<31} {:<23} {:<13} {}{}\n", key, kind_text(f), default_of(d, f),
                         f.symbol.empty() ? "" : f.symbol + ": ", words_of(f));
   });
   return text;
