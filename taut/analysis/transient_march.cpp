@@ -314,7 +314,8 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   StepEnd end = StepEnd::ok;
   double broken = 0;
   const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
-  if ((event || jump) && !stop && run.before.t < run.end) {
+  const bool jolts = jump && !run.options.quasi_static;
+  if ((event || jolts) && !stop && run.before.t < run.end) {
     end = begin_again(run, broken);
     (event ? run.ledger.broken : run.ledger.slipped) += broken;
   }

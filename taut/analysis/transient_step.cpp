@@ -91,7 +91,8 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (!std::isfinite(change)) return StepEnd::not_converged;
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
-    if (i > 0 && !changed && !begins) {
+    const bool at_its_limit = s.creeps && i >= turns_until;  // whether it sticks or slides there is the same
+    if (i > 0 && (!changed || at_its_limit) && !begins) {
       const double expected = moves && !turned ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
