@@ -38,5 +38,6 @@ set(fenced_headers
   "^CLI/ cli"
   "^httplib\\.h$ web"
   "^pybind11/ python"
+  "^nlopt\\.h$ analysis"
   "^hdf5\\.h$ io"
   "^(kinsol|cvode|ida|sunlinsol|sunmatrix|nvector|sundials)/ analysis")

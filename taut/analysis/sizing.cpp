@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -73,6 +74,10 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       return answer;
     }
     one.trial = try_one(one.choice);
+    if (one.trial.ended) {
+      answer.ended = true;
+      break;
+    }
     ++(found ? behind : answer.trials);
     if (one.trial.passes && !found) {
       found = true;
@@ -84,7 +89,56 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       answer.below.push_back(one);
     }
   }
-  if (!found) answer.outcome = infeasible("no choice passes all checks");
+  if (!found) answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+  return answer;
+}
+
+SizingAnswer least_measured(const std::vector<std::size_t>& counts,
+                            const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+                            const SizingOptions& options) {
+  SizingAnswer answer;
+  double choices = 1;
+  for (const std::size_t n : counts) choices *= static_cast<double>(n);
+  if (choices > static_cast<double>(options.most_trials)) {
+    answer.outcome = not_converged(fmt::format(
+        "what is sought is known of a choice when it is calculated, and {:.6g} choices are more than {}: narrow the "
+        "candidates down",
+        choices, options.most_trials));
+    return answer;
+  }
+  std::vector<SizingCandidate> passed;
+  std::vector<SizingCandidate> failed;
+  Choice choice(counts.size(), 0);
+  for (bool more = choices > 0; more;) {
+    const SizingTrial trial = try_one(choice);
+    if (trial.ended) {
+      answer.ended = true;
+      break;
+    }
+    ++answer.trials;
+    (trial.passes ? passed : failed).push_back({choice, trial.measured, trial});
+    more = false;
+    for (std::size_t k = choice.size(); k-- > 0 && !more;) {
+      more = ++choice[k] < counts[k];
+      if (!more) choice[k] = 0;
+    }
+  }
+  std::stable_sort(passed.begin(), passed.end(), [](const SizingCandidate& a, const SizingCandidate& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.trial.utilisation < b.trial.utilisation;
+  });
+  const auto use = [](const SizingCandidate& c) {
+    return std::isnan(c.trial.utilisation) ? HUGE_VAL : c.trial.utilisation;
+  };
+  std::stable_sort(failed.begin(), failed.end(),
+                   [&](const SizingCandidate& a, const SizingCandidate& b) { return use(a) > use(b); });
+  const auto last = [&](std::size_t n) { return static_cast<std::ptrdiff_t>(std::min(n, options.neighbours)); };
+  answer.below.assign(failed.end() - last(failed.size()), failed.end());
+  if (passed.empty()) {
+    answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+    return answer;
+  }
+  answer.best = passed.front();
+  answer.above.assign(passed.begin() + 1, passed.begin() + 1 + last(passed.size() - 1));
   return answer;
 }
 

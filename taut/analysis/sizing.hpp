@@ -13,6 +13,8 @@ struct SizingTrial {
   bool passes = false;
   double utilisation = 0;  ///< of the check that governs; NaN: no equilibrium
   std::string governs;     ///< its name, or why there is no equilibrium
+  double measured = 0;     ///< what it costs, where only the trial tells
+  bool ended = false;      ///< the search is to end; nothing else counts then
 };
 
 struct SizingOptions {
@@ -33,6 +35,7 @@ struct SizingAnswer {
   std::vector<SizingCandidate> below;  ///< cheaper ones that fail, nearest to the answer last
   std::vector<SizingCandidate> above;  ///< the next ones that pass
   std::size_t trials = 0;              ///< up to the answer
+  bool ended = false;                  ///< by a trial; the answer is that of the trials before
 };
 
 /// The cheapest choice of one candidate from each list that passes: all choices are tried in the order of the sum of
@@ -41,5 +44,12 @@ struct SizingAnswer {
 SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
                       const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                       const SizingOptions& options = {});
+
+/// The same where each trial tells its cost (`measured`), so that all of them are tried: counts[k] candidates in list
+/// k, in the order of their indices. Of equal costs the first, with more reserve, is the answer; `below` are those that
+/// fail by least. More choices than `most_trials`: none is tried.
+SizingAnswer least_measured(const std::vector<std::size_t>& counts,
+                            const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+                            const SizingOptions& options = {});
 
 }  // namespace taut::analysis

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -84,6 +85,63 @@ TEST(Sizing, spent_trials_are_told) {
       {{1, 2, 3, 4, 5}}, [](const Choice&) { return SizingTrial{}; }, options);
   EXPECT_EQ(answer.outcome.status, Status::not_converged);
   EXPECT_EQ(answer.trials, 3U);
+}
+
+// What is measured has no order: all are tried, the least that passes is found, those that fail stand nearest last.
+TEST(Sizing, measured_agrees_with_counting_on_200_random_cases) {
+  std::mt19937 random(7);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<std::vector<double>> lists(random() % 4);  // also none
+    for (auto& list : lists) list.resize(1 + random() % 6);
+    const std::vector<Choice> all = all_of(lists);
+    std::vector<SizingTrial> trials(all.size());
+    for (SizingTrial& t : trials) {
+      t.passes = random() % 4 == 0;
+      t.utilisation = static_cast<double>(random() % 100) / 50;
+      t.measured = static_cast<double>(random() % 20);
+    }
+    std::vector<std::size_t> counts;
+    for (const auto& list : lists) counts.push_back(list.size());
+    const auto answer = least_measured(counts, [&](const Choice& c) {
+      return trials[static_cast<std::size_t>(std::find(all.begin(), all.end(), c) - all.begin())];
+    });
+    EXPECT_EQ(answer.trials, all.size());
+    double least = HUGE_VAL;
+    for (const SizingTrial& t : trials) least = t.passes ? std::min(least, t.measured) : least;
+    ASSERT_EQ(answer.outcome.ok(), least < HUGE_VAL);
+    EXPECT_EQ(answer.outcome.ok() ? answer.best.cost : HUGE_VAL, least);
+    for (std::size_t i = 1; i < answer.below.size(); ++i) {
+      EXPECT_GE(answer.below[i - 1].trial.utilisation, answer.below[i].trial.utilisation);
+    }
+  }
+}
+
+TEST(Sizing, too_many_to_measure_are_not_tried) {
+  SizingOptions options;
+  options.most_trials = 8;
+  const auto never = [](const Choice&) -> SizingTrial {
+    ADD_FAILURE();
+    return {};
+  };
+  EXPECT_EQ(least_measured({3, 3}, never, options).outcome.status, Status::not_converged);
+}
+
+TEST(Sizing, ends_when_a_trial_says_so) {
+  int calls = 0;
+  const auto one = [&](const Choice&) {
+    SizingTrial t;
+    t.passes = ++calls == 2;
+    t.ended = calls == 4;
+    return t;
+  };
+  const auto a = cheapest({{1, 2, 3, 4, 5, 6}}, one);
+  EXPECT_TRUE(a.ended);
+  EXPECT_TRUE(a.outcome.ok());
+  EXPECT_EQ(a.best.choice, Choice{1});
+  calls = 2;
+  const auto none = least_measured({6}, one);
+  EXPECT_TRUE(none.ended);
+  EXPECT_FALSE(none.outcome.ok());
 }
 
 }  // namespace taut::analysis::sizing_test

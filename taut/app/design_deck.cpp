@@ -1,6 +1,5 @@
 #include "taut/app/design_deck.hpp"
 
-#include <memory>
 #include <utility>
 
 namespace taut::app {
@@ -20,7 +19,9 @@ const Description& DesignRopeRequest::describe() {
           .field(&R::most_diameter, "most_diameter", "d", si::m.in("mm"), "largest")
           .above(0)
           .choice(&R::trust, "trust",
-                  {{"any", LeastTrust::any}, {"derived", LeastTrust::derived}, {"verified", LeastTrust::verified}},
+                  {{"any", catalogue::Trust::unverified},
+                   {"derived", catalogue::Trust::derived},
+                   {"verified", catalogue::Trust::verified}},
                   "least trust of the breaking force")
           .field(&R::modulus, "modulus", "E", si::Pa.in("GPa"), "on the metallic area: the stiffness is E A")
           .above(1e9)
@@ -31,8 +32,8 @@ const Description& DesignRopeRequest::describe() {
 const Description& DesignSectionRequest::describe() {
   using R = DesignSectionRequest;
   static const Description d = [] {
-    Description own;
-    own.make_default = [] { return std::static_pointer_cast<void>(std::make_shared<R>()); };
+    Description own =
+        Describe<R>().field(&R::price, "price", "", si::one, "of a kilogram of it, for 'cheapest'").at_least(0);
     for (Field f : SectionChoice::describe().fields) {
       if (f.key == "least_trust") f.key = "trust";
       f.slot = [slot = f.slot](void* s) { return slot(&static_cast<R*>(s)->which); };
@@ -45,17 +46,41 @@ const Description& DesignSectionRequest::describe() {
 
 const Description& DesignUnknownRequest::describe() {
   using R = DesignUnknownRequest;
-  static const Description d = Describe<R>()
-                                   .field(&R::parameter, "parameter",
-                                          "its path below 'machine', as in a sweep: reevings.skyline.tension_at_start")
-                                   .required()
-                                   .field(&R::from, "from", "first value, with its unit")
-                                   .required()
-                                   .field(&R::to, "to", "last value")
-                                   .required()
-                                   .field(&R::steps, "steps", "n", si::one, "equal steps between them")
-                                   .at_least(1)
-                                   .at_most(200);
+  static const Description d =
+      Describe<R>()
+          .field(&R::parameter, "parameter",
+                 "its path below 'machine' or 'input', as in a sweep: reevings.skyline.tension_at_start; or from "
+                 "'analyses' on: analyses[0].equilibrium.given.sag")
+          .required()
+          .field(&R::along_with, "along_with", "paths of others that move by as much as it does")
+          .field(&R::from, "from", "one end of its range, with its unit")
+          .required()
+          .field(&R::to, "to", "the other end")
+          .required()
+          .field(&R::start, "start", "where the search begins besides the places of the grid")
+          .field(&R::steps, "steps", "n", si::one, "equal steps of the grid between both; 4, with a 'start' none")
+          .at_least(1)
+          .at_most(200)
+          .field(&R::price, "price", "", si::one, "of one metre, newton, kilogram, ... of it, for 'cheapest'")
+          .at_least(0);
+  return d;
+}
+
+const Description& DesignSettingRequest::describe() {
+  using R = DesignSettingRequest;
+  static const Description d =
+      Describe<R>().field(&R::value, "value", "the number in this case, with its unit").required();
+  return d;
+}
+
+const Description& DesignCaseRequest::describe() {
+  using R = DesignCaseRequest;
+  static const Description d =
+      Describe<R>()
+          .named_records(&R::settings, "settings",
+                         "paths as of a 'parameter', each with its value: `{loads.car.mass: 2 t}`")
+          .shorthand("value")
+          .rest();
   return d;
 }
 
@@ -63,15 +88,24 @@ const Description& DesignRequest::describe() {
   using R = DesignRequest;
   static const Description d =
       Describe<R>()
-          .choice(&R::seek, "seek",
-                  {{"lightest", Seek::lightest}, {"smallest", Seek::smallest}, {"cheapest", Seek::cheapest}},
-                  "least mass of the ropes that are free, least sum of their diameters, or least price")
+          .choice(
+              &R::seek, "seek",
+              {{"lightest", Seek::lightest},
+               {"smallest", Seek::smallest},
+               {"cheapest", Seek::cheapest},
+               {"least_tension", Seek::least_tension},
+               {"most_reserve", Seek::most_reserve}},
+              "least mass, least sum of diameters and heights, least price, the least of the largest tension, or the "
+              "least utilisation of the check that governs")
+          .field(&R::of, "of", "rope or reeving whose tension is least (least_tension); without it the largest of all")
           .field(&R::catalogue, "catalogue", "a file of ropes (CSV) in place of the built-in ones, beside the deck")
-          .named_records(&R::ropes, "ropes", "ropes of the machine that are chosen, by name")
-          .named_records(&R::sections, "sections", "beams of the machine whose section is chosen, by name")
-          .named_records(&R::unknowns, "unknowns", "numbers of the machine that are free, by a name of yours")
+          .named_records(&R::ropes, "ropes", "ropes of the machine or the method that are chosen, by name")
+          .named_records(&R::sections, "sections", "beams of the machine, or masts, whose section is chosen, by name")
+          .named_records(&R::unknowns, "unknowns", "numbers that are free, by a name of yours")
+          .named_records(&R::cases, "cases",
+                         "load cases, each with what is other in it; the checks of all have to pass")
           .field(&R::refine, "refine",
-                 "moves the unknowns of the least choice on between their places, to the most reserve")
+                 "moves the unknowns on between the places of their grid, to the least or the most reserve")
           .field(&R::runner_ups, "runner_ups", "", si::one, "choices told on either side of the answer")
           .at_least(0)
           .at_most(100)

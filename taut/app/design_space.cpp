@@ -1,18 +1,17 @@
+#include "taut/app/design_space.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <tuple>
 #include <utility>
 
-#include "taut/app/design.hpp"
-#include "taut/app/parameter.hpp"
-#include "taut/app/rope_uses.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/read.hpp"
-#include "taut/model/compile.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -20,14 +19,18 @@ namespace {
 
 using catalogue::RopeRow;
 
+constexpr double most_places = 20000;  // of a grid
+
 double cost_of(Seek seek, const RopeRow& row) {
   switch (seek) {
-    case Seek::lightest:
-      return row.mass_per_length;
     case Seek::smallest:
       return row.diameter;
     case Seek::cheapest:
       return row.price.value_or(0);
+    case Seek::lightest:
+    case Seek::least_tension:
+    case Seek::most_reserve:
+      return row.mass_per_length;
   }
   return 0;
 }
@@ -63,67 +66,74 @@ catalogue::RopeFilter filter_of(const DesignRopeRequest& one) {
   filter.grade = one.grade;
   filter.min_diameter = one.least_diameter;
   filter.max_diameter = one.most_diameter;
-  filter.min_trust = one.trust == LeastTrust::verified  ? catalogue::Trust::verified
-                     : one.trust == LeastTrust::derived ? catalogue::Trust::derived
-                                                        : catalogue::Trust::unverified;
+  filter.min_trust = one.trust;
   return filter;
 }
 
-/// Straight length of all that is reeved of a rope, m.
-double length_of(const std::string& rope, const MachineDeck& deck) {
-  const auto model = model::compile(deck.machine);
-  if (!model) return 1;
-  const model::State state = model::initial_state(*model);
-  double length = 0;
-  for (std::size_t i = 0; i < model->reevings.size(); ++i) {
-    if (rope_name_of(deck.machine, i) != rope) continue;
-    const model::Reeving& own = model->reevings[i];
-    for (int k = 0; k < model::branch_count(own); ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      length += own.copies * model::straight_length(state, own.nodes[at], own.nodes[(at + 1) % own.nodes.size()]);
+/// A value of a parameter; nothing with a complaint at `path`.
+std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,
+                               std::vector<Complaint>& complaints) {
+  const auto number = parse_quantity(text, parameter.unit);
+  if (!number) {
+    complaints.push_back({path, number.error().message});
+    return {};
+  }
+  if (parameter.unit.is_angle == parameter.field->unit.is_angle && !parameter.field->range.contains(*number)) {
+    complaints.push_back({path, fmt::format("must be {}, not {}", io::range_text(*parameter.field), text)});
+    return {};
+  }
+  return *number;
+}
+
+void complain_of_company(const DesignUnknownRequest& one, const Parameter& first, const FindParameter& find,
+                         const std::string& path, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < one.along_with.size(); ++i) {
+    const std::string own = fmt::format("{}.along_with[{}]", path, i);
+    const auto other = find(one.along_with[i]);
+    if (!other) {
+      complaints.push_back({own, other.error()});
+    } else if (other->unit.dimension != first.unit.dimension) {
+      complaints.push_back(
+          {own, fmt::format("'{}' is no quantity of the same kind as '{}'", one.along_with[i], one.parameter)});
     }
   }
-  return length > 0 ? length : 1;
 }
 
-/// Ropes whose figures say nothing yet are compiled with those of their first candidate.
-void put(const RopeRow& row, double modulus, model::description::Rope& rope) {
-  rope.rope.reset();
-  rope.mass = row.mass_per_length;
-  rope.breaking_force = row.breaking_force;
-  rope.diameter = row.diameter;
-  rope.stiffness = modulus * row.area;
-}
-
-/// The values at which an unknown is tried; empty with complaints.
-UnknownValues values_of_unknown(const DesignUnknownRequest& one, const MachineDeck& deck,
+/// Where an unknown may be and is tried; empty with complaints.
+UnknownValues values_of_unknown(const DesignUnknownRequest& one, const FindParameter& find,
                                 std::vector<Complaint>& complaints) {
   const std::string path = fmt::format("design.unknowns.{}", one.name);
   UnknownValues own;
   own.name = one.name;
   own.parameter = one.parameter;
-  model::Machine machine = deck.machine;
-  const auto parameter = find_parameter(model::Machine::describe(), &machine, one.parameter);
+  own.along_with = one.along_with;
+  own.price = one.price.value_or(0);
+  if (one.name == "cost" || one.name == "trials") {
+    complaints.push_back({path, fmt::format("design_{} is a value of every design: give it another name", one.name)});
+  }
+  const auto parameter = find(one.parameter);
   if (!parameter) {
     complaints.push_back({path + ".parameter", parameter.error()});
     return own;
   }
   own.unit = parameter->unit;
-  std::vector<double> ends;
-  for (const auto& [text, key] : {std::pair(one.from, "from"), std::pair(one.to, "to")}) {
-    const auto number = parse_quantity(text, parameter->unit);
-    if (!number) {
-      complaints.push_back({fmt::format("{}.{}", path, key), number.error().message});
-    } else if (parameter->unit.is_angle == parameter->field->unit.is_angle &&
-               !parameter->field->range.contains(*number)) {
-      complaints.push_back({fmt::format("{}.{}", path, key),
-                            fmt::format("must be {}, not {}", io::range_text(*parameter->field), text)});
-    } else {
-      ends.push_back(*number);
-    }
+  complain_of_company(one, *parameter, find, path, complaints);
+  const auto from = value_of(one.from, *parameter, path + ".from", complaints);
+  const auto to = value_of(one.to, *parameter, path + ".to", complaints);
+  if (!from || !to) return own;
+  if (*from == *to) complaints.push_back({path + ".to", "is the same as 'from'"});
+  std::tie(own.low, own.high) = std::minmax(*from, *to);
+  const int steps = one.steps.value_or(one.start ? 0 : 4);
+  for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(*from + (*to - *from) * i / steps);
+  if (!one.start) return own;
+  const auto start = value_of(*one.start, *parameter, path + ".start", complaints);
+  if (!start) return own;
+  if (*start < own.low || *start > own.high) {
+    complaints.push_back({path + ".start", fmt::format("{} is not between {} and {}", *one.start, one.from, one.to)});
   }
-  if (ends.size() < 2) return own;
-  for (int i = 0; i <= one.steps; ++i) own.values.push_back(ends[0] + (ends[1] - ends[0]) * i / one.steps);
+  if (std::find(own.values.begin(), own.values.end(), *start) == own.values.end()) own.values.push_back(*start);
+  std::sort(own.values.begin(), own.values.end());
+  if (*from > *to) std::reverse(own.values.begin(), own.values.end());
   return own;
 }
 
@@ -145,76 +155,129 @@ RopeCandidates candidates_of_rope(const DesignRopeRequest& one, Seek seek, const
   std::stable_sort(own.rows.begin(), own.rows.end(), [&](const RopeRow& a, const RopeRow& b) {
     return Key(cost_of(seek, a), a.breaking_force, a.id) < Key(cost_of(seek, b), b.breaking_force, b.id);
   });
+  own.costs.reserve(own.rows.size());
+  for (const RopeRow& row : own.rows) own.costs.push_back(cost_of(seek, row));
   return own;
+}
+
+DesignCase case_of(const DesignCaseRequest& one, const DesignRequest& design, const FindParameter& find,
+                   std::vector<Complaint>& complaints) {
+  DesignCase own{one.name, {}};
+  for (const DesignSettingRequest& setting : one.settings) {
+    const std::string path = fmt::format("design.cases.{}.{}", one.name, setting.name);
+    const auto parameter = find(setting.name);
+    if (!parameter) {
+      complaints.push_back({path, parameter.error()});
+      continue;
+    }
+    for (const DesignUnknownRequest& unknown : design.unknowns) {
+      const auto& with = unknown.along_with;
+      if (unknown.parameter != setting.name && std::find(with.begin(), with.end(), setting.name) == with.end())
+        continue;
+      complaints.push_back({path, fmt::format("'{}' is free by the unknown '{}'", setting.name, unknown.name)});
+    }
+    if (const auto value = value_of(setting.value, *parameter, path, complaints)) {
+      own.settings.emplace_back(setting.name, *value);
+    }
+  }
+  return own;
+}
+
+void complain_of_seek(const DesignRequest& design, const DesignParts& parts, std::vector<Complaint>& complaints) {
+  if (design.ropes.empty() && design.sections.empty() && design.unknowns.empty()) {
+    complaints.push_back({"design", "says nothing that is free: name 'ropes', 'sections' or 'unknowns'"});
+  }
+  if (design.of && design.seek != Seek::least_tension) {
+    complaints.push_back({"design.of", "belongs to 'seek: least_tension'"});
+  }
+  if (design.seek == Seek::least_tension && parts.tensions.empty()) {
+    complaints.push_back({"design.seek", fmt::format("{} has no rope whose tension could be least", parts.owner)});
+  } else if (design.of && std::find(parts.tensions.begin(), parts.tensions.end(), *design.of) == parts.tensions.end()) {
+    complaints.push_back({"design.of", fmt::format("{} has no rope '{}'{}", parts.owner, *design.of,
+                                                   did_you_mean(*design.of, parts.tensions))});
+  }
+  const bool priced = !design.ropes.empty() || !design.sections.empty() ||
+                      std::any_of(design.unknowns.begin(), design.unknowns.end(),
+                                  [](const DesignUnknownRequest& u) { return u.price.has_value(); });
+  if (design.seek == Seek::cheapest && !priced) {
+    complaints.push_back({"design.seek", "nothing that is free has a price: give an unknown its 'price'"});
+  }
 }
 
 }  // namespace
 
-DesignSpace design_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes) {
+DesignSpace design_space(const io::Node& input, const DesignRequest& design, const DesignParts& parts,
+                         Diagnostics& mistakes) {
   DesignSpace space;
-  const DesignRequest& design = *deck.design;
   std::vector<Complaint> complaints;
-  const std::vector<RopeRow> rows = catalogue_of(input, design, mistakes);
-  if (!mistakes.empty()) return space;
-  if (design.ropes.empty() && design.sections.empty() && design.unknowns.empty()) {
-    complaints.push_back({"design", "says nothing that is free: name 'ropes', 'sections' or 'unknowns'"});
-  }
-  if (!deck.checks) complaints.push_back({"design", "needs 'checks': a design is what passes them"});
-  std::vector<std::string> known;
-  known.reserve(deck.machine.ropes.size());
-  for (const auto& rope : deck.machine.ropes) known.push_back(rope.name);
+  Diagnostics unreadable;
+  const std::vector<RopeRow> rows = catalogue_of(input, design, unreadable);
+  complain_of_seek(design, parts, complaints);
   for (const DesignRopeRequest& one : design.ropes) {
-    if (std::find(known.begin(), known.end(), one.name) != known.end()) {
+    if (std::find(parts.ropes.begin(), parts.ropes.end(), one.name) == parts.ropes.end()) {
+      complaints.push_back({fmt::format("design.ropes.{}", one.name),
+                            parts.ropes.empty() ? fmt::format("{} has no rope that can be chosen", parts.owner)
+                                                : fmt::format("{} has no rope '{}'{}", parts.owner, one.name,
+                                                              did_you_mean(one.name, parts.ropes))});
+    } else if (unreadable.empty()) {
       space.ropes.push_back(candidates_of_rope(one, design.seek, rows, complaints));
-      continue;
     }
-    complaints.push_back({fmt::format("design.ropes.{}", one.name),
-                          fmt::format("the machine has no rope '{}'{}", one.name, did_you_mean(one.name, known))});
   }
   for (const DesignSectionRequest& one : design.sections) {
-    space.sections.push_back(candidates_of_beam(one, deck, complaints));
+    space.sections.push_back(candidates_of_section(one, design.seek, parts.sections, parts.owner, complaints));
   }
+  double places = 1;
   for (const DesignUnknownRequest& one : design.unknowns) {
-    space.unknowns.push_back(values_of_unknown(one, deck, complaints));
+    space.unknowns.push_back(values_of_unknown(one, parts.parameter, complaints));
+    places *= static_cast<double>(space.unknowns.back().values.size());
   }
+  if (places > most_places) {
+    complaints.push_back(
+        {"design.unknowns", fmt::format("their grid has {:.3g} places, more than {:.0f}: fewer 'steps', "
+                                        "or a 'start' without steps",
+                                        places, most_places)});
+  }
+  for (const DesignCaseRequest& one : design.cases) {
+    space.cases.push_back(case_of(one, design, parts.parameter, complaints));
+  }
+  for (Diagnostic& d : unreadable) io::add(mistakes, std::move(d));
   io::place(input, complaints, mistakes);
-  if (!mistakes.empty()) return space;
-  const MachineDeck first =
-      with_choice(deck, space, std::vector<std::size_t>(space.ropes.size() + space.sections.size(), 0));
-  weigh_sections(first, space);
-  for (RopeCandidates& own : space.ropes) {
-    own.length = design.seek == Seek::smallest ? 1 : length_of(own.name, first);
-    own.costs.reserve(own.rows.size());
-    for (const RopeRow& row : own.rows) own.costs.push_back(cost_of(design.seek, row) * own.length);
-  }
   return space;
 }
 
-MachineDeck with_choice(const MachineDeck& deck, const DesignSpace& space, const std::vector<std::size_t>& choice) {
-  MachineDeck own = deck;
-  for (std::size_t k = 0; k < space.sections.size(); ++k) {
-    const std::size_t row = choice[space.ropes.size() + k];
-    for (auto& beam : own.machine.beams) {
-      if (beam.name == space.sections[k].name) beam.section = space.sections[k].rows[row].name;
+void put_values(const DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const UnknownValues& one = space.unknowns[k];
+    const auto first = parameter(one.parameter);
+    if (!first) continue;
+    const double moved = values[k] - first->value;
+    for (const std::string& path : one.along_with) {
+      const auto other = parameter(path);
+      if (other) other->set(std::isfinite(moved + other->value) ? other->value + moved : values[k]);
     }
+    first->set(values[k]);
   }
-  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    const RopeCandidates& free = space.ropes[k];
-    for (auto& rope : own.machine.ropes) {
-      if (rope.name == free.name) put(free.rows[choice[k]], free.modulus, rope);
-    }
-    own.chosen[free.name] = free.rows[choice[k]];
-  }
-  return own;
 }
 
-MachineDeck with_values(const MachineDeck& deck, const DesignSpace& space, const std::vector<double>& values) {
-  MachineDeck own = deck;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto parameter = find_parameter(model::Machine::describe(), &own.machine, space.unknowns[k].parameter);
-    if (parameter) parameter->set(values[k]);
+void put_case(const DesignCase& one, const FindParameter& parameter) {
+  for (const auto& [path, value] : one.settings) {
+    if (const auto found = parameter(path)) found->set(value);
   }
-  return own;
+}
+
+DesignPlace first_place(const DesignSpace& space) {
+  DesignPlace place;
+  place.choice.assign(space.ropes.size() + space.sections.size(), 0);
+  for (const UnknownValues& one : space.unknowns)
+    place.values.push_back(one.values.empty() ? one.low : one.values.front());
+  return place;
+}
+
+DesignLengths by_the_metre(const DesignRequest& request, const DesignSpace& space, const std::vector<double>& values) {
+  DesignLengths lengths{std::vector<double>(space.ropes.size(), 1), std::vector<double>(space.sections.size(), 1), 0};
+  if (request.seek != Seek::cheapest) return lengths;
+  for (std::size_t k = 0; k < values.size(); ++k) lengths.rest += space.unknowns[k].price * values[k];
+  return lengths;
 }
 
 }  // namespace taut::app

@@ -28,7 +28,7 @@ Prepared prepare(const Job& job) {
   if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress);
   const MethodEntry* entry = find_method(p.deck->method);
   if (entry != nullptr)
-    p.calculate = entry->prepare(p.deck->input, p.deck->checks ? &*p.deck->checks : nullptr, p.mistakes);
+    p.calculate = entry->prepare(p.deck->input, p.deck->others ? &*p.deck->others : nullptr, job.progress, p.mistakes);
   if (!p.mistakes.empty()) p.calculate = {};
   return p;
 }

@@ -10,7 +10,7 @@
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/checks.hpp"
-#include "taut/app/design.hpp"
+#include "taut/app/design_machine.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_figures.hpp"
@@ -345,12 +345,11 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   }
   DesignSpace space;
   if (deck->design) {
-    space = design_space(input, *deck, mistakes);
+    space = machine_space(input, *deck, mistakes);
     if (mistakes.size() > before) return {};
   }
-  // a rope that is free is read as the first of its candidates
-  const auto first = std::make_shared<MachineDeck>(
-      with_choice(*deck, space, std::vector<std::size_t>(space.ropes.size() + space.sections.size(), 0)));
+  // what is free is read as the first of its candidates
+  const auto first = deck->design ? std::make_shared<MachineDeck>(with_design(*deck, space, first_place(space))) : deck;
   auto model = model::compile(first->machine);
   if (!model) {
     place_in_machine(input, model.error(), mistakes);
@@ -371,11 +370,8 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     return {};
   }
   if (deck->design) {
-    return [deck, space, progress = std::move(progress)] {
-      return run_design(*deck, space, [&](const MachineDeck& one, bool checks_only) {
-        return compute_again(one, checks_only, progress);
-      });
-    };
+    const DesignTask task = machine_task(deck, std::move(space), compute_again, std::move(progress));
+    return [task] { return run_design(task); };
   }
   return [first, run, progress = std::move(progress)] { return compute(*first, *run, progress); };
 }

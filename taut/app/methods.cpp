@@ -1,8 +1,13 @@
 #include "taut/app/methods.hpp"
 
-#include <algorithm>
-#include <memory>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "taut/app/design_method.hpp"
 #include "taut/app/embedded/examples.hpp"
 #include "taut/app/exact/closed_loop_exact.hpp"
 #include "taut/app/exact/friction_drive_exact.hpp"
@@ -26,57 +31,145 @@ std::string_view example_of(const std::string& method) {
   return {};
 }
 
-/// What the engine adds to a method's result, and the description of its values.
-template <class Input>
-struct Exact {
-  const Description* values = nullptr;
-  void (*complete)(const Input&, Result&) = nullptr;
-};
-
-/// The block `checks:` of a deck, and with it what it needs of the method.
-struct ChecksBlock {
+/// The blocks of a deck beside its input.
+struct MethodBlocks {
   std::optional<ChecksRequest> checks;
+  std::optional<DesignRequest> design;
   static const Description& describe() {
-    static const Description d =
-        Describe<ChecksBlock>().record(&ChecksBlock::checks, "checks", "which parts are checked by which rules");
+    static const Description d = Describe<MethodBlocks>()
+                                     .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
+                                     .record(&MethodBlocks::design, "design", "what is chosen so that all checks pass");
     return d;
   }
 };
 
+/// All that a method does with its input.
+template <class Input>
+struct Way {
+  std::string name;
+  std::vector<Complaint> (*complaints)(const Input&) = nullptr;
+  Result (*run)(const Input&) = nullptr;
+  void (*complete)(const Input&, Result&) = nullptr;
+  MethodChecks<Input> offered;
+  MethodDesign<Input> design;
+};
+
+/// A deck as read, or as a design has changed it.
+template <class Input>
+struct MethodDeck {
+  Way<Input> way;
+  Input in;
+  MethodBlocks blocks;
+  std::map<std::string, catalogue::RopeRow> chosen;
+
+  std::vector<rope::RopeUse> ropes(const Result* r) const {
+    if (way.offered.ropes == nullptr) return {};
+    std::vector<rope::RopeUse> all = way.offered.ropes(in, r);
+    for (rope::RopeUse& use : all) {
+      if (const auto row = chosen.find(use.name); row != chosen.end()) use.rope = row->second;
+    }
+    return all;
+  }
+
+  Result calculate() const {
+    Result r = way.run(in);
+    if (way.complete != nullptr) way.complete(in, r);
+    if (blocks.checks) add_method_checks(*blocks.checks, ropes(&r), r);
+    return r;
+  }
+
+  /// Notes what is wrong with input and checks.
+  void complain(const io::Node& input, const io::Node* others, Diagnostics& mistakes) const {
+    const std::vector<Complaint> broken = way.complaints(in);
+    io::place(input, broken, mistakes);
+    if (!broken.empty() || !blocks.checks) return;
+    io::place(*others, method_check_complaints(*blocks.checks, ropes(nullptr), way.name), mistakes);
+  }
+};
+
+/// The copy of a deck that a design changes.
+template <class Input>
+std::shared_ptr<MethodCopy> copy_of(const MethodDeck<Input>& deck) {
+  const auto own = std::make_shared<MethodDeck<Input>>(deck);
+  const auto copy = std::make_shared<MethodCopy>();
+  const MethodDesign<Input>& d = deck.way.design;
+  copy->parameter = [own](const std::string& path) {
+    return find_parameter(Input::describe(), &own->in, path.starts_with("input.") ? path.substr(6) : path);
+  };
+  if (d.put_rope != nullptr) {
+    copy->put_rope = [own](const std::string& name, const catalogue::RopeRow& row, double modulus) {
+      own->way.design.put_rope(own->in, name, row, modulus);
+      own->chosen[name] = row;
+    };
+  }
+  if (d.put_section != nullptr) {
+    copy->put_section = [own](const std::string& section) { own->way.design.put_section(own->in, section); };
+  }
+  if (d.rope_length != nullptr) {
+    copy->rope_length = [own](const std::string& rope) { return own->way.design.rope_length(own->in, rope); };
+  }
+  if (d.height != nullptr) copy->height = [own] { return own->way.design.height(own->in); };
+  if (d.mass != nullptr) copy->mass = [own] { return own->way.design.mass(own->in); };
+  if (d.refuse != nullptr) copy->refused = d.refuse(own->in);
+  if (own->blocks.checks) copy->checks = &*own->blocks.checks;
+  for (const rope::RopeUse& use : own->ropes(nullptr)) copy->ropes.push_back(use.name);
+  copy->run = [own] {
+    // what a design has put in may not fit the method
+    const std::vector<Complaint> broken = own->way.complaints(own->in);
+    if (broken.empty()) return own->calculate();
+    Result r;
+    r.status = Status::infeasible;
+    r.message = fmt::format("{}: {}", broken.front().path, broken.front().message);
+    return r;
+  };
+  copy->complain = [own](const io::Node& input, const io::Node* others, Diagnostics& mistakes) {
+    own->complain(input, others, mistakes);
+  };
+  copy->tensions = [own](const Result& r) {
+    std::map<std::string, double> all;
+    for (const rope::RopeUse& use : own->ropes(&r)) all[use.name] = use.tension;
+    return all;
+  };
+  return copy;
+}
+
+template <class Input>
+std::function<Result()> prepare_method(const Way<Input>& way, const io::Node& node, const io::Node* others,
+                                       const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes) {
+  const auto deck = std::make_shared<MethodDeck<Input>>();
+  deck->way = way;
+  const std::size_t before = mistakes.size();
+  io::read(node, Input::describe(), &deck->in, "the input of " + way.name, mistakes);
+  if (others != nullptr) io::read(*others, MethodBlocks::describe(), &deck->blocks, "the deck", mistakes);
+  if (mistakes.size() > before) return {};
+  if (!deck->blocks.design) {
+    deck->complain(node, others, mistakes);
+    if (mistakes.size() > before) return {};
+    return [deck] { return deck->calculate(); };
+  }
+  const DesignRequest& design = *deck->blocks.design;
+  const CopyMethod copy = [deck] { return copy_of(*deck); };
+  DesignSpace space = method_space(*others, design, *copy(), mistakes);
+  if (mistakes.size() > before) return {};
+  // what is free is read as the first of its candidates
+  const auto first = copy();
+  put_design(*first, space, first_place(space));
+  first->complain(node, others, mistakes);
+  if (mistakes.size() > before) return {};
+  const DesignTask task = method_task(design, std::move(space), copy, progress);
+  return [task] { return run_design(task); };
+}
+
 template <class Input, class Output>
-MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(const Input&), Result (*run)(const Input&),
-                  const Exact<Input>& exact = {}, const MethodChecks<Input>& offered = {}) {
+MethodEntry entry(const Method& about, const Way<Input>& way, const Description* exact = nullptr) {
   MethodEntry e;
   e.about = &about;
   e.input = &Input::describe();
   e.output = &Output::describe();
-  e.exact = exact.values;
+  e.exact = exact;
   e.example = example_of(about.name);
-  const std::string what = "the input of " + about.name;
-  e.prepare = [complaints, run, what, name = about.name, offered, complete = exact.complete](
-                  const io::Node& node, const io::Node* checks, Diagnostics& mistakes) -> std::function<Result()> {
-    const auto in = std::make_shared<Input>();
-    const auto asked = std::make_shared<ChecksBlock>();
-    bool readable = io::read(node, Input::describe(), in.get(), what, mistakes);
-    if (checks != nullptr) readable &= io::read(*checks, ChecksBlock::describe(), asked.get(), "the deck", mistakes);
-    if (!readable) return {};
-    std::vector<Complaint> broken = complaints(*in);
-    io::place(node, broken, mistakes);
-    const auto ropes = [offered](const Input& i, const Result* r) {
-      return offered.ropes != nullptr ? offered.ropes(i, r) : std::vector<rope::RopeUse>{};
-    };
-    if (broken.empty() && asked->checks) {
-      broken = method_check_complaints(*asked->checks, ropes(*in, nullptr), name);
-      io::place(*checks, broken, mistakes);
-    }
-    if (!broken.empty()) return {};
-    return [in, asked, run, ropes, complete] {
-      Result r = run(*in);
-      if (complete != nullptr) complete(*in, r);
-      if (asked->checks) add_method_checks(*asked->checks, ropes(*in, &r), r);
-      return r;
-    };
-  };
+  e.prepare = [way](const io::Node& node, const io::Node* others, const std::function<bool(const Progress&)>& progress,
+                    Diagnostics& mistakes) { return prepare_method(way, node, others, progress, mistakes); };
   return e;
 }
 
@@ -84,16 +177,28 @@ MethodEntry entry(const Method& about, std::vector<Complaint> (*complaints)(cons
 
 const std::vector<MethodEntry>& methods() {
   static const std::vector<MethodEntry> all = {
-      entry<mast_section::Input, mast_section::Output>(
-          mast_section::about(), mast_section::complaints, mast_section::run,
-          {&MastSectionExact::describe(), complete_mast_section}, {ropes_of_mast}),
-      entry<closed_loop::Input, closed_loop::Output>(closed_loop::about(), closed_loop::complaints, run_closed_loop, {},
-                                                     {ropes_of_loop}),
-      entry<friction_drive::Input, friction_drive::Output>(
-          friction_drive::about(), friction_drive::complaints, friction_drive::run,
-          {&FrictionDriveExact::describe(), complete_friction_drive}, {ropes_of_drive}),
-      entry<boom_ropes::Input, boom_ropes::Output>(boom_ropes::about(), boom_ropes::complaints, boom_ropes::run, {},
-                                                   {ropes_of_boom}),
+      entry<mast_section::Input, mast_section::Output>(mast_section::about(),
+                                                       {"mast_section",
+                                                        mast_section::complaints,
+                                                        mast_section::run,
+                                                        complete_mast_section,
+                                                        {ropes_of_mast},
+                                                        design_of_mast()},
+                                                       &MastSectionExact::describe()),
+      entry<closed_loop::Input, closed_loop::Output>(
+          closed_loop::about(),
+          {"closed_loop", closed_loop::complaints, run_closed_loop, nullptr, {ropes_of_loop}, design_of_loop()}),
+      entry<friction_drive::Input, friction_drive::Output>(friction_drive::about(),
+                                                           {"friction_drive",
+                                                            friction_drive::complaints,
+                                                            friction_drive::run,
+                                                            complete_friction_drive,
+                                                            {ropes_of_drive},
+                                                            design_of_drive()},
+                                                           &FrictionDriveExact::describe()),
+      entry<boom_ropes::Input, boom_ropes::Output>(
+          boom_ropes::about(),
+          {"boom_ropes", boom_ropes::complaints, boom_ropes::run, nullptr, {ropes_of_boom}, design_of_boom()}),
   };
   return all;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/app/job.hpp"
 #include "taut/calc/method.hpp"
 #include "taut/calc/result.hpp"
 
@@ -20,9 +21,11 @@ struct MethodEntry {
   const Description* output = nullptr;
   const Description* exact = nullptr;  ///< values that the engine adds; none where it does not
   std::string_view example;            ///< the text of examples/<name>.yaml
-  /// Reads `input` (and of the map `checks` the block of that name, where the deck has one) and notes every mistake;
-  /// without mistakes returns the calculation, ready to be called; else an empty one.
-  std::function<std::function<Result()>(const io::Node& input, const io::Node* checks, Diagnostics& mistakes)> prepare;
+  /// Reads `input` (and of the map `others` the blocks `checks` and `design`, where the deck has any) and notes every
+  /// mistake; without mistakes returns the calculation, ready to be called; else an empty one. `progress`: as in a Job.
+  std::function<std::function<Result()>(const io::Node& input, const io::Node* others,
+                                        const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes)>
+      prepare;
 };
 
 /// Every method that taut has, in the order of print. To add one: a line in methods.cpp.

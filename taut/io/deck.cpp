@@ -142,14 +142,15 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   if (const Entry* e = root.find_entry("analyses")) {
     add(mistakes, e->key_spot, "'analyses' belong to a machine; a published method has its 'input' alone");
   }
-  if (const Entry* e = root.find_entry("design")) {
-    add(mistakes, e->key_spot, "'design' belongs to a machine; of the methods closed_loop has 'choose_ropes'");
-  }
-  if (const Entry* e = root.find_entry("checks")) {
-    deck.checks.emplace();
-    deck.checks->kind = Node::Kind::map;
-    deck.checks->spot = e->key_spot;
-    deck.checks->entries.push_back(*e);
+  for (const char* key : {"checks", "design"}) {
+    const Entry* e = root.find_entry(key);
+    if (e == nullptr) continue;
+    if (!deck.others) {
+      deck.others.emplace();
+      deck.others->kind = Node::Kind::map;
+      deck.others->spot = e->key_spot;
+    }
+    deck.others->entries.push_back(*e);
   }
   deck.method = read_method(root, methods, mistakes);
   deck.input = read_input(root, !deck.method.empty(), mistakes);

@@ -16,8 +16,9 @@ struct Deck {
   std::string method;       ///< one of the methods; empty when the deck names none of them
   bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
-  std::optional<Node> checks;  ///< of a method's deck: a map with the key `checks` alone
-  Node parameters;             ///< as the deck has them; `input` holds their values already
+  std::optional<Node>
+      others;       ///< of a method's deck: a map with the keys `checks` and `design` alone, where it has any
+  Node parameters;  ///< as the deck has them; `input` holds their values already
   Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
                ///< with the keys `machine`, `analyses`, `checks` and `design` alone
 };

@@ -1,0 +1,341 @@
+#include "taut/app/design_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "taut/analysis/constrained.hpp"
+#include "taut/app/design_checks.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::SizingAnswer;
+using analysis::SizingCandidate;
+using analysis::SizingTrial;
+
+constexpr std::size_t starts = 3;            // places of the grid from which the best choice is moved on
+constexpr std::size_t most_near_misses = 8;  // cheaper choices that are moved on to see whether they pass
+constexpr double near_enough = 3;            // utilisation up to which a choice that fails is a near miss
+constexpr int trials_of_near_miss = 60;
+
+std::vector<std::vector<double>> costs_of(const DesignTask& task, const DesignLengths& lengths) {
+  std::vector<std::vector<double>> costs;
+  const auto add = [&](const auto& lists, const std::vector<double>& by) {
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+      std::vector<double>& own = costs.emplace_back(lists[k].costs);
+      for (double& one : own) one *= by[k];
+    }
+  };
+  add(task.space.ropes, lengths.ropes);
+  add(task.space.sections, lengths.sections);
+  return costs;
+}
+
+/// Whether `a` is the better of two answers: it passes, it costs less, it has more reserve.
+bool better(const SizingCandidate& a, const SizingCandidate& b) {
+  if (a.trial.passes != b.trial.passes) return a.trial.passes;
+  if (a.trial.passes && a.cost != b.cost) return a.cost < b.cost;
+  const auto use = [](const SizingTrial& t) { return std::isnan(t.utilisation) ? HUGE_VAL : t.utilisation; };
+  return use(a.trial) < use(b.trial);
+}
+
+class Searching {
+ public:
+  explicit Searching(const DesignTask& task)
+      : task_(task),
+        measured_(is_measured(task.request.seek)),
+        ask_([this](const Progress&) { return go_on(); }),
+        record_(task.list_of) {}
+
+  DesignFound search() {
+    over_the_grid();
+    if (task_.request.refine && !task_.space.unknowns.empty() && !found_.ended) move_on();
+    return std::move(found_);
+  }
+
+ private:
+  /// What is sought of a place whose cost is known before. The lengths are those of the values before, mostly.
+  double cost_of(const DesignPlace& place) {
+    const auto [known, is_new] = lengths_.try_emplace(place.values);
+    if (is_new) known->second = task_.lengths(place.values);
+    double cost = known->second.rest;
+    const std::size_t ropes = task_.space.ropes.size();
+    for (std::size_t k = 0; k < place.choice.size(); ++k) {
+      const bool rope = k < ropes;
+      const double length = rope ? known->second.ropes[k] : known->second.sections[k - ropes];
+      cost += length * (rope ? task_.space.ropes[k].costs : task_.space.sections[k - ropes].costs)[place.choice[k]];
+    }
+    return cost;
+  }
+
+  /// Told before each calculation, and from inside long ones.
+  bool go_on() {
+    if (found_.ended || !task_.progress) return !found_.ended;
+    found_.ended = !task_.progress({"design", std::min(part_, 1.0), words_});
+    return !found_.ended;
+  }
+
+  DesignRun run(const DesignPlace& place, Depth depth) {
+    DesignRun one = task_.run(place, depth, ask_);
+    found_.trials += 1;
+    if (one.result.interrupted) found_.ended = true;
+    return one;
+  }
+
+  double measure(const DesignRun& one, const SizingTrial& trial) const {
+    return task_.request.seek == Seek::least_tension ? one.tension : trial.utilisation;
+  }
+
+  SizingTrial try_one(const DesignPlace& place) {
+    SizingTrial trial;
+    trial.ended = !go_on();
+    if (trial.ended) return trial;
+    if (const auto known = record_.hopeless(place.choice)) {
+      remember({place.choice, 0, *known}, place.values);
+      return *known;
+    }
+    const DesignRun one = run(place, Depth::quick);
+    trial = trial_of(one.result);
+    trial.measured = measure(one, trial);
+    trial.ended = found_.ended;
+    record_.take(place.choice, one.result);
+    if (!trial.ended) remember({place.choice, 0, trial}, place.values);
+    return trial;
+  }
+
+  /// Of each choice the place where it came nearest to passing.
+  void remember(SizingCandidate one, const std::vector<double>& values) {
+    if (!measured_) one.cost = cost_of({one.choice, values});
+    const auto [known, is_new] = tried_.try_emplace(one.choice, one, values);
+    if (!is_new && better(one, known->second.first)) known->second = {std::move(one), values};
+  }
+
+  SizingAnswer least_at(const std::vector<double>& values) {
+    analysis::SizingOptions options;
+    options.most_trials = static_cast<std::size_t>(task_.request.most_trials);
+    options.neighbours = static_cast<std::size_t>(task_.request.runner_ups);
+    record_ = CandidateRecord(task_.list_of);
+    const auto one = [&](const std::vector<std::size_t>& choice) { return try_one({choice, values}); };
+    const DesignLengths lengths = task_.lengths(values);
+    const auto costs = costs_of(task_, lengths);
+    if (!measured_) {
+      SizingAnswer answer = analysis::cheapest(costs, one, options);
+      // to the last bit what is compared with it later
+      const auto weigh = [&](SizingCandidate& c) { c.cost = cost_of({c.choice, values}); };
+      if (answer.outcome.ok()) weigh(answer.best);
+      std::for_each(answer.below.begin(), answer.below.end(), weigh);
+      std::for_each(answer.above.begin(), answer.above.end(), weigh);
+      return answer;
+    }
+    std::vector<std::size_t> counts;
+    counts.reserve(costs.size());
+    for (const auto& list : costs) counts.push_back(list.size());
+    return analysis::least_measured(counts, one, options);
+  }
+
+  void over_the_grid() {
+    const auto& unknowns = task_.space.unknowns;
+    std::size_t places = 1;
+    for (const UnknownValues& one : unknowns) places *= one.values.size();
+    for (std::size_t i = 0; i < places && !found_.ended; ++i) {
+      std::vector<double> values(unknowns.size());
+      std::size_t rest = i;
+      for (std::size_t k = unknowns.size(); k-- > 0;) {
+        values[k] = unknowns[k].values[rest % unknowns[k].values.size()];
+        rest /= unknowns[k].values.size();
+      }
+      part_ = static_cast<double>(i) / static_cast<double>(places + (unknowns.empty() ? 0 : 1));
+      words_ = places > 1 ? fmt::format("place {} of {}", i + 1, places) : std::string("choices by their cost");
+      DesignPoint point{values, least_at(values)};
+      if (found_.ended && point.answer.trials == 0) break;
+      found_.points.push_back(std::move(point));
+    }
+    for (const DesignPoint& point : found_.points) {
+      if (!point.answer.outcome.ok() || !point.answer.best.trial.passes) continue;
+      if (found_.feasible && !better(point.answer.best, found_.best.answer.best)) continue;
+      found_.best = point;
+      found_.feasible = true;
+    }
+    const std::pair<SizingCandidate, std::vector<double>>* nearest = nullptr;
+    for (const auto& [choice, one] : tried_) {
+      if (nearest == nullptr || better(one.first, nearest->first)) nearest = &one;
+    }
+    if (nearest == nullptr) return;
+    found_.nearest = nearest->first;
+    found_.nearest_values = nearest->second;
+  }
+
+  /// Whether the unknowns change what is sought of a choice.
+  bool is_flat(const DesignPlace& place) {
+    if (measured_) return task_.request.seek == Seek::most_reserve;
+    const double here = cost_of(place);
+    for (std::size_t k = 0; k < place.values.size(); ++k) {
+      for (const double end : {task_.space.unknowns[k].low, task_.space.unknowns[k].high}) {
+        DesignPlace there = place;
+        there.values[k] = end;
+        if (std::abs(cost_of(there) - here) > 1e-9 * std::abs(here)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Moves the unknowns of one choice on, and takes the place where it passes if that is better than the best.
+  /// `until_it_passes`: ends there. Returns the last place where it passed.
+  std::optional<std::vector<double>> move_from(const DesignPlace& start, analysis::Sought sought,
+                                               bool until_it_passes) {
+    std::vector<double> low, high, step;
+    for (const UnknownValues& one : task_.space.unknowns) {
+      low.push_back(one.low);
+      high.push_back(one.high);
+      step.push_back((one.high - one.low) / static_cast<double>(2 * std::max<std::size_t>(one.values.size() - 1, 2)));
+    }
+    CheckConstraints constraints;
+    std::optional<std::vector<double>> passed;
+    const auto look = [&](const std::vector<double>& values) -> std::optional<analysis::ConstrainedPoint> {
+      if ((passed && until_it_passes) || !go_on()) return {};
+      const DesignPlace place{start.choice, values};
+      const DesignRun one = run(place, Depth::checks);
+      if (found_.ended) return {};
+      analysis::ConstrainedPoint point;
+      if (one.result.status != Status::ok) {
+        point.value = std::nan("");
+        point.over = constraints.nothing();
+        return point;
+      }
+      SizingCandidate here{start.choice, 0, trial_of(one.result)};
+      here.cost = measured_ ? measure(one, here.trial) : cost_of(place);
+      point.value = here.cost;
+      point.over = constraints.of(one.result);
+      if (here.trial.passes) passed = values;
+      if (here.trial.passes && (!found_.feasible || better(here, found_.best.answer.best))) take(here, values);
+      return point;
+    };
+    analysis::ConstrainedOptions options;
+    if (until_it_passes) options.most_evaluations = trials_of_near_miss;
+    analysis::least_within(look, sought, start.values, low, high, step, options);
+    return passed;
+  }
+
+  void take(const SizingCandidate& one, const std::vector<double>& values) {
+    if (one.choice != found_.best.answer.best.choice || !found_.feasible) runner_ups_of(values);
+    found_.best.values = values;
+    found_.best.answer.best = one;
+    found_.best.answer.outcome = {};
+    found_.feasible = found_.refined = true;
+  }
+
+  /// The runner-ups of a choice that was found between the places of the grid: those of the place nearest to it, of
+  /// places with an answer where there are any.
+  void runner_ups_of(const std::vector<double>& values) {
+    double least = HUGE_VAL;
+    for (const DesignPoint& point : found_.points) {
+      double off = point.answer.outcome.ok() ? 0 : 1e6;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const UnknownValues& one = task_.space.unknowns[k];
+        off += std::abs(point.values[k] - values[k]) / std::max(one.high - one.low, 1e-300);
+      }
+      if (off >= least) continue;
+      least = off;
+      found_.best.answer.below = point.answer.below;
+      found_.best.answer.above = point.answer.above;
+      if (point.answer.outcome.ok()) {
+        auto& above = found_.best.answer.above;
+        above.insert(above.begin(), point.answer.best);
+      }
+    }
+  }
+
+  void move_on() {
+    const std::size_t places = found_.points.size();
+    part_ = static_cast<double>(places) / static_cast<double>(places + 1);
+    words_ = "between the places of the grid";
+    if (found_.feasible) move_best();
+    for (const auto& [choice, values] : near_misses()) {
+      if (found_.ended) return;
+      if (is_cheaper(choice)) move_near_miss(choice, values);
+    }
+  }
+
+  analysis::Sought sought_of(const DesignPlace& place) {
+    return is_flat(place) ? analysis::Sought::most_reserve : analysis::Sought::least_value;
+  }
+
+  /// The best choice, from the best places of the grid.
+  void move_best() {
+    const std::vector<std::size_t> choice = found_.best.answer.best.choice;
+    std::vector<const DesignPoint*> points;
+    for (const DesignPoint& point : found_.points) {
+      if (point.answer.outcome.ok()) points.push_back(&point);
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const DesignPoint* a, const DesignPoint* b) { return better(a->answer.best, b->answer.best); });
+    if (points.size() > starts) points.resize(starts);
+    const analysis::Sought sought = sought_of({choice, found_.best.values});
+    for (const DesignPoint* point : points) {
+      if (!found_.ended) move_from({choice, point->values}, sought, false);
+    }
+  }
+
+  /// Whether a choice could be better than the best, with the unknowns where the best has them.
+  bool is_cheaper(const std::vector<std::size_t>& choice) {
+    if (!found_.feasible || measured_) return true;
+    return cost_of({choice, found_.best.values}) < found_.best.answer.best.cost;
+  }
+
+  /// Choices beside the best one that may pass, or be better, between the places of the grid: those that come nearest,
+  /// the cheapest first, each with its best place.
+  std::vector<std::pair<std::vector<std::size_t>, std::vector<double>>> near_misses() {
+    std::vector<std::pair<SizingCandidate, std::vector<double>>> close;
+    for (const auto& [choice, one] : tried_) {
+      const double use = one.first.trial.utilisation;
+      const bool near = found_.feasible ? use < near_enough : std::isfinite(use);
+      const bool is_best = found_.feasible && choice == found_.best.answer.best.choice;
+      if (near && !is_best && is_cheaper(choice)) close.push_back(one);
+    }
+    std::stable_sort(close.begin(), close.end(), [](const auto& a, const auto& b) {
+      return a.first.trial.utilisation < b.first.trial.utilisation;
+    });
+    if (close.size() > most_near_misses) close.resize(most_near_misses);
+    for (auto& [candidate, values] : close) {
+      if (found_.feasible && !measured_) candidate.cost = cost_of({candidate.choice, found_.best.values});
+    }
+    std::stable_sort(close.begin(), close.end(),
+                     [](const auto& a, const auto& b) { return a.first.cost < b.first.cost; });
+    std::vector<std::pair<std::vector<std::size_t>, std::vector<double>>> all;
+    all.reserve(close.size());
+    for (const auto& [candidate, values] : close) all.emplace_back(candidate.choice, values);
+    return all;
+  }
+
+  /// First to where it passes, from there on as the best one.
+  void move_near_miss(const std::vector<std::size_t>& choice, const std::vector<double>& values) {
+    std::optional<std::vector<double>> start = values;
+    if (!tried_.at(choice).first.trial.passes) {
+      start = move_from({choice, values}, analysis::Sought::most_reserve, true);
+    }
+    if (start && !found_.ended) move_from({choice, *start}, sought_of({choice, *start}), false);
+  }
+
+  const DesignTask& task_;
+  bool measured_;
+  std::function<bool(const Progress&)> ask_;
+  DesignFound found_;
+  std::map<std::vector<std::size_t>, std::pair<SizingCandidate, std::vector<double>>> tried_;
+  CandidateRecord record_;  // of one place of the grid
+  std::map<std::vector<double>, DesignLengths> lengths_;
+  double part_ = 0;
+  std::string words_;
+};
+
+}  // namespace
+
+bool is_measured(Seek seek) { return seek == Seek::least_tension || seek == Seek::most_reserve; }
+
+DesignFound search_design(const DesignTask& task) { return Searching(task).search(); }
+
+}  // namespace taut::app

@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "taut/app/machine_decks_test.hpp"
+
+/// Numbers that are free: each one that a designer names, found by the search and compared with the deck run by itself.
+namespace taut::app::design_unknowns_test {
+
+using taut_test::expect_mistake;
+using taut_test::run_text;
+using taut_test::table_of;
+using taut_test::text_cell;
+using taut_test::value_of;
+using testing::HasSubstr;
+
+double worst_of(const Result& r) {
+  double most = 0;
+  for (const Check& c : r.checks) most = std::max(most, c.utilisation);
+  return most;
+}
+
+bool passes(const Result& r) { return exit_code(r) == 0; }
+
+/// An endless rope between a drive and a slide that a weight pulls.
+std::string saw(const std::string& rope, const std::string& weight, const std::string& design) {
+  return fmt::format(R"(taut: 1
+machine:
+  ropes: {{saw: {}}}
+  bodies: {{slide: {{mass: 85 kg, at: [0 m, 0 m, 1 m], free: [x]}}}}
+  sheaves:
+    drive: {{at: [8 m, 0 m, 1 m], diameter: 700 mm, friction: 0.25, motor: {{speed: 10 m/s}}}}
+    tail: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 700 mm, efficiency: 0.98}}
+  reevings: [{{rope: saw, path: [{{over: drive, side: left}}, {{over: tail, side: left}}], closed: true, length: 18.22 m}}]
+  take_up: [{{body: slide, weight: {}, along: [-1, 0, 0]}}]
+  rope_loads: [{{name: cut, rope: saw, between: [tail, drive], rate: 0.9 kN/m, from: 0.3, to: 0.67, elements: 3, direction: against_motion}}]
+analyses: [equilibrium: {{motion: in}}]
+checks: {{ropes: {{saw: {{safety_factor: 5}}}}}}
+{})",
+                     rope, weight, design);
+}
+
+constexpr const char* saw_rope = "{rope: \"EN 12385-4|6x36-IWRC|14|1960\", stiffness: 9 MN}";
+constexpr const char* free_weight =
+    "unknowns: {weight: {parameter: take_up.slide.weight, from: 0.1 t, to: 3000 kg, steps: 3}}";
+
+// The lightest weight that lets the drive grip: the deck with it passes, with a hundredth less it slips.
+TEST(DesignUnknowns, take_up_weight_is_the_least_that_grips) {
+  const Result r = run_text(saw(saw_rope, "1 t", fmt::format("design: {{seek: lightest, {}}}", free_weight)));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  const double weight = value_of(r, "design_weight");
+  EXPECT_GT(weight, 110);
+  EXPECT_LT(weight, 2900);
+  EXPECT_TRUE(passes(run_text(saw(saw_rope, fmt::format("{:.17g} kg", weight), ""))));
+  EXPECT_FALSE(passes(run_text(saw(saw_rope, fmt::format("{:.17g} kg", 0.995 * weight), ""))));
+  EXPECT_NEAR(worst_of(r), 1, 1e-3);
+}
+
+// Prices and tension ask for the same weight: the rope is tightened by nothing else. Other units, ends the other way
+// round and a start in place of the grid find it too.
+TEST(DesignUnknowns, the_same_however_it_is_asked_for) {
+  const auto weight_by = [](const std::string& design) {
+    const Result r = run_text(saw(saw_rope, "1 t", "design: {" + design + "}"));
+    EXPECT_TRUE(passes(r)) << design << r.message << to_text(r.errors);
+    return value_of(r, "design_weight");
+  };
+  const double weight = weight_by(free_weight);
+  const std::string range = "parameter: take_up.slide.weight, from: 0.1 t, to: 3000 kg";
+  EXPECT_NEAR(weight_by("seek: cheapest, unknowns: {weight: {" + range + ", price: 3}}"), weight, 2e-3 * weight);
+  EXPECT_NEAR(weight_by("seek: least_tension, unknowns: {weight: {" + range + "}}"), weight, 2e-3 * weight);
+  EXPECT_NEAR(weight_by("seek: least_tension, of: saw, unknowns: {weight: {" + range + "}}"), weight, 2e-3 * weight);
+  EXPECT_NEAR(weight_by("unknowns: {weight: {parameter: take_up.slide.weight, from: 3 t, to: 220.46226 lb}}"), weight,
+              2e-3 * weight);
+  EXPECT_NEAR(weight_by("unknowns: {weight: {" + range + ", start: 2 t}}"), weight, 2e-3 * weight);
+  EXPECT_NEAR(weight_by("unknowns: {weight: {parameter: \"machine.take_up[0].weight\", from: 100 kg, to: 3 t}}"),
+              weight, 2e-3 * weight);
+}
+
+// Price weighs rope against weight: the answer is the least of all ropes, each with the least weight of its own.
+TEST(DesignUnknowns, rope_and_weight_together) {
+  const Result r = run_text(saw("{}", "1 t",
+                                fmt::format("design: {{seek: lightest, ropes: {{saw: {{construction: 6x36, core: IWRC, "
+                                            "grade: 1960 MPa}}}}, {}}}",
+                                            free_weight)));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  // no rope of the grid's places is lighter, and this one alone passes
+  const Table& chosen = table_of(r, "design");
+  const double weight = value_of(r, "design_weight");
+  const std::string rope =
+      fmt::format("{{mass: {:.17g} kg/m, stiffness: {:.17g} N, breaking_force: {:.17g} N, diameter: {:.17g} m}}",
+                  taut_test::cell(chosen, 0, "mass_per_metre"), taut_test::cell(chosen, 0, "stiffness"),
+                  taut_test::cell(chosen, 0, "breaking_force"), taut_test::cell(chosen, 0, "diameter"));
+  EXPECT_TRUE(passes(run_text(saw(rope, fmt::format("{:.17g} kg", weight), ""))));
+  EXPECT_NEAR(value_of(r, "design_cost"), weight + 18.2 * taut_test::cell(chosen, 0, "mass_per_metre"), 3);
+}
+
+/// A guyed mast that holds a line with a load.
+std::string tower(double height, double pretension, double sag, const std::string& more) {
+  return fmt::format(R"(taut: 1
+machine:
+  points:
+    foot: [0 m, 0 m, 0 m]
+    head: [0 m, 0 m, {} m]
+    tail: [250 m, 0 m, 20 m]
+    stump1: [-14 m, 9 m, 0 m]
+    stump2: [-14 m, -9 m, 0 m]
+  ropes:
+    skyline: {{rope: "EN 12385-4|6x36-IWRC|18|1960", stiffness: 16 MN}}
+    guy: {{rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 13 MN}}
+  beams: {{mast: {{from: foot, to: head, section: CHS 219.1x10, steel: S355, base: hinge}}}}
+  carriages: {{car: {{mass: 250 kg, rides: skyline, hold: clamped}}}}
+  reevings: [{{rope: skyline, path: [{{anchor: mast.top}}, {{through: car}}, {{anchor: tail}}], length: 253 m}}]
+  guys:
+    guy1: {{rope: guy, from: mast.top, to: stump1, install: {{tension: {} kN, at: top}}}}
+    guy2: {{rope: guy, from: mast.top, to: stump2, install: {{tension: {} kN, at: top}}}}
+  loads: [{{at: car, mass: 1 t}}]
+analyses: [equilibrium: {{carriage: car, x: 120 m, given: {{reeving: skyline, sag: {} m}}}}]
+checks:
+  ropes: {{skyline: {{safety_factor: 3}}}}
+  guys: {{guy: {{safety_factor: 3}}}}
+  masts: {{mast: {{load_factor: 1.5, gamma_M1: 1.1}}}}
+{})",
+                     height, pretension, pretension, sag, more);
+}
+
+// Both guys are tightened alike: the pretension with the most reserve is better than its neighbours.
+TEST(DesignUnknowns, pretension_has_the_most_reserve) {
+  const Result r =
+      run_text(tower(12, 12, 14,
+                     "design: {seek: most_reserve, unknowns: {pretension: {parameter: "
+                     "guys.guy1.install.tension, along_with: [guys.guy2.install.tension], from: 5 kN, to: 40 "
+                     "kN}}}"));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  const double here = value_of(r, "design_pretension") / 1e3;
+  const double least = worst_of(run_text(tower(12, here, 14, "")));
+  EXPECT_NEAR(worst_of(r), least, 1e-9);
+  for (const double x : {5.0, 8.0, 12.0, 15.0, 18.0, 22.0, 26.0, 30.0, 40.0, 0.98 * here, 1.02 * here}) {
+    EXPECT_GE(worst_of(run_text(tower(12, x, 14, ""))), least - 2e-4) << x;
+  }
+}
+
+// The sag that an analysis is given, and the height of the mast: the lowest and lightest mast, and the least sag that
+// still passes, where the tension is sought least the deepest one.
+TEST(DesignUnknowns, height_and_sag) {
+  const std::string unknowns =
+      "unknowns: {height: {parameter: points.head.z, from: 8 m, to: 14 m, steps: 1}, sag: {parameter: "
+      "\"analyses[0].equilibrium.given.sag\", from: 6 m, to: 25 m, steps: 2}}";
+  const Result light = run_text(tower(12, 15, 14, "design: {seek: lightest, " + unknowns + "}"));
+  ASSERT_TRUE(passes(light)) << light.message << to_text(light.errors);
+  EXPECT_NEAR(value_of(light, "design_height"), 8, 0.01);
+  EXPECT_TRUE(passes(run_text(tower(value_of(light, "design_height"), 15, value_of(light, "design_sag"), ""))));
+  const Result slack = run_text(tower(12, 15, 14, "design: {seek: least_tension, of: skyline, " + unknowns + "}"));
+  ASSERT_TRUE(passes(slack)) << slack.message << to_text(slack.errors);
+  EXPECT_NEAR(value_of(slack, "design_sag"), 25, 0.05);
+  EXPECT_THAT(slack.warnings, testing::Contains(HasSubstr("sag is at an end of its range")));
+}
+
+// The load cases are all kept: the one with twice the load decides, and the design passes each of them by itself.
+TEST(DesignUnknowns, load_cases_all_pass) {
+  const std::string weight = "unknowns: {sag: {parameter: \"analyses[0].equilibrium.given.sag\", from: 4 m, to: 25 m}}";
+  const auto design = [&](const std::string& cases) {
+    return run_text(tower(12, 15, 14, "design: {seek: smallest, " + cases + weight + "}"));
+  };
+  const Result r = design("cases: {empty: {loads.car.mass: 0.1 t}, full: {\"loads[0].mass\": 1800 kg}}, ");
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "design_cases");
+  ASSERT_EQ(t.rows.size(), 2U);
+  EXPECT_EQ(text_cell(t, 0, "case"), "empty");
+  EXPECT_GT(taut_test::cell(t, 1, "utilisation"), 0);
+  EXPECT_TRUE(
+      std::any_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.name.ends_with(" [full]"); }));
+  const double sag = value_of(r, "design_sag");
+  for (const char* load : {"machine.loads[0].mass=0.1 t", "machine.loads[0].mass=1800 kg"}) {
+    EXPECT_TRUE(passes(run_text(tower(12, 15, sag, ""), {load}))) << load;
+  }
+}
+
+TEST(DesignUnknowns, mistakes) {
+  const auto design = [](const std::string& words) {
+    return run_text(saw(saw_rope, "1 t", "design: {" + words + "}"));
+  };
+  const std::string weight = "parameter: take_up.slide.weight, from: 0.1 t, to: 3 t";
+  expect_mistake(design("unknowns: {w: {parameter: take_up.slid.weight, from: 1 t, to: 2 t}}"), "did you mean 'slide'");
+  expect_mistake(design("unknowns: {w: {parameter: take_up.slide.weight, from: 1 kN, to: 2 t}}"), "unit of force");
+  expect_mistake(design("unknowns: {w: {parameter: take_up.slide.weight, from: 1 t, to: 1000 kg}}"), "same as 'from'");
+  expect_mistake(design("unknowns: {w: {parameter: take_up.slide.weight, from: -1 t, to: 1000 kg}}"), "must be");
+  expect_mistake(design("unknowns: {w: {" + weight + ", start: 4 t}}"), "is not between");
+  expect_mistake(design("unknowns: {w: {" + weight + ", along_with: [reevings.saw.length]}}"),
+                 "no quantity of the same kind");
+  expect_mistake(design("seek: cheapest, unknowns: {w: {" + weight + "}}"), "has a price");
+  expect_mistake(design("seek: least_tension, of: sow, unknowns: {w: {" + weight + "}}"), "did you mean 'saw'");
+  expect_mistake(design("of: saw, unknowns: {w: {" + weight + "}}"), "least_tension");
+  expect_mistake(design("cases: {a: {take_up.slide.weight: 1 t}}, unknowns: {w: {" + weight + "}}"),
+                 "is free by the unknown");
+  expect_mistake(design("cases: {a: {bodies.slide.mass: 1 m}}, unknowns: {w: {" + weight + "}}"), "unit of length");
+  expect_mistake(design("unknowns: {cost: {" + weight + "}}"), "give it another name");
+}
+
+// No weight is enough: the nearest is told, in words and as exit code.
+TEST(DesignUnknowns, impossible_limits) {
+  const Result r = run_text(
+      saw(saw_rope, "1 t", "design: {unknowns: {w: {parameter: take_up.slide.weight, from: 1 kg, to: 30 kg}}}"));
+  EXPECT_EQ(exit_code(r), 3);
+  EXPECT_THAT(r.message, HasSubstr("no choice passes all checks; the nearest, w = 30 kg, fails by"));
+}
+
+// Interrupted before anything passes, and after: then the best so far is there, marked as such.
+TEST(DesignUnknowns, interrupted) {
+  const auto run_until = [](int calls) {
+    int made = 0;
+    Job job{saw(saw_rope, "1 t", fmt::format("design: {{{}}}", free_weight)), "deck.yaml", {}, {}};
+    job.progress = [&made, calls](const Progress& p) {
+      EXPECT_EQ(p.what, "design");
+      return ++made <= calls;
+    };
+    return run(job);
+  };
+  const Result none = run_until(0);
+  EXPECT_TRUE(none.interrupted);
+  EXPECT_EQ(exit_code(none), 130);
+  EXPECT_THAT(none.message, HasSubstr("before any choice passed"));
+  const Result some = run_until(12);
+  EXPECT_EQ(exit_code(some), 130);
+  EXPECT_THAT(some.message, HasSubstr("best design up to there"));
+  EXPECT_FALSE(some.checks.empty());
+}
+
+}  // namespace taut::app::design_unknowns_test
