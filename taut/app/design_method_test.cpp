@@ -154,7 +154,14 @@ input:
   ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
   EXPECT_EQ(text_cell(table_of(r, "design_sections"), 0, "section"), lightest);
   expect_mistake(run_text(deck("choose_section: {shape: CHS}", "design: {sections: {mast: {}}}")), "choose_section");
-  expect_mistake(run_text(deck("", "design: {ropes: {skyline: {}}}")), "no rope that can be chosen");
+  // its ropes are chosen by their checks, under the deck's forces
+  const Result rope = run_text(deck("section: CHS 508x16",
+                                    "checks: {ropes: {skyline: {safety_factor: 3}}}\ndesign: {ropes: {skyline: "
+                                    "{construction: 6x36, core: IWRC, grade: 1960 MPa}}}"));
+  ASSERT_EQ(exit_code(rope), 0) << rope.message << to_text(rope.errors);
+  const Table& chosen = table_of(rope, "design");
+  EXPECT_GE(taut_test::cell(chosen, 0, "breaking_force"), 300e3);
+  EXPECT_LT(taut_test::cell(chosen, 0, "breaking_force"), 360e3);
 }
 
 // A mast that stands in the checks alone, under the method's forces.

@@ -112,6 +112,8 @@ MethodDesign<boom_ropes::Input> design_of_boom() {
 
 MethodDesign<mast_section::Input> design_of_mast() {
   MethodDesign<mast_section::Input> d;
+  // its forces are given: a rope is chosen by its checks alone
+  d.put_rope = [](mast_section::Input&, const std::string&, const catalogue::RopeRow&, double) {};
   d.put_section = [](mast_section::Input& in, const std::string& section) { in.section = section; };
   d.height = [](const mast_section::Input& in) {
     return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
