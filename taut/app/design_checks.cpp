@@ -36,7 +36,7 @@ SizingTrial trial_of(const Result& r) {
     if (!c.passes && u <= 1) u = 1 + over_of(c);
     if (u < trial.utilisation) continue;
     trial.utilisation = u;
-    trial.governs = c.name;
+    trial.governs = c.rule.starts_with("refused") ? c.name + ", refused as unverified" : c.name;
   }
   return trial;
 }

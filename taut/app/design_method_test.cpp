@@ -155,7 +155,7 @@ input:
   EXPECT_EQ(text_cell(table_of(r, "design_sections"), 0, "section"), lightest);
   expect_mistake(run_text(deck("choose_section: {shape: CHS}", "design: {sections: {mast: {}}}")), "choose_section");
   // its ropes are chosen by their checks, under the deck's forces
-  const Result rope = run_text(deck("section: CHS 508x16",
+  const Result rope = run_text(deck("section: " + lightest,
                                     "checks: {ropes: {skyline: {safety_factor: 3}}}\ndesign: {ropes: {skyline: "
                                     "{construction: 6x36, core: IWRC, grade: 1960 MPa}}}"));
   ASSERT_EQ(exit_code(rope), 0) << rope.message << to_text(rope.errors);

@@ -22,6 +22,10 @@ constexpr std::size_t starts = 3;            // places of the grid from which th
 constexpr std::size_t most_near_misses = 8;  // cheaper choices that are moved on to see whether they pass
 constexpr double near_enough = 3;            // utilisation up to which a choice that fails is a near miss
 constexpr int trials_of_near_miss = 60;
+constexpr double fine = 2e-4;  // last step, as a share of each range
+constexpr double coarse = 1e-3;
+constexpr int most_rounds = 3;
+constexpr double trials_between = 600;  // about, between the places of the grid
 
 std::vector<std::vector<double>> costs_of(const DesignTask& task, const DesignLengths& lengths) {
   std::vector<std::vector<double>> costs;
@@ -76,13 +80,16 @@ class Searching {
   /// Told before each calculation, and from inside long ones.
   bool go_on() {
     if (found_.ended || !task_.progress) return !found_.ended;
-    found_.ended = !task_.progress({"design", std::min(part_, 1.0), words_});
+    const double here = static_cast<double>(tried_here_) / most_here_;
+    found_.ended = !task_.progress({"design", std::min(part_ + share_ * std::min(here, 1.0), 1.0),
+                                    fmt::format("{}, {} choices tried", words_, tried_here_)});
     return !found_.ended;
   }
 
   DesignRun run(const DesignPlace& place, Depth depth) {
     DesignRun one = task_.run(place, depth, ask_);
     found_.trials += 1;
+    ++tried_here_;
     if (one.result.interrupted) found_.ended = true;
     return one;
   }
@@ -120,6 +127,11 @@ class Searching {
     options.most_trials = static_cast<std::size_t>(task_.request.most_trials);
     options.neighbours = static_cast<std::size_t>(task_.request.runner_ups);
     record_ = CandidateRecord(task_.list_of);
+    tried_here_ = 0;
+    most_here_ = 1;
+    for (const auto& one : task_.space.ropes) most_here_ *= static_cast<double>(one.rows.size());
+    for (const auto& one : task_.space.sections) most_here_ *= static_cast<double>(one.rows.size());
+    most_here_ = std::min(most_here_, static_cast<double>(task_.request.most_trials));
     const auto one = [&](const std::vector<std::size_t>& choice) { return try_one({choice, values}); };
     const DesignLengths lengths = task_.lengths(values);
     const auto costs = costs_of(task_, lengths);
@@ -149,8 +161,9 @@ class Searching {
         values[k] = unknowns[k].values[rest % unknowns[k].values.size()];
         rest /= unknowns[k].values.size();
       }
-      part_ = static_cast<double>(i) / static_cast<double>(places + (unknowns.empty() ? 0 : 1));
-      words_ = places > 1 ? fmt::format("place {} of {}", i + 1, places) : std::string("choices by their cost");
+      share_ = 1 / static_cast<double>(places + (unknowns.empty() ? 0 : 1));
+      part_ = static_cast<double>(i) * share_;
+      words_ = places > 1 ? fmt::format("place {} of {}", i + 1, places) : std::string("by their cost");
       DesignPoint point{values, least_at(values)};
       if (found_.ended && point.answer.trials == 0) break;
       found_.points.push_back(std::move(point));
@@ -170,29 +183,35 @@ class Searching {
     found_.nearest_values = nearest->second;
   }
 
-  /// Whether the unknowns change what is sought of a choice.
-  bool is_flat(const DesignPlace& place) {
-    if (measured_) return task_.request.seek == Seek::most_reserve;
+  /// Which unknowns change what is sought of a choice.
+  std::vector<bool> that_cost(const DesignPlace& place) {
+    if (measured_) return std::vector<bool>(place.values.size(), task_.request.seek == Seek::least_tension);
+    std::vector<bool> cost(place.values.size());
     const double here = cost_of(place);
     for (std::size_t k = 0; k < place.values.size(); ++k) {
       for (const double end : {task_.space.unknowns[k].low, task_.space.unknowns[k].high}) {
         DesignPlace there = place;
         there.values[k] = end;
-        if (std::abs(cost_of(there) - here) > 1e-9 * std::abs(here)) return false;
+        if (std::abs(cost_of(there) - here) > 1e-9 * std::abs(here)) cost[k] = true;
       }
     }
-    return true;
+    return cost;
   }
 
   /// Moves the unknowns of one choice on, and takes the place where it passes if that is better than the best.
-  /// `until_it_passes`: ends there. Returns the last place where it passed.
-  std::optional<std::vector<double>> move_from(const DesignPlace& start, analysis::Sought sought,
-                                               bool until_it_passes) {
-    std::vector<double> low, high, step;
+  /// `until_it_passes`: ends there; `held`: unknowns that stay. Returns the last place where it passed.
+  std::optional<std::vector<double>> move_from(const DesignPlace& start, analysis::Sought sought, bool until_it_passes,
+                                               const std::vector<bool>& held = {}) {
+    std::vector<double> low;
+    std::vector<double> high;
+    std::vector<double> step;
     for (const UnknownValues& one : task_.space.unknowns) {
       low.push_back(one.low);
       high.push_back(one.high);
       step.push_back((one.high - one.low) / static_cast<double>(2 * std::max<std::size_t>(one.values.size() - 1, 2)));
+    }
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      if (held[k]) low[k] = high[k] = start.values[k];
     }
     CheckConstraints constraints;
     std::optional<std::vector<double>> passed;
@@ -216,53 +235,63 @@ class Searching {
       return point;
     };
     analysis::ConstrainedOptions options;
+    options.tolerance = until_it_passes || !held.empty() ? coarse : fine;
     if (until_it_passes) options.most_evaluations = trials_of_near_miss;
     analysis::least_within(look, sought, start.values, low, high, step, options);
     return passed;
   }
 
   void take(const SizingCandidate& one, const std::vector<double>& values) {
-    if (one.choice != found_.best.answer.best.choice || !found_.feasible) runner_ups_of(values);
     found_.best.values = values;
     found_.best.answer.best = one;
     found_.best.answer.outcome = {};
     found_.feasible = found_.refined = true;
   }
 
-  /// The runner-ups of a choice that was found between the places of the grid: those of the place nearest to it, of
-  /// places with an answer where there are any.
-  void runner_ups_of(const std::vector<double>& values) {
-    double least = HUGE_VAL;
-    for (const DesignPoint& point : found_.points) {
-      double off = point.answer.outcome.ok() ? 0 : 1e6;
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        const UnknownValues& one = task_.space.unknowns[k];
-        off += std::abs(point.values[k] - values[k]) / std::max(one.high - one.low, 1e-300);
-      }
-      if (off >= least) continue;
-      least = off;
-      found_.best.answer.below = point.answer.below;
-      found_.best.answer.above = point.answer.above;
-      if (point.answer.outcome.ok()) {
-        auto& above = found_.best.answer.above;
-        above.insert(above.begin(), point.answer.best);
-      }
-    }
-  }
-
   void move_on() {
-    const std::size_t places = found_.points.size();
-    part_ = static_cast<double>(places) / static_cast<double>(places + 1);
+    part_ = 1 - share_;
+    tried_here_ = 0;
+    most_here_ = trials_between;
     words_ = "between the places of the grid";
     if (found_.feasible) move_best();
     for (const auto& [choice, values] : near_misses()) {
       if (found_.ended) return;
       if (is_cheaper(choice)) move_near_miss(choice, values);
     }
+    if (found_.feasible && found_.refined) settle();
+  }
+
+  /// Where some unknowns do not change the cost, these move on to the most reserve at the cost found.
+  void use_the_rest() {
+    const DesignPlace place{found_.best.answer.best.choice, found_.best.values};
+    const std::vector<bool> cost = that_cost(place);
+    const auto free = std::count(cost.begin(), cost.end(), false);
+    if (free == 0 || free == std::ssize(cost) || measured_) return;
+    move_from(place, analysis::Sought::most_reserve, false, cost);
+  }
+
+  /// At the values found no cheaper choice is to pass; and its neighbours are those at these values.
+  void settle() {
+    use_the_rest();
+    for (int round = 0; round < most_rounds && !found_.ended; ++round) {
+      words_ = "at the values found";
+      SizingAnswer answer = least_at(found_.best.values);
+      if (answer.ended || !answer.outcome.ok()) return;
+      const bool is_better =
+          answer.best.choice != found_.best.answer.best.choice && better(answer.best, found_.best.answer.best);
+      found_.best.answer.below = std::move(answer.below);
+      found_.best.answer.above = std::move(answer.above);
+      if (!is_better) return;
+      take(answer.best, found_.best.values);
+      move_near_miss(answer.best.choice, found_.best.values);
+      use_the_rest();
+    }
   }
 
   analysis::Sought sought_of(const DesignPlace& place) {
-    return is_flat(place) ? analysis::Sought::most_reserve : analysis::Sought::least_value;
+    const std::vector<bool> cost = that_cost(place);
+    return std::find(cost.begin(), cost.end(), true) == cost.end() ? analysis::Sought::most_reserve
+                                                                   : analysis::Sought::least_value;
   }
 
   /// The best choice, from the best places of the grid.
@@ -328,7 +357,9 @@ class Searching {
   std::map<std::vector<std::size_t>, std::pair<SizingCandidate, std::vector<double>>> tried_;
   CandidateRecord record_;  // of one place of the grid
   std::map<std::vector<double>, DesignLengths> lengths_;
-  double part_ = 0;
+  double part_ = 0, share_ = 1;  // how far the search is, and what the place it is at adds to it
+  int tried_here_ = 0;
+  double most_here_ = 1;
   std::string words_;
 };
 

@@ -16,7 +16,7 @@ struct DesignPoint {
 struct DesignFound {
   std::vector<DesignPoint> points;    ///< of the grid, in its order, as far as the search came
   bool feasible = false;              ///< whether `best` passes all checks
-  DesignPoint best;                   ///< its answer's runner-ups are those of the place of the grid it was found from
+  DesignPoint best;                   ///< with its neighbours where the unknowns have its values
   bool refined = false;               ///< its values are not those of the grid
   analysis::SizingCandidate nearest;  ///< where none passes: what comes nearest
   std::vector<double> nearest_values;
