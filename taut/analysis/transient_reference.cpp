@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -17,7 +18,8 @@ constexpr double share_of_tolerance = 1e-3;  ///< backward differences leave mor
 constexpr double finest = 1e-12, coarsest = 1e-7;
 constexpr double share_of_places = 1e-3;  ///< tensions follow strains, which are small
 constexpr int halvings = 45;
-constexpr double standstill = 1e-9;  ///< m/s, 1/s
+constexpr int most_again = 200;      ///< times that it begins anew between two changes of laws
+constexpr double standstill = 1e-7;  ///< m/s, 1/s: above what a restart leaves of a rate
 
 /// An end of a line that winds on a round: what it has wound, m, is a state of its own.
 struct Wound {
@@ -47,10 +49,12 @@ struct ReferenceState {
   Owned<SUNLinearSolver> solver;
   std::vector<Wound> wound;
   std::vector<double> length;  ///< of each line, but for what flows and winds, m
+  int again = 0;               ///< how often it had to begin anew
   Values base;                 ///< poses where it began; angles and entries of the last step
   Values trial;                ///< room for one evaluation
   Scheme scheme;               ///< no step: laws at one time
   double limit = 0;            ///< signals are taken just before it
+  std::vector<double> first;   ///< unknowns and rates where it began, until a step is done
 
   ReferenceState() = default;
   ReferenceState(const ReferenceState&) = delete;
@@ -179,6 +183,30 @@ int residual(realtype t, N_Vector y, N_Vector rates, N_Vector rows, void* data) 
   return 0;
 }
 
+/// One step of IDA from t. Its steps after a start can be so short that a difference quotient over them, of a rope with
+/// dampers, goes beyond what the laws bear; then it begins anew at t and is told how long its first step may be.
+bool step_of_ida(ReferenceState& of, double limit, double& t) {
+  bool done = IDASolve(of.ida, limit, &t, of.y.get(), of.rates.get(), IDA_ONE_STEP) >= 0;
+  if (!done && ++of.again > most_again) return false;
+  const double start = of.run->before.t;
+  std::vector<double> from = std::exchange(of.first, {});
+  double *const y = N_VGetArrayPointer(of.y.get()), *const rates = N_VGetArrayPointer(of.rates.get());
+  for (double first_step = 1e-5; !done && first_step > 1e-9; first_step /= 10) {
+    if (from.empty()) {  // IDA knows where it stands
+      if (IDAGetDky(of.ida, start, 0, of.y.get()) < 0 || IDAGetDky(of.ida, start, 1, of.rates.get()) < 0) return false;
+      from.assign(y, y + of.unknowns());
+      from.insert(from.end(), rates, rates + of.unknowns());
+    }
+    std::copy_n(from.data(), of.unknowns(), y);
+    std::copy_n(from.data() + of.unknowns(), of.unknowns(), rates);
+    IDAReInit(of.ida, start, of.y.get(), of.rates.get());
+    IDASetInitStep(of.ida, first_step);
+    IDASetStopTime(of.ida, limit);
+    done = IDASolve(of.ida, limit, &t, of.y.get(), of.rates.get(), IDA_ONE_STEP) >= 0;
+  }
+  return done;
+}
+
 /// Whether a law that held in the base no longer does.
 bool law_ends(ReferenceState& of, Values& now) {
   const Mechanism& m = of.run->m;
@@ -299,6 +327,8 @@ StepEnd Reference::begin(Run& run) {
   if (IDACalcIC(of.ida, IDA_YA_YDP_INIT, run.before.t + ahead) == IDA_SUCCESS) {
     IDAGetConsistentIC(of.ida, of.y.get(), of.rates.get());
   }
+  of.first.assign(y, y + of.unknowns());
+  of.first.insert(of.first.end(), rate, rate + of.unknowns());
   run.known = 1;
   return StepEnd::ok;
 }
@@ -316,7 +346,7 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
   run.now.motor_drive = run.before.motor_drive;
   IDASetStopTime(of.ida, limit);
   double t = run.before.t;
-  if (IDASolve(of.ida, limit, &t, of.y.get(), of.rates.get(), IDA_ONE_STEP) < 0) return StepEnd::not_converged;
+  if (!step_of_ida(of, limit, t)) return StepEnd::not_converged;
   const double *y = N_VGetArrayPointer(of.y.get()), *rate = N_VGetArrayPointer(of.rates.get());
   if (!evaluate(of, t, y, rate, run.now)) return StepEnd::no_place;
   changed = law_ends(of, run.now);

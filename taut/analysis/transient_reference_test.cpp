@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/analysis/machines_test.hpp"
+#include "taut/analysis/transient.hpp"
+
+/// The reference by rows of numbers known otherwise, and the fast schemes by the reference.
+namespace taut_test::transient_reference_test {
+namespace {
+
+using std::numbers::pi;
+using taut::analysis::DynamicState;
+using taut::analysis::Start;
+using taut::analysis::TimeMethod;
+using taut::analysis::transient;
+using taut::analysis::TransientOptions;
+using taut::analysis::TransientResult;
+
+TransientOptions lasting(double duration, TimeMethod method, double tolerance = 1e-6) {
+  TransientOptions options;
+  options.duration = duration;
+  options.output_step = duration / 10;
+  options.tolerance = tolerance;
+  options.method = method;
+  options.start = Start::assembled;
+  return options;
+}
+
+TransientResult run(const model::Model& m, const TransientOptions& options) {
+  TransientResult r = transient(m, options);
+  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+  return r;
+}
+
+model::Signal smooth(double to, double start, double over) {
+  model::Signal s;
+  s.law = model::Moves{0, {{start, to, over, true}}};
+  return s;
+}
+
+/// Two masses over a sheave with inertia, each leg in equilibrium at the start: the tensions at 0.1, 0.5 and 1 s.
+TEST(TransientReference, ElasticAtwoodMachine) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.bodies = {body("light", {0.2, 0, -5}, 100, "z"), body("heavy", {-0.2, 0, -5}, 120, "z")};
+  model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, -1);
+  wheel.inertia = 0.8;
+  m.reevings.push_back(reeve("rope", {anchor_on("light", 0), wheel, anchor_on("heavy", 1)}, 10, 0, 1e6));
+  TransientOptions options = lasting(1, TimeMethod::reference, 1e-7);
+  options.from = DynamicState{};
+  options.from->bodies.resize(2);
+  options.from->bodies[0].position = {0.2, 0, -5};
+  options.from->bodies[1].position = {-0.2, 0, -5};
+  options.from->ropes.resize(1);
+  options.from->ropes[0].length = {5 / (1 + 981 / 1e6), 5 / (1 + 1177.2 / 1e6)};
+  const TransientResult r = run(m, options);
+  ASSERT_EQ(r.frames.size(), 11U);
+  const auto expect = [&](std::size_t frame, double T1, double T2) {
+    EXPECT_NEAR(r.frames[frame].branches[0].T_from / T1, 1, 1e-6);
+    EXPECT_NEAR(r.frames[frame].branches[1].T_to / T2, 1, 1e-6);
+  };
+  expect(1, 1113.734318, 1021.676961);
+  expect(5, 1045.907490, 1080.440868);
+  expect(10, 1155.896844, 1008.819138);
+}
+
+/// A load on a tackle with losses that a drum hoists: light sheaves, and sheaves with inertia, friction and bearings.
+model::Model hoist(bool heavy) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.bodies.push_back(body("block", {0, 0, -10}, 3000, "z"));
+  model::Node drum = anchor("winch", {-10, 0, -8});
+  drum.radius = 0.2;
+  drum.drum = 0;
+  std::vector<model::Node> nodes{drum};
+  for (int i = 0; i < 4; ++i) {
+    nodes.push_back(i % 2 == 0 ? sheave("head", {0, 0, 0}, 0.2, 1, 0.96) : sheave("block", {0, 0, 0}, 0.2, 1, 0.96, 0));
+    if (!heavy) continue;
+    nodes.back().inertia = 0.5;
+    nodes.back().law.friction = 0.3;
+  }
+  nodes.push_back(anchor("becket", {-0.2, 0, 0}));
+  m.reevings.push_back(reeve("hoist", nodes, 54.68, heavy ? 12 : 0, 1e7));
+  m.reevings[0].damping_time = 1e-3;
+  m.drums.resize(1);
+  m.drums[0].core_radius = 0.2;
+  m.drums[0].drive = {model::DriveKind::speed, smooth(0.6, 0.1, 0.4)};
+  return m;
+}
+
+TEST(TransientReference, TheFastSchemeHoistsATackleAsItDoes) {
+  for (const bool heavy : {false, true}) {
+    TransientOptions options = lasting(0.8, TimeMethod::reference);
+    options.start = Start::settled;
+    const TransientResult exact = run(hoist(heavy), options);
+    options.method = TimeMethod::implicit;
+    const TransientResult fast = run(hoist(heavy), options);
+    ASSERT_EQ(exact.frames.size(), fast.frames.size());
+    for (std::size_t f = 0; f < exact.frames.size(); ++f) {
+      EXPECT_NEAR(fast.frames[f].bodies[0].position.z(), exact.frames[f].bodies[0].position.z(), 2e-6) << heavy << f;
+      for (std::size_t k = 0; k < 5; ++k) {
+        EXPECT_NEAR(fast.frames[f].branches[k].T_from, exact.frames[f].branches[k].T_from, 2e-4 * exact.ropes[0].T.max)
+            << heavy << ' ' << f << ' ' << k;
+      }
+    }
+  }
+}
+
+/// A belt that slips on its drive as it starts and grips later; its mass runs with it.
+TEST(TransientReference, ABeltThatSlipsAndGrips) {
+  model::Model m;
+  m.gravity = 9.81;
+  for (const double side : {0.0, 1.0}) {
+    model::Node wheel = sheave(side > 0 ? "driven" : "drive", {5 * side, 0, 0}, 0.3, 1);
+    wheel.kind = side > 0 ? model::NodeKind::contact : model::NodeKind::drive;
+    if (side == 0) wheel.motor = 0;
+    wheel.law.friction = side > 0 ? 0.5 : 0.25;  // the drive slips, the other one doesn't
+    wheel.inertia = side > 0 ? 20 : 0.5;
+    if (m.reevings.empty()) m.reevings.push_back(reeve("belt", {}, 0, 0.3 * 9.81, 2e5));
+    m.reevings[0].nodes.push_back(wheel);
+  }
+  m.reevings[0].closed = true;
+  m.reevings[0].value = (10 + 2 * pi * 0.3) / (1 + 800 / 2e5);
+  m.reevings[0].damping_time = 5e-3;
+  m.motors.resize(1);
+  m.motors[0].drive = {model::DriveKind::speed, smooth(5, 0, 0.5)};
+  const TransientResult exact = run(m, lasting(2.2, TimeMethod::reference)),
+                        fast = run(m, lasting(2.2, TimeMethod::implicit, 1e-7));
+  bool slipped = false;
+  for (std::size_t f = 0; f < exact.frames.size(); ++f) {
+    const auto &a = exact.frames[f].contacts[0], &b = fast.frames[f].contacts[0];
+    slipped = slipped || a.slip < -0.1;
+    EXPECT_NEAR(b.slip, a.slip, 1e-5) << f;
+    // what swings after the rope has stuck follows the moment when it did
+    const double allowed = (exact.frames[f].t < 1.6 ? 1e-5 : 1e-3) * exact.ropes[0].T.max;
+    EXPECT_NEAR(b.T_in, a.T_in, allowed) << f;
+    EXPECT_NEAR(b.T_out, a.T_out, allowed) << f;
+  }
+  EXPECT_TRUE(slipped);
+  EXPECT_NEAR(exact.frames.back().contacts[0].slip, 0, 1e-6);
+}
+
+TEST(TransientReference, WhatItCannotDoIsTold) {
+  model::Model m = hoist(false);
+  m.drums[0].automatic_layers = true;
+  EXPECT_NE(transient(m, lasting(0.1, TimeMethod::reference)).outcome.message.find("not in the reference"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace taut_test::transient_reference_test
