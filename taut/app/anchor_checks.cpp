@@ -98,7 +98,8 @@ void take(const CheckState& state, AnchorStates& anchor) {
   if (factor * F.norm() > anchor.force) {
     anchor.force = factor * F.norm();
     anchor.pull = F;
-    anchor.where = with_factor(state.words, factor);
+    anchor.factor = factor;
+    anchor.where = state.words;
   }
   if (factor * F.z() > anchor.uplift) {
     anchor.uplift = factor * F.z();
@@ -115,10 +116,11 @@ namespace {
 /// Force against what the anchor holds: declared, by its ropes, by the tree's diameter.
 void check_holding(const AnchorStates& s, Result& r) {
   const AnchorCheckRequest& one = *s.request;
+  const std::string where = with_factor(s.where, s.factor);
   if (one.strength) {
     add_part_check(one.name, "anchor_strength", *one.strength / s.force, Sense::at_least, one.safety_factor, si::one,
                    fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
-                               s.force / 1e3, s.where),
+                               s.force / 1e3, where),
                    "user", r);
   }
   if (one.as_strong_as_rope) {
@@ -136,7 +138,7 @@ void check_holding(const AnchorStates& s, Result& r) {
     const RuleLimit rule = rule_limit("layout.anchor_tree", false);
     const double share = *one.tree_diameter / rule_diameter;
     add_part_check(one.name, "anchor_tree", s.force, Sense::at_most, rule.value * share * share, si::N,
-                   fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", s.where,
+                   fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
                                *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
                    rule.trust, r);
   }

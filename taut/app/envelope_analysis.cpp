@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
+#include <set>
 #include <unordered_map>
 
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
@@ -176,18 +179,22 @@ class Combination {
       for (const auto& point : path.points) {
         Where there = where;
         there.x = point.x;
-        take(part.model, point.at, there, fmt::format("envelope, {}, x = {:.6g} m", words_of(motion), point.x));
+        const std::string words = fmt::format("envelope, {}, x = {:.6g} m", words_of(motion), point.x);
+        take(part.model, point.at, there, words);
         if (point.at.outcome.ok()) {
+          keep("carriage in the ground", -point.clearance, whole_words(words, there), part.model, point.at);
           envelope_.add(machine_.model.carriages[at(run_.carriage)].name, "clearance", si::m, point.clearance, there);
         }
       }
     }
   }
 
-  /// The state with the largest tension of all.
+  /// The states that are worst in something: what the rest of the result tells of the largest and least is of them.
   void keep_worst() {
-    if (worst_.result.spans.empty()) return;
-    machine_.others.push_back(std::move(worst_));
+    std::set<std::string> kept;
+    for (auto& [what, one] : worst_) {
+      if (kept.insert(one.answer.words).second) machine_.others.push_back(std::move(one.answer));
+    }
   }
 
   bool on_support() const { return on_support_; }
@@ -209,15 +216,33 @@ class Combination {
     add_contacts(envelope_, m, e, where);
     add_anchors(envelope_, m, e, where);
     add_bodies(envelope_, m, e, where);
-    std::string all = words;
-    if (!std::isnan(where.load)) all += fmt::format(", {:.6g} kg", where.load);
-    if (!std::isnan(where.temperature)) all += ", " + celsius(where.temperature);
+    const std::string all = whole_words(words, where);
     if (machine_.checked) machine_.checked->take(m, e, all, analysis_name(run_.ending, "envelope"));
-    for (const auto& rope : e.ropes) {
-      if (rope.T_max <= most_) continue;
-      most_ = rope.T_max;
-      worst_ = {all, m, e};
+    for (std::size_t i = 0; i < e.ropes.size(); ++i) {
+      keep(fmt::format("rope {}", i), e.ropes[i].T_max, all, m, e);
     }
+    for (std::size_t i = 0; i < e.beams.size(); ++i) {
+      const analysis::BeamResult& b = e.beams[i];
+      const double stress = b.points[b.most_stressed].stress;
+      keep(fmt::format("stress of beam {}", i), std::isnan(stress) ? b.points[b.most_bent].M : stress, all, m, e);
+      keep(fmt::format("buckling of beam {}", i), 1 / b.critical_factor, all, m, e);
+    }
+    if (!m.terrain.empty()) keep("rope in the ground", -analysis::rope_clearance(m, e).height, all, m, e);
+  }
+
+  static std::string whole_words(std::string words, const Where& where) {
+    if (!std::isnan(where.load)) words += fmt::format(", {:.6g} kg", where.load);
+    if (!std::isnan(where.temperature)) words += ", " + celsius(where.temperature);
+    return words;
+  }
+
+  /// Keeps the state if it is the worst in something so far.
+  void keep(const std::string& what, double size, const std::string& words, const model::Model& m,
+            const analysis::EquilibriumResult& e) {
+    if (std::isnan(size)) return;
+    const auto [known, is_new] = worst_.try_emplace(what);
+    if (!is_new && size <= known->second.size + equal * std::abs(known->second.size)) return;
+    known->second = {size, {words, m, e}};
   }
 
   MachineRun& machine_;
@@ -225,8 +250,11 @@ class Combination {
   Envelope& envelope_;
   Watch& watch_;
   Result& r_;
-  OtherAnswer worst_;
-  double most_ = -1;
+  struct Kept {
+    double size = 0;
+    OtherAnswer answer;
+  };
+  std::map<std::string, Kept> worst_;
   int states_ = 0;
   bool on_support_ = false;
 };
@@ -283,11 +311,6 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
     };
     add("min", e.least, "least");
     add("max", e.most, "largest");
-    for (const model::Reeving& rope : machine.model.reevings) {
-      if (rope.name != e.name || !(rope.breaking_force > 0)) continue;
-      r.checks.push_back(make_check(fmt::format("{}.T_max_envelope{}", e.name, run.ending), e.most, Sense::at_most,
-                                    rope.breaking_force, si::N, "minimum breaking force of the rope", "user"));
-    }
   }
   one.keep_worst();
 }

@@ -34,6 +34,7 @@ struct AnchorStates {
   const AnchorCheckRequest* request = nullptr;
   double force = 0, uplift = -HUGE_VAL, angle = -HUGE_VAL;  ///< N, N, rad
   Vector3 pull = Vector3::Zero();                           ///< where the force is largest, without a factor, N
+  double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
   std::string where, where_uplift, where_angle;
   double strongest_rope = 0;  ///< N, all copies
   bool strength_unknown = false;
