@@ -78,6 +78,7 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       answer.ended = true;
       break;
     }
+    if (one.trial.skipped) continue;
     ++(found ? behind : answer.trials);
     if (one.trial.passes && !found) {
       found = true;
@@ -115,8 +116,10 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
       answer.ended = true;
       break;
     }
-    ++answer.trials;
-    (trial.passes ? passed : failed).push_back({choice, trial.measured, trial});
+    if (!trial.skipped) {
+      ++answer.trials;
+      (trial.passes ? passed : failed).push_back({choice, trial.measured, trial});
+    }
     more = false;
     for (std::size_t k = choice.size(); k-- > 0 && !more;) {
       more = ++choice[k] < counts[k];

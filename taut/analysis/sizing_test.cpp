@@ -126,6 +126,21 @@ TEST(Sizing, too_many_to_measure_are_not_tried) {
   EXPECT_EQ(least_measured({3, 3}, never, options).outcome.status, Status::not_converged);
 }
 
+TEST(Sizing, what_is_skipped_does_not_count) {
+  SizingOptions options;
+  options.most_trials = 2;
+  const auto one = [](const Choice& c) {
+    SizingTrial t;
+    t.skipped = c[0] < 3;
+    t.passes = c[0] == 4;
+    return t;
+  };
+  const auto a = cheapest({{1, 2, 3, 4, 5}}, one, options);
+  EXPECT_TRUE(a.outcome.ok());
+  EXPECT_EQ(a.trials, 2U);
+  EXPECT_EQ(a.below.size(), 1U);
+}
+
 TEST(Sizing, ends_when_a_trial_says_so) {
   int calls = 0;
   const auto one = [&](const Choice&) {

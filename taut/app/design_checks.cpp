@@ -92,6 +92,7 @@ std::optional<SizingTrial> CandidateRecord::hopeless(const std::vector<std::size
     SizingTrial trial;
     trial.utilisation = known->second.least;
     trial.governs = known->second.governs;
+    trial.skipped = true;
     return trial;
   }
   return {};

@@ -99,13 +99,14 @@ class Searching {
   }
 
   SizingTrial try_one(const DesignPlace& place) {
+    if (const auto known = record_.hopeless(place.choice)) {
+      // it may be near to passing between the places of the grid
+      if (!place.values.empty() && known->utilisation < near_enough) remember({place.choice, 0, *known}, place.values);
+      return *known;
+    }
     SizingTrial trial;
     trial.ended = !go_on();
     if (trial.ended) return trial;
-    if (const auto known = record_.hopeless(place.choice)) {
-      remember({place.choice, 0, *known}, place.values);
-      return *known;
-    }
     const DesignRun one = run(place, Depth::quick);
     trial = trial_of(one.result);
     trial.measured = measure(one, trial);
