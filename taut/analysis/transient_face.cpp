@@ -17,12 +17,14 @@ Friction friction_of(const model::FaceContact& law, const FaceValues& is) {
   return friction_at(law, is.slide.norm());
 }
 
-/// Speed at which a point has slid so far in a quasi-static step. Where no time passes (it falls, or comes to its
-/// start) it is fast as soon as that is more than its bristle yields.
-double pace_of(const model::FaceContact& law, const Scheme& s, double slid, const FaceValues& is) {
-  if (!is.closed || is.sticks) return 0;
-  if (s.elapsed > 0) return slid / s.elapsed;
-  return slid * law.tangential_stiffness > is.limit ? std::numeric_limits<double>::infinity() : 0;
+/// How a point has slid in a quasi-static step: as soon as that is farther, since it stuck, than its bristle yields,
+/// with the speed of this step; where no time passes (it falls, or comes to its start) that is fast.
+void pace_face(const model::FaceContact& law, const Scheme& s, double slid, const FaceValues& was, FaceValues& is) {
+  is.pace = is.gone = 0;
+  if (!s.creeps || !is.closed || is.sticks) return;
+  is.gone = was.gone + slid;
+  if (is.gone * law.tangential_stiffness <= is.limit) return;
+  is.pace = s.elapsed > 0 ? slid / s.elapsed : std::numeric_limits<double>::infinity();
 }
 
 /// Pressure and friction by the strain and speed of the contact; the bristle as it ends.
@@ -85,7 +87,7 @@ void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   const Vector3 strained = was.bristle + along_face(face.normal, is.arm - was.arm);
   is.bristle = strained;
   push_face(law, of_face.R, s.at_rest, is);
-  is.pace = s.creeps ? pace_of(law, s, (strained - is.bristle).norm(), is) : 0;
+  pace_face(law, s, (strained - is.bristle).norm(), was, is);
 }
 
 void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w) {

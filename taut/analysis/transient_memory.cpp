@@ -68,7 +68,7 @@ template <class W>
 void walk_couples(W& w, Values& v) {
   for (FaceValues& f : v.faces) {
     for (bool* one : {&f.over, &f.closed, &f.sticks}) w.whole(*one);
-    for (double* one : {&f.pen, &f.pen_rate, &f.N, &f.limit, &f.pace}) w.number(*one);
+    for (double* one : {&f.pen, &f.pen_rate, &f.N, &f.limit, &f.pace, &f.gone}) w.number(*one);
     for (Vector3* one : {&f.normal, &f.point, &f.arm, &f.slide, &f.bristle, &f.pull, &f.friction}) w.matrix(*one);
   }
   for (ActuatorValues& a : v.actuators) {

@@ -13,8 +13,8 @@ namespace {
 constexpr double without_inertia = 1e4;  ///< s: of a step so long that masses are nothing
 constexpr double far_away = 0.05;        ///< of the machine's size: a step that goes so far has left its way
 constexpr double quiet_way = 1e-12;      ///< of the same
-constexpr double deepest_fall = 20;      ///< of the same: a fall beyond it has no end
-constexpr int most_falls = 600;          ///< little steps
+constexpr double deepest_fall = 4;       ///< of the same: a fall beyond it has no end
+constexpr int most_falls = 1500;         ///< little steps
 constexpr double brief_step = 0.02;      ///< of the usual one: then the machine may fall
 constexpr int slide_steps = 50;          ///< each way
 
@@ -82,19 +82,21 @@ StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t
 
 StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton,
                      const std::function<bool(const Values&)>& until) {
-  double h = 1 / std::max(highest_frequency(m, before), 1e-3), left = elapsed;
+  // as long a step as there is an answer for: what stands on a moving body has to go with it and not be left behind
+  const double shortest = 1 / std::max(highest_frequency(m, before), 1e-3);
+  double h = without_inertia, left = elapsed;
   double fallen = 0;
   int quiet = 0;
   for (int i = 0; i < most_falls; ++i) {
     if (newton.ask && i % 8 == 7 && !newton.ask(before.t)) return StepEnd::interrupted;
     const StepEnd end = from_rest(m, creeping(h, left), before, t, now, w, newton);
-    if (end != StepEnd::ok) {
+    const double way = end == StepEnd::ok ? largest_way(m, before, now).way : 0;
+    if (end != StepEnd::ok || (way > far_away * m.size_of_machine && h > shortest)) {
       h /= 8;
       quiet = 0;
       if (h < 1e-12) return end;
       continue;
     }
-    const double way = largest_way(m, before, now).way;
     fallen += way;
     if (!(fallen < deepest_fall * m.size_of_machine)) return StepEnd::singular;
     quiet = way < quiet_way * m.size_of_machine ? quiet + 1 : 0;

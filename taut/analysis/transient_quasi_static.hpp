@@ -9,9 +9,9 @@ namespace taut::analysis::dynamics {
 /// machine's size: then `fall_to_rest` finds where the machine goes.
 StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton);
 
-/// The same in so many little steps from rest to rest as it takes, the first of them as short as the fastest vibration:
-/// the way that the machine takes when all its motion is damped away at once. `before` is lost. It ends on the way
-/// where `until` says so.
+/// The same in so many steps from rest to rest as it takes, the first as long as there is an answer near by, and
+/// growing: the way that the machine takes when all its motion is damped away at once. `before` is lost. It ends on the
+/// way where `until` says so.
 StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton,
                      const std::function<bool(const Values&)>& until = {});
 

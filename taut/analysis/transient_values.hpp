@@ -42,6 +42,7 @@ struct FaceValues {
   bool over = true;  ///< between the ends of the face when the step began
   bool closed = false, sticks = false;
   double pace = 0;      ///< of a quasi-static step: at which it slid in it, m/s
+  double gone = 0;      ///< of such steps: how far it has slid since it stuck, m
   double held_by = -1;  ///< of the same: its coefficient of friction, by the pace of the step before; < 0: by its speed
   double pen = 0, pen_rate = 0;        ///< how deep the point is, m, m/s
   double N = 0, limit = 0;             ///< pressure and the most that friction can be, N

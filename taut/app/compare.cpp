@@ -168,12 +168,18 @@ std::string shown_value(const Display& display, double x, const Unit& unit) {
   return std::isnan(x) ? "" : display.quantity(x, unit);
 }
 
+/// Two digits, and no exponent from a hundred on.
+std::string percent_text(double share, bool with_sign) {
+  const double x = 100 * share;
+  if (std::abs(x) >= 99.5) return with_sign ? fmt::format("{:+.0f} %", x) : fmt::format("{:.0f} %", x);
+  return with_sign ? fmt::format("{:+.2g} %", x) : fmt::format("{:.2g} %", x);
+}
+
 std::string deviation_text(const Display& display, double x, double of, double by, const Unit& unit) {
   if (std::isnan(x) || std::isnan(of)) return "";
-  std::string share =
-      of != 0 ? fmt::format("{:+.3g} %", 100 * (x - of) / std::abs(of)) : display.quantity(x - of, unit);
-  if (std::isnan(by)) return share;
-  return of != 0 ? fmt::format("{} (may {:.3g} %)", share, 100 * by / std::abs(of)) : share;
+  if (of == 0) return display.quantity(x - of, unit);
+  const std::string share = percent_text((x - of) / std::abs(of), true);
+  return std::isnan(by) ? share : fmt::format("{} (may {})", share, percent_text(by / std::abs(of), false));
 }
 
 void add_compared_table(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
@@ -192,24 +198,22 @@ void add_compared_table(const std::vector<ComparedRow>& rows, const Display& dis
   r.tables.push_back(std::move(t));
 }
 
-/// "row 1, 0 deg: S1" is about S1 of "row 1, 0 deg": checks stand below that.
-std::pair<std::string, std::string> case_and_quantity(const std::string& what) {
+/// "row 1, 0 deg: S1" belongs to "row 1, 0 deg".
+std::string case_of_row(const std::string& what) {
   const auto colon = what.rfind(": ");
-  if (colon == std::string::npos) return {"", what};
-  return {what.substr(0, colon), what.substr(colon + 2)};
+  return colon == std::string::npos ? std::string{} : what.substr(0, colon);
 }
 
 void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
   for (const ComparedRow& row : rows) {
-    const auto [part, quantity] = case_and_quantity(row.what);
-    const auto add = [&, &part = part, &quantity = quantity](const char* to, double of, double by) {
+    const auto add = [&](const char* to, double of, double by, const char* rule) {
       if (std::isnan(by)) return;
-      r.checks.push_back(make_check(fmt::format("{} to the {}", quantity, to), std::abs(row.value - of), Sense::at_most,
-                                    by, row.unit, fmt::format("from the {}", to), "user"));
-      r.checks.back().part = part;
+      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), Sense::at_most, by,
+                                    row.unit, rule, "user"));
+      r.checks.back().part = case_of_row(row.what);
     };
-    add("published value", row.published, row.tolerance);
-    add("reference", row.reference, row.reference_tolerance);
+    add("to the published value", row.published, row.tolerance, "published");
+    add("to the reference", row.reference, row.reference_tolerance, "reference");
   }
 }
 

@@ -138,6 +138,12 @@ std::string trust_html(const std::string& trust) {
   return fmt::format(" <span class=\"badge {}\">{}</span>", doubt ? "doubt" : "calm", escape(words));
 }
 
+/// Below the heading of its part, without that part before it.
+std::string name_below_part(const Check& c) {
+  const std::string before = c.part + ": ";
+  return !c.part.empty() && c.name.starts_with(before) ? c.name.substr(before.size()) : c.name;
+}
+
 std::string checks_html(const Result& r) {
   const Display display = display_of(r);
   if (r.checks.empty()) return {};
@@ -153,7 +159,7 @@ std::string checks_html(const Result& r) {
     const ShownUnit u = shown_unit(c.unit, display);
     const std::string unit = escape(unit_text(u));
     const auto number = [&](double x) { return escape(number_shown(u.of(x))) + (unit.empty() ? "" : " " + unit); };
-    rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(c.name)) +
+    rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(name_below_part(c))) +
             cell(number(c.value), "num") + cell((c.sense == Sense::at_most ? "≤ " : "≥ ") + number(c.limit), "num") +
             cell(fmt::format("{} {}", bar_html(c), escape(utilisation_text(c.utilisation))), "util") +
             cell(fmt::format("<b>{}</b>", outcome_text(c)), "out") +

@@ -124,6 +124,13 @@ class Boom(unittest.TestCase):
             with self.subTest(deck=deck):
                 self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 1)
 
+    def test_slip_angles_of_rigid_pads_are_the_formula(self):
+        # tan b = f (2 Nf/(W cos b) - 1) and the lead line's pull, section 3 jammed: no clearance, hard pads
+        for deck, angle in (("slip_17_hook", 8.837), ("slip_21_load", 45.130)):
+            code, result = run(deck, "--set", "parameters.pad_clearance=0 mm", "--set", "parameters.pad_stiffness=2000 MN/m")
+            self.assertEqual(code, 0, f"{deck}: {result['message']}")
+            self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 0.05)
+
     def test_slow_extension_is_that_of_the_method(self):
         # other angles, loads, frictions and losses than the paper's
         for angle, load, f, eta, zeta in ((5, 1.2, 0.12, 0.99, 0.96), (35, 2.1, 0.15, 0.97, 0.95), (68, 0.7, 0.1, 1.0, 0.98)):
