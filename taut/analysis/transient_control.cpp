@@ -17,6 +17,18 @@ double error_by_prediction(const Run& run, double x, double x_before, double rat
   return std::abs(x - predicted) / (3 * (1 + 1 / ratio));
 }
 
+/// Error of the tensions, as a share, where a rope that slid has turned back within the step: the law of sliding held
+/// to its end, so that the rope went on too far by the way that it came back.
+double error_by_turning(const Run& run, std::size_t i) {
+  const ContactValues &was = run.before.contacts[i], &is = run.now.contacts[i];
+  const double way = is.grip == Grip::forward ? 1 : is.grip == Grip::backward ? -1 : 0;
+  const double back = -way * is.slip_rate, on = way * was.slip_rate;
+  if (back <= 0 || on <= 0) return 0;
+  const double too_far = back * back / (2 * (back + on)) * run.scheme.h;
+  const double largest = run.T_largest[at(run.m.contacts[i].reeving)];
+  return largest > 0 ? stiffness_at(run.m, run.m.contacts[i], run.now) * too_far / largest : 0;
+}
+
 }  // namespace
 
 double error_of(const Run& run, bool kink) {
@@ -32,6 +44,7 @@ double error_of(const Run& run, bool kink) {
     }
   }
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    error = std::max(error, error_by_turning(run, i));
     if (run.m.contacts[i].spin < 0) continue;
     const std::size_t c = at(run.m.contacts[i].column);
     error = std::max(error, error_by_prediction(run, run.now.contacts[i].rolled, run.before.contacts[i].rolled,
