@@ -45,7 +45,7 @@ struct MethodBlocks {
 
 /// All that a method does with its input.
 template <class Input>
-struct Way {
+struct MethodWay {
   std::string name;
   std::vector<Complaint> (*complaints)(const Input&) = nullptr;
   Result (*run)(const Input&) = nullptr;
@@ -57,7 +57,7 @@ struct Way {
 /// A deck as read, or as a design has changed it.
 template <class Input>
 struct MethodDeck {
-  Way<Input> way;
+  MethodWay<Input> way;
   Input in;
   MethodBlocks blocks;
   std::map<std::string, catalogue::RopeRow> chosen;
@@ -134,7 +134,7 @@ std::shared_ptr<MethodCopy> copy_of(const MethodDeck<Input>& deck) {
 }
 
 template <class Input>
-std::function<Result()> prepare_method(const Way<Input>& way, const io::Node& node, const io::Node* others,
+std::function<Result()> prepare_method(const MethodWay<Input>& way, const io::Node& node, const io::Node* others,
                                        const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes) {
   const auto deck = std::make_shared<MethodDeck<Input>>();
   deck->way = way;
@@ -161,7 +161,7 @@ std::function<Result()> prepare_method(const Way<Input>& way, const io::Node& no
 }
 
 template <class Input, class Output>
-MethodEntry entry(const Method& about, const Way<Input>& way, const Description* exact = nullptr) {
+MethodEntry entry(const Method& about, const MethodWay<Input>& way, const Description* exact = nullptr) {
   MethodEntry e;
   e.about = &about;
   e.input = &Input::describe();
