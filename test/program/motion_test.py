@@ -216,7 +216,8 @@ class Motion(unittest.TestCase):
         for change, words in (
                 (("output_step: 10 ms", "output_step: 3 s"), "is longer than the duration"),
                 (("output_step: 10 ms", "output_step: 10 ms, save: ../x.json"), "a file's name is expected"),
-                (("output_step: 10 ms", "start: sliding"), "is not a choice"),
+                (("output_step: 10 ms", "start: slidng"), "is not a choice"),
+                (("output_step: 10 ms", "start: sliding"), "needs 'slid'"),
                 (("free: [x, z]", "free: [x, z, ry]"), "needs its 'inertia'"),
                 (("speed: hoist_speed", "speed: hoist_sped"), "did you mean 'hoist_speed'"),
                 (("load.vz", "load.v"), "'load' has x, y, z")):
