@@ -275,7 +275,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     }
     ++count;
   }
-  EXPECT_EQ(count, 11);
+  EXPECT_EQ(count, 12);
 }
 
 }  // namespace taut::app::machine_run_test
