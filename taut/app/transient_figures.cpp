@@ -134,14 +134,27 @@ void add_drawings(const TransientRun& run, Result& r) {
   for (const auto& [index, words] : chosen) r.figures.emplace_back(drawing_of(run, index, view, words));
 }
 
+/// Driven sheaves and rope loads: where they begin to slip or hold, the machine does something else.
+std::set<std::string> gripping_places(const model::Model& model) {
+  std::set<std::string> names;
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.motor >= 0 || (node.kind == model::NodeKind::load && node.load.part == 0)) names.insert(node.name);
+    }
+  }
+  return names;
+}
+
 /// The events that change the course of things, without repetition.
 std::vector<std::pair<double, std::string>> main_events(const TransientRun& run) {
   static const std::vector<std::string> main = {"break",    "stop",  "drive", "brake",   "actuator",
                                                 "lift_off", "slack", "taut",  "contact", "apart"};
   std::vector<std::pair<double, std::string>> all;
   std::set<std::string> told;
+  const std::set<std::string> gripping = gripping_places(run.model);
   for (const auto& e : run.result.events) {
-    if (std::find(main.begin(), main.end(), e.what) == main.end()) continue;
+    const bool grips = (e.what == "slip" || e.what == "stick") && gripping.count(e.where) > 0;
+    if (!grips && std::find(main.begin(), main.end(), e.what) == main.end()) continue;
     // "brake of winch set" says what it is itself
     std::string words = e.where.starts_with(e.what) ? e.where : fmt::format("{} {}", e.what, e.where);
     if (!told.insert(words).second || all.size() >= most_events) continue;
