@@ -1,7 +1,5 @@
 #include "taut/analysis/transient_quasi_static.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

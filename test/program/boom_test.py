@@ -42,7 +42,7 @@ SLIDING_TENSIONS = ((52, 9, 105.0, 168.4), (52, 21, 111.3, 150.9), (19, 9, 100.9
 
 # Rows of table 2, slowly: S1, S2 in kN, how near: a share, or newtons
 SLOW_ROWS = (
-    ("sliding_row2", 175.5, 24.9, 0.015, 2.5e3), ("sliding_row3", 162.5, 50.9, 0.015, 2.5e3),
+    ("sliding_row1", 95.2, 189.2, 0.01, 0.01), ("sliding_row2", 175.5, 24.9, 0.015, 2.5e3), ("sliding_row3", 162.5, 50.9, 0.015, 2.5e3),
     ("sliding_row8", 86.9, 207.0, 0.015, 0.015), ("sliding_row9", 97.0, 183.4, 0.015, 0.015),
 )
 
