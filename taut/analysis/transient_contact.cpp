@@ -72,19 +72,25 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
   });
 }
 
-constexpr double slack_share = 1e-6;  ///< of its stiffness that a slack branch keeps in derivatives
+constexpr double slack_share = 1e-6;        ///< of its stiffness that a slack branch keeps in derivatives
+constexpr double rough_slack_share = 1e-4;  ///< the same where ropes have to find their places anew
 
 /// A branch without tension does not answer to its rope. Where it lies on both sides of a taut one, their two contacts
 /// would not know which of them passes rope on: neither does, by the little stiffness that is left in the derivatives.
-void keep_slack_apart(Mechanism& m, const Contact& contact, const Values& now) {
+/// The damper counts: in short steps it makes the taut one far stiffer than it is.
+void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, const Values& now) {
   double spare = 0;
-  for (const int line : {contact.in, contact.out}) {
-    if (now.lines[at(line)].T <= 0) spare += m.lines[at(line)].stiffness / now.lines[at(line)].L;
+  for (const int i : {contact.in, contact.out}) {
+    const Line& line = m.lines[at(i)];
+    if (now.lines[at(i)].T <= 0)
+      spare += line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / now.lines[at(i)].L;
   }
-  if (spare > 0) m.solver.values()[at(contact.row[own_column(m, contact)])] -= slack_share * spare;
+  if (spare == 0) return;
+  const double share = s.fresh ? rough_slack_share : slack_share;
+  m.solver.values()[at(contact.row[own_column(m, contact)])] -= share * spare;
 }
 
-void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, Work& w) {
+void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, const Pressure& p, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
   const double ratio = is.ratio;
@@ -108,7 +114,7 @@ void law_row(Mechanism& m, std::size_t i, const Values& now, const Pressure& p, 
       tension_row(m, contact, w, 1, 1, 0);
       break;
   }
-  keep_slack_apart(m, contact, now);
+  keep_slack_apart(m, s, contact, now);
 }
 
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
@@ -125,7 +131,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
     return;
   }
-  law_row(m, i, now, pressure(m, static_cast<int>(i), now), w);
+  law_row(m, s, i, now, pressure(m, static_cast<int>(i), now), w);
 }
 
 /// Moment that ropes and drive have on a spin, less what its inertia takes: what the bearing holds.
@@ -213,7 +219,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     return;
   }
   // what has slipped in the step, as a force; at an unchanged time what slips goes on slipping
-  const double damping = m.lines[at(contact.in)].damping;
+  const double damping = s.undamped ? 0 : m.lines[at(contact.in)].damping;
   const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
   double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
   const bool goes_on = s.slip_now == 0 || (contact.load && damping == 0);
@@ -254,6 +260,11 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
 bool loose(const Contact& contact, const Values& now) {
   return contact.in >= 0 && contact.out >= 0 && now.lines[at(contact.in)].end_T[1] <= 0 &&
          now.lines[at(contact.out)].end_T[0] <= 0;
+}
+
+double loose_flow(const Contact& contact, const ContactValues& was, const Values& before) {
+  const auto slack = [&](int line) { return line >= 0 && before.lines[at(line)].e <= 0; };
+  return slack(contact.in) && slack(contact.out) ? 0 : was.flow;
 }
 
 Pressure pressure(const Mechanism& m, int contact, const Values& now) {

@@ -10,6 +10,7 @@
 namespace taut::analysis::dynamics {
 namespace {
 
+constexpr double nothing_left = 1e-9;  ///< of its length: what is left of a dead end
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Matrix3 turned_by(const Vector3& rotation) {
@@ -196,8 +197,8 @@ void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work&
   is.flow = is.roll_rate + is.slip_rate;
 }
 
-/// The flow that counts for the thrust of the rope. In very short steps a rate is noise over nothing: it would drive
-/// the tensions, and they the rate. So it follows within the time in which that can't grow.
+/// The flow that counts for the thrust of the rope. In very short steps a rate is noise over nothing: it would
+/// drive the tensions, and they the rate. So it follows within the time in which that can't grow.
 void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
   constexpr double calm = 20, least_speed = 1;
   const Contact& contact = m.contacts[i];
@@ -241,7 +242,7 @@ void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std:
     is.e_rate = (line.share * is.t.dot(apart) - (1 + is.e) * flows) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
   }
-  pull(line, is);
+  pull(line, s.undamped ? 0 : line.damping, is);
   // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
   const double hangs = std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T);
   is.end_T = {is.T - (bears_half(line, 0) ? hangs : 0), is.T + (bears_half(line, 1) ? hangs : 0)};
@@ -254,6 +255,12 @@ Scheme scheme_of(double rho) {
   s.alpha_m = (3 - rho) / (2 * (1 + rho));
   s.alpha_f = 1 / (1 + rho);
   s.gamma = 0.5 + s.alpha_m - s.alpha_f;
+  return s;
+}
+
+Scheme scheme_of_euler() {
+  Scheme s;
+  s.alpha_m = s.alpha_f = s.gamma = 1;
   return s;
 }
 
@@ -324,6 +331,8 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       if (!placed && !place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
     }
     stretch(m, before, i, now);
+    // a dead end may run out: its length counts no more
+    if (now.lines[i].gone == 0) now.lines[i].L = std::max(now.lines[i].L, nothing_left * now.lines[i].l);
     if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
@@ -337,6 +346,19 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   return true;
 }
 
+void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t contact,
+                    Values& now) {
+  const Contact& of = m.contacts[contact];
+  for (const int line : {of.in, of.out}) {
+    if (line >= 0) stretch(m, before, at(line), now);
+  }
+  flow(m, s, before, w, contact, now);
+  steady_flow(m, s, before, contact, now);
+  for (const int line : {of.in, of.out}) {
+    if (line >= 0) strain_rate(m, s, before, at(line), now);
+  }
+}
+
 double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
   const Contact& of = m.contacts[contact];
   if (of.round || of.in < 0 || of.out < 0) return v.contacts[contact].wrap;
@@ -347,38 +369,6 @@ double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
 
 bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact) {
   return s.slip_now > 0 && m.lines[at(contact.in >= 0 ? contact.in : contact.out)].damping > 0;
-}
-
-double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
-  const bool leaves = contact.out >= 0;
-  return v.lines[at(leaves ? contact.out : contact.in)].radius[leaves ? 0 : 1];
-}
-
-std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
-  if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
-  if (drive.kind != model::DriveKind::speed) return std::nullopt;
-  const model::SignalValue speed = model::at(drive.signal, t);
-  const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
-  return Turning{speed.value / radius, speed.rate / radius};
-}
-
-double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, double t) {
-  if (spin.drum < 0 && spin.motor < 0) return 0;
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind != model::DriveKind::torque) return 0;
-  return model::at(drive.signal, t).value;
-}
-
-std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t) {
-  if (contact.drum < 0) return std::nullopt;
-  const Spin& spin = m.spins[at(contact.spin)];
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
-  if (drive.kind == model::DriveKind::pull) return model::at(drive.signal, t).value;
-  if (spin.inertia > 0) return std::nullopt;
-  return drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
 }
 
 std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now) {

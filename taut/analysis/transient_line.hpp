@@ -45,11 +45,11 @@ void line_velocities(const Line& line, const std::vector<Body>& shapes, const st
                      const LineValues& now, std::array<LineColumn, 14>& columns);
 
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
-inline void pull(const Line& line, LineValues& now) {
+inline void pull(const Line& line, double damping, LineValues& now) {
   const double EA = line.stiffness * now.gone;
   now.T = now.T_e = now.T_rate = 0;
   if (now.e <= 0 || EA == 0) return;
-  const double damped = now.e + line.damping * now.e_rate;
+  const double damped = now.e + damping * now.e_rate;
   if (damped <= 0) return;
   if (damped > 2 * now.e) {
     now.T = 2 * EA * now.e;
@@ -58,7 +58,8 @@ inline void pull(const Line& line, LineValues& now) {
   }
   now.T = EA * damped;
   now.T_e = EA;
-  now.T_rate = EA * line.damping;
+  now.T_rate = EA * damping;
 }
+inline void pull(const Line& line, LineValues& now) { pull(line, line.damping, now); }
 
 }  // namespace taut::analysis::dynamics

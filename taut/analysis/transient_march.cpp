@@ -20,62 +20,19 @@ constexpr double careful_growth = 1.1, far_below = 0.05, much_longer = 1.2;
 constexpr int careful_steps = 64;
 constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
 
+constexpr double shorter_at_kinks = 4;  ///< than a step that resolves the fastest motion
+
+constexpr double least_resolved = 1e-3;  ///< of the floor: below it rounding is more than what changes
+constexpr int most_rough = 64;           ///< Euler steps before the usual ones are tried again
+constexpr double longest_rough = 4;      ///< their size, of the floor
+
 constexpr int steps_between_asking = 32;
 constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
-constexpr double no_rope = 1e-3;          ///< of a line's first length
-constexpr double nearly_no_rope = 0.1;    ///< the same, where a step finds no place for a line
-constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is found
-
-bool used_up(const Run& run, std::size_t i) {
-  const LineValues& line = run.before.lines[i];
-  return !(line.L > no_rope * run.L_first[i] && line.l > no_rope * run.L_first[i]);
-}
-
-/// The line with the least rope left, by its first length, and that share.
-std::pair<std::size_t, double> shortest(const Run& run) {
-  std::pair<std::size_t, double> found{0, 1};
-  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
-    const LineValues& line = run.before.lines[i];
-    const double share = line.gone > 0 ? std::min(line.L, line.l) / run.L_first[i] : 1;
-    if (share < found.second) found = {i, share};
-  }
-  return found;
-}
-
-/// Whether two rounds of a rope nearly touch.
-bool rounds_touch(const Run& run) {
-  constexpr double near = 1.1;
-  return std::any_of(run.before.lines.begin(), run.before.lines.end(), [](const LineValues& line) {
-    const double between = (line.centre[1] - line.centre[0]).norm();
-    return line.radius[0] > 0 && line.radius[1] > 0 && between < near * (line.radius[0] + line.radius[1]);
-  });
-}
-
-Outcome failure(Run& run, StepEnd end, double t) {
-  const auto [line, share] = shortest(run);
-  const double left = end == StepEnd::no_place ? nearly_no_rope : hardly_any_rope;
-  if (!run.m.lines.empty() && share <= left) {
-    const Line& of = run.m.lines[line];
-    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
-    note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
-    return infeasible(
-        fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
-                    rope.nodes[at(of.from)].name, rope.nodes[at(of.to)].name, rope.name));
-  }
-  if (end == StepEnd::no_place && rounds_touch(run)) {
-    return infeasible(fmt::format(
-        "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
-  }
-  if (run.options.quasi_static && end == StepEnd::singular) {
-    return infeasible(fmt::format(
-        "at t = {:.6g} s there is no equilibrium any more: what is no longer held goes on without end; give it a stop, or "
-        "end the motion by an event before",
-        t));
-  }
-  // bodies have masses: what has no answer now is a fault of the search, not of the machine
-  return not_converged(fmt::format(
-      "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));
+/// A step that resolves the fastest motion, s.
+double resolving_step(const Run& run) {
+  const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
+  return std::min(std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100);
 }
 
 /// Without consistent accelerations, where no common answer was found at an unchanged time: the first steps, very
@@ -106,22 +63,36 @@ StepEnd begin_again(Run& run, double& where) {
   run.newton.forget();
   for (ContactValues& contact : run.before.contacts) contact.slip_mean = contact.slip_rate;
   if (run.options.step <= 0) {
-    const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
-    run.h = std::min({std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100,
-                      run.h > 0 ? run.h : run.options.duration});
-    if (rough) run.h *= 1e-3;
+    run.h = std::min(resolving_step(run), run.h > 0 ? run.h : run.options.duration);
+    if (rough) run.h = std::min(run.h, run.floor);
   }
+  run.rough_next = rough;
+  run.fresh = true;
   return end;
 }
 
+/// What has become of the tries of one step.
+struct Tries {
+  double error = 0, h = 0;  ///< of the last one
+  bool kink = false;        ///< a law changes in it
+  bool rough = false;       ///< by implicit Euler
+  bool undamped = false;  ///< and without the ropes' dampers: their bounds are what has no common answer in short steps
+};
+
 /// A step of h to the time t, which is before.t + h but for rounding.
-/// `last`: of those to an output or an event.
-StepEnd try_step(Run& run, double h, double t, bool last) {
+/// `last`: of those to an output or an event. Implicit Euler takes whatever comes in it.
+StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
   Scheme& s = run.scheme;
   s.h = h;
   if (run.options.quasi_static) return try_slowly(run, h, t);
+  const bool rough = tries.rough;
+  s = rough ? scheme_of_euler() : scheme_of(run.options.rho);
+  s.h = h;
+  s.undamped = tries.undamped;
+  s.fresh = rough || run.fresh;
+  run.newton.passes = rough;
   s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
-  const double more = run.known > 0 ? h / (h + run.h_last) : 0;
+  const double more = run.known > 0 && !rough ? h / (h + run.h_last) : 0;
   s.slip_now = (1 + more) / h;
   s.slip_before = -more;
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
@@ -146,7 +117,7 @@ StepEnd try_step(Run& run, double h, double t, bool last) {
   }
   fade(run, t, run.now);
   const double share = run.options.step > 0 ? 1e-3 : std::clamp(h / run.options.duration, 1e-5, 1.0);
-  run.newton.tolerance = 0.02 * run.options.tolerance * share;
+  run.newton.tolerance = 0.02 * share * run.options.tolerance;
   run.newton.largest = 0;
   for (const double T : run.T_largest) run.newton.largest = std::max(run.newton.largest, T);
   for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
@@ -186,27 +157,79 @@ void accept(Run& run) {
   record_extremes(run, run.before);
 }
 
+/// Goes on by implicit Euler: the longer, the less good came of the last time.
+void go_roughly(Run& run, Tries& tries) {
+  run.rough_more = run.fresh ? std::min(2 * run.rough_more, most_rough) : 1;
+  run.rough_left = run.rough_more;
+  run.h = run.floor;
+  tries.rough = true;
+}
+
+bool goes_roughly(const Run& run, double h) {
+  return run.options.method == TimeMethod::implicit && !run.options.quasi_static && h < run.floor;
+}
+
+/// After a step of h without an answer. Whether one can be tried again.
+bool try_shorter(Run& run, double h, Tries& tries) {
+  ++run.result.rejected;
+  if (!tries.rough && goes_roughly(run, h / 4)) {
+    go_roughly(run, tries);
+    return true;
+  }
+  tries.undamped = tries.rough && !tries.undamped;
+  if (tries.undamped) return true;
+  run.h = h / 4;
+  return run.h >= smallest_share * run.options.duration;
+}
+
+/// After a step of h with too large an error.
+void try_closer(Run& run, double h, double error, Tries& tries) {
+  ++run.result.rejected;
+  if (h > much_longer * run.h_last) run.careful = careful_steps;
+  if (tries.h > 0 && error > tries.error * (h / tries.h)) tries.kink = true;
+  tries.error = error;
+  tries.h = h;
+  run.h = h * std::clamp(0.9 / std::sqrt(error), 0.1, 0.7);
+  if (goes_roughly(run, tries.kink ? run.h : run.h / least_resolved)) go_roughly(run, tries);
+}
+
+/// Takes an Euler step or one of a given size, of h, as it is.
+void accept_as_it_is(Run& run, double h, bool rough) {
+  const bool whole = h == run.h;
+  accept(run);
+  run.fresh = rough;
+  if (rough) {
+    run.known = 0;
+    run.newton.forget();
+  }
+  run.rough_left = std::max(0, run.rough_left - 1);
+  if (whole) run.h = run.rough_left > 0 ? std::min(growth * h, longest_rough * run.floor) : growth * h;
+  if (run.options.step > 0) run.h = run.options.step;
+}
+
+/// The size of the next step, at most to `limit`; no rest that is next to nothing stays behind.
+double size_of_step(const Run& run, double limit) {
+  const bool fixed = run.options.step > 0;  // of Verlet always
+  const double left = limit - run.before.t, h = fixed ? std::min(run.options.step, run.h) : run.h;
+  if (h > 0.999999 * left) return left;
+  return !fixed && h > left / 2 ? left / 2 : h;
+}
+
 /// One accepted step, at most to `limit`. Steps that fail or err are tried again, shorter.
 StepEnd advance(Run& run, double limit) {
-  const bool fixed = run.options.step > 0;  // of Verlet always
-  double last_error = 0, last_h = 0;
-  bool kink = false;
+  Tries tries;
+  tries.rough = run.rough_next || run.rough_left > 0;
+  run.rough_next = false;
   for (;;) {
     if (run.options.progress && ++run.since_asked >= steps_between_asking) {
       run.since_asked = 0;
       if (!run.options.progress(run.before.t)) return StepEnd::interrupted;
     }
-    const double left = limit - run.before.t;
-    double h = fixed ? std::min(run.options.step, run.h) : run.h;
-    if (h > 0.999999 * left)
-      h = left;
-    else if (!fixed && h > left / 2)
-      h = left / 2;
-    const StepEnd end = try_step(run, h, h == left ? limit : run.before.t + h, h == left);
+    const double h = size_of_step(run, limit);
+    const bool last = h == limit - run.before.t;
+    const StepEnd end = try_step(run, h, last ? limit : run.before.t + h, last, tries);
     if (end != StepEnd::ok) {
-      ++run.result.rejected;
-      run.h = h / 4;
-      if (run.h < smallest_share * run.options.duration) return end;
+      if (!try_shorter(run, h, tries)) return end;
       continue;
     }
     if (h > at_once * run.options.duration && comes_true(run, run.now)) {  // halve the way to the moment
@@ -214,19 +237,13 @@ StepEnd advance(Run& run, double limit) {
       ++run.result.rejected;
       continue;
     }
-    if (fixed) {
-      run.h = run.options.step;
-      accept(run);
+    if (run.options.step > 0 || tries.rough) {
+      accept_as_it_is(run, h, tries.rough);
       return StepEnd::ok;
     }
-    const double error = error_of(run, kink);
+    const double error = error_of(run, tries.kink);
     if (error > 1 && h > 1e-12 * run.options.duration) {
-      ++run.result.rejected;
-      if (h > much_longer * run.h_last) run.careful = careful_steps;
-      if (last_h > 0 && !kink && error > last_error * (h / last_h)) kink = true;
-      last_error = error;
-      last_h = h;
-      run.h = h * std::clamp(0.9 / std::sqrt(error), 0.1, 0.7);
+      try_closer(run, h, error, tries);
       continue;
     }
     const double most = error < far_below || run.careful == 0 ? growth : careful_growth;
@@ -234,7 +251,8 @@ StepEnd advance(Run& run, double limit) {
     const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, most) : growth;
     const bool shortened = h < 0.9 * run.h;
     accept(run);
-    if (kink) run.known = 0;
+    run.fresh = false;
+    if (tries.kink) run.known = 0;
     if (!shortened || factor < 1) run.h = h * factor;
     return StepEnd::ok;
   }
@@ -273,6 +291,7 @@ StepEnd begin(Run& run) {
     run.L_first.clear();
     for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
   }
+  run.floor = resolving_step(run) / shorter_at_kinks;
   // where a run left off, its accelerations stand, unless something happens or jumps at that very time
   if (!run.resumed || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);

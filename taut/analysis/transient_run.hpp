@@ -26,6 +26,10 @@ struct Run {
   std::vector<Breaking> breaking{};
   double end = 0;
   double h = 0;
+  double floor = 0;                     ///< where a law changes no step need be shorter, s
+  bool fresh = false;                   ///< what slips does not go on as it did: after a start, an event, an Euler step
+  int rough_left = 0, rough_more = 1;   ///< Euler steps to go on with; how many were asked for last
+  bool rough_next = false;              ///< the next step is an implicit Euler step
   double grid_from = 0, grid_step = 0;  ///< of the outputs, s
   bool resumed = false;                 ///< from the memory of an earlier run
   int since_asked = 0;                  ///< tries of a step since `progress` was asked
@@ -89,6 +93,11 @@ void fade(const Run& run, double t, Values& v);
 
 /// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
+/// Whether no rope is left of a line.
+bool used_up(const Run& run, std::size_t line);
+/// Why the run can't go on at t.
+Outcome failure(Run& run, StepEnd end, double t);
+
 /// Keeps what the next one needs.
 void keep_history(Run& run);
 

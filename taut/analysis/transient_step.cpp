@@ -11,6 +11,7 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
+constexpr int passes_from = 5, passes_every = 4;
 constexpr int turns_until = 15;            ///< of contacts that stick and slide in turn at their very limit
 constexpr double moment = 1e-6;            ///< s, in which slip is looked for at an unchanged time
 constexpr double small_change = 1e-2;      ///< of tensions: the factors of the first iteration do for the next
@@ -23,18 +24,23 @@ constexpr double least_contraction = 1e-7, caution = 8;
 double flow_ahead(const Scheme& s, const Contact& contact, const ContactValues& was, const Values& before) {
   const double more = s.h > 0 ? -s.slip_before : 0;
   const auto taut = [&](int line) { return line >= 0 && before.lines[at(line)].T > 0; };
-  if (s.creeps || more >= 1 || !taut(contact.in) || !taut(contact.out)) return was.flow;
+  if (s.creeps) return was.flow;
+  if (more >= 1 || !taut(contact.in) || !taut(contact.out)) return loose_flow(contact, was, before);
   return was.flow + more / (1 - more) * (was.slip_rate - was.slip_mean);
 }
 
 /// Rope passed at each contact, as it went on before.
 void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, Values& now) {
+  const auto kept = [&](std::size_t i) {
+    return m.contacts[i].in >= 0 && m.contacts[i].out >= 0 && loose(m.contacts[i], before);
+  };
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const ContactValues& was = before.contacts[i];
     const std::size_t c = at(m.contacts[i].column);
     now.contacts[i].grip = was.grip;
     const double reach = s.creeps ? s.elapsed : s.reach, h = s.creeps ? s.elapsed : s.h;
     now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate
+               : s.fresh && kept(i)    ? before.q[c]
                                        : before.q[c] + h * flow_ahead(s, m.contacts[i], was, before);
     if (s.h == 0 && slips_in_a_moment(m, s, m.contacts[i])) now.q[c] += was.slip_mean / s.slip_now;
   }
@@ -65,6 +71,28 @@ void learn(Newton& newton, int iterations, bool laws_changed, double contraction
       seen ? std::clamp(caution * contraction, least_contraction, first_contraction) : first_contraction;
 }
 
+/// What rounding leaves of a tension, N.
+double rounding_of_tensions(const Mechanism& m, const Scheme& s, bool rough) {
+  double floor = step_rounding * m.stiffest;
+  if (!rough || s.undamped) return floor;
+  // a rate is the difference of two nearly equal lengths over a short time
+  for (const Line& line : m.lines) floor = std::max(floor, step_rounding * line.stiffness * line.damping * s.slip_now);
+  return floor;
+}
+
+/// The largest change since the last iteration, N; whether a line has become slack or taut.
+double change_of_tensions(const Values& now, Work& w, Newton& newton, bool& turned) {
+  double change = 0;
+  for (std::size_t k = 0; k < now.lines.size(); ++k) {
+    const double T = now.lines[k].T;
+    change = std::max(change, std::abs(T - w.tension[k]));
+    turned = turned || (T > 0) != (w.tension[k] > 0);
+    w.tension[k] = T;
+    newton.largest = std::max(newton.largest, T);
+  }
+  return change;
+}
+
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
   guess_flows(m, s, before, w, now);
@@ -74,16 +102,13 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
   const bool moves = s.h > 0 && !s.at_rest;
   for (int i = 0; i <= newton.most; ++i) {
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
-    const bool changed = decide(m, s, before, now);
-    double change = 0;
-    bool turned = changed;  // a contact or a line follows another law now
-    const double floor = step_rounding * m.stiffest;
-    for (std::size_t k = 0; k < m.lines.size(); ++k) {
-      change = std::max(change, std::abs(now.lines[k].T - w.tension[k]));
-      turned = turned || (now.lines[k].T > 0) != (w.tension[k] > 0);
-      w.tension[k] = now.lines[k].T;
-      newton.largest = std::max(newton.largest, now.lines[k].T);
+    if (newton.passes && i >= passes_from && i % passes_every == 0) {
+      pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
     }
+    const bool changed = decide(m, s, before, now);
+    bool turned = changed;  // a contact or a line follows another law now
+    const double floor = rounding_of_tensions(m, s, newton.passes);
+    double change = change_of_tensions(now, w, newton, turned);
     const CoupleChange pushed = change_of_couples(w, now);
     change = std::max(change, pushed.force);
     newton.largest = std::max(newton.largest, pushed.largest);
@@ -93,7 +118,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     const bool at_its_limit = s.creeps && i >= turns_until;  // whether it sticks or slides there is the same
     if (i > 0 && (!changed || at_its_limit) && !begins) {
-      const double expected = moves && !turned ? newton.contraction : first_contraction;
+      const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
@@ -113,7 +138,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
     // two branches that are slack and taut in turn: half a step finds the place between
-    apply(m, w.residual, i >= halves_from ? 0.5 : 1.0, now);
+    apply(m, w.residual, !newton.passes && i >= halves_from ? 0.5 : 1.0, now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;

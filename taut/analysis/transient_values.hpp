@@ -103,8 +103,12 @@ struct Scheme {
   bool at_rest = false;                  ///< without velocities: looking for the start, or quasi-static
   bool creeps = false;                   ///< quasi-static: from rest to rest, with friction
   double elapsed = 0;                    ///< then: the time in which drives and signals go on, s
+  bool undamped = false;                 ///< ropes without their damping
+  bool fresh = false;                    ///< what lies loose does not go on as it went before
 };
 Scheme scheme_of(double rho);
+/// Implicit Euler: first order, and nothing fast is left of what a step can't follow.
+Scheme scheme_of_euler();
 
 /// Line's derivatives by its local columns.
 struct LineTangent {
@@ -146,6 +150,15 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
 /// False where a line has no place.
 bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now);
 
+/// The same of a contact's lines alone, after the rope passed there has changed: bodies and spins as they are.
+void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t contact,
+                    Values& now);
+
+/// Passes rope at each contact until its law holds there, one after the other, bodies and spins as they are. Whether
+/// all of them hold then; not of ropes with loads along them. docs/theory/dynamics.md, "Time".
+bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double tolerance,
+                Values& now);
+
 /// Geometry and strain of a line between points of bodies that only shift. False: it has no length.
 bool follow_plain(const Mechanism& m, std::size_t line, Values& now);
 /// Its rows.
@@ -164,6 +177,8 @@ struct Pressure {
 };
 /// Whether the rope has no tension on either side of a contact.
 bool loose(const Contact& contact, const Values& now);
+/// With which flow a rope goes on that nothing holds: as it went, but where it lies slack on both sides, m/s.
+double loose_flow(const Contact& contact, const ContactValues& was, const Values& before);
 
 Pressure pressure(const Mechanism& m, int contact, const Values& now);
 /// Stiffness of both its lines, N/m.

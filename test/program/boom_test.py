@@ -180,13 +180,28 @@ class Boom(unittest.TestCase):
         for name in ("S1", "S2"):
             self.assertLess(abs(value(chain, name) / value(plain, name) - 1), 0.005)
 
-    def test_a_broken_rope_tells_its_jerk_or_why_not(self):
-        for deck, jerk, near in (("break_extension_21_load", 0.11, 0.2), ("break_retraction_21_load", 0.11, 0.2)):
+    def test_broken_ropes_run_to_their_end(self):
+        # what the model says, where it is determined well: docs/guide/dynamics.md names the others
+        wanted = {
+            "break_extension_21_load": {"jerk": (0.11, 0.2), "slip_angle": (math.radians(47.1), math.radians(1)),
+                                        "impact_speed": (11.5, 0.07)},
+            "break_extension_21_hook": {"jerk": (0.49, 0.2), "sling_ratio": (13.5, 3.5)},
+            "break_extension_17_load": {"jerk": (0.35, 0.2)},
+            "break_extension_17_hook": {"jerk": (1.78, 0.2), "slip_angle": (math.radians(3.2), math.radians(1))},
+            "break_retraction_21_load": {"jerk": (0.11, 0.2)},
+            "break_retraction_21_hook": {}, "break_retraction_17_load": {}, "break_retraction_17_hook": {},
+        }
+        for deck, values in wanted.items():
             code, result = run(deck)
-            if code != 0:
-                self.assertEqual((code, result["status"]), (3, "not_converged"))
-                self.assertIn("t = ", result["message"])
-            self.assertLess(abs(value(result, "jerk") / jerk - 1), near)
+            self.assertEqual(code, 0, f"{deck}: {result['message']}")
+            self.assertLess(abs(value(result, "energy_residual")), 0.02)
+            names = ("slip_angle", "impact_speed", "sling_ratio") if "extension" in deck else ("jerk",)
+            for name in names:
+                self.assertGreater(value(result, name), 0)
+            for name, (there, near) in values.items():
+                with self.subTest(deck=deck, value=name):
+                    share = name in ("jerk", "impact_speed")
+                    self.assertLess(abs(value(result, name) - there), near * there if share else near)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,37 @@
+#include "taut/analysis/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+
+double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
+  const bool leaves = contact.out >= 0;
+  return v.lines[at(leaves ? contact.out : contact.in)].radius[leaves ? 0 : 1];
+}
+
+std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
+  if (drive.kind != model::DriveKind::speed) return std::nullopt;
+  const model::SignalValue speed = model::at(drive.signal, t);
+  const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
+  return Turning{speed.value / radius, speed.rate / radius};
+}
+
+double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return 0;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind != model::DriveKind::torque) return 0;
+  return model::at(drive.signal, t).value;
+}
+
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t) {
+  if (contact.drum < 0) return std::nullopt;
+  const Spin& spin = m.spins[at(contact.spin)];
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
+  if (drive.kind == model::DriveKind::pull) return model::at(drive.signal, t).value;
+  if (spin.inertia > 0) return std::nullopt;
+  return drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
+}
+
+}  // namespace taut::analysis::dynamics

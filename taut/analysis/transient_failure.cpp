@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/analysis/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+constexpr double no_rope = 1e-3;          ///< of a line's first length
+constexpr double nearly_no_rope = 0.1;    ///< the same, where a step finds no place for a line
+constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is found
+
+}  // namespace
+
+bool used_up(const Run& run, std::size_t i) {
+  const LineValues& line = run.before.lines[i];
+  return !(line.L > no_rope * run.L_first[i]);
+}
+
+namespace {
+
+/// The line with the least rope left, by its first length, and that share.
+std::pair<std::size_t, double> shortest(const Run& run) {
+  std::pair<std::size_t, double> found{0, 1};
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues& line = run.before.lines[i];
+    const double left = line.e > 0 ? std::min(line.L, line.l) : line.L;
+    const double share = line.gone > 0 ? left / run.L_first[i] : 1;
+    if (share < found.second) found = {i, share};
+  }
+  return found;
+}
+
+/// Whether two rounds of a rope nearly touch.
+bool rounds_touch(const Run& run) {
+  constexpr double near = 1.1;
+  return std::any_of(run.before.lines.begin(), run.before.lines.end(), [](const LineValues& line) {
+    const double between = (line.centre[1] - line.centre[0]).norm();
+    return line.radius[0] > 0 && line.radius[1] > 0 && between < near * (line.radius[0] + line.radius[1]);
+  });
+}
+
+}  // namespace
+
+Outcome failure(Run& run, StepEnd end, double t) {
+  const auto [line, share] = shortest(run);
+  const double left = end == StepEnd::no_place ? nearly_no_rope : hardly_any_rope;
+  if (!run.m.lines.empty() && share <= left) {
+    const Line& of = run.m.lines[line];
+    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
+    note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
+    return infeasible(
+        fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
+                    rope.nodes[at(of.from)].name, rope.nodes[at(of.to)].name, rope.name));
+  }
+  if (end == StepEnd::no_place && rounds_touch(run)) {
+    return infeasible(fmt::format(
+        "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
+  }
+  if (run.options.quasi_static && end == StepEnd::singular) {
+    return infeasible(
+        fmt::format("at t = {:.6g} s there is no equilibrium any more: what is no longer held goes on without end; "
+                    "give it a stop, or "
+                    "end the motion by an event before",
+                    t));
+  }
+  // bodies have masses: what has no answer now is a fault of the search, not of the machine
+  return not_converged(fmt::format(
+      "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));
+}
+
+}  // namespace taut::analysis::dynamics
