@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/app/design_checks.hpp"
 #include "taut/app/design_search.hpp"
 #include "taut/app/design_tables.hpp"
 #include "taut/units/display.hpp"
@@ -66,6 +67,13 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
     if (value != one.low && value != one.high) continue;
     r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: beyond it there may be a better design",
                                      one.name, Display{}.quantity(value, one.unit)));
+  }
+  for (const std::string& name : task.request.disregard) {
+    Result without = r;
+    disregard({name}, without);
+    if (without.checks.size() == r.checks.size()) {
+      r.warnings.push_back(fmt::format("design: there is no check '{}' to disregard", name));
+    }
   }
   if (r.checks.empty()) r.warnings.emplace_back("design: no check holds the choice; the deck asks for none");
 }

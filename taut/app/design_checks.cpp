@@ -41,6 +41,13 @@ SizingTrial trial_of(const Result& r) {
   return trial;
 }
 
+void disregard(const std::vector<std::string>& names, Result& r) {
+  std::erase_if(r.checks, [&](const Check& c) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return c.name == name || c.name.starts_with(name + " ["); });
+  });
+}
+
 std::vector<double> CheckConstraints::of(const Result& r) {
   std::vector<std::pair<std::string, double>> all;
   std::map<std::string, int> met;

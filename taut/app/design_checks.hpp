@@ -15,6 +15,9 @@ namespace taut::app {
 /// The check that decides: of those that fail the worst, else the one nearest to its limit.
 analysis::SizingTrial trial_of(const Result& r);
 
+/// Takes the checks of these names out of a result, those of a load case ("no slip [full]") too.
+void disregard(const std::vector<std::string>& names, Result& r);
+
 /// The checks of a result as constraints that stay the same ones from place to place: by name and occurrence, those of
 /// the first result each by itself and the worst of all others behind them. <= 0 exactly where a check passes: its
 /// utilisation less 1, between -10 and 10.

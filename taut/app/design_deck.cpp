@@ -104,6 +104,8 @@ const Description& DesignRequest::describe() {
           .named_records(&R::unknowns, "unknowns", "numbers that are free, by a name of yours")
           .named_records(&R::cases, "cases",
                          "load cases, each with what is other in it; the checks of all have to pass")
+          .field(&R::disregard, "disregard",
+                 "checks that do not bind the design, by name; they stand in its result all the same")
           .field(&R::refine, "refine",
                  "moves the unknowns on between the places of their grid, to the least or the most reserve")
           .field(&R::runner_ups, "runner_ups", "", si::one, "choices told on either side of the answer")

@@ -67,7 +67,8 @@ struct DesignRequest {
   std::vector<DesignSectionRequest> sections;
   std::vector<DesignUnknownRequest> unknowns;
   std::vector<DesignCaseRequest> cases;
-  bool refine = true;  ///< the unknowns between the places of their grid
+  std::vector<std::string> disregard;  ///< checks that do not bind the design
+  bool refine = true;                  ///< the unknowns between the places of their grid
   int runner_ups = 5;
   int most_trials = 5000;
   static const Description& describe();

@@ -251,9 +251,11 @@ DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, DesignSpace spa
       auto& places = memory->places[load_case];
       if (how == Depth::quick && !places.empty()) {
         Result probe = run(at_places(whole, places), true, ask);
+        disregard(deck->design->disregard, probe);
         if (!trial_of(probe).passes || probe.interrupted) return {std::move(probe), std::nan("")};
       }
       DesignRun done{run(whole, how != Depth::report, ask), 0};
+      if (depth != Depth::report) disregard(deck->design->disregard, done.result);
       if (how == Depth::quick && !trial_of(done.result).passes) places = worst_places(*deck, done.result);
       done.tension = tension_in(done.result, *deck);
       return done;

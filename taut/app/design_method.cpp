@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/app/design_checks.hpp"
 #include "taut/io/read.hpp"
 
 namespace taut::app {
@@ -90,6 +91,7 @@ DesignTask method_task(const DesignRequest& design, DesignSpace space, CopyMetho
       const auto fresh = copy();
       put_design(*fresh, *own, place, load_case);
       DesignRun done{fresh->run(), 0};
+      if (depth != Depth::report) disregard(design.disregard, done.result);
       done.tension = tension_of(*fresh, done.result, design.of);
       return done;
     };

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "taut/app/design_checks.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -198,7 +200,10 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
   Result own;
   if (!space.ropes.empty()) own.tables.push_back(chosen_table(space, best));
   if (!space.sections.empty()) own.tables.push_back(section_table(space, best));
-  own.tables.push_back(active_checks(r));
+  Result binding;
+  binding.checks = r.checks;
+  disregard(task.request.disregard, binding);
+  own.tables.push_back(active_checks(binding));
   add_runner_ups(task, found.best.answer, best, own);
   if (found.points.size() > 1) add_trade_off(task, found.points, own);
   r.tables.insert(r.tables.begin(), std::make_move_iterator(own.tables.begin()),
