@@ -198,7 +198,7 @@ void add_pull(const Line& line, const LineValues& now, Work& w) {
   const double half = line.weight * now.L / 2;
   for (int r = 0; r < line.freedoms[0] + line.freedoms[1]; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
-    const double T = (end == 0 ? 1 : -1) * (now.T - now.thrust[end]);
+    const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
     const Vector3& V = w.columns[at(r)].velocity;
     w.residual[at(line.column[at(r)])] -= line.copies * (T * now.t.dot(V) - half * V.z());
   }
@@ -228,7 +228,8 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const std::size_t f = at(end == 0 ? r : r - line.freedoms[0]);
-    const double T = (end == 0 ? 1 : -1) * (now.T - now.thrust[end]), sign = end == 0 ? 1 : -1;
+    const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
+    const double sign = T == 0 ? 0 : end == 0 ? 1 : -1;
     const Vector3& V = w.columns[at(r)].velocity;
     const double along = now.t.dot(V);
     const Body& shape = m.bodies[at(line.body[end])];

@@ -229,9 +229,14 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     return;
   }
   const double ratio = is.ratio;
+  const Grip was = is.grip;
   is.grip = p.out - ratio * p.in + slip > 0   ? Grip::forward
             : p.in - ratio * p.out - slip > 0 ? Grip::backward
                                               : Grip::stuck;
+  // from one direction to the other by way of rest: an iteration that jumps over it goes in circles
+  const bool turns_round =
+      (was == Grip::forward && is.grip == Grip::backward) || (was == Grip::backward && is.grip == Grip::forward);
+  if (s.fresh && turns_round) is.grip = Grip::stuck;
 }
 
 void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {

@@ -125,6 +125,8 @@ void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& no
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
     if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
   }
+  // a dead end may run out: its length counts no more
+  if (is.gone == 0) is.L = std::max(is.L, nothing_left * is.l);
   is.e = length_of(line, is.l) / is.L - 1;
 }
 
@@ -331,8 +333,6 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       if (!placed && !place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
     }
     stretch(m, before, i, now);
-    // a dead end may run out: its length counts no more
-    if (now.lines[i].gone == 0) now.lines[i].L = std::max(now.lines[i].L, nothing_left * now.lines[i].l);
     if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);

@@ -42,7 +42,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   const bool light = contact.spin < 0 && contact.efficiency > 0;
   c.slip = light && !contact.load ? 0 : is.lambda * (is.flow - is.roll_rate);
   c.state = state_of_contact(contact, is, pressure(m, static_cast<int>(i), v), c.spin);
-  c.force = (c.T_out - out.thrust[0]) * out.t - (c.T_in - in.thrust[1]) * in.t;
+  c.force = std::max(0.0, c.T_out - out.thrust[0]) * out.t - std::max(0.0, c.T_in - in.thrust[1]) * in.t;
   return c;
 }
 

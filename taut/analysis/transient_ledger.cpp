@@ -100,7 +100,7 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
         const Vector3 force =
             line.part ? part_force(line, is, end)
-                      : Vector3((end == 0 ? 1 : -1) * (is.T - is.thrust[end]) * is.t - line.weight * is.L / 2 * up());
+                      : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * is.L / 2 * up());
         p.supplied -= line.copies * force.dot(moves);
       }
     }

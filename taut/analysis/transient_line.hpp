@@ -44,6 +44,12 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
 void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                      const LineValues& now, std::array<LineColumn, 14>& columns);
 
+/// What a line pulls the body at its end with, N: its tension less the thrust of the rope that runs there. Where that
+/// is more, the rope lifts off: it can't push.
+inline double body_pull(const LineValues& now, std::size_t end) {
+  return now.T > now.thrust[end] ? now.T - now.thrust[end] : 0;
+}
+
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
 inline void pull(const Line& line, double damping, LineValues& now) {
   const double EA = line.stiffness * now.gone;

@@ -74,7 +74,7 @@ void add_plain_pull(const Mechanism& m, const Line& line, const LineValues& now,
   for (const std::size_t end : {0U, 1U}) {
     if (line.body[end] < 0) continue;
     const Body& shape = m.bodies[at(line.body[end])];
-    const double T = (end == 0 ? -1 : 1) * line.copies * (now.T - now.thrust[end]);
+    const double T = (end == 0 ? -1 : 1) * line.copies * body_pull(now, end);
     for (std::size_t f = 0; f < at(shape.count); ++f) {
       w.residual[at(shape.first) + f] += T * now.t.dot(shape.along[f]) + half * shape.along[f].z();
     }
@@ -110,8 +110,8 @@ void assemble_plain(Mechanism& m, const Scheme& s, std::size_t line_index, const
   const std::size_t columns = at(line.columns), freedoms = at(line.freedoms[0] + line.freedoms[1]);
   for (std::size_t r = 0; r < freedoms; ++r) {
     const PlainColumn& row = w.plain[r];
-    const double T = now.T - now.thrust[r < at(line.freedoms[0]) ? 0 : 1], sign = line.copies * row.sign;
-    const double pulled = sign * row.share, turned = sign * s.reach * s.reach * T / now.l;
+    const double T = body_pull(now, r < at(line.freedoms[0]) ? 0 : 1), sign = line.copies * row.sign;
+    const double pulled = T == 0 ? 0 : sign * row.share, turned = sign * s.reach * s.reach * T / now.l;
     const int* const places = line.places.data() + r * columns;
     for (std::size_t k = 0; k < columns; ++k) {
       double Q = pulled * w.T_slope[k];

@@ -104,6 +104,8 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     if (newton.passes && i >= passes_from && i % passes_every == 0) {
       pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
+      const auto none = [](const LineValues& line) { return !(line.L > 0); };
+      if (std::any_of(now.lines.begin(), now.lines.end(), none)) return StepEnd::no_place;
     }
     const bool changed = decide(m, s, before, now);
     bool turned = changed;  // a contact or a line follows another law now
