@@ -9,7 +9,3 @@ foreach(part ida sunlinsoldense sunmatrixdense nvecserial generic)
 endforeach()
 target_link_libraries(taut_sundials INTERFACE m)
 install(TARGETS taut_sundials EXPORT tautTargets)
-
-# The other solver that others have made goes with it.
-include(nlopt)
-target_link_libraries(taut_sundials INTERFACE taut_nlopt)

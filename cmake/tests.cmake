@@ -20,7 +20,7 @@ std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"
 add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
 target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
 # The library is tested as shipped; the tests themselves only need to compile fast.
-target_compile_options(taut_test_support PUBLIC $<$<CONFIG:Release>:-O1>)
+target_compile_options(taut_test_support PUBLIC ${quick_to_build})
 target_precompile_headers(taut_test_support PRIVATE
   <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Geometry> <fmt/format.h> <cmath> <map> <set> <string> <vector>)
 
@@ -28,6 +28,8 @@ function(taut_add_test name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE taut_test_support)
   target_precompile_headers(${name} REUSE_FROM taut_test_support)
+  # The library comes first, so that templates which both have instantiated are taken from it, as optimised there.
+  target_link_options(${name} PRIVATE LINKER:--whole-archive,$<TARGET_FILE:taut>,--no-whole-archive)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test
     UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 10)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)

@@ -62,13 +62,13 @@ TEST(Json, HasTheShapeOfTheContractInItsOrder) {
 }
 
 TEST(Json, WithoutFilesTheSeriesNameNone) {
-  EXPECT_TRUE(nlohmann::json::parse(to_json(sample()))["series"]["sizes"]["file"].is_null());
+  EXPECT_TRUE(nlohmann::ordered_json::parse(to_json(sample()))["series"]["sizes"]["file"].is_null());
 }
 
 TEST(Json, AnEmptyResultHasEveryKey) {
   Result r;
   r.status = Status::bad_deck;
-  const auto j = nlohmann::json::parse(to_json(r));
+  const auto j = nlohmann::ordered_json::parse(to_json(r));
   EXPECT_EQ(j["status"], "bad_deck");
   EXPECT_EQ(j["values"].dump(), "{}");
   EXPECT_EQ(j["tables"].dump(), "{}");
@@ -79,19 +79,19 @@ TEST(Json, NumbersReadBackBitByBitAndOthersAreNull) {
   for (const double x : {1.0 / 3.0, 0.1 + 0.2, 5e-324, -0.0, 1e22, std::numeric_limits<double>::max()}) {
     Result r;
     r.values = {{"x", x, si::one, "x", "", ""}};
-    const double back = nlohmann::json::parse(to_json(r))["values"]["x"]["value"].get<double>();
+    const double back = nlohmann::ordered_json::parse(to_json(r))["values"]["x"]["value"].get<double>();
     EXPECT_EQ(back, x);
     EXPECT_EQ(std::signbit(back), std::signbit(x));
   }
   Result r;
   r.values = {{"x", -std::numeric_limits<double>::infinity(), si::one, "x", "", ""}};
-  EXPECT_TRUE(nlohmann::json::parse(to_json(r))["values"]["x"]["value"].is_null());
+  EXPECT_TRUE(nlohmann::ordered_json::parse(to_json(r))["values"]["x"]["value"].is_null());
 }
 
 TEST(Json, TextsThatAreNotUtf8DoNotStopIt) {
   Result r;
   r.title = "a\xFF\x01 \"b\"";
-  EXPECT_EQ(nlohmann::json::parse(to_json(r))["title"], "a\xEF\xBF\xBD\x01 \"b\"");
+  EXPECT_EQ(nlohmann::ordered_json::parse(to_json(r))["title"], "a\xEF\xBF\xBD\x01 \"b\"");
 }
 
 }  // namespace taut::io::json_test

@@ -46,7 +46,7 @@ TEST(Schema, AQuantitysPatternAgreesWithItsReader) {
 }
 
 TEST(Schema, NamesVectorsShortFormsAndGroups) {
-  const auto j = nlohmann::json::parse(deck_schema({{"machine", "A machine", &SampleMachine::describe()}}));
+  const auto j = nlohmann::ordered_json::parse(deck_schema({{"machine", "A machine", &SampleMachine::describe()}}));
   const auto& machine = j["definitions"]["machine"]["properties"];
   const auto& pin = machine["pins"]["additionalProperties"]["anyOf"];
   EXPECT_EQ(pin[0]["properties"]["at"]["minItems"], 3);
@@ -59,14 +59,14 @@ TEST(Schema, NamesVectorsShortFormsAndGroups) {
 }
 
 TEST(Schema, SaysUnitsRangesAndDefaults) {
-  const auto j = nlohmann::json::parse(deck_schema(methods));
+  const auto j = nlohmann::ordered_json::parse(deck_schema(methods));
   const auto& sample = j["definitions"]["sample"];
   EXPECT_EQ(sample["title"], "A sample");
   EXPECT_EQ(sample["required"].dump(), R"(["span"])");
   EXPECT_EQ(sample["additionalProperties"], false);
   EXPECT_EQ(sample["properties"]["span"]["description"], "horizontal span; l [m]; above 0 m");
   EXPECT_EQ(sample["properties"]["friction"]["anyOf"][0].dump(),
-            R"({"exclusiveMaximum":1.0,"minimum":0.0,"type":"number"})");
+            R"({"type":"number","minimum":0.0,"exclusiveMaximum":1.0})");
   EXPECT_EQ(sample["properties"]["friction"]["default"], 0.1);
   EXPECT_EQ(sample["properties"]["stiffness"]["default"], "1 MN/m");
   EXPECT_EQ(sample["properties"]["uphill"]["default"], false);
