@@ -24,6 +24,13 @@ target_compile_options(taut_test_support PUBLIC ${quick_to_build})
 target_precompile_headers(taut_test_support PRIVATE
   <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Geometry> <fmt/format.h> <cmath> <map> <set> <string> <vector>)
 
+# Twice as fast as the usual linker, where there is one.
+find_program(GOLD_LINKER ld.gold)
+mark_as_advanced(GOLD_LINKER)
+if(GOLD_LINKER)
+  target_link_options(taut_test_support PUBLIC -fuse-ld=gold)
+endif()
+
 function(taut_add_test name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE taut_test_support)
@@ -31,7 +38,7 @@ function(taut_add_test name)
   # The library comes first, so that templates which both have instantiated are taken from it, as optimised there.
   target_link_options(${name} PRIVATE LINKER:--whole-archive,$<TARGET_FILE:taut>,--no-whole-archive)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test
-    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 10)
+    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 30)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)
 endfunction()
 
