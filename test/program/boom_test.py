@@ -118,6 +118,7 @@ class Boom(unittest.TestCase):
                     self.assertLess(abs(value(result, name) - wanted), near if near > 1 else near * wanted)
 
     def test_slip_angles(self):
+        # pads that yield lean the sections: up to 0.7 deg
         for deck, angle in SLIPS.items():
             code, result = run(deck)
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
@@ -126,10 +127,11 @@ class Boom(unittest.TestCase):
 
     def test_slip_angles_of_rigid_pads_are_the_formula(self):
         # tan b = f (2 Nf/(W cos b) - 1) and the lead line's pull, section 3 jammed: no clearance, hard pads
-        for deck, angle in (("slip_17_hook", 8.837), ("slip_21_load", 45.130)):
+        for deck, angle, near in (("slip_17_hook", 8.837, 0.05), ("slip_21_load", 45.130, 0.05),
+                                  ("slip_out_21_hook", 48.9, 0.3), ("slip_out_21_load", 55.0, 0.3)):
             code, result = run(deck, "--set", "parameters.pad_clearance=0 mm", "--set", "parameters.pad_stiffness=2000 MN/m")
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
-            self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 0.05)
+            self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), near)
 
     def test_slow_extension_is_that_of_the_method(self):
         # other angles, loads, frictions and losses than the paper's
