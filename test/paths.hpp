@@ -6,4 +6,11 @@
 namespace taut_test {
 std::filesystem::path source_dir();
 std::filesystem::path program();
+
+/// Whether the sanitizers watch, ten times slower: long series take fewer cases then.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool watched = true;
+#else
+inline constexpr bool watched = false;
+#endif
 }  // namespace taut_test

@@ -9,6 +9,7 @@
 
 #include "taut/app/machine_decks_test.hpp"
 #include "taut/catalogue/section_search.hpp"
+#include "test/paths.hpp"
 
 namespace taut::app::design_sections_test {
 
@@ -75,7 +76,7 @@ TEST(DesignSections, agree_with_brute_force_on_200_random_cases) {
                                                                     {"shs", catalogue::SectionShape::shs},
                                                                     {"rhs", catalogue::SectionShape::rhs}};
   int found = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < (taut_test::watched ? 20 : 200); ++i) {
     const double height = between(3, 8);
     const double down = between(10, 120);
     const double across = between(1, 14);

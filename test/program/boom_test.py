@@ -11,6 +11,8 @@ import subprocess
 import unittest
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
+# Under the sanitizers: one deck of each kind, as a deck takes ten times as long.
+FEWER = "TAUT_FEWER" in os.environ
 DECKS = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples" / "telescopic_boom"
 
 # deck, value, the model's figure, how near: N, the second a share of it or, over 1, newtons
@@ -67,6 +69,11 @@ def value(result, name):
     return result["values"][name]["value"]
 
 
+def some(cases, *these):
+    """All cases, or those named where there is no time for all."""
+    return [c for c in cases if c in these] if FEWER else list(cases)
+
+
 class Boom(unittest.TestCase):
     def test_every_deck_reads(self):
         decks = [d for d in sorted(DECKS.glob("*.yaml")) if not d.name.endswith(".part.yaml")]
@@ -76,7 +83,7 @@ class Boom(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_rows_and_forces_agree_with_the_reference(self):
-        for deck in dict.fromkeys(d for d, *_ in REFERENCE):
+        for deck in some(dict.fromkeys(d for d, *_ in REFERENCE), "row4"):
             code, result = run(deck)
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
             for _, name, wanted, near in (one for one in REFERENCE if one[0] == deck):
@@ -97,7 +104,8 @@ class Boom(unittest.TestCase):
                     self.assertEqual(value(result, f"S1_{i + 1}_{order}"), row["S1"])
 
     def test_slow_extension_is_the_sliding_equilibrium(self):
-        for (angle, load), forces in SLIDING.items():
+        for angle, load in some(SLIDING, (52, "load")):
+            forces = SLIDING[angle, load]
             code, result = run(f"sliding_{angle}_{load}")
             self.assertEqual(code, 0, result["message"])
             for length, force in zip(LENGTHS, forces):
@@ -109,6 +117,7 @@ class Boom(unittest.TestCase):
                     self.assertLess(abs(value(result, f"S1_{length}") / (1e3 * S1) - 1), 0.01)
                     self.assertLess(abs(value(result, f"S2_{length}") / (1e3 * S2) - 1), 0.01)
 
+    @unittest.skipIf(FEWER, "other figures only")
     def test_slow_lifting_and_drawing_in(self):
         for deck, S1, S2, near1, near2 in SLOW_ROWS:
             code, result = run(deck)
@@ -119,12 +128,14 @@ class Boom(unittest.TestCase):
 
     def test_slip_angles(self):
         # pads that yield lean the sections: up to 0.7 deg
-        for deck, angle in SLIPS.items():
+        for deck in some(SLIPS, "slip_21_hook"):
+            angle = SLIPS[deck]
             code, result = run(deck)
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
             with self.subTest(deck=deck):
                 self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 1)
 
+    @unittest.skipIf(FEWER, "other figures only")
     def test_slip_angles_of_rigid_pads_are_the_formula(self):
         # tan b = f (2 Nf/(W cos b) - 1) and the lead line's pull, section 3 jammed: no clearance, hard pads
         for deck, angle, near in (("slip_17_hook", 8.837, 0.05), ("slip_21_load", 45.130, 0.05),
@@ -133,6 +144,7 @@ class Boom(unittest.TestCase):
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
             self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), near)
 
+    @unittest.skipIf(FEWER, "other figures only")
     def test_slow_extension_is_that_of_the_method(self):
         # other angles, loads, frictions and losses than the paper's
         for angle, load, f, eta, zeta in ((5, 1.2, 0.12, 0.99, 0.96), (35, 2.1, 0.15, 0.97, 0.95), (68, 0.7, 0.1, 1.0, 0.98)):
@@ -158,6 +170,7 @@ class Boom(unittest.TestCase):
                     with self.subTest(angle=angle, value=name, length=length):
                         self.assertLess(abs(value(engine, f"{name}_{length}") / row[name] - 1), 0.015)
 
+    @unittest.skipIf(FEWER, "other figures only")
     def test_slow_and_real_extension_agree(self):
         # means over the way in which the load swings once, 5.3 s
         settings = []
@@ -193,7 +206,8 @@ class Boom(unittest.TestCase):
             "break_retraction_21_load": {"jerk": (0.11, 0.2)},
             "break_retraction_21_hook": {}, "break_retraction_17_load": {}, "break_retraction_17_hook": {},
         }
-        for deck, values in wanted.items():
+        for deck in some(wanted, "break_extension_21_load"):
+            values = wanted[deck]
             code, result = run(deck)
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
             self.assertLess(abs(value(result, "energy_residual")), 0.02)
