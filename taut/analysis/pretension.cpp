@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
@@ -25,9 +26,7 @@ PullEnd end_of(const model::Model& model, const EquilibriumResult& result) {
   const std::size_t ropes = model.reevings.size();
   end.T_start.assign(ropes, 0.0);
   end.T_end = end.T_start;
-  for (auto span = result.spans.rbegin(); span != result.spans.rend(); ++span) {
-    end.T_start[at(span->reeving)] = span->T_from;
-  }
+  for (const SpanResult& span : result.spans | std::views::reverse) end.T_start[at(span.reeving)] = span.T_from;
   for (const SpanResult& span : result.spans) end.T_end[at(span.reeving)] = span.T_to;
   for (const RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
   end.at = result;

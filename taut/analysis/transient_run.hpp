@@ -93,8 +93,8 @@ void fade(const Run& run, double t, Values& v);
 
 /// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
-/// Whether no rope is left of a line.
-bool used_up(const Run& run, std::size_t line);
+/// Whether no rope is left of line `i`.
+bool used_up(const Run& run, std::size_t i);
 /// Why the run can't go on at t.
 Outcome failure(Run& run, StepEnd end, double t);
 

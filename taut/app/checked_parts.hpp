@@ -13,7 +13,7 @@ namespace taut::app {
 /// What the checks of a deck keep of every state that is a load case: equilibria, load paths, envelopes, cycles and
 /// motions. The places of a sweep and the limits of a payload are none. The deck outlives it.
 struct CheckedParts {
-  CheckedParts(const MachineDeck& deck, const model::Model& model);
+  CheckedParts(const MachineDeck& given, const model::Model& model);
 
   /// Equilibria and load paths of a run; other analyses show their states themselves.
   void take_answers(const MachineRun& run);

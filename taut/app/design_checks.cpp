@@ -50,6 +50,7 @@ void disregard(const std::vector<std::string>& names, Result& r) {
 
 std::vector<double> CheckConstraints::of(const Result& r) {
   std::vector<std::pair<std::string, double>> all;
+  all.reserve(r.checks.size());
   std::map<std::string, int> met;
   for (const Check& c : r.checks) all.emplace_back(fmt::format("{}#{}", c.name, met[c.name]++), over_of(c));
   if (count_ == 0) {

@@ -76,7 +76,8 @@ TEST(DesignSections, agree_with_brute_force_on_200_random_cases) {
                                                                     {"shs", catalogue::SectionShape::shs},
                                                                     {"rhs", catalogue::SectionShape::rhs}};
   int found = 0;
-  for (int i = 0; i < (taut_test::watched ? 20 : 200); ++i) {
+  const int cases = taut_test::watched ? 40 : 200;
+  for (int i = 0; i < cases; ++i) {
     const double height = between(3, 8);
     const double down = between(10, 120);
     const double across = between(1, 14);
@@ -105,7 +106,7 @@ TEST(DesignSections, agree_with_brute_force_on_200_random_cases) {
     EXPECT_EQ(exit_code(r), 0) << i << r.message << to_text(r.errors);
     EXPECT_EQ(text_cell(table_of(r, "design_sections"), 0, "section"), first->name) << i;
   }
-  EXPECT_GT(found, 50);  // enough of the cases have an answer
+  EXPECT_GT(found, cases / 4);  // enough of the cases have an answer
 }
 
 TEST(DesignSections, MistakesHaveTheirPlace) {

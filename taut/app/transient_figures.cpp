@@ -153,7 +153,7 @@ std::vector<std::pair<double, std::string>> main_events(const TransientRun& run)
   std::set<std::string> told;
   const std::set<std::string> gripping = gripping_places(run.model);
   for (const auto& e : run.result.events) {
-    const bool grips = (e.what == "slip" || e.what == "stick") && gripping.count(e.where) > 0;
+    const bool grips = (e.what == "slip" || e.what == "stick") && gripping.contains(e.where);
     if (!grips && std::find(main.begin(), main.end(), e.what) == main.end()) continue;
     // "brake of winch set" says what it is itself
     std::string words = e.where.starts_with(e.what) ? e.where : fmt::format("{} {}", e.what, e.where);
