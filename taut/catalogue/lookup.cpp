@@ -25,11 +25,14 @@ std::string normalised(std::string_view name) {
   for (std::size_t i = 0; i < name.size();) {
     char c = name[i];
     std::size_t length = 1;
-    for (const auto& [sign, plain] : look_alikes) {
-      if (name.substr(i, sign.size()) == sign) {
-        c = plain;
-        length = sign.size();
-        break;
+    // Only what is not ASCII can look like something that is; a design normalises the whole catalogue many times.
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      for (const auto& [sign, plain] : look_alikes) {
+        if (name.substr(i, sign.size()) == sign) {
+          c = plain;
+          length = sign.size();
+          break;
+        }
       }
     }
     i += length;

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "taut/app/job.hpp"
+#include "test/cross/drive_results.hpp"
 
 // The method's exact column and the same drive written as a machine deck.
 namespace friction_drive_machine_test {
 
 using namespace taut;
+using namespace taut_test::drive_results;
 
 struct Case {
   double cutting_force = 4000, friction = 0.35, speed = 15, idler_loss = 1, pull = 13e3;
@@ -63,22 +65,6 @@ analyses: [equilibrium: {{motion: in}}]
                   k.start == 0 ? drive : idler, k.start == 0 ? idler : drive, rest,
                   k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull), k.cutting_force);
   return app::run(app::Job{deck, "machine.yaml", {}});
-}
-
-double value(const Result& r, const std::string& name) {
-  const Value* v = r.find_value(name);
-  EXPECT_NE(v, nullptr) << name << ' ' << r.message << to_text(r.errors);
-  return v == nullptr ? std::nan("") : v->value;
-}
-
-double drive(const Result& r, const std::string& column) {
-  for (const Table& t : r.tables) {
-    for (std::size_t i = 0; t.name == "drives" && i < t.columns.size(); ++i) {
-      if (t.columns[i].name == column) return std::get<double>(t.rows.at(0).at(i));
-    }
-  }
-  ADD_FAILURE() << column << ' ' << r.message << to_text(r.errors);
-  return std::nan("");
 }
 
 void expect_same(const Case& k, double tolerance) {

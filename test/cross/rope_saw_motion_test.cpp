@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "taut/app/job.hpp"
+#include "test/cross/drive_results.hpp"
 
 // The rope saw in time: beside the same machine in steady motion, and beside the published method and what it should
 // have said.
 namespace rope_saw_motion_test {
 
 using namespace taut;
+using namespace taut_test::drive_results;
 
 struct Saw {
   double cutting_force = 4000, friction = 0.35, speed = 15, idler_loss = 1, pull = 13e3;
@@ -43,22 +45,6 @@ analyses: [{9}]
                                        k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull),
                                        k.screw ? "" : ", free: [x]", k.analyses);
   return app::run(app::Job{deck, "saw.yaml", {}});
-}
-
-double value(const Result& r, const std::string& name) {
-  const Value* v = r.find_value(name);
-  EXPECT_NE(v, nullptr) << name << ' ' << r.message << to_text(r.errors);
-  return v == nullptr ? std::nan("") : v->value;
-}
-
-double drive(const Result& r, const std::string& column) {
-  for (const Table& t : r.tables) {
-    for (std::size_t i = 0; t.name == "drives" && i < t.columns.size(); ++i) {
-      if (t.columns[i].name == column) return std::get<double>(t.rows.at(0).at(i));
-    }
-  }
-  ADD_FAILURE() << column << ' ' << r.message << to_text(r.errors);
-  return std::nan("");
 }
 
 const char* const in_time = "transient: {duration: 6 s, output_step: 20 ms, tolerance: 1e-4}";
