@@ -279,6 +279,7 @@ ModesResult modes(const model::Model& model, const ModesOptions& options) {
   o.start = options.start;
   o.damping_ratio = options.damping_ratio;
   o.rope_mass = options.rope_mass;
+  o.branches = options.branches;
   dynamics::Run run{.model = still, .options = o};
   ModesResult result;
   const bool opened = dynamics::open_run(run);

@@ -13,6 +13,7 @@ struct ModesOptions {
   Start start = Start::settled;
   int most = 10;             ///< so many modes, lowest first
   double damping_ratio = 0;  ///< of ropes that give none
+  Branches branches = Branches::straight;
   bool rope_mass = true;     ///< false: ropes have neither weight nor inertia
 };
 

@@ -124,6 +124,8 @@ bool dynamics::open_run(Run& run) {
   run.result.ropes.resize(model.reevings.size());
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
+  run.result.sagging.assign(model.reevings.size(), 0);
+  for (const Line& line : run.m.lines) run.result.sagging[static_cast<std::size_t>(line.reeving)] += line.sag >= 0;
   if (!run.result.outcome.ok()) return false;
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;

@@ -17,6 +17,12 @@ namespace taut::analysis {
 /// slow and exact, to judge the other two by.
 enum class TimeMethod { implicit, verlet, reference };
 
+/// The free rope between two neighbours of its path. straight: half of its weight hangs on each end. catenary: at every
+/// moment the elastic catenary at rest between its moving ends, where the rope has weight, is in one piece and no force
+/// acts along it. by_weight: so where its weight is more than `light` of its tension when the motion begins. Inertia:
+/// half of its mass at each end in any case.
+enum class Branches { straight, catenary, by_weight };
+
 /// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of
 /// the same machine. sliding: there too, but with all friction as it is when the machine has come slowly from a little
 /// before, as `slid` says: at rest and about to go on the same way.
@@ -48,6 +54,7 @@ struct DynamicState {
     std::vector<double> wrap;         ///< by node: beyond 2 pi counted, rad
     std::vector<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
     std::vector<Vector3> inside_velocity;
+    std::vector<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
     std::vector<double> lumped;  ///< by branch or segment: length whose mass was shared out, m; empty: `length`
   };
   struct Drum {
@@ -84,7 +91,8 @@ struct TransientOptions {
   /// `output_step`. Cylinders with a law follow their reference speed. Where a state can't be held any more the machine
   /// goes, without swinging, to the next one that can.
   bool quasi_static = false;
-  double light = 0.05;               ///< m g l/T below which half of a branch's mass goes to each end
+  Branches branches = Branches::straight;
+  double light = 0.05;               ///< of `by_weight`: m g l/T up to which a branch is straight
   bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
   std::optional<DynamicState> from;  ///< go on from there
   long most_steps = 50'000'000;
@@ -118,7 +126,9 @@ struct TransientFrame {
     double T_from = 0, T_to = 0;            ///< N
     double unstretched = 0, stretched = 0;  ///< m
     Vector3 start, end;                     ///< m
+    Vector3 leaves, arrives;                ///< directions along the path there
     bool whole = true;
+    std::vector<Vector3> curve;  ///< of one that sags: points between start and end, m
   };
   struct Contact {
     int reeving = 0, node = 0;
@@ -194,6 +204,7 @@ struct TransientResult {
   double stability_limit = 0;                  ///< of Verlet at the start, s
   std::vector<double> damping_time;            ///< by reeving: beta, s
   std::vector<double> frequency;  ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
+  std::vector<int> sagging;       ///< by reeving: so many of its branches hang as catenaries
   std::vector<bool> mass_lumped;  ///< by reeving: half of each branch's mass at each end; false: none
 };
 

@@ -276,7 +276,11 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
     }
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    if (m.lines[i].between_points) {
+    const bool hangs = sags(m.lines[i], now.lines[i]);
+    if (m.lines[i].sag >= 0) w.hangs[at(m.lines[i].sag)] = hangs ? 1 : 0;
+    if (hangs) {
+      assemble_sagging(m, s, before, i, now, w);
+    } else if (m.lines[i].between_points) {
       assemble_between_points(m, s, m.lines[i], now.lines[i], w);
     } else if (m.lines[i].plain) {
       assemble_plain(m, s, i, now, w);

@@ -17,11 +17,18 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
+Outcome no_rope_between(const model::Model& model, const Line& line, const char* how) {
+  const model::Reeving& rope = model.reevings[at(line.reeving)];
+  return infeasible(fmt::format("no rope {} from '{}' to '{}' of '{}' where the motion begins", how,
+                                rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, rope.name));
+}
+
 void place_lines(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
   const model::Model& model = *m.model;
   Values& v = built.values;
   v.lines.resize(m.lines.size());
+  v.sags.resize(at(m.sagging));
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     LineValues& line = v.lines[i];
     line.radius = m.lines[i].radius;
@@ -30,10 +37,7 @@ void place_lines(const DynamicState& start, Built& built) {
       m.lines[i].offset[end] = body < 0 ? m.lines[i].place[end] : Vector3(v.bodies[at(body)].R * m.lines[i].place[end]);
     }
     if (!place_line(m.lines[i], v.bodies, line, line)) {
-      const model::Reeving& rope = model.reevings[at(m.lines[i].reeving)];
-      built.outcome =
-          infeasible(fmt::format("no straight rope goes from '{}' to '{}' of '{}' where the motion begins",
-                                 rope.nodes[at(m.lines[i].from)].name, rope.nodes[at(m.lines[i].to)].name, rope.name));
+      built.outcome = no_rope_between(model, m.lines[i], "goes straight");
       return;
     }
     line.angle = {0, 0};
@@ -45,6 +49,13 @@ void place_lines(const DynamicState& start, Built& built) {
     line.e = length_of(m.lines[i], line.l) / line.L - 1;
     pull(m.lines[i], line);
     line.end_T = {line.T, line.T};
+    if (!sags(m.lines[i], line)) continue;
+    SagValues& shape = v.sags[at(m.lines[i].sag)];
+    if (!begin_to_hang(m.lines[i], v.bodies, start, static_cast<int>(own), line, shape)) {
+      built.outcome = no_rope_between(model, m.lines[i], "hangs");
+      return;
+    }
+    pull_sagging(m.lines[i], 0, line, shape);
   }
 }
 
@@ -60,11 +71,11 @@ void fill_contacts(const DynamicState& start, Built& built) {
     const Contact& contact = m.contacts[i];
     ContactValues& is = v.contacts[i];
     is.entry = contact.in >= 0 ? contact.in : contact.out;
-    is.lambda = 1 + std::max(0.0, v.lines[at(is.entry)].e);
+    is.lambda = 1 + std::max(0.0, entry_strain(m, v, contact, is.entry));
     is.winding = is.lambda;
     if (contact.in < 0 || contact.out < 0) continue;
     const model::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
-    is.wrap = bend(node, end_at(node, poses), v.lines[at(contact.in)].t, v.lines[at(contact.out)].t).wrap;
+    is.wrap = bend(node, end_at(node, poses), direction(m, v, contact.in, 1), direction(m, v, contact.out, 0)).wrap;
     const auto& wraps = start.ropes[at(contact.reeving)].wrap;
     if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[at(contact.node)] - is.wrap) / (two_pi));
   }
@@ -89,7 +100,7 @@ void fill_drums(const DynamicState& start, Built& built) {
     for (const Contact& contact : m.contacts) {
       if (contact.drum != static_cast<int>(d)) continue;
       const std::size_t line = at(contact.in >= 0 ? contact.in : contact.out);
-      strain = std::max(0.0, v.lines[line].e);
+      strain = std::max(0.0, end_strain(m, v, static_cast<int>(line), contact.in >= 0 ? 1 : 0));
       if (model.drums[d].wound_at) strain = *model.drums[d].wound_at / m.lines[line].stiffness;
     }
     drum.strain.assign(at(std::max(1, drum.layer)), strain);
@@ -111,8 +122,9 @@ void classify(Mechanism& m) {
     return body < 0 || (m.bodies[at(body)].count == 0 && !m.bodies[at(body)].driven);
   };
   for (Line& line : m.lines) {
-    line.plain = line.kind == LineKind::points && !line.part && shifts(line.body[0]) && shifts(line.body[1]);
-    line.still = rests(line.body[0]) && rests(line.body[1]);
+    line.plain =
+        line.kind == LineKind::points && !line.part && line.sag < 0 && shifts(line.body[0]) && shifts(line.body[1]);
+    line.still = rests(line.body[0]) && rests(line.body[1]) && line.sag < 0;
     m.stiffest = std::max(m.stiffest, line.stiffness);
   }
   for (const auto& [line, end] : m.tensioner) m.lines[at(line)].tensioned = true;
@@ -124,7 +136,7 @@ void classify(Mechanism& m) {
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
     contact.bearing_ratio = light ? 1 / contact.efficiency : std::numeric_limits<double>::infinity();
   }
-  const auto plain = [](const Line& line) { return line.kind == LineKind::points; };
+  const auto plain = [](const Line& line) { return line.kind == LineKind::points && line.sag < 0; };
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
   const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),
                                   [](const model::Body& body) { return !body.driven.empty(); });

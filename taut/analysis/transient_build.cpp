@@ -131,6 +131,7 @@ class Builder {
           line.radius[1] = 0;
         }
         set_kind(line);
+        mark_sagging(line, k);
         m().lines.push_back(line);
       }
     }
@@ -162,6 +163,14 @@ class Builder {
     const bool parallel = !first || !second || axis.cross(axis_in_ground(line, 1)).norm() < 1e-12;
     const bool stays = (!first || keeps(line.body[0], axis)) && (!second || keeps(line.body[1], axis));
     line.kind = parallel && stays ? LineKind::planar : LineKind::skew;
+  }
+
+  /// Branches that hang as catenaries: with weight, in one piece, without a load on their way.
+  void mark_sagging(Line& line, int branch) {
+    if (options_.branches == Branches::straight || line.segment >= 0 || line.part || !(line.weight > 0)) return;
+    const double length = start_.ropes[at(line.reeving)].length[at(branch)];
+    const bool all = options_.branches == Branches::catenary;
+    if (all || sags_by_weight(line, start_, branch, length, options_.light)) line.sag = m().sagging++;
   }
 
   /// A node between two branches, or a drum at an end.
@@ -295,7 +304,7 @@ void Builder::number() {
       line.column[at(line.columns++)] = m.contacts[at(line.contact[end])].column;
     }
     const auto point = [&](std::size_t end) { return line.body[end] >= 0 && m.bodies[at(line.body[end])].point; };
-    line.between_points = line.kind == LineKind::points && line.columns == 6 && point(0) && point(1);
+    line.between_points = line.sag < 0 && line.kind == LineKind::points && line.columns == 6 && point(0) && point(1);
   }
   for (Contact& contact : m.contacts) {
     for (const int i : {contact.in, contact.out}) {

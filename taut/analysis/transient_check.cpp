@@ -49,8 +49,9 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
                                     [](const model::Node& node) { return node.kind == model::NodeKind::load; });
     if (loaded && rope.segments > 1) {
       return infeasible(fmt::format(
-          "a force acts along the rope '{}', which is in 'segments': in motion it wants a rope that is straight "
-          "between its sheaves",
+          "a force acts along the rope '{}', which is in 'segments': their joints are fixed to the rope, the force is "
+          "not, and no joint can run through the place where it acts and holds the rope; leave 'segments' out: the "
+          "force then has a straight rope of one tension on either side",
           rope.name));
     }
     if (std::isinf(rope.stiffness)) {

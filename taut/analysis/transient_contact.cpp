@@ -25,8 +25,11 @@ void for_columns(const Mechanism& m, const Contact& contact, const Work& w, Visi
     const int i = out ? contact.out : contact.in;
     if (i < 0) continue;
     const LineTangent& tangent = w.tangents[at(i)];
+    const bool hangs = m.lines[at(i)].sag >= 0 && w.hangs[at(m.lines[at(i)].sag)];
     for (int c = 0; c < m.lines[at(i)].columns; ++c, ++k) {
-      visit(k, out, tangent.end_T[out ? 0 : 1][at(c)], tangent.angle[out ? 0 : 1][at(c)], tangent.e[at(c)]);
+      const std::size_t end = out ? 0 : 1;
+      const double e = hangs ? tangent.end_e[end][at(c)] : tangent.e[at(c)];
+      visit(k, out, tangent.end_T[end][at(c)], tangent.angle[end][at(c)], e);
     }
   }
 }
@@ -311,12 +314,13 @@ BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Val
   const double share =
       contact.copies * working_radius(m, contact, before) * (1 - contact.efficiency) / (1 + contact.efficiency);
   const LineValues &in = now.lines[at(contact.in)], &out = now.lines[at(contact.out)];
-  const Vector3 F = (out.end_T[0] - out.thrust[0]) * out.t - (in.end_T[1] - in.thrust[1]) * in.t;
+  const Vector3 &t_in = direction(m, now, contact.in, 1), &t_out = direction(m, now, contact.out, 0);
+  const Vector3 F = (out.end_T[0] - out.thrust[0]) * t_out - (in.end_T[1] - in.thrust[1]) * t_in;
   const double size = F.norm();
   slope.capacity = share * size;
   if (size == 0) return slope;
-  slope.out = share * F.dot(out.t) / size;
-  slope.in = -share * F.dot(in.t) / size;
+  slope.out = share * F.dot(t_out) / size;
+  slope.in = -share * F.dot(t_in) / size;
   return slope;
 }
 

@@ -206,6 +206,11 @@ bool change_layers(Run& run, Values& v) {
     for (int k = line;; k += end == 0 ? 1 : -1) {  // all parts of the free line
       const Line& part = run.m.lines[at(k)];
       LineValues& of = v.lines[at(k)];
+      if (sags(part, of)) {
+        hang_on_new_radius(part, v.bodies, end, radius, of, v.sags[at(part.sag)]);
+        of.radius[end] = radius;
+        break;
+      }
       of.radius[end] = radius;
       const LineValues as_was = of;
       if (place_line(part, v.bodies, as_was, of)) of.L = length_of(part, of.l) / (1 + of.e);

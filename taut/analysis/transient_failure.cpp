@@ -58,6 +58,12 @@ Outcome failure(Run& run, StepEnd end, double t) {
     return infeasible(fmt::format(
         "at t = {:.6g} s two rounds of a rope come so near to each other that no rope goes between them", t));
   }
+  if (end == StepEnd::no_place && run.m.sagging > 0) {
+    return infeasible(fmt::format(
+        "at t = {:.6g} s a rope hangs so loose that it would fall off its sheaves: keep it taut, or take 'branches: "
+        "by_weight', where it stays straight while it weighs little beside its tension at the start",
+        t));
+  }
   if (run.options.quasi_static && end == StepEnd::singular) {
     return infeasible(
         fmt::format("at t = {:.6g} s there is no equilibrium any more: what is no longer held goes on without end; "

@@ -113,20 +113,28 @@ void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& no
   const LineValues& was = before.lines[i];
   LineValues& is = now.lines[i];
   is.L = was.L;
+  const bool sagging = sags(line, is);
+  std::array<double, 2> winding{1, 1};
   for (const std::size_t end : {0U, 1U}) {
     if (line.contact[end] < 0) continue;
     const ContactValues& contact = before.contacts[at(line.contact[end])];
     const std::size_t c = at(m.contacts[at(line.contact[end])].column);
+    winding[end] = contact.winding;
     double out = now.q[c] - before.q[c];
-    if (line.radius[end] > 0 && !line.at_load[end])
+    if (line.radius[end] > 0 && !line.at_load[end] && !sagging)
       out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
     is.L += end == 0 ? out : -out;
   }
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
     if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
   }
-  // a dead end may run out: its length counts no more
-  if (is.gone == 0) is.L = std::max(is.L, nothing_left * is.l);
+  if (sagging) {
+    const std::size_t k = at(line.sag);
+    if (!hang(line, now.bodies, winding, before.sags[k], is.L, was.angle, is, now.sags[k]))
+      is.L = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  if (is.gone == 0) is.L = std::max(is.L, nothing_left * is.l);  // a dead end may run out: its length counts no more
   is.e = length_of(line, is.l) / is.L - 1;
 }
 
@@ -174,7 +182,7 @@ void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work&
   ContactValues& is = now.contacts[i];
   const std::size_t c = at(contact.column);
   is.entry = was.entry;
-  is.lambda = is.entry >= 0 ? 1 + std::max(0.0, now.lines[at(is.entry)].e) : was.lambda;
+  is.lambda = is.entry >= 0 ? 1 + std::max(0.0, entry_strain(m, now, contact, is.entry)) : was.lambda;
   is.roll_rate = 0;
   if (contact.spin >= 0) {
     is.roll_rate = contact.sense * now.spins[at(contact.spin)].omega * working_radius(m, contact, before) / is.lambda;
@@ -220,7 +228,9 @@ void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std:
   LineValues& is = now.lines[i];
   is.e_rate = 0;
   // it matters for dampers, and for how the stretch of rope on rounds goes on
-  const bool matters = line.damping > 0 || line.contact[0] >= 0 || line.contact[1] >= 0;
+  const bool sagging = sags(line, is), runs = line.contact[0] >= 0 || line.contact[1] >= 0;
+  const bool matters = line.damping > 0 || runs || sagging;
+  if (sagging) now.sags[at(line.sag)].chord_rate = 0;
   if (!s.at_rest && matters) {
     Vector3 apart = Vector3::Zero();
     double flows = 0;
@@ -243,6 +253,11 @@ void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std:
     is.apart = apart;
     is.e_rate = (line.share * is.t.dot(apart) - (1 + is.e) * flows) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
+    if (sagging) now.sags[at(line.sag)].chord_rate = (is.t.dot(apart) - is.l / is.L * flows) / is.L;
+  }
+  if (sagging) {
+    pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[at(line.sag)]);
+    return;
   }
   pull(line, s.undamped ? 0 : line.damping, is);
   // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
@@ -362,7 +377,7 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
 double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
   const Contact& of = m.contacts[contact];
   if (of.round || of.in < 0 || of.out < 0) return v.contacts[contact].wrap;
-  const Vector3 &a = v.lines[at(of.in)].t, &b = v.lines[at(of.out)].t;
+  const Vector3 &a = direction(m, v, of.in, 1), &b = direction(m, v, of.out, 0);
   const double wrap = std::atan2(a.cross(b).norm(), a.dot(b));
   return (b - a).dot(of.support) > 0 ? -wrap : wrap;
 }

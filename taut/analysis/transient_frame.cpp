@@ -10,6 +10,8 @@ namespace {
 
 using model::Quantity;
 
+constexpr int parts_of_curve = 16;  ///< of a sagging branch in a frame
+
 ContactState state_of_contact(const Contact& contact, const ContactValues& v, const Pressure& p, double omega) {
   if (contact.round && v.wrap < 0) return ContactState::lifted;
   if (p.in <= 0 && p.out <= 0) return ContactState::lifted;
@@ -42,7 +44,8 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   const bool light = contact.spin < 0 && contact.efficiency > 0;
   c.slip = light && !contact.load ? 0 : is.lambda * (is.flow - is.roll_rate);
   c.state = state_of_contact(contact, is, pressure(m, static_cast<int>(i), v), c.spin);
-  c.force = std::max(0.0, c.T_out - out.thrust[0]) * out.t - std::max(0.0, c.T_in - in.thrust[1]) * in.t;
+  c.force = std::max(0.0, c.T_out - out.thrust[0]) * direction(m, v, contact.out, 0) -
+            std::max(0.0, c.T_in - in.thrust[1]) * direction(m, v, contact.in, 1);
   return c;
 }
 
@@ -241,7 +244,13 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
         line.at_load[0] ? Vector3(is.touch[0] + (line.ahead * is.l + line.ahead_more) * is.t) : is.touch[0];
     const Vector3 end = line.at_load[1] ? Vector3(start + l * is.t) : is.touch[1];
     f.branches.push_back(
-        {line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, l, start, end, is.gone > 0});
+        {line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, l, start, end, is.t, is.t, is.gone > 0, {}});
+    if (!sags(line, is)) continue;
+    const SagValues& shape = v.sags[at(line.sag)];
+    f.branches.back().stretched = sag_stretched(line, is, shape);
+    f.branches.back().leaves = shape.direction[0];
+    f.branches.back().arrives = shape.direction[1];
+    f.branches.back().curve = sag_curve(line, is, shape, parts_of_curve);
   }
   for (const auto& inside : m.inside) {
     f.inside.emplace_back();

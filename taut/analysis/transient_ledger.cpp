@@ -13,13 +13,20 @@ namespace {
 double elastic_tension(const Line& line, const LineValues& v) { return line.stiffness * v.gone * std::max(0.0, v.e); }
 
 /// What a metre of unstretched rope takes out of a line at one end, J/m: the tension's work less its strain energy.
-double per_metre(const Line& line, const LineValues& v, std::size_t end) {
-  return v.end_T[end] * (1 + v.e) - elastic_tension(line, v) * v.e / 2;
+double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
+  const Line& line = m.lines[at(i)];
+  const LineValues& is = v.lines[at(i)];
+  if (!sags(line, is)) return is.end_T[end] * (1 + is.e) - elastic_tension(line, is) * is.e / 2;
+  const double e = end_strain(m, v, i, end), T = line.stiffness * is.gone * e;
+  return T * (1 + e / 2) + (is.end_T[end] - T) * is.l / is.L;
 }
 
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
 /// less than its weight.
-double per_metre_let_in(const Line& line, const LineValues& v) {
+double per_metre_let_in(const Mechanism& m, const Values& values, int i, std::size_t end) {
+  const Line& line = m.lines[at(i)];
+  const LineValues& v = values.lines[at(i)];
+  if (sags(line, v)) return per_metre(m, values, i, end) - line.weight * v.touch[end].z();
   const double middle = borne(line, v.l, 0) * v.touch[0].z() + borne(line, v.l, 1) * v.touch[1].z();
   return v.T * (1 + v.e) - elastic_tension(line, v) * v.e / 2 - line.weight * middle;
 }
@@ -27,8 +34,8 @@ double per_metre_let_in(const Line& line, const LineValues& v) {
 Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
-  const double out = contact.out < 0 ? 0 : per_metre(m.lines[at(contact.out)], v.lines[at(contact.out)], 0);
-  const double in = contact.in < 0 ? 0 : per_metre(m.lines[at(contact.in)], v.lines[at(contact.in)], 1);
+  const double out = contact.out < 0 ? 0 : per_metre(m, v, contact.out, 0);
+  const double in = contact.in < 0 ? 0 : per_metre(m, v, contact.in, 1);
   const double T_out = contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0];
   const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
   Prices p;
@@ -43,7 +50,7 @@ Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
   const double onto = contact.in < 0 ? -1 : 1, strain = is.lambda - 1;
   if (given_tension(m, contact, v, v.when)) {
-    p.supplied = onto * (T_in + T_out) * (1 + v.lines[line].e);
+    p.supplied = onto * (T_in + T_out) * (1 + end_strain(m, v, static_cast<int>(line), contact.in < 0 ? 0 : 1));
     p.passed += p.supplied;
   }
   p.laid_by = onto * m.lines[line].stiffness * strain * strain / 2;
@@ -76,12 +83,29 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
 double damped(const Mechanism& m, std::size_t i, const Values& before, const Values& now) {
   const Line& line = m.lines[i];
   const LineValues &a = before.lines[i], &b = now.lines[i];
+  if (sags(line, b)) {
+    const auto power = [&](const Values& v) {
+      const SagValues& is = v.sags[at(line.sag)];
+      return is.damper * is.chord_rate * v.lines[i].L;
+    };
+    return line.copies * (power(before) + power(now)) / 2 * (now.t - before.t);
+  }
   const double more_a = a.T - elastic_tension(line, a), more_b = b.T - elastic_tension(line, b);
   return line.copies * (more_a * a.L + more_b * b.L) / 2 * (b.e - a.e);
 }
 
-/// Strain energy that the fading of a breaking line takes.
-double torn(const Line& line, const LineValues& before, const LineValues& now) {
+/// Strain energy that the fading of a breaking line takes; of a sagging one also what its weight falls.
+double torn(const Mechanism& m, std::size_t i, const Values& values_before, const Values& values_now) {
+  const Line& line = m.lines[i];
+  const LineValues &before = values_before.lines[i], &now = values_now.lines[i];
+  if (line.sag >= 0) {
+    const auto held = [&](const Values& v) {
+      const SagEnergy energy = sag_energy(line, v.lines[i], v.sags[at(line.sag)]);
+      return energy.elastic + energy.below;
+    };
+    const double after = sags(line, now) ? held(values_now) : held(values_before);
+    return line.copies * (before.gone - now.gone) * (held(values_before) + after) / 2;
+  }
   const auto square = [](const LineValues& v) { return v.e > 0 ? v.e * v.e * v.L : 0; };
   return line.copies * line.stiffness * (before.gone - now.gone) * (square(before) + square(now)) / 4;
 }
@@ -99,8 +123,9 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
         if (line.body[end] != static_cast<int>(b)) continue;
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
         const Vector3 force =
-            line.part ? part_force(line, is, end)
-                      : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * is.L / 2 * up());
+            sags(line, is) ? sagging_force(line, is, v.sags[at(line.sag)], end)
+            : line.part    ? part_force(line, is, end)
+                           : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * is.L / 2 * up());
         p.supplied -= line.copies * force.dot(moves);
       }
     }
@@ -118,14 +143,33 @@ double wound(const Mechanism& m, const Values& before, const Values& now) {
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[at(line.contact[end])].winding;
-      const auto rate = [&](const LineValues& v) {
-        return v.T * (1 - (1 + v.e) / winding) + elastic_tension(line, v) * v.e / (2 * winding) +
-               line.weight * v.touch[end].z() / winding;
+      const auto rate = [&](const Values& values) {
+        const LineValues& v = values.lines[i];
+        const bool hangs = sags(line, v);
+        const double e = end_strain(m, values, static_cast<int>(i), end), T = hangs ? v.end_T[end] : v.T;
+        const double elastic = hangs ? line.stiffness * v.gone * e : elastic_tension(line, v);
+        return T * (1 - (1 + e) / winding) + elastic * e / (2 * winding) + line.weight * v.touch[end].z() / winding;
       };
-      energy += line.copies * onto * (rate(a) + rate(b)) / 2;
+      energy += line.copies * onto * (rate(before) + rate(now)) / 2;
     }
   }
   return energy;
+}
+
+/// Rope that runs over a bend moving with v leaves it with more kinetic energy than it came with: G (t_out - t_in).v.
+double power_of_running(const Mechanism& m, const Values& v) {
+  double power = 0;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    for (const std::size_t end : {0U, 1U}) {
+      if (!sags(line, is) || line.body[end] < 0) continue;
+      const Motion3& body = v.bodies[at(line.body[end])];
+      const double G = sagging_thrust(is, v.sags[at(line.sag)], end);
+      power += (end == 0 ? 1 : -1) * line.copies * G * is.t.dot(body.v + body.w.cross(is.touch[end] - body.x));
+    }
+  }
+  return power;
 }
 
 void price(const Mechanism& m, const Values& v, Ledger& ledger) {
@@ -154,12 +198,11 @@ Powers powers(const Mechanism& m, const Values& v) {
     if (!light) p.supplied += drive_moment(m, static_cast<int>(i), v) * is.omega;
   }
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
-    const int line = m.tensioner[k].first;
-    const Line& of = m.lines[at(line)];
-    const LineValues& is = v.lines[at(line)];
-    p.supplied -= of.copies * per_metre_let_in(of, is) * v.tension_rate[k];
+    const auto [line, end] = m.tensioner[k];
+    p.supplied -= m.lines[at(line)].copies * per_metre_let_in(m, v, line, at(end)) * v.tension_rate[k];
   }
   add_driven(m, v, p);
+  if (m.sagging > 0) p.running = power_of_running(m, v);
   return p;
 }
 
@@ -192,7 +235,13 @@ Stored stored(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
-    s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
+    if (sags(line, is)) {
+      const SagEnergy energy = sag_energy(line, is, v.sags[at(line.sag)]);
+      s.elastic += line.copies * is.gone * energy.elastic;
+      s.potential += line.copies * is.gone * energy.below;
+    } else {
+      s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
+    }
     const double height = borne(line, is.l, 0) * is.touch[0].z() + borne(line, is.l, 1) * is.touch[1].z();
     s.potential += line.copies * line.weight * is.L * height;
   }
@@ -213,10 +262,11 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   const auto add = [&](double Powers::*what) { return half * (p.*what + ledger.last.*what); };
   ledger.bearings += add(&Powers::bearings);
   ledger.supplied += add(&Powers::supplied);
+  ledger.running += add(&Powers::running);
   ledger.laid_by += wound(m, before, now);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
-    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m.lines[i], before.lines[i], now.lines[i]);
+    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
   const CoupleWork work = work_of_couples(m, before, now);
@@ -241,7 +291,7 @@ void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledg
 
 EnergyLedger told(const Ledger& l) {
   EnergyLedger e;
-  e.kinetic = l.now.kinetic;
+  e.kinetic = l.now.kinetic + l.running;
   e.elastic = l.now.elastic + l.laid_by;
   e.potential = l.now.potential;
   e.damped = l.damped;

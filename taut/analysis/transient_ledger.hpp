@@ -6,6 +6,7 @@ namespace taut::analysis::dynamics {
 /// What the bearings of spins take and drives give at one time, W.
 struct Powers {
   double bearings = 0, supplied = 0;
+  double running = 0;  ///< given to rope that runs over bends which move, of sagging branches
 };
 Powers powers(const Mechanism& m, const Values& v);
 
@@ -27,6 +28,7 @@ struct Ledger {
   double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0;
   double faces = 0;    ///< dashpots and friction of points on faces
   double laid_by = 0;  ///< of the rope on drums and arcs
+  double running = 0;  ///< kinetic energy of rope that has run over bends which move
   double turnover = 0;
   Powers last;
   std::vector<Prices> prices;  ///< by contact, at the time reached

@@ -71,6 +71,7 @@ struct Line {
   double ahead = 0, ahead_more = 0;           ///< before it lies ahead l + ahead_more
   double middle = 0.5;                        ///< where its middle was at the start, as a share of l
   bool tensioned = false;                     ///< by a tensioner
+  int sag = -1;                               ///< its place among the sagging lines; -1: straight
   std::array<int, 2> contact{-1, -1};
   double stiffness = 0;  ///< EA, N
   double damping = 0;    ///< beta, s
@@ -167,6 +168,7 @@ struct Mechanism {
   bool simple = false;                             ///< point masses and lines between points alone
   bool rope_loads = false;                         ///< there are forces along its ropes
   bool lossless = false;                           ///< nothing in it takes or gives energy
+  int sagging = 0;                                 ///< so many lines hang as catenaries
   int size = 0;
   double size_of_machine = 1;  ///< m
   StaticLu solver;

@@ -55,6 +55,17 @@ void walk_line(W& w, LineValues& l) {
 }
 
 template <class W>
+void walk_sag(W& w, SagValues& s) {
+  for (auto* pair : {&s.direction, &s.seat, &s.pull}) {
+    for (Vector3& one : *pair) w.matrix(one);
+  }
+  w.matrix(s.along);
+  for (double* one : {&s.H, &s.V, &s.lowest, &s.stretches, &s.chord_rate, &s.damper, &s.damper_rate, &s.damper_share})
+    w.number(*one);
+  w.whole(s.bounded);
+}
+
+template <class W>
 void walk_contact(W& w, ContactValues& c) {
   for (double* one : {&c.rolled, &c.slipped, &c.flow, &c.steady, &c.roll_rate, &c.slip_rate, &c.slip_mean, &c.wrap,
                       &c.log_ratio, &c.log_by_wrap, &c.ratio, &c.lambda, &c.winding}) {
@@ -87,6 +98,7 @@ void walk_values(W& w, Values& v) {
   for (Motion3& body : v.bodies) walk_body(w, body);
   for (auto* list : {&v.q, &v.nu, &v.rate, &v.tensioned, &v.tension_rate}) w.all(*list);
   for (LineValues& line : v.lines) walk_line(w, line);
+  for (SagValues& sag : v.sags) walk_sag(w, sag);
   for (ContactValues& contact : v.contacts) walk_contact(w, contact);
   for (SpinValues& s : v.spins) {
     for (double* one : {&s.angle, &s.omega, &s.alpha, &s.bearing, &s.capacity, &s.torque, &s.speed}) w.number(*one);

@@ -131,6 +131,7 @@ bool evaluate(ReferenceState& of, double t, const double* place, const double* r
 double winding_rate(const ReferenceState& of, const Wound& one, const Values& now) {
   const Mechanism& m = of.run->m;
   const Line& line = m.lines[one.line];
+  if (sags(line, now.lines[one.line])) return sag_winding_rate(m, one.line, one.end, now);
   std::array<LineColumn, 14> columns;
   line_columns(line, m.bodies, now.bodies, now.lines[one.line], columns);
   double rate = 0;
@@ -337,6 +338,7 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
   ReferenceState& of = *state_;
   of.limit = limit;
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) of.base.lines[i] = run.before.lines[i];
+  of.base.sags = run.before.sags;
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     of.base.contacts[i].entry = run.before.contacts[i].entry;
     of.base.contacts[i].wrap = run.before.contacts[i].wrap;

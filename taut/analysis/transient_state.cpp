@@ -41,6 +41,9 @@ DynamicState state_from(const model::Model& model, const model::State& state) {
       const double length = given.given == model::Given::length ? state.branches[r][k].length
                                                                 : model::straight_length(state, from, to) * by_tension;
       for (int s = 0; s < segments; ++s) rope.length.push_back(length / segments);
+      const bool known = given.given == model::Given::length;
+      rope.leaves.push_back(known ? state.branches[r][k].leaves : Vector3(Vector3::Zero()));
+      rope.arrives.push_back(known ? state.branches[r][k].arrives : Vector3(Vector3::Zero()));
       add_inside(state, from, to, segments, rope);
     }
     rope.whole.assign(rope.length.size(), 1);
@@ -64,9 +67,17 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     DynamicState::Rope& rope = state.ropes[r];
     const auto [first, lines] = m.first_line[r];
     rope.whole.resize(at(lines));
+    if (std::max(1, model.reevings[r].segments) == 1) {
+      rope.leaves.assign(at(lines), Vector3::Zero());
+      rope.arrives = rope.leaves;
+    }
     for (int i = 0; i < lines; ++i) {
       rope.length[at(i)] = v.lines[at(first + i)].L;
       rope.whole[at(i)] = v.lines[at(first + i)].gone > 0 ? 1 : 0;
+      if (!sags(m.lines[at(first + i)], v.lines[at(first + i)])) continue;
+      const SagValues& shape = v.sags[at(m.lines[at(first + i)].sag)];
+      rope.leaves[at(i)] = shape.direction[0];
+      rope.arrives[at(i)] = shape.direction[1];
     }
     const std::size_t nodes = model.reevings[r].nodes.size();
     rope.angle.assign(nodes, 0.0);

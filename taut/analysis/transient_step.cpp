@@ -154,6 +154,7 @@ Work work_for(const Mechanism& m) {
   const std::vector<double> zero(at(m.size), 0.0);
   w.q_star = w.nu_star = w.q_mean = w.nu_mean = w.residual = zero;
   w.tangents.resize(m.lines.size());
+  w.hangs.assign(at(m.sagging), 0);
   return w;
 }
 

@@ -3,6 +3,7 @@
 
 #include "taut/analysis/transient_line.hpp"
 #include "taut/analysis/transient_mechanism.hpp"
+#include "taut/analysis/transient_sag.hpp"
 
 namespace taut::analysis::dynamics {
 
@@ -79,6 +80,7 @@ struct Values {
   std::vector<Motion3> bodies;
   std::vector<double> q, nu, rate;
   std::vector<LineValues> lines;
+  std::vector<SagValues> sags;  ///< of the lines that hang as catenaries
   std::vector<ContactValues> contacts;
   std::vector<SpinValues> spins;
   std::vector<DrumValues> drums;
@@ -115,6 +117,7 @@ struct LineTangent {
   std::array<std::array<double, 14>, 2> end_T{};
   std::array<std::array<double, 14>, 2> angle{};
   std::array<double, 14> e{};
+  std::array<std::array<double, 14>, 2> end_e{};  ///< of a sagging line: strain at its ends
 };
 
 /// One freedom of a body at an end of a plain line: its direction, and how the line follows it.
@@ -132,6 +135,7 @@ struct Work {
   double mean_step = 0;                 ///< the step to which they belong, s; 0: they are the rates
   std::vector<double> residual;         ///< by column, N, N m
   std::vector<LineTangent> tangents;
+  std::vector<char> hangs;  ///< of each sagging line: whether its tangent is that of a catenary
   std::array<LineColumn, 14> columns;
   std::array<PlainColumn, 12> plain;
   std::array<double, 14> T_slope{}, L_slope{};  ///< of a line by its local unknowns
@@ -140,6 +144,27 @@ struct Work {
   std::vector<double> push;                     ///< forces of couples, of the last iteration
   std::vector<std::uint8_t> push_state;         ///< of contacts on faces: 0 apart, 1 slides, 2 sticks
 };
+
+/// Direction of the rope at an end of a line, along the path.
+inline const Vector3& direction(const Mechanism& m, const Values& v, int line, std::size_t end) {
+  const LineValues& is = v.lines[at(line)];
+  return sags(m.lines[at(line)], is) ? v.sags[at(m.lines[at(line)].sag)].direction[end] : is.t;
+}
+/// Strain of the rope there, without what dampers hold.
+inline double end_strain(const Mechanism& m, const Values& v, int line, std::size_t end) {
+  const LineValues& is = v.lines[at(line)];
+  if (!sags(m.lines[at(line)], is)) return is.e;
+  return v.sags[at(m.lines[at(line)].sag)].pull[end].norm() / m.lines[at(line)].stiffness;
+}
+/// Of the rope that comes to a contact.
+inline double entry_strain(const Mechanism& m, const Values& v, const Contact& contact, int entry) {
+  return end_strain(m, v, entry, entry == contact.in ? 1 : 0);
+}
+/// Its rows.
+void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::size_t i, const Values& now, Work& w);
+
+/// Rope that an end of a sagging line lays on its round by the turning of its direction, m/s.
+double sag_winding_rate(const Mechanism& m, std::size_t line, std::size_t end, const Values& now);
 
 /// Puts the star values of a step from `before` into the work.
 void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work& w);

@@ -37,15 +37,17 @@ void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving&
   const Vector3 way = b.end - b.start;
   const double length = way.norm();
   const Vector3 along = length > 0 ? Vector3(way / length) : Vector3::UnitX();
-  const double weight = heavy && b.whole ? rope.weight * b.unstretched : 0;
+  const bool sags = !b.curve.empty();  // then its weight is in the tensions at its ends
+  const double weight = heavy && b.whole && !sags ? rope.weight * b.unstretched : 0;
   const Vector3 hangs = weight_across(along, weight);
-  const Vector3 on_end = -b.T_to * along + hangs;
+  const Vector3 on_start = b.T_from * (sags ? b.leaves : along) + hangs;
+  const Vector3 on_end = -b.T_to * (sags ? b.arrives : along) + hangs;
   const double most = std::max(b.T_from, b.T_to);
   const bool goes_on =
       !all.empty() && all.back().reeving == b.reeving && all.back().from == b.from && rope.segments > 1;
   if (!goes_on) {
     all.push_back({b.reeving, b.from, b.to, most, (b.T_from + b.T_to) / 2, length, b.unstretched, b.start, b.end,
-                   b.T_from * along + hangs, on_end});
+                   on_start, on_end});
     return;
   }
   CheckBranch& one = all.back();

@@ -226,6 +226,7 @@ Analysis prepare_modes(const ModesRequest& request, const std::string& path, Pre
     o.most = one.request.count;
     o.damping_ratio = one.request.damping_ratio;
     o.rope_mass = one.request.rope_mass;
+    o.branches = branches_of(one.request.branches);
     one.result = analysis::modes(one.model, o);
     add_modes(one, r);
   };

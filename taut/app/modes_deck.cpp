@@ -4,6 +4,7 @@ namespace taut::app {
 
 const Description& ModesRequest::describe() {
   using Start = TransientRequest::Start;
+  using Branches = TransientRequest::Branches;
   static const Description d =
       Describe<ModesRequest>()
           .field(&ModesRequest::name, "name", "ending of its tables' names, when a deck has several")
@@ -16,7 +17,11 @@ const Description& ModesRequest::describe() {
                  "of ropes that give none: of the lowest mode in which the rope stretches")
           .at_least(0)
           .at_most(10)
-          .field(&ModesRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia");
+          .field(&ModesRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia")
+          .choice(
+              &ModesRequest::branches, "branches",
+              {{"straight", Branches::straight}, {"catenary", Branches::catenary}, {"by_weight", Branches::by_weight}},
+              "free ropes between two sheaves, as of a transient");
   return d;
 }
 

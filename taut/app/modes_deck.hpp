@@ -14,6 +14,7 @@ struct ModesRequest {
   TransientRequest::Start start = TransientRequest::Start::settled;
   double damping_ratio = 0;
   bool rope_mass = true;
+  TransientRequest::Branches branches = TransientRequest::Branches::straight;
   static const Description& describe();
 };
 

@@ -67,6 +67,12 @@ const Description& TransientRequest::describe() {
           .at_least(0)
           .at_most(10)
           .field(&TransientRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia")
+          .choice(
+              &TransientRequest::branches, "branches",
+              {{"straight", Branches::straight}, {"catenary", Branches::catenary}, {"by_weight", Branches::by_weight}},
+              "free ropes between two sheaves: straight, half of their weight at each end; catenary: the elastic "
+              "catenary at rest between their moving ends; by_weight: so where they weigh more than 5 % of their "
+              "tension at the start")
           .field(&TransientRequest::save, "save", "file for the state at the end, in the folder of the results")
           .field(&TransientRequest::restart, "restart", "file with such a state to go on from, beside the deck")
           .record(&TransientRequest::hoist_factor, "hoist_factor",

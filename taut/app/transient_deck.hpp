@@ -27,6 +27,7 @@ struct SlidRequest {
 struct TransientRequest {
   enum class Method { implicit, verlet, reference };
   enum class Start { settled, assembled, sliding };
+  enum class Branches { straight, catenary, by_weight };
 
   std::optional<std::string> name;    ///< ending of its files' names
   double duration = 0;                ///< s
@@ -39,6 +40,7 @@ struct TransientRequest {
   bool quasi_static = false;
   double damping_ratio = 0;
   bool rope_mass = true;
+  Branches branches = Branches::straight;
   std::optional<std::string> save;     ///< file for the state at the end, in the folder of the results
   std::optional<std::string> restart;  ///< file with such a state, looked for beside the deck
   std::optional<HoistFactor> hoist_factor;

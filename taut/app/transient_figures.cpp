@@ -43,6 +43,7 @@ Vector3 size_of(const TransientRun& run) {
     for (const auto& b : frame.branches) {
       low = low.cwiseMin(b.start).cwiseMin(b.end);
       high = high.cwiseMax(b.start).cwiseMax(b.end);
+      for (const Vector3& p : b.curve) low = low.cwiseMin(p);
     }
   }
   return high - low;

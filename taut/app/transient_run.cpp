@@ -98,8 +98,9 @@ void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) 
     const auto rope = std::find_if(p.model.reevings.begin(), p.model.reevings.end(),
                                    [&](const model::Reeving& one) { return one.name == loads[i].rope; });
     if (rope == p.model.reevings.end() || rope->segments <= 1) continue;
-    complaints.push_back({place, fmt::format("the rope '{}' is in 'segments': in motion a force along it wants a rope "
-                                             "that is straight between its sheaves",
+    complaints.push_back({place, fmt::format("the rope '{}' is in 'segments': in motion the force along it stays "
+                                             "where it is and the rope runs through it, but no joint of two segments "
+                                             "can; leave 'segments' out",
                                              loads[i].rope)});
   }
   for (std::size_t i = 0; i < p.deck.machine.take_up.size(); ++i) {
@@ -219,6 +220,18 @@ analysis::Start start_of(TransientRequest::Start start) {
   return analysis::Start::assembled;
 }
 
+analysis::Branches branches_of(TransientRequest::Branches branches) {
+  switch (branches) {
+    case TransientRequest::Branches::catenary:
+      return analysis::Branches::catenary;
+    case TransientRequest::Branches::by_weight:
+      return analysis::Branches::by_weight;
+    case TransientRequest::Branches::straight:
+      break;
+  }
+  return analysis::Branches::straight;
+}
+
 std::string words_of(const TransientRun& run) {
   return run.request.name ? fmt::format("transient, {}", *run.request.name) : std::string("transient");
 }
@@ -238,6 +251,7 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
   o.quasi_static = request.quasi_static;
   o.damping_ratio = request.damping_ratio;
   o.rope_mass = request.rope_mass;
+  o.branches = branches_of(request.branches);
   if (!request.state.empty()) {
     auto from = state_from_json(request.state, run.model);
     if (!from) {

@@ -29,6 +29,9 @@ void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistak
 /// Where a deck lets a motion begin.
 analysis::Start start_of(TransientRequest::Start start);
 
+/// How it has free ropes.
+analysis::Branches branches_of(TransientRequest::Branches branches);
+
 /// The motion, with its options from the request.
 void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress);
 

@@ -123,17 +123,16 @@ class Parts {
     const auto is_anchor = [&](int n) {
       return rope.nodes[static_cast<std::size_t>(n)].kind == model::NodeKind::anchor;
     };
-    const Vector3 along = way.normalized();
     // of a rope in segments only the outer ones end at a node
     const auto near = [&](int n, const Vector3& end) {
       const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
       return (end - place_of(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
     };
     if (is_anchor(b.from) && near(b.from, b.start)) {
-      part_of(rope.nodes[static_cast<std::size_t>(b.from)]).force += rope.copies * b.T_from * along;
+      part_of(rope.nodes[static_cast<std::size_t>(b.from)]).force += rope.copies * b.T_from * b.leaves;
     }
     if (is_anchor(b.to) && near(b.to, b.end)) {
-      part_of(rope.nodes[static_cast<std::size_t>(b.to)]).force -= rope.copies * b.T_to * along;
+      part_of(rope.nodes[static_cast<std::size_t>(b.to)]).force -= rope.copies * b.T_to * b.arrives;
     }
   }
 
@@ -201,6 +200,11 @@ std::vector<RopePart> rope_parts(const model::Model& m, const TransientFrame& fr
     if (part->points.empty()) {
       part->points.push_back(b.start);
       part->tension.push_back(b.T_from);
+    }
+    for (std::size_t i = 0; i < b.curve.size(); ++i) {
+      const double share = static_cast<double>(i + 1) / static_cast<double>(b.curve.size() + 1);
+      part->points.push_back(b.curve[i]);
+      part->tension.push_back(b.T_from + share * (b.T_to - b.T_from));
     }
     part->points.push_back(b.end);
     part->tension.push_back(b.T_to);

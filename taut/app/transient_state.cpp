@@ -150,6 +150,8 @@ Json ropes(const DynamicState& state) {
                     {"wrap", numbers(r.wrap)},
                     {"inside", vectors(r.inside)},
                     {"inside_velocity", vectors(r.inside_velocity)},
+                    {"leaves", vectors(r.leaves)},
+                    {"arrives", vectors(r.arrives)},
                     {"lumped", numbers(r.lumped)}});
   }
   return list;
@@ -179,6 +181,8 @@ DynamicState state_in(const Json& j) {
     rope.wrap = numbers_in(r.at("wrap"));
     rope.inside = vectors_in(r.at("inside"));
     rope.inside_velocity = vectors_in(r.at("inside_velocity"));
+    if (r.contains("leaves")) rope.leaves = vectors_in(r.at("leaves"));
+    if (r.contains("arrives")) rope.arrives = vectors_in(r.at("arrives"));
     if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
     s.ropes.push_back(std::move(rope));
   }

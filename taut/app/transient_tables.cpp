@@ -251,12 +251,18 @@ void add_words(const TransientRun& run, Result& r) {
     const double beta = i < result.damping_time.size() ? result.damping_time[i] : 0;
     const double omega = i < result.frequency.size() ? result.frequency[i] : 0;
     const bool lumped = i < result.mass_lumped.size() && result.mass_lumped[i];
+    const int sagging = i < result.sagging.size() ? result.sagging[i] : 0;
+    const int all = model::branch_count(run.model.reevings[i]);
+    const std::string hangs =
+        sagging == 0 ? std::string()
+                     : fmt::format("{} its free parts hang as the catenary at rest between their ends; ",
+                                   sagging == all ? std::string("all") : fmt::format("{} of {} of", sagging, all));
     const std::string damping =
         beta <= 0   ? "without damping"
         : omega > 0 ? fmt::format("damping time {:.4g} s, from its lowest stretching mode of {:.4g} 1/s", beta, omega)
                     : fmt::format("damping time {:.4g} s", beta);
     r.assumptions.push_back(fmt::format(
-        "Rope {} in motion: {}; {}.", run.model.reevings[i].name, damping,
+        "Rope {} in motion: {}; {}{}.", run.model.reevings[i].name, damping, hangs,
         lumped ? "half of each free part's mass at each of its ends" : "its own mass not counted between its ends"));
   }
   if (run.request.save && result.interrupted) {
