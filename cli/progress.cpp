@@ -28,7 +28,10 @@ std::string time_words(double seconds) {
 
 }  // namespace
 
-void take_interrupts() { std::signal(SIGINT, on_interrupt); }
+void take_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);  // a cluster that takes its time back asks so
+}
 
 bool ProgressLine::operator()(const app::Progress& progress) {
   const Clock::time_point now = Clock::now();

@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-/// From now on an interrupt (Ctrl-C) ends the program with exit code 130: at once, or while a calculation asks whether
-/// to go on (ProgressLine), as soon as it has kept what is done. A second one always ends it at once.
+/// From now on an interrupt (Ctrl-C, SIGTERM) ends the program with exit code 130: at once, or while a calculation asks
+/// whether to go on (ProgressLine), as soon as it has kept what is done. A second one always ends it at once.
 void take_interrupts();
 
 /// Says on standard error how far a calculation is and how long it may still take, a few times a second, and whether to

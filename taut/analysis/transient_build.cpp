@@ -90,9 +90,10 @@ class Builder {
     line.stiffness = rope.stiffness;
     line.damping = start_.damping_time.empty() ? rope.damping_time : start_.damping_time[at(r)];
     line.copies = rope.copies;
-    if (options_.rope_mass && rope.weight > 0) {
+    if (options_.rope_mass) {
       line.weight = rope.weight / (1 + rope.thermal_strain);
-      line.mass = line.weight / model_.gravity;
+      // without gravity a rope weighs nothing, its mass stays
+      line.mass = rope.weight > 0 ? line.weight / model_.gravity : rope.mass / (1 + rope.thermal_strain);
     }
     for (const std::size_t end : {0U, 1U}) {
       // beyond loads, whose parts have both ends of the whole free line
@@ -247,8 +248,11 @@ class Builder {
     }
   }
 
-  /// Half of each line's mass to the bodies at its ends, at its rounds.
+  /// Half of each line's mass to the bodies at its ends, at its rounds; and what hangs on the bodies.
   void add_lumps() {
+    for (const model::Load& load : model_.loads) {
+      if (load.at.body >= 0 && load.mass > 0) add_mass(m().bodies[at(load.at.body)], load.mass, load.at.at);
+    }
     for (int i = 0; i < count(m().lines.size()); ++i) {
       const Line& line = m().lines[at(i)];
       const double mass = line.copies * line.mass * length_of(i);

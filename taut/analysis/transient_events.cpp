@@ -29,7 +29,7 @@ bool holds(const Run& run, const Values& v, const model::Condition& condition) {
   return condition.above ? value > condition.threshold : value < condition.threshold;
 }
 
-/// The line that an event breaks.
+/// The line that an event breaks: where the tension is largest; of equal ones, whatever their rounding, the first.
 int breaking_line(const Run& run, const Values& v, const model::Event& event) {
   const auto [first, lines] = run.m.first_line[at(event.index)];
   const int pieces = std::max(1, run.model.reevings[at(event.index)].segments);
@@ -38,9 +38,10 @@ int breaking_line(const Run& run, const Values& v, const model::Event& event) {
     from = first + event.part * pieces;
     to = from + pieces;
   }
+  constexpr double rounding = 1e-9;
   int worst = from;
   for (int i = from; i < to; ++i) {
-    if (v.lines[at(i)].T > v.lines[at(worst)].T) worst = i;
+    if (v.lines[at(i)].T > (1 + rounding) * v.lines[at(worst)].T) worst = i;
   }
   return worst;
 }

@@ -365,6 +365,7 @@ void march(Run& run) {
   std::size_t next = 0;
   Points points;
   Reference reference;
+  if (end == StepEnd::ok) end = look_round(run, false, stop);  // what happens, or holds, at the very start
   while (end == StepEnd::ok && !stop && run.before.t < run.end) {
     const double output = std::min(run.end, first + static_cast<double>(frame) * step);
     while (next < run.stops.size() && run.stops[next] <= run.before.t) ++next;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "taut/analysis/transient_build.hpp"
 #include "taut/analysis/transient_couple.hpp"
@@ -24,6 +25,40 @@ void add_inside(const model::State& state, const model::Node& from, const model:
   for (int s = 1; s < segments; ++s) rope.inside.emplace_back(start + (end - start) * s / segments);
 }
 
+/// Tension that the description gives a branch; a rope over a drive has one on either side. None: not known.
+std::optional<double> given_tension(const model::Reeving& rope, std::size_t branch) {
+  using model::Given;
+  if (rope.given == Given::torque) return {};
+  if (!rope.also) return rope.given == Given::length ? std::optional<double>() : rope.value;
+  const auto drive =
+      std::find_if(rope.nodes.begin(), rope.nodes.end(), [](const model::Node& node) { return node.motor >= 0; });
+  const bool before = static_cast<std::ptrdiff_t>(branch) < drive - rope.nodes.begin();
+  const Given side = before ? Given::tension_at_start : Given::tension_at_end;
+  if (rope.given == side) return rope.value;
+  return rope.also->first == side ? rope.also->second : std::optional<double>();
+}
+
+/// Unstretched lengths of a rope's branches at the start: by the tensions that are given, the others share what is
+/// left.
+std::vector<double> lengths_of(const model::State& state, const model::Reeving& rope,
+                               const std::vector<model::BranchState>& found) {
+  std::vector<double> lengths;
+  double whole = 0, known = 0, others = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const model::Node &from = rope.nodes[k], &to = rope.nodes[(k + 1) % rope.nodes.size()];
+    const auto tension = given_tension(rope, k);
+    lengths.push_back(tension ? model::straight_length(state, from, to) / (1 + *tension / rope.stiffness)
+                              : found[k].length);
+    whole += found[k].length;
+    (tension ? known : others) += lengths.back();
+  }
+  const bool shares = rope.given == model::Given::length && rope.also && others > 0 && whole > known;
+  for (std::size_t k = 0; k < found.size() && shares; ++k) {
+    if (!given_tension(rope, k)) lengths[k] *= (whole - known) / others;
+  }
+  return lengths;
+}
+
 }  // namespace
 
 DynamicState state_from(const model::Model& model, const model::State& state) {
@@ -35,12 +70,10 @@ DynamicState state_from(const model::Model& model, const model::State& state) {
     const model::Reeving& given = model.reevings[r];
     DynamicState::Rope rope;
     const int segments = std::max(1, given.segments);
-    const double by_tension = given.given == model::Given::length ? 1 : 1 / (1 + given.value / given.stiffness);
+    const std::vector<double> lengths = lengths_of(state, given, state.branches[r]);
     for (std::size_t k = 0; k < state.branches[r].size(); ++k) {
       const model::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
-      const double length = given.given == model::Given::length ? state.branches[r][k].length
-                                                                : model::straight_length(state, from, to) * by_tension;
-      for (int s = 0; s < segments; ++s) rope.length.push_back(length / segments);
+      for (int s = 0; s < segments; ++s) rope.length.push_back(lengths[k] / segments);
       const bool known = given.given == model::Given::length;
       rope.leaves.push_back(known ? state.branches[r][k].leaves : Vector3(Vector3::Zero()));
       rope.arrives.push_back(known ? state.branches[r][k].arrives : Vector3(Vector3::Zero()));

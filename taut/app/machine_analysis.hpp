@@ -50,9 +50,6 @@ Analysis prepare_least_tension(const PretensionRequest& request, const std::stri
                                Preparation& p);
 Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p);
 
-/// Complains of bodies that turn freely without inertia: they can't move.
-void check_inertia(const model::Model& model, std::vector<Complaint>& complaints);
-
 /// Notes the first failure of a calculation in the result: its status, and `what` before its message.
 void note_failure(Result& r, const Outcome& outcome, const std::string& what);
 

@@ -6,6 +6,7 @@
 
 #include "taut/analysis/modes.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/motion_checks.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/transient_scene.hpp"
 
@@ -215,7 +216,8 @@ Analysis prepare_modes(const ModesRequest& request, const std::string& path, Pre
   ModesRun run;
   run.ending = ending_of(p, "modes", request.name, path);
   run.request = request;
-  check_inertia(p.model, p.complaints);
+  check_inertia(p.deck.machine, p.model, p.complaints);
+  check_masses(p.deck.machine, p.model, request.rope_mass, p.complaints);
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;
     ModesRun one = run;

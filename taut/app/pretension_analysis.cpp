@@ -6,6 +6,7 @@
 
 #include "taut/analysis/pretension.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/motion_checks.hpp"
 #include "taut/app/none.hpp"
 #include "taut/math/index.hpp"
 #include "taut/model/links.hpp"
@@ -200,8 +201,10 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
   if (analysis::pulled_slowly(p.model, run.pulls)) {
     if (!p.deck.machine.beams.empty()) {
       p.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});
+    } else {
+      check_inertia(p.deck.machine, p.model, p.complaints);
+      check_masses(p.deck.machine, p.model, true, p.complaints);
     }
-    check_inertia(p.model, p.complaints);
   }
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;

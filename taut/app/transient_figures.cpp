@@ -110,19 +110,17 @@ Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& 
   return d;
 }
 
-/// The frame in which the largest tension of any rope is largest.
+/// The frame next to the moment of the largest tension of all.
 std::size_t tightest(const TransientRun& run) {
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t i = 0; i < run.result.frames.size(); ++i) {
-    for (const auto& b : run.result.frames[i].branches) {
-      if (b.whole && std::max(b.T_from, b.T_to) > most) {
-        most = std::max(b.T_from, b.T_to);
-        best = i;
-      }
-    }
-  }
-  return best;
+  const auto& ropes = run.result.ropes;
+  const auto most =
+      std::max_element(ropes.begin(), ropes.end(), [](const auto& a, const auto& b) { return a.T.max < b.T.max; });
+  if (most == ropes.end()) return 0;
+  const auto away = [&](const auto& frame) { return std::abs(frame.t - most->T.t_max); };
+  const auto& frames = run.result.frames;
+  const auto nearest =
+      std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(nearest - frames.begin());
 }
 
 void add_drawings(const TransientRun& run, Result& r) {

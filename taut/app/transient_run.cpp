@@ -9,6 +9,7 @@
 
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/motion_checks.hpp"
 #include "taut/app/transient_figures.hpp"
 #include "taut/app/transient_state.hpp"
 #include "taut/app/transient_tables.hpp"
@@ -51,26 +52,6 @@ void check_signals(const model::Machine& machine, const model::Model& model, std
     check(motor.drive, fmt::format("machine.{}.{}.motor.speed", sheave ? "sheaves" : "supports", motor.name));
   }
 }
-
-}  // namespace
-
-void check_inertia(const model::Model& model, std::vector<Complaint>& complaints) {
-  for (const model::Body& body : model.bodies) {
-    const bool turns =
-        std::any_of(body.free.begin(), body.free.end(), [](const auto& f) { return f.about.norm() > 0; });
-    // a mass beside the axis has inertia about it
-    const bool no_inertia = std::any_of(body.free.begin(), body.free.end(), [&](const auto& f) {
-      return f.about.norm() > 0 &&
-             body.mass * f.about.cross(body.centre).squaredNorm() + f.about.dot(body.inertia.cwiseProduct(f.about)) <=
-                 0;
-    });
-    if (turns && no_inertia) {
-      complaints.push_back({fmt::format("machine.bodies.{}", body.name), "turns freely: a motion needs its 'inertia'"});
-    }
-  }
-}
-
-namespace {
 
 /// A cylinder that is ever locked, or moves by a speed, is as stiff as the deck says.
 void check_actuators(const model::Model& model, std::vector<Complaint>& complaints) {
@@ -182,9 +163,13 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   if (request.step && *request.step > request.duration) {
     complaints.push_back({path + ".step", "is longer than the duration"});
   }
+  if (request.step && request.method == TransientRequest::Method::reference) {
+    complaints.push_back({path + ".step", "the reference chooses its steps itself; leave it away"});
+  }
   check_names(request, path, complaints);
   check_signals(p.deck.machine, p.model, complaints);
-  check_inertia(p.model, complaints);
+  check_inertia(p.deck.machine, p.model, complaints);
+  check_masses(p.deck.machine, p.model, request.rope_mass, complaints);
   check_actuators(p.model, complaints);
   check_rope_loads(p, complaints);
   check_quasi_static(request, path, p);

@@ -240,6 +240,24 @@ std::string scheme_words(const TransientRun& run) {
   }
 }
 
+/// Events that did not happen while the motion lasted: one with a time is told as a warning.
+void add_missed_events(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  if (!result.outcome.ok() || result.interrupted) return;
+  const std::string name = words_of(run);
+  for (std::size_t i = 0; i < run.model.events.size() && i < result.state.happened.size(); ++i) {
+    const model::Event& event = run.model.events[i];
+    if (result.state.happened[i]) continue;
+    if (event.at) {
+      r.warnings.push_back(fmt::format("{}: '{}' at {:.6g} s does not happen: the motion ends at {:.6g} s", name,
+                                       event.words, *event.at, result.t_end));
+    } else {
+      r.assumptions.push_back(fmt::format("{}: '{}' does not happen: its condition on {} never holds.", name,
+                                          event.words, event.when->of.name));
+    }
+  }
+}
+
 void add_words(const TransientRun& run, Result& r) {
   const analysis::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
@@ -265,6 +283,7 @@ void add_words(const TransientRun& run, Result& r) {
         "Rope {} in motion: {}; {}{}.", run.model.reevings[i].name, damping, hangs,
         lumped ? "half of each free part's mass at each of its ends" : "its own mass not counted between its ends"));
   }
+  add_missed_events(run, r);
   if (run.request.save && result.interrupted) {
     r.warnings.push_back(
         fmt::format("the saved state is that of t = {:.6g} s, where it was interrupted", result.t_end));

@@ -71,6 +71,7 @@ Body body_of(const description::Carriage& carriage) {
   Body body;
   body.name = carriage.name;
   body.mass = carriage.mass;
+  body.inertia.setConstant(carriage.inertia);
   if (carriage.at) body.position = vector_of(*carriage.at);
   for (const Vector3& way : {Vector3(Vector3::UnitX()), Vector3(Vector3::UnitY()), Vector3(Vector3::UnitZ())})
     body.free.push_back({way, Vector3::Zero()});

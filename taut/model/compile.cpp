@@ -150,6 +150,7 @@ class Compiler {
 
   static void set_rope(Reeving& reeving, const RopeData& rope, double gravity) {
     reeving.weight = rope.mass * gravity;
+    reeving.mass = rope.mass;
     reeving.stiffness = rope.stiffness;
     reeving.breaking_force = rope.breaking_force;
     reeving.diameter = rope.diameter;
@@ -265,7 +266,8 @@ class Compiler {
         if (given.force) complain(key, "belongs to a load with a 'mass'");
         if (level && !given.force) force = force_of(*given.dragged, mass, machine_.gravity);
       }
-      model_.loads.push_back({t->place, force});
+      const bool hangs = !given.force && !given.dragged;  // a bunch that drags acts by its force alone
+      model_.loads.push_back({t->place, force, hangs ? mass : 0});
     }
   }
 
@@ -278,7 +280,7 @@ class Compiler {
       if (along.norm() == 0) complain(path + ".along", "the direction is zero");
       if (t == nullptr || along.norm() == 0) continue;
       const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
-      model_.loads.push_back({t->place, pull * along.normalized()});
+      model_.loads.push_back({t->place, pull * along.normalized(), 0});
       if (!given.weight || t->place.body == ground) continue;
       Body& body = model_.bodies[static_cast<std::size_t>(t->place.body)];
       if (body.free.size() != 1) continue;

@@ -122,6 +122,7 @@ struct Carriage {
   double friction = 0;                  ///< of rolling, on the rope
   int rollers = 1;
   std::optional<double> wheelbase;      ///< first to last roller, m
+  double inertia = 0;                   ///< about the axis of its pitching, at the centre of mass, kg m^2
   double height = 0;                    ///< of the rollers over the origin, where its mass hangs, m
   std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
   std::optional<Triple> at;             ///< where to look for it first; default: between its neighbours

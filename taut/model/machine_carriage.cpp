@@ -41,6 +41,9 @@ const Description& Carriage::describe() {
           .field(&Carriage::wheelbase, "wheelbase", "b", si::m, "from the first roller to the last one")
           .above(0)
           .at_most(100)
+          .field(&Carriage::inertia, "inertia", "J", si::kg_m2,
+                 "of one that pitches, about its centre of mass; statics does not depend on it")
+          .at_least(0)
           .field(&Carriage::height, "height", "h", si::m,
                  "of the rollers over the carriage's origin, where its mass and loads hang and ropes are fixed; the "
                  "carriage then swings")

@@ -42,6 +42,7 @@ struct Body {
 struct Load {
   Place at;                         ///< on a body
   Vector3 force = Vector3::Zero();  ///< N
+  double mass = 0;                  ///< kg, of what hangs there: its inertia in motion; its weight is the force
 };
 
 /// What happens to the rope at a node of its path.

@@ -44,6 +44,9 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
   if (std::isinf(rope.stiffness) && rope.mass == 0) {
     complaints.push_back({path + ".stiffness", "a rope without mass needs a finite one"});
   }
+  if (given.damping_ratio && given.damping_time) {
+    complaints.push_back({path + ".damping_time", "is given beside 'damping_ratio'; give one of the two"});
+  }
   rope.damping_ratio = given.damping_ratio.value_or(0);
   rope.damping_time = given.damping_time.value_or(0);
   if (temperature && given.reference_temperature) {

@@ -248,6 +248,11 @@ bool fits(const Expression& e, const Unit& target) {
 
 bool is_percent(const Expression& e) { return e.factors.size() == 1 && e.factors[0].row->name == "%"; }
 
+std::string with_article(std::string_view kind) {
+  const bool vowel = !kind.empty() && std::string_view("aeio").find(kind.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", kind);
+}
+
 tl::expected<Expression, UnitError> read_unit(std::string_view unit, std::size_t offset, const Unit& target) {
   auto e = ExpressionReader(unit, offset).read();
   if (!e) return e;
@@ -257,10 +262,10 @@ tl::expected<Expression, UnitError> read_unit(std::string_view unit, std::size_t
   const bool percent_fits = is_percent(*e) && is_plain_number(target.dimension);
   if (percent_fits || fits(*e, target)) return e;
   if (!target.needs_text()) {
-    return fail(fmt::format("a plain number is expected here, not a {}", kind_of(*e)), offset, unit.size());
+    return fail(fmt::format("a plain number is expected here, not {}", with_article(kind_of(*e))), offset, unit.size());
   }
-  return fail(fmt::format("'{}' is a unit of {}; a {} is expected here, such as {}", unit, kind_of(*e), target.kind,
-                          example(target, 1)),
+  return fail(fmt::format("'{}' is a unit of {}; {} is expected here, such as {}", unit, kind_of(*e),
+                          with_article(target.kind), example(target, 1)),
               offset, unit.size());
 }
 
@@ -331,7 +336,7 @@ tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit
   while (!unit.empty() && (unit.back() == ' ' || unit.back() == '\t')) unit.remove_suffix(1);
   if (unit.empty()) {
     if (!target.needs_text() || s->infinite) return s->number;
-    return fail(fmt::format("a {} needs its unit, such as {}", target.kind, example(target, s->number)), 0,
+    return fail(fmt::format("{} needs its unit, such as {}", with_article(target.kind), example(target, s->number)), 0,
                 text.size());
   }
   if (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 && unit.substr(0, 2) != "1/") {

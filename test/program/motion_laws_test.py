@@ -1,0 +1,125 @@
+"""Machines in motion, from outside: decks with figures of their own beside formulas.
+
+TAUT_PROGRAM is the program.
+"""
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["TAUT_PROGRAM"]
+
+HANGING = """taut: 1
+title: A mass on a rope
+machine:
+  gravity: 9.7 m/s^2
+  points: {top: [0 m, 0 m, 12 m]}
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 750 kN}}
+  bodies: {hook: {mass: HOOK, at: [0 m, 0 m, 2 m], free: [x, z]}}
+  reevings:
+    - {rope: hoist, path: [{anchor: top}, {anchor: hook}], length: 10 m}
+LOADS
+  observe: [hook.z, hook.vz, hoist.T_max]
+analyses:
+  - modes: {count: 2}
+  - transient: {duration: 1 s, output_step: 0.05 s, start: assembled}
+"""
+
+PULLEY = """taut: 1
+title: Two masses over a held pulley, released
+machine:
+  gravity: 9.81 m/s^2
+  ropes: {r: {mass: 0 kg/m, stiffness: 1 MN}}
+  bodies:
+    light: {mass: 100 kg, at: [SIDE -0.2 m, 0 m, -5 m], free: [z]}
+    heavy: {mass: 120 kg, at: [SIDE 0.2 m, 0 m, -5 m], free: [z]}
+  sheaves:
+    pulley: {at: [0 m, 0 m, 0 m], diameter: 400 mm, inertia: 0.8 kg m^2, motor: {speed: 0 m/s}}
+  reevings:
+    - {rope: r, path: [{anchor: light}, {over: pulley}, {anchor: heavy}], tension_at_start: 981 N, tension_at_end: 1177.2 N}
+  events: [{at: 0 s, drive: pulley, torque: 0 N m}]
+  observe: ["r[1].T", "r[2].T"]
+analyses:
+  - transient: {duration: 1 s, output_step: 0.1 s, tolerance: 1e-7, start: assembled}
+"""
+
+BREAK = """taut: 1
+title: One end of a stretched rope let go, far from any gravity
+machine:
+  gravity: 0 m/s^2
+  points: {a: [0 m, 0 m, 0 m], b: [50.15 m, 0 m, 0 m]}
+  ropes: {r: {mass: 2 kg/m, stiffness: 8 MN}}
+  reevings:
+    - {rope: r, path: [{anchor: a}, {anchor: b}], length: 50 m, segments: 100}
+  events: [{at: 0 s, break: r}]
+  observe: [r.T_end, energy.kinetic, energy.elastic]
+analyses:
+  - transient: {duration: 0.03 s, output_step: 5 ms, method: METHOD, tolerance: 1e-4, start: assembled}
+"""
+
+
+class Laws(unittest.TestCase):
+    def run_deck(self, deck, expected=0):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([PROGRAM, "run", "-", "-o", folder, "-q"], input=deck, capture_output=True, text=True,
+                                  timeout=100, check=False)
+            self.assertEqual(done.returncode, expected, done.stderr)
+            with open(pathlib.Path(folder) / "time.csv", encoding="utf-8", newline="") as file:
+                rows = list(csv.reader(file))
+            result = json.loads((pathlib.Path(folder) / "result.json").read_text())
+        names = [name.split(" [")[0] for name in rows[0]]
+        result["rows"] = [dict(zip(names, map(float, row))) for row in rows[1:]]
+        return result
+
+    def test_a_load_has_the_inertia_of_its_mass(self):
+        whole = self.run_deck(HANGING.replace("HOOK", "800 kg").replace("LOADS\n", ""))
+        hung = self.run_deck(HANGING.replace("HOOK", "150 kg").replace("LOADS", "  loads: [{at: hook, mass: 650 kg}]"))
+        bare = self.run_deck(HANGING.replace("mass: HOOK, ", "").replace("LOADS", "  loads: [{at: hook, mass: 0.8 t}]"))
+        stretched = math.sqrt(750e3 / 10 / 800) / (2 * math.pi)
+        for r in (whole, hung, bare):
+            self.assertAlmostEqual(r["values"]["frequency_2"]["value"], stretched, delta=1e-6)
+            # it falls from the unstretched rope: twice the weight at the lowest place
+            self.assertAlmostEqual(r["values"]["hoist.T_max_max"]["value"], 2 * 800 * 9.7, delta=0.1)
+            for a, b in zip(r["rows"], whole["rows"]):
+                self.assertAlmostEqual(a["hook.z"], b["hook.z"], delta=1e-7)
+
+    def test_a_pulley_is_released(self):
+        for side in ("", "-"):
+            deck = PULLEY.replace("SIDE -", side + "-").replace("SIDE ", side).replace("--", "")
+            rows = self.run_deck(deck)["rows"]
+            for i, T1, T2 in ((0, 981, 1177.2), (1, 1113.734318, 1021.676961), (5, 1045.907490, 1080.440868),
+                              (10, 1155.896844, 1008.819138)):
+                self.assertAlmostEqual(rows[i]["r[1].T"] / T1, 1, delta=1e-6, msg=f"{side} {i}")
+                self.assertAlmostEqual(rows[i]["r[2].T"] / T2, 1, delta=1e-6, msg=f"{side} {i}")
+
+    def test_a_rope_let_go_at_the_start(self):
+        EA, mass, length = 8e6, 2, 50
+        T = EA * 0.003
+        for method in ("verlet", "implicit"):
+            r = self.run_deck(BREAK.replace("METHOD", method))
+            events = [dict(zip([c["name"] for c in r["tables"]["events"]["columns"]], row))
+                      for row in r["tables"]["events"]["rows"]]
+            self.assertEqual((events[0]["t"], events[0]["what"], events[0]["where"]), (0, "break", "r: a - b (1)"))
+            through = length / math.sqrt(EA / mass)  # 25 ms: all of it runs, without tension
+            self.assertLess(r["rows"][6]["r.T_end"], 0.01 * T)
+            recoil = T / math.sqrt(EA * mass)
+            whole = 0.99 * mass * length * recoil**2 / 2  # the piece that breaks takes its strain with it
+            self.assertAlmostEqual(r["rows"][6]["energy.kinetic"], whole, delta=2e-3 * whole)
+            self.assertLess(through, 0.03)
+
+    def test_what_does_not_happen_is_told(self):
+        deck = HANGING.replace("HOOK", "150 kg").replace(
+            "LOADS", "  events: [{at: 3 s, break: hoist}, {when: hook.z > 11 m, stop: true}]")
+        told = self.run_deck(deck)
+        self.assertEqual(told["warnings"],
+                         ["transient: 'break hoist' at 3 s does not happen: the motion ends at 1 s"])
+        begun = self.run_deck(deck.replace("hook.z > 11 m", "hook.z > 1 m"))
+        self.assertEqual(begun["rows"][-1]["t"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
