@@ -258,6 +258,23 @@ void add_missed_events(const TransientRun& run, Result& r) {
   }
 }
 
+/// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
+std::string weight_words(const TransientRun& run, std::size_t reeving) {
+  const model::Reeving& rope = run.model.reevings[reeving];
+  if (!run.options.rope_mass || rope.segments > 1 || !(rope.weight > 0)) return {};
+  double most = 0;
+  for (const auto& branch : run.result.frames.front().branches) {
+    if (branch.reeving != static_cast<int>(reeving) || !branch.whole || !branch.curve.empty()) continue;
+    const double T = (branch.T_from + branch.T_to) / 2;
+    most = std::max(most, T > 0 ? rope.weight * branch.unstretched / T : 1.0);
+  }
+  if (most <= run.options.light) return {};
+  const std::string much = most < 1 ? fmt::format("{:.0f} % of", 100 * most) : std::string("more than");
+  return fmt::format(
+      "; straight, though a free part of it weighs {} its tension at the start ('branches: catenary' lets it sag)",
+      much);
+}
+
 void add_words(const TransientRun& run, Result& r) {
   const analysis::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
@@ -280,8 +297,9 @@ void add_words(const TransientRun& run, Result& r) {
         : omega > 0 ? fmt::format("damping time {:.4g} s, from its lowest stretching mode of {:.4g} 1/s", beta, omega)
                     : fmt::format("damping time {:.4g} s", beta);
     r.assumptions.push_back(fmt::format(
-        "Rope {} in motion: {}; {}{}.", run.model.reevings[i].name, damping, hangs,
-        lumped ? "half of each free part's mass at each of its ends" : "its own mass not counted between its ends"));
+        "Rope {} in motion: {}; {}{}{}.", run.model.reevings[i].name, damping, hangs,
+        lumped ? "half of each free part's mass at each of its ends" : "its own mass not counted between its ends",
+        weight_words(run, i)));
   }
   add_missed_events(run, r);
   if (run.request.save && result.interrupted) {
