@@ -58,7 +58,7 @@ void follow_actuator(const Mechanism& m, const Scheme& s, std::size_t i, const V
   const ActuatorValues& was = before.actuators[i];
   ActuatorValues& is = now.actuators[i];
   std::array<Vector3, 2> velocity;
-  for (const std::size_t end : {0U, 1U}) {
+  for (std::size_t end = 0; end < 2; ++end) {
     const Motion3& body = motion_of(now, couple.body[end]);
     const Vector3 lever = body.R * couple.place[end];
     is.end[end] = body.x + lever;

@@ -154,7 +154,7 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < freedoms; ++k) {
     const LineColumn& c = columns[at(k)];
-    for (const std::size_t end : {0U, 1U}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       tangent.angle[end][at(k)] = square * c.angle[end];
       if (line.contact[end] < 0 || now.radius[end] == 0 || line.at_load[end]) continue;
       const double on = now.radius[end] / before.contacts[at(line.contact[end])].winding * c.angle[end];
@@ -166,7 +166,7 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
     tangent.e[at(k)] = e;
     d.T[at(k)] = now.T_e * e + now.T_rate * share * apart / now.L;
   }
-  for (const std::size_t end : {0U, 1U}) {
+  for (std::size_t end = 0; end < 2; ++end) {
     const int k = line.flow[end];
     if (k < 0) continue;
     const bool stuck = now_contacts[at(line.contact[end])].grip == Grip::stuck;

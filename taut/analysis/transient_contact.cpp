@@ -36,10 +36,18 @@ void for_columns(const Mechanism& m, const Contact& contact, const Work& w, Visi
 
 /// a T_out - b T_in = difference, with the wrap's part.
 void tension_row(Mechanism& m, const Contact& contact, const Work& w, double a, double b, double by_wrap) {
-  auto& values = m.solver.values();
-  for_columns(m, contact, w, [&](std::size_t k, bool out, double T, double angle, double) {
-    values[at(contact.row[k])] += (out ? a : -b) * T + (out ? by_wrap : -by_wrap) * angle;
-  });
+  if (!w.tangent) return;
+  double* const values = m.solver.values().data();
+  const int* place = contact.row.data();
+  const auto add = [&](int line, std::size_t end, double by_T, double by_angle) {
+    const LineTangent& tangent = w.tangents[at(line)];
+    const std::size_t columns = at(m.lines[at(line)].columns);
+    for (std::size_t c = 0; c < columns; ++c, ++place) {
+      values[*place] += by_T * tangent.end_T[end][c] + by_angle * tangent.angle[end][c];
+    }
+  };
+  if (contact.in >= 0) add(contact.in, 1, -b, -by_wrap);
+  if (contact.out >= 0) add(contact.out, 0, a, by_wrap);
 }
 
 /// Rolls with its rim: passed = slipped + rolled.
@@ -82,12 +90,12 @@ constexpr double rough_slack_share = 1e-4;  ///< the same where ropes have to fi
 /// would not know which of them passes rope on: neither does, by the little stiffness that is left in the derivatives.
 /// The damper counts: in short steps it makes the taut one far stiffer than it is.
 void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, const Values& now) {
-  double spare = 0;
-  for (const int i : {contact.in, contact.out}) {
+  const auto spare_of = [&](int i) {
     const Line& line = m.lines[at(i)];
-    if (now.lines[at(i)].T <= 0)
-      spare += line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / now.lines[at(i)].L;
-  }
+    if (now.lines[at(i)].T > 0) return 0.0;
+    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / now.lines[at(i)].L;
+  };
+  const double spare = spare_of(contact.in) + spare_of(contact.out);
   if (spare == 0) return;
   const double share = s.fresh ? rough_slack_share : slack_share;
   m.solver.values()[at(contact.row[own_column(m, contact)])] -= share * spare;
@@ -134,7 +142,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
     return;
   }
-  law_row(m, s, i, now, pressure(m, static_cast<int>(i), now), w);
+  law_row(m, s, i, now, pressure(contact, now), w);
 }
 
 /// Moment that ropes and drive have on a spin, less what its inertia takes: what the bearing holds.
@@ -212,7 +220,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     is.grip = given_tension(m, contact, before, now.when) ? Grip::equal : Grip::stuck;
     return;
   }
-  const Pressure p = pressure(m, static_cast<int>(i), now);
+  const Pressure p = pressure(contact, now);
   if (!contact.load && std::isinf(is.log_ratio)) {
     is.grip = Grip::stuck;
     return;
@@ -223,8 +231,11 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
   }
   // what has slipped in the step, as a force; at an unchanged time what slips goes on slipping
   const double damping = s.undamped ? 0 : m.lines[at(contact.in)].damping;
-  const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
-  double slip = is.grip == Grip::stuck ? 0 : stiffness * (is.slipped - before.contacts[i].slipped);
+  double slip = 0;
+  if (is.grip != Grip::stuck) {
+    const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
+    slip = stiffness * (is.slipped - before.contacts[i].slipped);
+  }
   const bool goes_on = s.slip_now == 0 || (contact.load && damping == 0);
   if (s.h == 0 && goes_on && before.contacts[i].slip_mean != 0) slip = 1e300 * before.contacts[i].slip_mean;
   if (contact.load) {
@@ -273,28 +284,6 @@ bool loose(const Contact& contact, const Values& now) {
 double loose_flow(const Contact& contact, const ContactValues& was, const Values& before) {
   const auto slack = [&](int line) { return line >= 0 && before.lines[at(line)].e <= 0; };
   return slack(contact.in) && slack(contact.out) ? 0 : was.flow;
-}
-
-Pressure pressure(const Mechanism& m, int contact, const Values& now) {
-  const Contact& of = m.contacts[at(contact)];
-  Pressure p;
-  if (of.in >= 0) {
-    const LineValues& line = now.lines[at(of.in)];
-    p.in = line.end_T[1] - line.thrust[1];
-  }
-  if (of.out >= 0) {
-    const LineValues& line = now.lines[at(of.out)];
-    p.out = line.end_T[0] - line.thrust[0];
-  }
-  return p;
-}
-
-double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
-  double stiffness = 0;
-  for (const int i : {contact.in, contact.out}) {
-    if (i >= 0) stiffness += m.lines[at(i)].stiffness / now.lines[at(i)].L;
-  }
-  return stiffness;
 }
 
 double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now) {

@@ -16,7 +16,7 @@ Couple couple_between(const Mechanism& m, int body, const Vector3& place, int ot
   couple.body = {body, other};
   couple.place = {place, other_place};
   int columns = 0;
-  for (const std::size_t side : {0U, 1U}) {
+  for (std::size_t side = 0; side < 2; ++side) {
     if (couple.body[side] < 0) continue;
     const Body& of = m.bodies[at(couple.body[side])];
     couple.freedoms[side] = of.count;
@@ -227,7 +227,7 @@ CoupleBounds bounds_of_couples(const Mechanism& m, const Values& v) {
     for (std::size_t i = 0; i < m.couples.size(); ++i) {
       const auto [k, c] = spring_of(m, i, v);
       double square = 0, rate = 0;
-      for (const std::size_t side : {0U, 1U}) {
+      for (std::size_t side = 0; side < 2; ++side) {
         const int body = m.couples[i].body[side];
         const Vector3 place = side == 0 || i >= v.faces.size() ? m.couples[i].place[side] : v.faces[i].arm;
         const double yields = yielding(m, body, place);
@@ -282,7 +282,7 @@ double power_of_couples(const Mechanism& m, int body, const Values& v) {
     if (couple.body[side] != body) return;
     power += (side == 0 ? 1 : -1) * force.dot(is.driven_v + is.driven_w.cross(place - is.x));
   };
-  for (const std::size_t side : {0U, 1U}) {
+  for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t i = 0; i < v.faces.size(); ++i) {
       const FaceValues& face = v.faces[i];
       add(m.couples[i], side, face.point, face.N * face.normal + face.friction);

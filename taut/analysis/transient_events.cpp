@@ -138,14 +138,14 @@ void note_faces(Run& run) {
 void note_changes(Run& run) {
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
-    if (is.gone > 0) note_slack(run, i, was.e, is.e, run.before.t, run.scheme.h);
+    if ((was.e > 0) != (is.e > 0) && is.gone > 0) note_slack(run, i, was.e, is.e, run.before.t, run.scheme.h);
   }
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Grip was = run.before.contacts[i].grip, is = run.now.contacts[i].grip;
     const Contact& contact = run.m.contacts[i];
     if (was == is || contact.in < 0 || contact.out < 0) continue;
     if (was == Grip::equal || is == Grip::equal) {
-      const Pressure p = pressure(run.m, static_cast<int>(i), run.now);
+      const Pressure p = pressure(contact, run.now);
       const double G = run.now.lines[at(contact.out)].thrust[0];
       if (is == Grip::equal && G > 0 && run.now.contacts[i].log_ratio > 0 && std::max(p.in, p.out) > -G) {
         note(run, run.now.t, "lift_off", contact_name(run, contact), {{"G", G}});

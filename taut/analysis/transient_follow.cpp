@@ -108,34 +108,34 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
 }
 
 /// Unstretched length and strain. The rope that the turning of a line lays on a round lies there at its `winding`.
-void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& now) {
+[[gnu::always_inline]] inline void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& now) {
   const Line& line = m.lines[i];
   const LineValues& was = before.lines[i];
   LineValues& is = now.lines[i];
-  is.L = was.L;
+  double L = was.L;
   const bool sagging = sags(line, is);
   std::array<double, 2> winding{1, 1};
-  for (const std::size_t end : {0U, 1U}) {
+  for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
-    const ContactValues& contact = before.contacts[at(line.contact[end])];
-    const std::size_t c = at(m.contacts[at(line.contact[end])].column);
-    winding[end] = contact.winding;
+    const std::size_t k = at(line.contact[end]), c = at(m.contacts[k].column);
+    winding[end] = before.contacts[k].winding;
     double out = now.q[c] - before.q[c];
     if (line.radius[end] > 0 && !line.at_load[end] && !sagging)
-      out -= is.radius[end] / contact.winding * (is.angle[end] - was.angle[end]);
-    is.L += end == 0 ? out : -out;
+      out -= is.radius[end] / winding[end] * (is.angle[end] - was.angle[end]);
+    L += end == 0 ? out : -out;
   }
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
-    if (m.tensioner[k].first == static_cast<int>(i)) is.L += now.tensioned[k] - before.tensioned[k];
+    if (m.tensioner[k].first == static_cast<int>(i)) L += now.tensioned[k] - before.tensioned[k];
   }
+  is.L = L;
   if (sagging) {
     const std::size_t k = at(line.sag);
     if (!hang(line, now.bodies, winding, before.sags[k], is.L, was.angle, is, now.sags[k]))
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  if (is.gone == 0) is.L = std::max(is.L, nothing_left * is.l);  // a dead end may run out: its length counts no more
-  is.e = length_of(line, is.l) / is.L - 1;
+  if (is.gone == 0) is.L = L = std::max(L, nothing_left * is.l);  // a dead end may run out: its length counts no more
+  is.e = length_of(line, is.l) / L - 1;
 }
 
 /// Angle of the arc, and what its law allows.
@@ -176,7 +176,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   if (is.wrap > 0) is.log_by_wrap = contact.friction;
 }
 
-void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t i, Values& now) {
+[[gnu::always_inline]] inline void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t i, Values& now) {
   const Contact& contact = m.contacts[i];
   const ContactValues& was = before.contacts[i];
   ContactValues& is = now.contacts[i];
@@ -214,7 +214,6 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   const Contact& contact = m.contacts[i];
   const ContactValues& was = before.contacts[i];
   ContactValues& is = now.contacts[i];
-  if (contact.mass == 0) return;
   double stiffness = 0;
   for (const int line : {contact.in, contact.out}) {
     if (line >= 0) stiffness += m.lines[at(line)].stiffness / before.lines[at(line)].L;
@@ -223,7 +222,40 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   is.steady = was.steady + s.h / (s.h + time) * (is.flow - was.steady);
 }
 
-void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
+/// Velocity of the rope's touching points, fixed to their bodies, apart. Coordinate by coordinate: in chains and
+/// tackles this is what is done most often of all.
+void set_apart(const Line& line, const std::vector<Motion3>& bodies, LineValues& is) {
+  double x = 0, y = 0, z = 0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (line.body[end] < 0) continue;
+    const Motion3& body = bodies[at(line.body[end])];
+    const double sign = end == 1 ? 1 : -1;
+    x += sign * body.v[0];
+    y += sign * body.v[1];
+    z += sign * body.v[2];
+    if (line.plain) continue;
+    const Vector3 turning = body.w.cross(is.touch[end] - body.x);
+    x += sign * turning[0];
+    y += sign * turning[1];
+    z += sign * turning[2];
+  }
+  is.apart[0] = x;
+  is.apart[1] = y;
+  is.apart[2] = z;
+}
+
+/// Rope that a contact lets into a line at its end, m/s; and what its momentum takes of the tension there.
+[[gnu::always_inline]] inline double flow_at(const Mechanism& m, const Line& line, std::size_t end, const Values& now, LineValues& is) {
+  if (line.contact[end] < 0) return 0;
+  const ContactValues& contact = now.contacts[at(line.contact[end])];
+  if (line.mass > 0) {
+    const double mass = m.contacts[at(line.contact[end])].mass;
+    is.thrust[end] = mass * contact.lambda * contact.steady * contact.steady;
+  }
+  return end == 0 ? contact.flow : -contact.flow;
+}
+
+[[gnu::always_inline]] inline void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
   const Line& line = m.lines[i];
   LineValues& is = now.lines[i];
   is.e_rate = 0;
@@ -232,37 +264,26 @@ void strain_rate(const Mechanism& m, const Scheme& s, const Values& before, std:
   const bool matters = line.damping > 0 || runs || sagging;
   if (sagging) now.sags[at(line.sag)].chord_rate = 0;
   if (!s.at_rest && matters) {
-    Vector3 apart = Vector3::Zero();
-    double flows = 0;
-    const bool turning = !line.plain;
-    for (const std::size_t end : {0U, 1U}) {
-      if (line.contact[end] >= 0) {
-        const ContactValues& contact = now.contacts[at(line.contact[end])];
-        flows += (end == 0 ? 1 : -1) * contact.flow;
-        is.thrust[end] = m.contacts[at(line.contact[end])].mass * contact.lambda * contact.steady * contact.steady;
-      }
-      if (line.body[end] < 0) continue;
-      const Motion3& body = now.bodies[at(line.body[end])];
-      const double sign = end == 1 ? 1 : -1;
-      apart += sign * body.v;
-      if (turning) apart += sign * body.w.cross(is.touch[end] - body.x);
-    }
+    double flows = flow_at(m, line, 0, now, is) + flow_at(m, line, 1, now, is);
     for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
       if (m.tensioner[k].first == static_cast<int>(i)) flows += now.tension_rate[k];
     }
-    is.apart = apart;
-    is.e_rate = (line.share * is.t.dot(apart) - (1 + is.e) * flows) / is.L;
+    set_apart(line, now.bodies, is);
+    is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
-    if (sagging) now.sags[at(line.sag)].chord_rate = (is.t.dot(apart) - is.l / is.L * flows) / is.L;
+    if (sagging) now.sags[at(line.sag)].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;
   }
   if (sagging) {
     pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[at(line.sag)]);
     return;
   }
   pull(line, s.undamped ? 0 : line.damping, is);
+  is.end_T[0] = is.end_T[1] = is.T;
+  if (line.weight == 0) return;
   // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
   const double hangs = std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T);
-  is.end_T = {is.T - (bears_half(line, 0) ? hangs : 0), is.T + (bears_half(line, 1) ? hangs : 0)};
+  if (bears_half(line, 0)) is.end_T[0] -= hangs;
+  if (bears_half(line, 1)) is.end_T[1] += hangs;
 }
 
 }  // namespace
@@ -340,23 +361,26 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     now.tensioned[k] = change.value;
     now.tension_rate[k] = change.rate;
   }
-  for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    if (m.lines[i].plain) {
+  const std::size_t lines = m.lines.size(), contacts = m.contacts.size();
+  for (std::size_t i = 0; i < lines; ++i) {
+    const Line& line = m.lines[i];
+    LineValues& is = now.lines[i];
+    if (line.plain) {
       if (!follow_plain(m, i, now)) return false;
     } else {
-      const bool placed = m.lines[i].still && now.lines[i].radius == before.lines[i].radius;
-      if (!placed && !place_line(m.lines[i], now.bodies, before.lines[i], now.lines[i])) return false;
+      const bool placed = line.still && is.radius == before.lines[i].radius;
+      if (!placed && !place_line(line, now.bodies, before.lines[i], is)) return false;
     }
     stretch(m, before, i, now);
-    if (!(now.lines[i].L > 0) || !std::isfinite(now.lines[i].l)) return false;
+    if (!(is.L > 0) || !std::isfinite(is.l)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < contacts; ++i) {
     bound(m, s, before, i, now);
     flow(m, s, before, w, i, now);
-    steady_flow(m, s, before, i, now);
+    if (m.contacts[i].mass != 0) steady_flow(m, s, before, i, now);
   }
-  for (std::size_t i = 0; i < m.lines.size(); ++i) strain_rate(m, s, before, i, now);
+  for (std::size_t i = 0; i < lines; ++i) strain_rate(m, s, before, i, now);
   follow_couples(m, s, before, now);
   return true;
 }
@@ -368,7 +392,7 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
     if (line >= 0) stretch(m, before, at(line), now);
   }
   flow(m, s, before, w, contact, now);
-  steady_flow(m, s, before, contact, now);
+  if (of.mass != 0) steady_flow(m, s, before, contact, now);
   for (const int line : {of.in, of.out}) {
     if (line >= 0) strain_rate(m, s, before, at(line), now);
   }

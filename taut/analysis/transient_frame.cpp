@@ -43,7 +43,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   c.flow = is.lambda * is.flow;
   const bool light = contact.spin < 0 && contact.efficiency > 0;
   c.slip = light && !contact.load ? 0 : is.lambda * (is.flow - is.roll_rate);
-  c.state = state_of_contact(contact, is, pressure(m, static_cast<int>(i), v), c.spin);
+  c.state = state_of_contact(contact, is, pressure(contact, v), c.spin);
   c.force = std::max(0.0, c.T_out - out.thrust[0]) * direction(m, v, contact.out, 0) -
             std::max(0.0, c.T_in - in.thrust[1]) * direction(m, v, contact.in, 1);
   return c;

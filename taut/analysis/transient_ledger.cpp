@@ -31,21 +31,21 @@ double per_metre_let_in(const Mechanism& m, const Values& values, int i, std::si
   return v.T * (1 + v.e) - elastic_tension(line, v) * v.e / 2 - line.weight * middle;
 }
 
-Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
+void set_prices(const Mechanism& m, std::size_t i, const Values& v, Prices& p) {
+  p = {};
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
   const double out = contact.out < 0 ? 0 : per_metre(m, v, contact.out, 0);
   const double in = contact.in < 0 ? 0 : per_metre(m, v, contact.in, 1);
   const double T_out = contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0];
   const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
-  Prices p;
   p.passed = out - in;
   p.rolled = -(T_out - T_in) * is.lambda;
   if (contact.in >= 0 && contact.out >= 0) {
-    if (contact.load) return p;
+    if (contact.load) return;
     const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
     p.laid_by = -m.lines[at(contact.in)].weight * lifted;
-    return p;
+    return;
   }
   const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
   const double onto = contact.in < 0 ? -1 : 1, strain = is.lambda - 1;
@@ -57,13 +57,13 @@ Prices prices_of(const Mechanism& m, std::size_t i, const Values& v) {
   p.passed -= p.laid_by;
   // its weight lies on the drum at the height where it came onto it
   p.laid_by += onto * m.lines[line].weight * v.lines[line].touch[contact.in < 0 ? 0 : 1].z();
-  return p;
 }
 
 void add_contact(const Mechanism& m, std::size_t i, const Values& before, const Values& now, Ledger& ledger) {
   const Contact& contact = m.contacts[i];
-  const Prices a = ledger.prices[i], b = prices_of(m, i, now);
-  ledger.prices[i] = b;
+  const Prices a = ledger.prices[i];
+  Prices& b = ledger.prices[i];
+  set_prices(m, i, now, b);
   const std::size_t c = at(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
@@ -119,7 +119,7 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
     for (std::size_t i = 0; i < m.lines.size(); ++i) {
       const Line& line = m.lines[i];
       const LineValues& is = v.lines[i];
-      for (const std::size_t end : {0U, 1U}) {
+      for (std::size_t end = 0; end < 2; ++end) {
         if (line.body[end] != static_cast<int>(b)) continue;
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
         const Vector3 force =
@@ -138,7 +138,7 @@ double wound(const Mechanism& m, const Values& before, const Values& now) {
   double energy = 0;
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
-    for (const std::size_t end : {0U, 1U}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       if (line.contact[end] < 0 || now.lines[i].radius[end] == 0 || line.at_load[end]) continue;
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
@@ -173,8 +173,8 @@ double power_of_running(const Mechanism& m, const Values& v) {
 }
 
 void price(const Mechanism& m, const Values& v, Ledger& ledger) {
-  ledger.prices.clear();
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) ledger.prices.push_back(prices_of(m, i, v));
+  ledger.prices.resize(m.contacts.size());
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) set_prices(m, i, v, ledger.prices[i]);
   ledger.last = powers(m, v);
 }
 

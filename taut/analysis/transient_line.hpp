@@ -44,6 +44,9 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
 void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                      const LineValues& now, std::array<LineColumn, 14>& columns);
 
+/// a b, summed in one order whatever the compiler makes of it: in the inner loops of chains and tackles.
+inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 /// What a line pulls the body at its end with, N: its tension less the thrust of the rope that runs there. Where that
 /// is more, the rope lifts off: it can't push.
 inline double body_pull(const LineValues& now, std::size_t end) {

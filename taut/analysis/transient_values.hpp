@@ -122,10 +122,9 @@ struct LineTangent {
 
 /// One freedom of a body at an end of a plain line: its direction, and how the line follows it.
 struct PlainColumn {
-  Vector3 along = Vector3::Zero();  ///< of the freedom
-  double sign = 1;                  ///< of the length: the end moves away or comes near
-  double share = 0;                 ///< of the direction in the line's
-  double lifts = 0;                 ///< change of the line's steepness, 1/m
+  const Vector3* along = nullptr;  ///< of the freedom
+  double sign = 1;                 ///< of the length: the end moves away or comes near
+  double share = 0;                ///< of the direction in the line's
 };
 
 /// Room to work in.
@@ -205,9 +204,27 @@ bool loose(const Contact& contact, const Values& now);
 /// With which flow a rope goes on that nothing holds: as it went, but where it lies slack on both sides, m/s.
 double loose_flow(const Contact& contact, const ContactValues& was, const Values& before);
 
-Pressure pressure(const Mechanism& m, int contact, const Values& now);
+inline Pressure pressure(const Contact& of, const Values& now) {
+  Pressure p;
+  if (of.in >= 0) {
+    const LineValues& line = now.lines[at(of.in)];
+    p.in = line.end_T[1] - line.thrust[1];
+  }
+  if (of.out >= 0) {
+    const LineValues& line = now.lines[at(of.out)];
+    p.out = line.end_T[0] - line.thrust[0];
+  }
+  return p;
+}
+inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
+  return pressure(m.contacts[at(contact)], now);
+}
+
 /// Stiffness of both its lines, N/m.
-double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now);
+inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
+  const auto of = [&](int i) { return i < 0 ? 0 : m.lines[at(i)].stiffness / now.lines[at(i)].L; };
+  return of(contact.in) + of(contact.out);
+}
 
 /// The residual of every row and its derivatives by the unknowns, into the work and the solver.
 void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w);

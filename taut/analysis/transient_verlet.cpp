@@ -13,7 +13,7 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     LineValues& is = now.lines[i];
-    for (const std::size_t end : {0U, 1U}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       const int body = line.body[end];
       is.touch[end] = body < 0                       ? line.place[end]
                       : m.bodies[at(body)].model < 0 ? now.bodies[at(body)].x
@@ -33,7 +33,7 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
     const double hangs = line.segment < 0 ? std::clamp(half * is.t.z(), -is.T, is.T) : 0;
     is.end_T = {is.T - hangs, is.T + hangs};
     const Vector3 force = line.copies * is.T * is.t;
-    for (const std::size_t end : {0U, 1U}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
       double* const Q = w.residual.data() + m.bodies[at(line.body[end])].first;
       const double sign = end == 0 ? 1 : -1;
@@ -66,7 +66,7 @@ void pull_quickly(const Mechanism& m, const Values& before, Values& now, Work& w
     is.T = T;
     is.end_T = {T - hangs, T + hangs};
     const double per = line.copies * T / l, weight = line.copies * half;
-    for (const std::size_t end : {0U, 1U}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       if (line.body[end] < 0 || m.bodies[at(line.body[end])].count == 0) continue;
       double* const q = Q + m.bodies[at(line.body[end])].first;
       const double share = end == 0 ? per : -per;
