@@ -130,6 +130,7 @@ struct SlowMachine {
   TransientOptions options;
   double t = 0;
   PullEnd last;
+  TransientFrame frame;  ///< of that end
 };
 
 SlowMachine slow_machine(const model::Model& given, const PretensionOptions& options) {
@@ -165,6 +166,7 @@ void take_over(const TransientResult& r, SlowMachine& slow) {
   }
   end.taken_in_all = slow.last.taken_in_all;
   slow.last = std::move(end);
+  slow.frame = r.frames.back();
   slow.options.from = r.state;
   slow.options.from->memory.clear();
   slow.options.from->happened.clear();
@@ -222,6 +224,11 @@ Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMach
                                *pull.force)));
 }
 
+void add_frame(const SlowMachine& slow, PretensionResult& r) {
+  r.frames.push_back(slow.frame);
+  r.frames.back().t = static_cast<double>(r.ends.size());
+}
+
 PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>& pulls,
                              const PretensionOptions& options) {
   PretensionResult r;
@@ -234,6 +241,7 @@ PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>&
   if (!r.outcome.ok()) return r;
   take_over(before, slow);
   r.before = slow.last;
+  add_frame(slow, r);
   std::vector<double> taken(given.reevings.size(), 0.0);
   for (std::size_t i = 0; i < pulls.size(); ++i) {
     if (options.progress && !options.progress(i)) {
@@ -250,6 +258,7 @@ PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>&
     taken[at(pulls[i].reeving)] += slow.last.taken;
     slow.last.taken_in_all = taken[at(pulls[i].reeving)];
     r.ends.push_back(slow.last);
+    add_frame(slow, r);
     r.state = slow.options.from;
   }
   return r;

@@ -47,7 +47,8 @@ struct PretensionResult {
   PullEnd before;             ///< any pull
   std::vector<PullEnd> ends;  ///< by pull
   model::Model model;  ///< of a machine without friction: with the lengths that its ropes have after the last one
-  std::optional<DynamicState> state;  ///< after the last one, of a machine with friction
+  std::optional<DynamicState> state;   ///< after the last one, of a machine with friction
+  std::vector<TransientFrame> frames;  ///< of such a one: before any pull and as each ends, its number as the time
 };
 
 /// Whether friction holds parts of the machine: contacts on faces, cylinders, or sheaves with losses in motion alone.

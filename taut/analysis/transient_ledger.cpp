@@ -256,6 +256,59 @@ Ledger open_ledger(const Mechanism& m, const Values& v) {
   return ledger;
 }
 
+namespace {
+
+void add_turnover(Ledger& ledger) {
+  const double change = std::max({std::abs(ledger.now.kinetic - ledger.start.kinetic),
+                                  std::abs(ledger.now.elastic - ledger.start.elastic),
+                                  std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
+                                  ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces,
+                                  ledger.now.elastic, ledger.now.kinetic});
+  ledger.turnover = std::max(ledger.turnover, change);
+}
+
+/// All that goes by ways and not by time.
+void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
+  ledger.laid_by += wound(m, before, now);
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
+  const CoupleWork work = work_of_couples(m, before, now);
+  ledger.faces += work.lost;
+  ledger.supplied += work.supplied;
+}
+
+/// The ways of a step as if they had taken a second: for the mean of the powers at its start and at its end.
+void move_in_a_second(const Mechanism& m, const Values& before, const Values& now, Values& v) {
+  std::fill(v.rate.begin(), v.rate.end(), 0.0);
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    const Body& shape = m.bodies[b];
+    const Motion3 &was = before.bodies[b], &is = now.bodies[b];
+    Motion3& moves = v.bodies[b];
+    moves.w = moves.driven_a = moves.driven_b = moves.driven_v = moves.driven_w = Vector3::Zero();
+    if (!shape.driven) continue;
+    const Eigen::AngleAxisd turned(Matrix3(is.R * was.R.transpose()));
+    moves.driven_v = is.x - was.x;
+    moves.driven_w = turned.angle() * turned.axis();
+    for (std::size_t f = 0; f < at(shape.count); ++f) {  // what its freedoms do is none of the drive's
+      const double way = now.q[at(shape.first) + f] - before.q[at(shape.first) + f];
+      moves.driven_v -= way * shape.along[f];
+      moves.driven_w -= way * shape.about[f];
+    }
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    v.spins[i].omega = now.spins[i].angle - before.spins[i].angle;
+    v.spins[i].alpha = 0;
+  }
+  for (std::size_t k = 0; k < m.tensioner.size(); ++k) v.tension_rate[k] = now.tensioned[k] - before.tensioned[k];
+}
+
+/// Moment that a bearing holds or takes: all that its ropes and its drive ask of it, N m.
+double bearing_moment(const Mechanism& m, std::size_t i, const Values& v) {
+  if (v.spins[i].capacity <= 0 || prescribed(m, m.spins[i], v, v.when)) return 0;
+  return drive_torque(m, m.spins[i], v, v.when) + rope_moment(m, m.spins[i], v, v);
+}
+
+}  // namespace
+
 void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
   const double half = (now.t - before.t) / 2;
   const Powers p = powers(m, now);
@@ -263,23 +316,38 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   ledger.bearings += add(&Powers::bearings);
   ledger.supplied += add(&Powers::supplied);
   ledger.running += add(&Powers::running);
-  ledger.laid_by += wound(m, before, now);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
     if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
   }
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
-  const CoupleWork work = work_of_couples(m, before, now);
-  ledger.faces += work.lost;
-  ledger.supplied += work.supplied;
+  add_ways(m, before, now, ledger);
   ledger.last = p;
   ledger.now = stored(m, now);
-  const double change = std::max({std::abs(ledger.now.kinetic - ledger.start.kinetic),
-                                  std::abs(ledger.now.elastic - ledger.start.elastic),
-                                  std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
-                                  ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces,
-                                  ledger.now.elastic, ledger.now.kinetic});
-  ledger.turnover = std::max(ledger.turnover, change);
+  add_turnover(ledger);
+}
+
+void add_slow_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
+  Values first = before, last = now;
+  move_in_a_second(m, before, now, first);
+  move_in_a_second(m, before, now, last);
+  ledger.supplied += (powers(m, first).supplied + powers(m, last).supplied) / 2;
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    ledger.bearings += last.spins[i].omega * (bearing_moment(m, i, first) + bearing_moment(m, i, last)) / 2;
+  }
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
+  }
+  add_ways(m, before, now, ledger);
+  ledger.now = stored(m, now);
+  ledger.now.kinetic = 0;
+  add_turnover(ledger);
+}
+
+void add_fall(const Mechanism& m, const Values& before, const Values& now, double& where, Ledger& ledger) {
+  const double residual = told(ledger).residual;
+  add_slow_step(m, before, now, ledger);
+  where -= told(ledger).residual - residual;
+  add_turnover(ledger);
 }
 
 void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger) {

@@ -36,6 +36,11 @@ struct Ledger {
 Ledger open_ledger(const Mechanism& m, const Values& v);
 /// After a step.
 void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+/// After a quasi-static step. Both its ends are in equilibrium, so the means of all forces over the ways of the step do
+/// no work together, whatever laws have changed in it: what is left is of the third order of the ways.
+void add_slow_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+/// After one that has fallen to where it rests: what is set free on the way goes to `where`.
+void add_fall(const Mechanism& m, const Values& before, const Values& now, double& where, Ledger& ledger);
 /// After a restart at one time: what light sheaves have passed at once, or a break has set free, goes to `where`.
 void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger);
 EnergyLedger told(const Ledger& ledger);

@@ -146,6 +146,7 @@ void accept(Run& run) {
   const bool slowly = run.options.quasi_static;
   const bool implicit = run.options.method == TimeMethod::implicit && !slowly;
   if (implicit) end_step(run.m, run.scheme, run.before, run.now, run.w);
+  if (slowly) book_slow_step(run);
   if (!slowly && (!run.m.lossless || !run.breaking.empty())) add_step(run.m, run.before, run.now, run.ledger);
   if (implicit) keep_history(run);
   note_changes(run);
@@ -292,9 +293,11 @@ StepEnd begin(Run& run) {
     for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
   }
   run.floor = resolving_step(run) / shorter_at_kinks;
+  run.ledger = open_ledger(run.m, run.before);
   // where a run left off, its accelerations stand, unless something happens or jumps at that very time
   if (!run.resumed || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);
+  if (run.options.quasi_static) run.ledger.start.kinetic = run.ledger.now.kinetic = 0;
   record_extremes(run, run.before);
   record_frame(run, run.before);
   const double step = run.options.output_step;

@@ -142,8 +142,17 @@ StepEnd rest_again(Run& run) {
   const StepEnd end = fall_to_rest(run.m, 0, run.before, run.before.t, run.now, run.w, run.newton);
   if (end != StepEnd::ok) return end;
   note_fall(run, start, run.now);
+  add_fall(run.m, start, run.now, run.ledger.damped, run.ledger);
   std::swap(run.before, run.now);
   return end;
+}
+
+void book_slow_step(Run& run) {
+  if (run.fell) {
+    add_fall(run.m, run.before, run.now, run.ledger.damped, run.ledger);
+  } else {
+    add_slow_step(run.m, run.before, run.now, run.ledger);
+  }
 }
 
 StepEnd try_slowly(Run& run, double h, double t) {
@@ -155,7 +164,8 @@ StepEnd try_slowly(Run& run, double h, double t) {
   for (ContactValues& contact : run.before.contacts) contact.winding = contact.lambda;
   run.newton.tolerance = 1e-3 * run.options.tolerance;
   StepEnd end = quasi_static_step(run.m, h, run.before, t, run.now, run.w, run.newton);
-  if (end != StepEnd::ok && h < brief_step * run.options.step) {
+  run.fell = end != StepEnd::ok && h < brief_step * run.options.step;
+  if (run.fell) {
     const Values start = run.before;
     const auto event = [&](const Values& v) { return comes_true(run, v); };
     end = fall_to_rest(run.m, h, run.before, t, run.now, run.w, run.newton, event);

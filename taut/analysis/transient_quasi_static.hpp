@@ -32,6 +32,9 @@ StepEnd rest_again(Run& run);
 /// where it rests: event "fall" with the body that goes farthest.
 StepEnd try_slowly(Run& run, double h, double t);
 
+/// The energy of an accepted step, into the ledger.
+void book_slow_step(Run& run);
+
 /// From a settled machine to one that has come into its place slowly: goes back by what the options say and comes
 /// again. Infeasible where there is no equilibrium on the way.
 Outcome slide_into_place(Run& run);

@@ -30,6 +30,7 @@ struct Run {
   bool fresh = false;                   ///< what slips does not go on as it did: after a start, an event, an Euler step
   int rough_left = 0, rough_more = 1;   ///< Euler steps to go on with; how many were asked for last
   bool rough_next = false;              ///< the next step is an implicit Euler step
+  bool fell = false;                    ///< a quasi-static step has ended where the machine came to rest again
   double grid_from = 0, grid_step = 0;  ///< of the outputs, s
   bool resumed = false;                 ///< from the memory of an earlier run
   int since_asked = 0;                  ///< tries of a step since `progress` was asked

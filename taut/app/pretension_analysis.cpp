@@ -8,6 +8,8 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/motion_checks.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/transient_figures.hpp"
+#include "taut/app/transient_scene.hpp"
 #include "taut/math/index.hpp"
 #include "taut/model/links.hpp"
 #include "taut/model/observable.hpp"
@@ -178,6 +180,18 @@ Plot tensioning_plot(const PretensionRun& run, const model::Model& m, const anal
   return p;
 }
 
+/// A machine that is pulled slowly: before any pull and as each ends, the last one drawn.
+void add_pretension_scene(const PretensionRun& run, const model::Model& m, const analysis::PretensionResult& result,
+                          Result& r) {
+  TransientRun slow;
+  slow.ending = "_pretension" + run.ending;
+  slow.model = m;
+  slow.result.frames = result.frames;
+  r.figures.emplace_back(drawing_at(slow, result.frames.size() - 1,
+                                    fmt::format("As pull {} ends ({})", result.ends.size(), pretension_words(run))));
+  r.scenes.push_back(scene_of(slow));
+}
+
 std::string how_words(const PretensionRun& run, const analysis::PretensionResult& result) {
   if (!result.slowly) return "an equilibrium at rest without loss as each pull ends";
   const bool settled = run.request.start == PretensionRequest::Start::settled;
@@ -232,6 +246,7 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
     add_pretension_values(run, machine.model, result, r);
     r.figures.emplace_back(tensioning_plot(run, machine.model, result));
     r.assumptions.push_back(fmt::format("{}: {}.", pretension_words(run), how_words(run, result)));
+    if (result.slowly) add_pretension_scene(run, machine.model, result, r);
     const analysis::PullEnd& last = result.ends.back();
     if (last.at) machine.others.push_back({pretension_words(run), result.model, *last.at, false});
   };

@@ -79,12 +79,12 @@ std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const Tran
   return lines;
 }
 
-Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& words) {
+Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
   const model::Model& m = run.model;
   const TransientFrame& frame = run.result.frames[index];
   Drawing d;
   d.name = fmt::format("motion{}_{}", run.ending, index);
-  d.title = fmt::format("t = {:.4g} s, {}", frame.t, words);
+  d.title = title;
   d.caption = view.above == 2 ? "Forces of the ropes on what holds them, and where they move it." : "Plan.";
   d.legend = {{Role::rope, m.reevings.front().name},
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
@@ -130,7 +130,10 @@ void add_drawings(const TransientRun& run, Result& r) {
   std::vector<std::pair<std::size_t, std::string>> chosen = {{0, "the start"}};
   if (peak != 0 && peak != last) chosen.emplace_back(peak, "near the largest tension");
   if (last != 0) chosen.emplace_back(last, peak == last ? "the end, with the largest tension" : "the end");
-  for (const auto& [index, words] : chosen) r.figures.emplace_back(drawing_of(run, index, view, words));
+  for (const auto& [index, words] : chosen) {
+    r.figures.emplace_back(
+        drawing_of(run, index, view, fmt::format("t = {:.4g} s, {}", run.result.frames[index].t, words)));
+  }
 }
 
 /// Driven sheaves and rope loads: where they begin to slip or hold, the machine does something else.
@@ -308,6 +311,10 @@ void add_energy_plot(const TransientRun& run, Result& r) {
 }
 
 }  // namespace
+
+Drawing drawing_at(const TransientRun& run, std::size_t frame, const std::string& title) {
+  return drawing_of(run, frame, views_of(run).front(), title);
+}
 
 void add_transient_figures(const TransientRun& run, Result& r) {
   add_drawings(run, r);

@@ -8,4 +8,7 @@ namespace taut::app {
 /// marked; the energy over time.
 void add_transient_figures(const TransientRun& run, Result& r);
 
+/// The machine in one frame, seen from its side, with the forces of its ropes.
+Drawing drawing_at(const TransientRun& run, std::size_t frame, const std::string& title);
+
 }  // namespace taut::app

@@ -96,7 +96,7 @@ void add_energy(const TransientRun& run, Result& r) {
   add("elastic", &EnergyLedger::elastic);
   add("potential", &EnergyLedger::potential);
   add("supplied by drives", &EnergyLedger::supplied);
-  add("damped in ropes", &EnergyLedger::damped);
+  add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &EnergyLedger::damped);
   add("slip of ropes on sheaves", &EnergyLedger::slipped);
   add("bearings of sheaves", &EnergyLedger::bearings);
   add("broken ropes", &EnergyLedger::broken);
@@ -324,7 +324,7 @@ void add_transient_tables(const TransientRun& run, Result& r) {
   add_slip_shares(run, r);
   add_envelope(run, r);
   add_events(run, r);
-  if (!run.options.quasi_static) add_energy(run, r);
+  add_energy(run, r);
   add_words(run, r);
 }
 
