@@ -35,7 +35,9 @@ TransientResult run(const model::Model& m, const TransientOptions& o) {
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   const auto& energy = r.frames.back().energy;  // what a step leaves is of the third order of its ways
   EXPECT_LE(std::abs(energy.residual), 5e-4 * energy.turnover);
-  if (o.quasi_static) EXPECT_EQ(energy.kinetic, 0);
+  if (o.quasi_static) {
+    EXPECT_EQ(energy.kinetic, 0);
+  }
   return r;
 }
 

@@ -44,22 +44,29 @@ DynamicState atwood_start() {
   return start;
 }
 
+/// By the fast scheme and by the reference: the tensions at 0.1, 0.5 and 1 s.
 TEST(Transient, ElasticAtwoodMachine) {
-  TransientOptions options = lasting(1, 1e-7);
-  options.output_step = 0.1;
-  options.from = atwood_start();
-  const TransientResult r = transient(atwood(), options);
-  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  ASSERT_EQ(r.frames.size(), 11U);
-  const auto expect = [&](std::size_t frame, double T1, double T2) {
-    EXPECT_NEAR(r.frames[frame].branches[0].T_from / T1, 1, 1e-6);
-    EXPECT_NEAR(r.frames[frame].branches[1].T_to / T2, 1, 1e-6);
-  };
-  expect(1, 1113.734318, 1021.676961);
-  expect(5, 1045.907490, 1080.440868);
-  expect(10, 1155.896844, 1008.819138);
-  const auto& energy = r.frames.back().energy;
-  EXPECT_LT(std::abs(energy.residual), 1e-8 * energy.turnover);
+  using taut::analysis::TimeMethod;
+  for (const TimeMethod method : {TimeMethod::implicit, TimeMethod::reference}) {
+    TransientOptions options = lasting(1, 1e-7);
+    options.output_step = 0.1;
+    options.method = method;
+    options.from = atwood_start();
+    const TransientResult r = transient(atwood(), options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    ASSERT_EQ(r.frames.size(), 11U);
+    const auto expect = [&](std::size_t frame, double T1, double T2) {
+      EXPECT_NEAR(r.frames[frame].branches[0].T_from / T1, 1, 1e-6);
+      EXPECT_NEAR(r.frames[frame].branches[1].T_to / T2, 1, 1e-6);
+    };
+    expect(1, 1113.734318, 1021.676961);
+    expect(5, 1045.907490, 1080.440868);
+    expect(10, 1155.896844, 1008.819138);
+    const auto& energy = r.frames.back().energy;
+    if (method == TimeMethod::implicit) {
+      EXPECT_LT(std::abs(energy.residual), 1e-8 * energy.turnover);
+    }
+  }
 }
 
 model::Signal curve(std::vector<double> t, std::vector<double> value, std::vector<double> slopes) {

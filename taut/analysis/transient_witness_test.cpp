@@ -111,63 +111,68 @@ TEST(TransientWitness, HeavyRopeSlipsOverALockedSheave) {
   }
 }
 
-/// Paying out, the tension grows by 1/eta from the winch on: one unknown, by hand.
-TEST(TransientWitness, TackleWithLossesLowers) {
+/// A tackle that takes in or pays out: from the winch on the tension falls, or grows, by eta at each sheave. One
+/// unknown, by hand.
+TEST(TransientWitness, TackleWithLossesHoistsAndLowers) {
   constexpr int falls = 6;
-  constexpr double loss = 1 / 0.97, EA = 1e7, mass = 3000, speed = -0.2;
-  double sum = 0;
-  for (int i = 1; i <= falls; ++i) sum += std::pow(loss, i);
-  const double T0 = mass * g / sum;
-  model::Model m;
-  m.gravity = g;
-  m.bodies.push_back(body("block", {0, 0, -10}, mass, "z"));
-  taut::analysis::DynamicState start;
-  start.bodies.resize(1);
-  start.bodies[0].position = {0, 0, -10};
-  start.ropes.resize(1);
-  double total = 0;
-  std::vector<model::Node> nodes{anchor("winch", {-10, 0, 0})};
-  for (int i = 0; i <= falls; ++i) {
-    start.ropes[0].length.push_back(10 / (1 + T0 * std::pow(loss, i) / EA));
-    total += start.ropes[0].length.back();
-    if (i == falls) break;
-    nodes.push_back(i % 2 == 0 ? over("head", {0, 0, 0}) : over("block", {0, 0, 0}, 0));
-    nodes.back().law.efficiency = 0.97;
-  }
-  nodes.push_back(anchor("becket", {0, 0, 0}));
-  m.reevings.push_back(reeve("hoist", nodes, total, 0, EA));
-  m.tensioners.push_back({0, true, {}});
-  m.tensioners[0].change.law = model::Moves{0, {{0, -speed, 1, false}}};
-  TransientOptions options;
-  options.duration = options.output_step = 0.1;
-  options.tolerance = 1e-7;
-  options.from = start;
-  const TransientResult r = transient(m, options);
-  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  const auto tension = [&](double z, double t) {
-    double T = T0;
-    for (int step = 0; step < 30; ++step) {
-      double length = 10 / (1 + T / EA), slope = -10 / EA / std::pow(1 + T / EA, 2);
-      for (int i = 1; i <= falls; ++i) {
-        const double share = std::pow(loss, i), stretch = 1 + T * share / EA;
-        length += (10 - z) / stretch;
-        slope -= (10 - z) * share / EA / (stretch * stretch);
-      }
-      T -= (length - (total - speed * t)) / slope;
+  constexpr double eta = 0.97, EA = 1e7, mass = 3000;
+  for (const double speed : {0.2, -0.2}) {
+    const double loss = speed > 0 ? eta : 1 / eta;
+    double sum = 0;
+    for (int i = 1; i <= falls; ++i) sum += std::pow(loss, i);
+    const double T0 = mass * g / sum;
+    model::Model m;
+    m.gravity = g;
+    m.bodies.push_back(body("block", {0, 0, -10}, mass, "z"));
+    taut::analysis::DynamicState start;
+    start.bodies.resize(1);
+    start.bodies[0].position = {0, 0, -10};
+    start.ropes.resize(1);
+    double total = 0;
+    std::vector<model::Node> nodes{anchor("winch", {-10, 0, 0})};
+    for (int i = 0; i <= falls; ++i) {
+      start.ropes[0].length.push_back(10 / (1 + T0 * std::pow(loss, i) / EA));
+      total += start.ropes[0].length.back();
+      if (i == falls) break;
+      nodes.push_back(i % 2 == 0 ? over("head", {0, 0, 0}) : over("block", {0, 0, 0}, 0));
+      nodes.back().law.efficiency = eta;
     }
-    return T;
-  };
-  const auto [z, v] =
-      runge_kutta(0, 0, 0.1, [&](double t, double x, double) { return tension(x, t) * sum / mass - g; });
-  EXPECT_LT(v, 0);
-  EXPECT_NEAR(r.frames.back().bodies[0].position.z(), z - 10, 1e-8);
-  for (int i = 0; i <= falls; ++i) {
-    const double T = tension(z, 0.1) * std::pow(loss, i);
-    EXPECT_NEAR(r.frames.back().branches[static_cast<std::size_t>(i)].T_from / T, 1, 2e-6) << i;
+    nodes.push_back(anchor("becket", {0, 0, 0}));
+    m.reevings.push_back(reeve("hoist", nodes, total, 0, EA));
+    m.tensioners.push_back({0, true, {}});
+    m.tensioners[0].change.law = model::Moves{0, {{0, -speed, 1, false}}};
+    TransientOptions options;
+    options.duration = options.output_step = 0.1;
+    options.tolerance = 1e-7;
+    options.from = start;
+    const TransientResult r = transient(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    // 10/(1 + T/EA) + sum (10 - z)/(1 + T loss^i/EA) = total - speed t
+    const auto tension = [&](double z, double t) {
+      double T = T0;
+      for (int step = 0; step < 30; ++step) {
+        double length = 10 / (1 + T / EA), slope = -10 / EA / std::pow(1 + T / EA, 2);
+        for (int i = 1; i <= falls; ++i) {
+          const double share = std::pow(loss, i), stretch = 1 + T * share / EA;
+          length += (10 - z) / stretch;
+          slope -= (10 - z) * share / EA / (stretch * stretch);
+        }
+        T -= (length - (total - speed * t)) / slope;
+      }
+      return T;
+    };
+    const auto [z, v] =
+        runge_kutta(0, 0, 0.1, [&](double t, double x, double) { return tension(x, t) * sum / mass - g; });
+    EXPECT_GT(v * speed, 0);
+    EXPECT_NEAR(r.frames.back().bodies[0].position.z(), z - 10, 1e-8);
+    for (int i = 0; i <= falls; ++i) {
+      const double T = tension(z, 0.1) * std::pow(loss, i);
+      EXPECT_NEAR(r.frames.back().branches[static_cast<std::size_t>(i)].T_from / T, 1, 2e-6) << i;
+    }
+    const auto& energy = r.frames.back().energy;
+    EXPECT_GT(energy.bearings, 0);
+    EXPECT_LT(std::abs(energy.residual), 1e-6 * energy.turnover);
   }
-  const auto& energy = r.frames.back().energy;
-  EXPECT_GT(energy.bearings, 0);
-  EXPECT_LT(std::abs(energy.residual), 1e-6 * energy.turnover);
 }
 
 /// A belt that drives: the rims differ by the stretch, v2/v1 = (1 + T2/EA)/(1 + T1/EA), whatever the friction; with a
