@@ -137,7 +137,7 @@ inline void add_boom_ropes(const Boom& b, model::Model& m) {
     path.push_back(k % 2 == 1 ? over("block", origin, hook) : over("head", {7.65, 0, 0}, s3));
   }
   path.push_back(b.falls % 2 == 0 ? anchor_on("pin", s3, {7.65, 0, 0}) : anchor_on("pin", hook));
-  const double C = 9e6 / 4, lead = 9 + 2 * b.travel - b.lag, l = lead + 0.25 + 4 * b.falls;
+  const double C = b.falls * 9e6 / 4, lead = 9 + 2 * b.travel - b.lag, l = lead + 0.25 + 4 * b.falls;
   model::Reeving hoist = reeve("hoist", std::move(path), weight / b.falls, 0, C * l / b.falls / b.falls);
   hoist.given = model::Given::tension_at_start;
   hoist.damping_time = 20e3 / C;

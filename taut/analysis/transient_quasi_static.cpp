@@ -25,9 +25,13 @@ Scheme creeping(double reach, double elapsed) {
   return s;
 }
 
-StepEnd from_rest(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton) {
+/// `ahead`: the way looked for first, by column.
+StepEnd from_rest(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton,
+                  const std::vector<double>* ahead = nullptr) {
   std::fill(before.nu.begin(), before.nu.end(), 0.0);
   std::fill(now.rate.begin(), now.rate.end(), 0.0);
+  for (std::size_t c = 0; ahead != nullptr && c < at(m.body_columns); ++c)
+    now.rate[c] = (*ahead)[c] / (s.reach * s.reach);
   for (std::size_t i = 0; i < now.spins.size(); ++i) now.spins[i].turns = before.spins[i].turns;
   return solve_step(m, s, before, t, now, w, newton);
 }
@@ -73,9 +77,20 @@ LargestWay largest_way(const Mechanism& m, const Values& before, const Values& n
 
 StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w,
                           Newton& newton) {
-  const StepEnd end = from_rest(m, creeping(without_inertia, elapsed), before, t, now, w, newton);
-  if (end != StepEnd::ok) return end;
-  return largest_way(m, before, now).way < far_away * m.size_of_machine ? end : StepEnd::not_converged;
+  const Scheme s = creeping(without_inertia, elapsed);
+  const std::vector<double> speed = before.nu;
+  const auto near = [&](StepEnd end) {
+    if (end != StepEnd::ok) return end;
+    return largest_way(m, before, now).way < far_away * m.size_of_machine ? end : StepEnd::not_converged;
+  };
+  std::vector<double> ahead = speed;
+  for (double& way : ahead) way *= elapsed;
+  const bool moves = std::any_of(ahead.begin(), ahead.end(), [](double way) { return way != 0; });
+  // what hangs on stiff ropes is not found from where it hung: it goes on as it went
+  if (moves && near(from_rest(m, s, before, t, now, w, newton, &ahead)) == StepEnd::ok) return StepEnd::ok;
+  const StepEnd end = near(from_rest(m, s, before, t, now, w, newton));
+  if (end != StepEnd::ok) before.nu = speed;  // for the shorter step that follows
+  return end;
 }
 
 StepEnd fall_to_rest(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w, Newton& newton,

@@ -12,6 +12,7 @@ namespace {
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
 constexpr int passes_from = 5, passes_every = 4;
+constexpr int reversals_from = 4;          ///< iterations
 constexpr int turns_until = 15;            ///< of contacts that stick and slide in turn at their very limit
 constexpr double moment = 1e-6;            ///< s, in which slip is looked for at an unchanged time
 constexpr double small_change = 1e-2;      ///< of tensions: the factors of the first iteration do for the next
@@ -46,10 +47,41 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
   }
 }
 
-void apply(const Mechanism& m, const std::vector<double>& step, double of_flows, Values& now) {
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) now.rate[c] -= step[c];
-  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= of_flows * step[at(contact.column)];
-  for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= step[at(spin.column)];
+/// A share of the step; of the ropes' flows that share of it.
+void apply(const Mechanism& m, const std::vector<double>& step, double share, double of_flows, Values& now) {
+  for (std::size_t c = 0; c < at(m.body_columns); ++c) now.rate[c] -= share * step[c];
+  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= share * of_flows * step[at(contact.column)];
+  for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= share * step[at(spin.column)];
+}
+
+/// Two branches that are slack and taut in turn: half a step finds the place between.
+double share_of_flows(const Newton& newton, int i) { return !newton.passes && i >= halves_from ? 0.5 : 1; }
+
+/// Without masses nothing but friction holds what slides: points that slid one way and by the last iteration slide the
+/// other way are brought back to where the first of them sticks, or both would go on in turn. False where that is no
+/// place.
+bool slides_in_turn_stick(Mechanism& m, const Scheme& s, const Values& before, double t, int i, const Newton& newton,
+                          Work& w, Values& now) {
+  const auto beyond = [&](std::size_t k) {
+    const FaceValues& is = now.faces[k];
+    const double size = is.pull.norm(), more = size - is.limit;
+    if (is.sticks || !(is.limit > 0 && more > 0)) return Vector3(Vector3::Zero());
+    return Vector3(more / (size * m.model->contacts[k].tangential_stiffness) * is.pull);
+  };
+  w.slid.resize(now.faces.size(), Vector3::Zero());
+  double share = 1;
+  for (std::size_t k = 0; k < now.faces.size(); ++k) {
+    const Vector3 slid = beyond(k);
+    const double bristle = now.faces[k].limit / m.model->contacts[k].tangential_stiffness;
+    const double was = w.slid[k].norm() + bristle, is = slid.norm() + bristle;
+    if (i >= reversals_from && w.slid[k].dot(slid) < 0) share = std::min(share, was / (was + is));
+    w.slid[k] = slid;
+  }
+  if (share == 1) return true;
+  apply(m, w.residual, share - 1, share_of_flows(newton, i - 1), now);
+  if (!follow(m, s, before, w, t, now)) return false;
+  for (std::size_t k = 0; k < now.faces.size(); ++k) w.slid[k] = beyond(k);
+  return true;
 }
 
 /// Largest move of a freedom and of a contact's rope by the step.
@@ -102,6 +134,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
   const bool moves = s.h > 0 && !s.at_rest;
   for (int i = 0; i <= newton.most; ++i) {
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
+    if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
     if (newton.passes && i >= passes_from && i % passes_every == 0) {
       pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
       const auto none = [](const LineValues& line) { return !(line.L > 0); };
@@ -139,8 +172,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     assemble(m, s, before, now, w);
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
-    // two branches that are slack and taut in turn: half a step finds the place between
-    apply(m, w.residual, !newton.passes && i >= halves_from ? 0.5 : 1.0, now);
+    apply(m, w.residual, 1, share_of_flows(newton, i), now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;

@@ -142,6 +142,7 @@ struct Work {
   bool tangent = true;                          ///< derivatives are wanted too
   std::vector<double> push;                     ///< forces of couples, of the last iteration
   std::vector<std::uint8_t> push_state;         ///< of contacts on faces: 0 apart, 1 slides, 2 sticks
+  std::vector<Vector3> slid;                    ///< of points on faces, beyond their bristle, in the last iteration
 };
 
 /// Direction of the rope at an end of a line, along the path.

@@ -241,6 +241,18 @@ void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
   if (!p.curves.empty()) r.figures.emplace_back(std::move(p));
 }
 
+/// What is off beside why: the note of its row.
+void tell_misses(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
+  for (const ComparedRow& row : rows) {
+    if (std::isnan(row.value) || (row.near_published() && row.near_reference())) continue;
+    const bool off_reference = !row.near_reference();
+    r.warnings.push_back(fmt::format("{}: {} instead of {} ({}); {}", row.what, display.quantity(row.value, row.unit),
+                                     display.quantity(off_reference ? row.reference : row.published, row.unit),
+                                     off_reference ? "reference" : "published",
+                                     row.note.empty() ? "no reason is stated" : row.note));
+  }
+}
+
 ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Result& of, Result& r) {
   ComparedRow row;
   row.what = one.what;
@@ -298,6 +310,7 @@ Result compare(const Job& job) {
   add_compared_table(rows, Display(), r);
   add_compared_checks(rows, r);
   add_deviation_plot(rows, r);
+  tell_misses(rows, Display(), r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;
     std::string told = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck

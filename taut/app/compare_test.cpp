@@ -49,9 +49,12 @@ TEST_F(Compare, PutsPublishedReferenceAndResultBesideEachOther) {
           "t]}\n"
           "    - {what: c, deck: hanging.yaml, value: T_max, published: 9 kN}\n"
           "    - {what: d, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %, reference: 9 kN, "
-          "reference_tolerance: 1 %}\n");
+          "reference_tolerance: 1 %, note: the rope is old}\n");
   ASSERT_EQ(r.status, taut::Status::ok) << r.message << to_text(r.errors);
   EXPECT_EQ(r.title, "A set");
+  ASSERT_EQ(r.warnings.size(), 2U);  // what misses, and why
+  EXPECT_EQ(r.warnings[0], "b: 19.613 kN instead of 9 kN (published); no reason is stated");
+  EXPECT_EQ(r.warnings[1], "d: 9.8066 kN instead of 9 kN (reference); the rope is old");
   EXPECT_EQ(exit_code(r), 4);
   const taut::Table& t = table_of(r, "compared");
   EXPECT_EQ(text_cell(t, 0, "verdict"), "agrees");

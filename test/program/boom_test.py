@@ -69,6 +69,23 @@ def value(result, name):
     return result["values"][name]["value"]
 
 
+def balance_angle(overlap, load, f):
+    """Angle in degrees from which section 3 slides inwards without ropes: balance on rigid pads, retracting."""
+    g, G3, c3, h3, zk, b3, falls, zeta = 9.81, 8440, 3.4, 7.65, 0.25, 0.5, 6, 0.95
+    Gn = (300 + load) * g
+    Sk = Gn * zeta / falls
+
+    def pull(b):
+        across = (G3 + Gn) * math.cos(b)
+        front = (math.cos(b) * (G3 * c3 + Gn * h3) - zk * Sk - f * b3 / 2 * across) / overlap
+        return Sk + (G3 + Gn) * math.sin(b) - f * (abs(front) + abs(across - front))
+
+    low, high = 0.0, 1.5
+    for _ in range(60):
+        low, high = ((low + high) / 2, high) if pull((low + high) / 2) < 0 else (low, (low + high) / 2)
+    return math.degrees(low)
+
+
 def some(cases, *these):
     """All cases, or those named where there is no time for all."""
     return [c for c in cases if c in these] if FEWER else list(cases)
@@ -127,22 +144,35 @@ class Boom(unittest.TestCase):
                     self.assertLess(abs(value(result, name) - wanted), near if near > 1 else near * wanted)
 
     def test_slip_angles(self):
-        # pads that yield lean the sections: up to 0.7 deg
         for deck in some(SLIPS, "slip_21_hook"):
             angle = SLIPS[deck]
             code, result = run(deck)
             self.assertEqual(code, 0, f"{deck}: {result['message']}")
             with self.subTest(deck=deck):
-                self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 1)
+                self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), 0.1)
 
     @unittest.skipIf(FEWER, "other figures only")
-    def test_slip_angles_of_rigid_pads_are_the_formula(self):
-        # tan b = f (2 Nf/(W cos b) - 1) and the lead line's pull, section 3 jammed: no clearance, hard pads
-        for deck, angle, near in (("slip_17_hook", 8.837, 0.05), ("slip_21_load", 45.130, 0.05),
-                                  ("slip_out_21_hook", 48.9, 0.3), ("slip_out_21_load", 55.0, 0.3)):
-            code, result = run(deck, "--set", "parameters.pad_clearance=0 mm", "--set", "parameters.pad_stiffness=2000 MN/m")
-            self.assertEqual(code, 0, f"{deck}: {result['message']}")
-            self.assertLess(abs(math.degrees(value(result, "slip_angle")) - angle), near)
+    def test_slip_angles_of_other_booms_are_the_balance_on_rigid_pads(self):
+        # travel m, jerk m, load kg, friction, step ms
+        for travel, jerk, load, f, step in ((2, 0.3, 500, 0.155, 10), (3, 0.5, 1500, 0.12, 10), (5, 0.2, 1500, 0.1, 10), (5, -0.2, 500, 0.2, 10),
+                                            (1, 0.1, 0, 0.155, 10), (6, -0.3, 1500, 0.18, 50), (6, -0.34, 0, 0.155, 50)):
+            wanted = balance_angle(7.35 - travel + jerk, load, f)
+            settings = [f"parameters.{s}" for s in (f"travel={travel} m", f"jerk={jerk} m", f"f0={f}", f"f_inf={f}")]
+            settings += [f"analyses[0].transient.step={step} ms"] + ([f"parameters.load_mass={load} kg"] if load else [])
+            code, result = run("slip_17_load" if load else "slip_17_hook", *[x for s in settings for x in ("--set", s)])
+            with self.subTest(travel=travel, jerk=jerk, load=load):
+                self.assertEqual(code, 0, result["message"])
+                self.assertLess(abs(math.degrees(value(result, "slip_angle")) - wanted), 0.06)
+
+    @unittest.skipIf(FEWER, "other figures only")
+    def test_pads_that_yield_hold_longer(self):
+        # what docs/guide/dynamics.md says of the difference to the balance on rigid pads
+        for stiffness, clearance, more in ((2000, 0, 0.0), (2000, 2, 0.3), (100, 0, 0.4), (100, 2, 0.7), (100, 5, 1.1)):
+            code, result = run("slip_out_21_load", "--set", f"parameters.pad_stiffness={stiffness} MN/m", "--set",
+                               f"parameters.pad_clearance={clearance} mm")
+            with self.subTest(stiffness=stiffness, clearance=clearance):
+                self.assertEqual(code, 0, result["message"])
+                self.assertAlmostEqual(math.degrees(value(result, "slip_angle")) - balance_angle(1.15, 3000, 0.155), more, delta=0.1)
 
     @unittest.skipIf(FEWER, "other figures only")
     def test_slow_extension_is_that_of_the_method(self):
@@ -199,8 +229,8 @@ class Boom(unittest.TestCase):
         # what the model says, where it is determined well: docs/guide/dynamics.md names the others
         wanted = {
             "break_extension_21_load": {"jerk": (0.11, 0.2), "slip_angle": (math.radians(47.1), math.radians(1)),
-                                        "impact_speed": (11.5, 0.07)},
-            "break_extension_21_hook": {"jerk": (0.49, 0.2), "sling_ratio": (13.5, 3.5)},
+                                        "impact_speed": (11.5, 0.07), "sling_ratio": (25, 6.25)},
+            "break_extension_21_hook": {"jerk": (0.49, 0.2), "slip_angle": (math.radians(27.9), math.radians(1)), "impact_speed": (6.2, 0.07)},
             "break_extension_17_load": {"jerk": (0.35, 0.2)},
             "break_extension_17_hook": {"jerk": (1.78, 0.2), "slip_angle": (math.radians(3.2), math.radians(1))},
             "break_retraction_21_load": {"jerk": (0.11, 0.2)},
@@ -218,6 +248,35 @@ class Boom(unittest.TestCase):
                 with self.subTest(deck=deck, value=name):
                     share = name in ("jerk", "impact_speed")
                     self.assertLess(abs(value(result, name) - there), near * there if share else near)
+
+    @unittest.skipIf(FEWER, "other figures only")
+    def test_a_swinging_load_lets_section_3_go_early(self):
+        # docs/guide/dynamics.md: why 17 m with 3 t misses the model's 15.5 degrees
+        def luffed(start, rate):
+            code, result = run("break_extension_17_load", "--set", f"parameters.luffing_start={start} s", "--set",
+                               f"machine.signals.luffing={{ramp: {{from: 0 deg, to: -60 deg, start: {start} s, duration: {60 / rate} s}}}}",
+                               "--set", f"analyses[0].transient.duration={start + 20 / rate} s")
+            self.assertEqual(code, 0, result["message"])
+            return math.degrees(value(result, "slip_angle"))
+
+        self.assertLess(luffed(8.25, 1), 11.5)
+        self.assertGreater(luffed(6, 3), 15.5)
+        still = ("parameters.jerk=0.363 m", "parameters.pad_stiffness=100 MN/m", "parameters.pad_clearance=2 mm", "machine.measures.slid.since=1 s",
+                 "machine.measures.slip_angle={of: luffing, factor: -1, since: 1 s, mean: {of: slid, from: 1 mm, to: 10 mm}}",
+                 "machine.signals.luffing={ramp: {from: 0 deg, to: -70 deg, start: 1 s, duration: 70 s}}",
+                 "analyses=[{transient: {duration: 25 s, output_step: 50 ms, tolerance: 1e-4, start: settled}}]")
+        code, result = run("slip_17_load", *[x for s in still for x in ("--set", s)])
+        self.assertEqual(code, 0, result["message"])
+        self.assertAlmostEqual(math.degrees(value(result, "slip_angle")), 15.5, delta=0.2)
+
+    def test_lifts_overshoot_as_the_reference(self):
+        # the tackle has the stiffness of all its falls; peaks of the reference, kN
+        for deck, S1, S2 in some((("row2", 180.5, 14.7), ("row3", 167.1, 41.7)), ("row2", 180.5, 14.7)):
+            code, result = run(deck)
+            self.assertEqual(code, 0, result["message"])
+            with self.subTest(deck=deck):
+                self.assertAlmostEqual(value(result, "S1_max") / 1e3, S1, delta=0.1)
+                self.assertAlmostEqual(value(result, "S2_min") / 1e3, S2, delta=0.1)
 
 
 if __name__ == "__main__":
