@@ -201,8 +201,9 @@ bool change_layers(Run& run, Values& v) {
     const double radius = radius_of_layer(contact, drum, layer);
     if (layer == is.layer && rope.radius[end] == radius) continue;
     // the strain is kept: a rope climbs onto the next layer within a turn
-    while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(std::max(0.0, rope.e));
-    if (layer > is.layer) is.strain[at(layer - 1)] = std::max(0.0, rope.e);
+    const double strain = std::max(0.0, end_strain(run.m, v, line, end));
+    while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(strain);
+    if (layer > is.layer) is.strain[at(layer - 1)] = strain;
     is.layer = layer;
     for (int k = line;; k += end == 0 ? 1 : -1) {  // all parts of the free line
       const Line& part = run.m.lines[at(k)];

@@ -265,6 +265,8 @@ TEST(TransientSag, EnergyOfASlackRope) {
   const TransientResult r = run(m, o);
   const auto& e = r.frames.back().energy;
   EXPECT_LT(std::abs(e.residual), 1e-6 * e.turnover);
+  EXPECT_GT(e.turnover, 1e4);
+  EXPECT_LT(r.frames.back().bodies[0].position.z(), m.bodies[0].position.z() - 1);
   for (const auto& event : r.events) EXPECT_NE(event.what, "slack");
 }
 
