@@ -23,6 +23,23 @@ Outcome no_rope_between(const model::Model& model, const Line& line, const char*
                                 rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, rope.name));
 }
 
+/// Rope that comes back from the rounds at its ends where a branch that hangs in the state `start` is straight in
+/// motion: it leaves and arrives in other directions, so that less or more of it lies there, m.
+double back_from_rounds(const Line& line, const Values& v, const DynamicState::Rope& start, std::size_t branch,
+                        const Vector3& straight) {
+  if (line.sag >= 0 || line.segment >= 0 || branch >= start.leaves.size() || branch >= start.arrives.size()) return 0;
+  double length = 0;
+  for (const std::size_t end : {0U, 1U}) {
+    const Vector3& hangs = end == 0 ? start.leaves[branch] : start.arrives[branch];
+    if (hangs == Vector3::Zero() || line.radius[end] == 0 || (line.part && line.at_load[end])) continue;
+    const int body = line.body[end];
+    const Vector3 axis = body < 0 ? line.axis[end] : Vector3(v.bodies[at(body)].R * line.axis[end]);
+    const double turned = std::atan2(axis.dot(straight.cross(hangs)), straight.dot(hangs));
+    length += (end == 0 ? 1 : -1) * line.side[end] * line.radius[end] * turned;
+  }
+  return length;
+}
+
 void place_lines(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
   const model::Model& model = *m.model;
@@ -41,9 +58,10 @@ void place_lines(const DynamicState& start, Built& built) {
       return;
     }
     line.angle = {0, 0};
-    line.L = start_length(m, start, static_cast<int>(i));
     const auto& whole = start.ropes[at(m.lines[i].reeving)].whole;
     const std::size_t own = i - at(m.first_line[at(m.lines[i].reeving)].first);
+    line.L = start_length(m, start, static_cast<int>(i)) +
+             back_from_rounds(m.lines[i], v, start.ropes[at(m.lines[i].reeving)], own, line.t);
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
     if (m.lines[i].part) set_places(start, line, m.model->reevings[at(m.lines[i].reeving)], m.lines[i]);
     line.e = length_of(m.lines[i], line.l) / line.L - 1;

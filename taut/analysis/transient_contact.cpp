@@ -57,7 +57,8 @@ void rolling_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& bef
   auto& values = m.solver.values();
   const std::size_t c = at(contact.column), own = own_column(m, contact);
   const double scale = std::max(stiffness_at(m, contact, now), 1.0);
-  w.residual[c] += scale * (now.q[c] - is.slipped - w.q_star[c] - s.reach * is.roll_rate);
+  // what has slipped is that of before, also where it was still taken as slipping when it was followed
+  w.residual[c] += scale * (now.q[c] - before.contacts[i].slipped - w.q_star[c] - s.reach * is.roll_rate);
   values[at(contact.row[own])] += scale;
   if (contact.spin < 0) return;
   const double rim = contact.sense * working_radius(m, contact, before) / is.lambda;

@@ -211,7 +211,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
 /// The flow that counts for the thrust of the rope. In very short steps a rate is noise over nothing: it would
 /// drive the tensions, and they the rate. So it follows within the time in which that can't grow.
 void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
-  constexpr double calm = 20, least_speed = 1;
+  constexpr double calm = 20, least_speed = 1, growth = 2;
   const Contact& contact = m.contacts[i];
   const ContactValues& was = before.contacts[i];
   ContactValues& is = now.contacts[i];
@@ -220,7 +220,9 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     if (line >= 0) stiffness += m.lines[at(line)].stiffness / before.lines[at(line)].L;
   }
   const double time = calm * contact.mass * std::max(least_speed, std::abs(was.steady)) / stiffness;
-  is.steady = was.steady + s.h / (s.h + time) * (is.flow - was.steady);
+  // and within a step only as far as rims and loads may take it: loose rope that finds its place has no momentum
+  const double most = growth * std::abs(was.steady) + least_speed;
+  is.steady = was.steady + s.h / (s.h + time) * (std::clamp(is.flow, -most, most) - was.steady);
 }
 
 /// Velocity of the rope's touching points, fixed to their bodies, apart. Coordinate by coordinate: in chains and

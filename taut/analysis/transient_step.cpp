@@ -125,13 +125,43 @@ double change_of_tensions(const Values& now, Work& w, Newton& newton, bool& turn
   return change;
 }
 
+bool has_loops(const Mechanism& m) {
+  const auto& ropes = m.model->reevings;
+  return std::any_of(ropes.begin(), ropes.end(), [](const model::Reeving& rope) { return rope.closed; });
+}
+
+/// Where all contacts of a closed rope slip at once, nothing but rounding says how much of it runs round. None of them
+/// passes more in one iteration than what all of the rope is too long or too short, and what rims take along in the
+/// step.
+void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
+                      std::vector<double>& step) {
+  for (std::size_t r = 0; r < m.model->reevings.size(); ++r) {
+    if (!m.model->reevings[r].closed) continue;
+    double most = 0, fastest = 0;
+    for (int k = m.first_line[r].first; k < m.first_line[r].first + m.first_line[r].second; ++k) {
+      most += std::abs(now.lines[at(k)].e) * now.lines[at(k)].L;
+    }
+    const auto of_rope = [&](const Contact& contact) { return contact.reeving == static_cast<int>(r); };
+    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+      if (!of_rope(m.contacts[i])) continue;
+      fastest = std::max({fastest, std::abs(now.contacts[i].roll_rate), std::abs(before.contacts[i].steady)});
+    }
+    most += s.h * fastest;
+    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+      if (!of_rope(m.contacts[i]) || now.contacts[i].grip == Grip::stuck) continue;
+      double& passes = step[at(m.contacts[i].column)];
+      passes = std::clamp(passes, -most, most);
+    }
+  }
+}
+
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
   guess_flows(m, s, before, w, now);
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
   bool laws_changed = false;
-  const bool moves = s.h > 0 && !s.at_rest;
+  const bool moves = s.h > 0 && !s.at_rest, loops = has_loops(m);
   for (int i = 0; i <= newton.most; ++i) {
     if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
@@ -172,6 +202,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     assemble(m, s, before, now, w);
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
+    if (loops) hold_circulation(m, s, before, now, w.residual);
     apply(m, w.residual, 1, share_of_flows(newton, i), now);
     moved = move_of(m, s, w.residual);
   }
