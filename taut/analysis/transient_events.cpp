@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
@@ -86,10 +87,13 @@ double radius_of_layer(const Contact& contact, const model::Drum& drum, int laye
   return drum.core_radius + (layer - 0.5) * diameter;
 }
 
+constexpr double no_rope_on_drum = 1e-6;    ///< m
+constexpr double rounding_of_turns = 1e-9;  ///< a width of so many diameters holds so many turns
+
 /// The layer on which the end of so much rope lies.
 int layer_of(const Contact& contact, const model::Drum& drum, double content) {
   const double diameter = (contact.radius - drum.core_radius) / (drum.layer - 0.5);
-  const double turns = std::floor(drum.width / diameter);
+  const double turns = std::floor(drum.width / diameter + rounding_of_turns);
   if (!(diameter > 0) || !(turns >= 1)) return drum.layer;
   int layer = 1;
   for (double left = content;; ++layer) {
@@ -157,7 +161,45 @@ void note_changes(Run& run) {
   note_faces(run);
 }
 
+namespace {
+
+/// What lies on a drum in the step to `v`; none where the description does not say how much there is.
+std::optional<double> content_ahead(const Run& run, const Contact& contact, const Values& v) {
+  if (contact.drum < 0 || !run.model.drums[at(contact.drum)].length_on_drum) return {};
+  const double passed = v.q[at(contact.column)] - run.before.q[at(contact.column)];
+  return run.before.drums[at(contact.drum)].content + (contact.in < 0 ? -passed : passed);
+}
+
+/// Whether a drum changes its layer in the step to `v`, or has no rope left then.
+bool winds_on(const Run& run, const Values& v) {
+  return std::any_of(run.m.contacts.begin(), run.m.contacts.end(), [&](const Contact& contact) {
+    const auto content = content_ahead(run, contact, v);
+    if (!content) return false;
+    const model::Drum& drum = run.model.drums[at(contact.drum)];
+    const bool climbs =
+        drum.automatic_layers && layer_of(contact, drum, *content) != run.before.drums[at(contact.drum)].layer;
+    return climbs || *content < -no_rope_on_drum;
+  });
+}
+
+}  // namespace
+
+bool run_out(Run& run) {
+  for (const Contact& contact : run.m.contacts) {
+    const auto content = content_ahead(run, contact, run.before);
+    if (!content || *content >= -no_rope_on_drum) continue;
+    const std::string& drum = run.model.drums[at(contact.drum)].name;
+    note(run, run.before.t, "length_zero", drum, {{"L", *content}});
+    run.result.outcome = infeasible(
+        fmt::format("at t = {:.6g} s no rope is left on the drum '{}': stop the motion before, or give it more",
+                    run.before.t, drum));
+    return true;
+  }
+  return false;
+}
+
 bool comes_true(const Run& run, const Values& v) {
+  if (!run.model.drums.empty() && winds_on(run, v)) return true;
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
     const model::Event& event = run.model.events[i];
     if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;

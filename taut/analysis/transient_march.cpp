@@ -344,6 +344,7 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   for (std::size_t i = 0; i < run.m.lines.size() && end == StepEnd::ok; ++i) {
     if (used_up(run, i)) end = run_off(run, i);
   }
+  if (end == StepEnd::ok && !run.model.drums.empty()) stop = run_out(run) || stop;
   return end;
 }
 

@@ -86,6 +86,8 @@ bool happen(Run& run, Values& v, bool& stop);
 bool comes_true(const Run& run, const Values& v);
 /// Drums whose rope has come onto another layer take its radius; whether any did.
 bool change_layers(Run& run, Values& v);
+/// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
+bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
 std::vector<double> stops_of(const model::Model& model, double from, double to);
 

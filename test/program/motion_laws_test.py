@@ -78,6 +78,21 @@ analyses:
   - transient: {duration: 4 s, output_step: 10 ms, tolerance: 1e-4, start: START}
 """
 
+WINCH = """taut: 1
+title: A winch with several layers
+machine:
+  gravity: 9.81 m/s^2
+  ropes: {c: {mass: 0 kg/m, stiffness: 50 MN, diameter: 20 mm, damping_ratio: 0.2}}
+  bodies: {a: {mass: 500 kg, at: [0.26 m, 0 m, -40 m], free: [z]}}
+  drums:
+    w: {at: [0 m, 0 m, 0 m], core_diameter: 500 mm, layers: auto, length_on_drum: 3 m, face_width: 100 mm, drive: {speed: SPEED}}
+  reevings:
+    - {rope: c, path: [{drum: w, side: left}, {anchor: a}], length: 40 m}
+  observe: [w.length, w.torque, a.z]
+analyses:
+  - transient: {duration: 10 s, output_step: 0.5 s, tolerance: 1e-4}
+"""
+
 
 class Laws(unittest.TestCase):
     def run_deck(self, deck, expected=0):
@@ -149,6 +164,18 @@ class Laws(unittest.TestCase):
                             behind, before = before, behind
                         thrust = 0.3 * speed**2 * behind / before  # by the flow per unstretched metre, to 1 %
                         self.assertAlmostEqual((before - thrust) / (behind - thrust) / eta, 1, delta=1e-3, msg=of)
+
+    def test_a_drum_winds_layers_and_runs_out(self):
+        r = self.run_deck(WINCH.replace("SPEED", "2 m/s"))
+        times = [row[0] for row in r["tables"]["events"]["rows"] if row[1] == "layer"]
+        filled = 0
+        for k, t in enumerate(times, 1):  # five turns each, at the middle of the rope
+            filled += 5 * 2 * math.pi * (0.25 + (k - 0.5) * 0.02)
+            self.assertAlmostEqual(t, (filled - 3) / 2, delta=2e-3)
+        self.assertEqual(len(times), 2)
+        r = self.run_deck(WINCH.replace("SPEED", "-2 m/s"), expected=3)
+        self.assertIn("no rope is left on the drum 'w'", r["message"])
+        self.assertAlmostEqual(r["rows"][-1]["t"], 1.5, delta=2e-3)
 
     def test_what_does_not_happen_is_told(self):
         deck = HANGING.replace("HOOK", "150 kg").replace(
