@@ -1,34 +1,19 @@
-#Test programs, found by where they lie:
-#taut / < layer> /**/* _test.cpp->taut_ < layer> _test
-#   taut/methods/<name>/*_test.cpp       -> taut_<name>_test
+# Test programs, found by where their files lie. One per layer would instantiate the same templates a dozen times, so
+# layers share a program (the table below); a layer that it does not name makes one of its own:
+#   taut/<layer>/**/*_test.cpp           -> taut_<layer>_test
 #   cli/*_test.cpp                       -> taut_cli_test
-#   test/<folder>/*_test.cpp             -> taut_<folder>_test   (cases, cross, golden)
+#   test/<folder>/*_test.cpp             -> taut_whole_test
 #   test/<folder>/*_test.py, *_test.sh   -> run with TAUT_PROGRAM and TAUT_SOURCE_DIR in the environment
 # A folder that does not exist yet is simply no test. Several files are compiled as one (TAUT_UNITY), which more than
 # halves the time: each has its own namespace, named like the file.
+set(parts_layers base units math calc catalogue rope structure)
+set(words_layers model io report)
 include(GoogleTest)
 
-# One precompiled header for all of them: gtest and rapidcheck cost about two seconds in every file without it.
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test/paths.cpp @ONLY CONTENT [[
-#include "test/paths.hpp"
-
-namespace taut_test {
-std::filesystem::path source_dir() { return "@PROJECT_SOURCE_DIR@"; }
-std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"; }
-}  // namespace taut_test
-]])
-add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
-target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
-# The library is tested as shipped; the tests themselves only need to compile fast.
-target_compile_options(taut_test_support PUBLIC ${quick_to_build})
-target_precompile_headers(taut_test_support PRIVATE
-  <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Geometry> <fmt/format.h> <cmath> <map> <set> <string> <vector>)
-
-# Twice as fast as the usual linker, where there is one.
-find_program(GOLD_LINKER ld.gold)
-mark_as_advanced(GOLD_LINKER)
-if(GOLD_LINKER)
-  target_link_options(taut_test_support PUBLIC -fuse-ld=gold)
+# The sanitizers' code takes twice the memory to compile.
+set(test_batch 60)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(test_batch 20)
 endif()
 
 function(taut_add_test name)
@@ -38,28 +23,37 @@ function(taut_add_test name)
   # The library comes first, so that templates which both have instantiated are taken from it, as optimised there.
   target_link_options(${name} PRIVATE LINKER:--whole-archive,$<TARGET_FILE:taut>,--no-whole-archive)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test
-    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE 30)
+    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE ${test_batch})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)
 endfunction()
 
 set(library_tests ${taut_files})
 list(FILTER library_tests INCLUDE REGEX "_test\\.cpp$")
 file(GLOB folder_tests CONFIGURE_DEPENDS test/*/*_test.cpp)
-set(groups)
+# The longest come first, so that no core waits for the last.
+set(groups analysis parts words app methods whole)
 foreach(file IN LISTS library_tests folder_tests)
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE path)
-  if(path MATCHES "^(taut/methods|taut|test)/([^/]+)/")
-    list(APPEND groups ${CMAKE_MATCH_2})
-    list(APPEND files_${CMAKE_MATCH_2} ${file})
+  if(path MATCHES "^taut/([^/]+)/")
+    set(group ${CMAKE_MATCH_1})
+    foreach(shared parts words)
+      if(group IN_LIST ${shared}_layers)
+        set(group ${shared})
+      endif()
+    endforeach()
+  else()
+    set(group whole)
   endif()
+  list(APPEND groups ${group})
+  list(APPEND files_${group} ${file})
 endforeach()
 list(REMOVE_DUPLICATES groups)
 foreach(group IN LISTS groups)
   taut_add_test(taut_${group}_test ${files_${group}})
 endforeach()
-#test / house tries the build's own tools.
-taut_embed(TARGET taut_house_test NAMESPACE taut_test::embedded NAME bytes FILE test/house/bytes.bin)
-taut_embed(TARGET taut_house_test NAMESPACE taut_test::embedded NAME table FILES LICENSE test/house/bytes.bin)
+# test/house tries the build's own tools.
+taut_embed(TARGET taut_whole_test NAMESPACE taut_test::embedded NAME bytes FILE test/house/bytes.bin)
+taut_embed(TARGET taut_whole_test NAMESPACE taut_test::embedded NAME table FILES LICENSE test/house/bytes.bin)
 
 file(GLOB cli_tests CONFIGURE_DEPENDS cli/*_test.cpp)
 if(cli_tests)

@@ -1,9 +1,10 @@
 #include "taut/analysis/loop_system.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "taut/math/dense_lu.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -232,7 +233,7 @@ Vector step_of(const LoopSystem& system) {
     J.row(i) /= size;
     r[i] /= size;
   }
-  return Eigen::PartialPivLU<Matrix>(J).solve(r);
+  return DenseLu(J).solve(r);
 }
 
 /// The part of the step that changes no unknown more than its shape allows.

@@ -1,11 +1,11 @@
 #include "taut/analysis/newton.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "taut/analysis/beam_piece.hpp"
+#include "taut/math/dense_lu.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -39,9 +39,8 @@ class Linear {
       rows_[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
       scaled_.row(i) *= rows_[i];
     }
-    lu_.compute(scaled_);
-    const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-    singular_ = !(pivots.minCoeff() > singular_below * pivots.maxCoeff());
+    lu_.factor(scaled_);
+    singular_ = !(lu_.pivot_ratio() > singular_below);
     if (singular_) {
       orthogonal_.setThreshold(1e-12);
       orthogonal_.compute(scaled_);
@@ -51,7 +50,7 @@ class Linear {
   /// The scaled step -J^-1 r, of least length where J is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& r) const {
     const Eigen::VectorXd right = -rows_.cwiseProduct(r);
-    return singular_ ? Eigen::VectorXd(orthogonal_.solve(right)) : Eigen::VectorXd(lu_.solve(right));
+    return singular_ ? Eigen::VectorXd(orthogonal_.solve(right)) : lu_.solve(right);
   }
 
   Eigen::VectorXd unscaled(const Eigen::VectorXd& step) const { return columns_.cwiseProduct(step); }
@@ -60,7 +59,7 @@ class Linear {
  private:
   Eigen::VectorXd columns_, rows_;
   Eigen::MatrixXd scaled_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  DenseLu lu_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
   bool singular_ = false;
 };

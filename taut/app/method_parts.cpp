@@ -3,13 +3,12 @@
 #include <numbers>
 
 #include "taut/app/design_method.hpp"
+#include "taut/base/gravity.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
 
 namespace taut::app {
 namespace {
-
-constexpr double gravity = 9.80665;  // m/s2, of the published methods
 
 /// Whether a row is one of the built-in catalogue, so that its id says all.
 bool is_built_in(const catalogue::RopeRow& row) {
@@ -28,7 +27,7 @@ void put_in_loop(closed_loop::Input& in, const std::string& name, const catalogu
   if (is_built_in(row)) {
     rope = row.id;
   } else {
-    weight = row.mass_per_length * gravity;
+    weight = row.mass_per_length * standard_gravity;
   }
   if (std::isfinite(stiffness)) stiffness = modulus * row.area;
 }
@@ -62,7 +61,7 @@ double length_in_drive(const friction_drive::Input& in, const std::string& /*nam
 
 double mass_of_take_up(const friction_drive::Input& in) {
   if (!in.take_up) return 0;
-  return in.take_up->mass.value_or(in.take_up->weight.value_or(0) / gravity);
+  return in.take_up->mass.value_or(in.take_up->weight.value_or(0) / standard_gravity);
 }
 
 /// C_1 of half of the extension rope, C_2 of the retraction rope, by their lengths.

@@ -1,12 +1,12 @@
 #include "taut/structure/beam.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/dense_lu.hpp"
 
 namespace taut::structure {
 namespace {
@@ -126,7 +126,7 @@ Eigen::Matrix<double, 12, 12> piece_stiffness(const std::function<BeamState(cons
     plus.moment += moment * e, minus.moment -= moment * e;
     column(plus, minus, moment, B.col(3 + i), D.col(3 + i));
   }
-  const Matrix6 inverse = B.fullPivLu().inverse();
+  const Matrix6 inverse = DenseLu(B).inverse();
   Eigen::Matrix<double, 12, 12> K;
   K << inverse * A, -inverse, C - D * inverse * A, D * inverse;
   return K;

@@ -5,19 +5,15 @@
 namespace taut::app {
 namespace {
 
-using closed_loop::Case;
-using closed_loop::Input;
-using closed_loop::Output;
-
 /// Misfits below this are rounding, which differs from machine to machine.
 constexpr double rounding = 1e-12;
 
-analysis::SecondSection second_section(const Input& in) {
+analysis::SecondSection second_section(const closed_loop::Input& in) {
   return {*in.section_distance, in.distance_kind == closed_loop::DistanceKind::rope,
           in.sag_of == closed_loop::Section::second, in.position_of == closed_loop::Section::second};
 }
 
-Outcome exact_sag(const Input& in, const Case<double>& c, closed_loop::ExactSag& found) {
+Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::ExactSag& found) {
   using analysis::LoopGiven;
   analysis::LoopSag at;
   const analysis::RunningLoop loop = running_loop(in, c);
@@ -41,7 +37,7 @@ Outcome exact_sag(const Input& in, const Case<double>& c, closed_loop::ExactSag&
   return o;
 }
 
-void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, Output& out) {
+void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, closed_loop::Output& out) {
   out.P_v_exact = s.R_z;
   out.P_b_exact = s.R_z - loop.rise / loop.span * s.R_x;
   out.N_exact = s.roller_force();
@@ -63,7 +59,7 @@ void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, Outpu
   out.closure_exact = std::max(s.closure / loop.span, rounding);
 }
 
-Outcome exact_values(const Input& in, const Case<double>& c, Output& out) {
+Outcome exact_values(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::Output& out) {
   const analysis::RunningLoop loop = running_loop(in, c);
   analysis::LoopState s;
   Outcome o = solve_loop(loop, {c.x, c.f}, s);
@@ -73,7 +69,7 @@ Outcome exact_values(const Input& in, const Case<double>& c, Output& out) {
 
 }  // namespace
 
-analysis::RunningLoop running_loop(const Input& in, const Case<double>& c) {
+analysis::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop::Case<double>& c) {
   analysis::RunningLoop loop;
   loop.span = c.l;
   loop.rise = c.l * c.m;
@@ -95,6 +91,6 @@ const closed_loop::Engine& loop_engine() {
   return engine;
 }
 
-Result run_closed_loop(const Input& in) { return closed_loop::run(in, loop_engine()); }
+Result run_closed_loop(const closed_loop::Input& in) { return closed_loop::run(in, loop_engine()); }
 
 }  // namespace taut::app

@@ -6,30 +6,29 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/gravity.hpp"
 #include "taut/methods/friction_drive/rope_strength.hpp"
 
 namespace taut::app {
 namespace {
 
-using namespace friction_drive;
-
-constexpr double standard_gravity = 9.80665;
 constexpr double usual_modulus = 100e9;  // of steel ropes on the metallic area
 
-double stiffness_of(const Input& in) {
+double stiffness_of(const friction_drive::Input& in) {
   if (in.rope_stiffness) return *in.rope_stiffness;
   if (in.rope_area) return usual_modulus * *in.rope_area;
   if (const auto rope = rope_of(in)) return usual_modulus * rope->area;
   return std::numeric_limits<double>::infinity();
 }
 
-std::string take_up_words(const Input& in, const analysis::BeltDrive& d) {
+std::string take_up_words(const friction_drive::Input& in, const analysis::BeltDrive& d) {
   if (!in.take_up) return fmt::format("a weight that pulls {:.1f} N, as the method says to build", d.pull);
   if (in.take_up->screw) return fmt::format("a screw set to {:.1f} N at rest", d.pull);
   return fmt::format("a weight that pulls {:.1f} N", d.pull);
 }
 
-void add_words(const Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s, Result& r) {
+void add_words(const friction_drive::Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s,
+               Result& r) {
   r.assumptions.push_back(fmt::format(
       "Exact column: {}; T_1 = r T_2 + P_p, {}; the rope creeps on the last part of the working arc only. Branches "
       "are straight.",
@@ -50,7 +49,8 @@ void add_words(const Input& in, const analysis::BeltDrive& d, const analysis::Be
   }
 }
 
-FrictionDriveExact values_from(const Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s) {
+FrictionDriveExact values_from(const friction_drive::Input& in, const analysis::BeltDrive& d,
+                               const analysis::BeltDriveState& s) {
   FrictionDriveExact e;
   e.take_up_exact = s.pull;
   e.T_1_exact = s.T_1;
@@ -67,7 +67,7 @@ FrictionDriveExact values_from(const Input& in, const analysis::BeltDrive& d, co
   return e;
 }
 
-void add_comparisons(const Output& o, const FrictionDriveExact& e, Result& r) {
+void add_comparisons(const friction_drive::Output& o, const FrictionDriveExact& e, Result& r) {
   const auto add = [&](const char* what, const char* symbol, double paper, double corrected, double exact) {
     r.comparisons.push_back({what, symbol, si::N, paper, corrected, exact,
                              "exact: what the take-up really sets; corrected: the drive that does not slip",
@@ -80,7 +80,7 @@ void add_comparisons(const Output& o, const FrictionDriveExact& e, Result& r) {
 
 }  // namespace
 
-analysis::BeltDrive belt_drive(const Input& in, const Output& out) {
+analysis::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out) {
   analysis::BeltDrive d;
   d.friction = in.friction;
   d.wrap = in.wrap;
@@ -88,7 +88,8 @@ analysis::BeltDrive belt_drive(const Input& in, const Output& out) {
   d.momentum_flow = out.c;
   d.idler_loss = in.idler_loss;
   d.load = in.cutting_force;
-  d.place = in.cut == CutPlace::at_idler ? analysis::LoadPlace::at_idler : analysis::LoadPlace::in_tight_branch;
+  d.place = in.cut == friction_drive::CutPlace::at_idler ? analysis::LoadPlace::at_idler
+                                                         : analysis::LoadPlace::in_tight_branch;
   d.stiffness = stiffness_of(in);
   if (in.centre_distance) {
     d.branch = *in.centre_distance;
@@ -105,9 +106,9 @@ analysis::BeltDrive belt_drive(const Input& in, const Output& out) {
   return d;
 }
 
-void complete_friction_drive(const Input& in, Result& r) {
+void complete_friction_drive(const friction_drive::Input& in, Result& r) {
   if (r.status != Status::ok) return;
-  Output out;
+  friction_drive::Output out;
   if (!solve(in, out).ok() || !(out.phi > 0)) return;
   const analysis::BeltDrive d = belt_drive(in, out);
   analysis::BeltDriveState s;

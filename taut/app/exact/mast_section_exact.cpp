@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "taut/app/exact/mast_section_figures.hpp"
+#include "taut/base/gravity.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/methods/mast_section/position.hpp"
@@ -15,8 +16,6 @@ namespace taut::app {
 namespace {
 
 using namespace mast_section;
-
-constexpr double standard_gravity = 9.80665;
 
 double mast_height(const Input& in) { return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0)); }
 

@@ -1,0 +1,23 @@
+#include "taut/math/dense_lu.hpp"
+
+#include "taut/base/expects.hpp"
+
+namespace taut {
+
+void DenseLu::factor(const Eigen::MatrixXd& A) {
+  expects(A.rows() == A.cols(), "a square matrix");
+  factors_.compute(A);
+}
+
+double DenseLu::pivot_ratio() const {
+  const auto pivots = factors_.matrixLU().diagonal().cwiseAbs();
+  return pivots.minCoeff() / pivots.maxCoeff();
+}
+
+Eigen::VectorXd DenseLu::solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
+
+Eigen::MatrixXd DenseLu::inverse() const {
+  return factors_.solve(Eigen::MatrixXd::Identity(factors_.rows(), factors_.cols()));
+}
+
+}  // namespace taut

@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace taut {
+
+/// LU factors with row pivoting of a dense square matrix. Eigen's, compiled once for the whole library: every file that
+/// asks Eigen for them itself takes some seconds longer to compile.
+class DenseLu {
+ public:
+  DenseLu() = default;
+  explicit DenseLu(const Eigen::MatrixXd& A) { factor(A); }
+  /// A of any size, of finite entries; the storage of the factors before is used again.
+  void factor(const Eigen::MatrixXd& A);
+  /// The smallest pivot by the largest: 0 where A is singular, NaN where an entry is not finite.
+  double pivot_ratio() const;
+  /// A^-1 b; not finite where A is singular.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// A^-1; not finite where A is singular.
+  Eigen::MatrixXd inverse() const;
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+};
+
+}  // namespace taut
