@@ -14,7 +14,7 @@
 // The published closed loop against the engine: what the repaired formulas, the closed form and an independent solution
 // give beside exact catenaries.
 
-namespace taut::closed_loop::closed_loop_test {
+namespace taut::closed_loop::cross::closed_loop_test {
 
 using namespace taut_test;
 using exact_tiers::Solved;
@@ -367,4 +367,4 @@ TEST(ClosedLoopExact, LiftOffIsRefused) {
   EXPECT_EQ(r.find_value("T_lA_exact"), nullptr);
 }
 
-}  // namespace taut::closed_loop::closed_loop_test
+}  // namespace taut::closed_loop::cross::closed_loop_test
