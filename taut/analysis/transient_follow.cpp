@@ -107,6 +107,8 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   }
 }
 
+// What follows is inlined where it stands in the innermost loops: the calls alone would be a tenth of a tackle's time.
+
 /// Unstretched length and strain. The rope that the turning of a line lays on a round lies there at its `winding`.
 [[gnu::always_inline]] inline void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& now) {
   const Line& line = m.lines[i];
@@ -114,14 +116,12 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   LineValues& is = now.lines[i];
   double L = was.L;
   const bool sagging = sags(line, is);
-  std::array<double, 2> winding{1, 1};
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
     const std::size_t k = at(line.contact[end]), c = at(m.contacts[k].column);
-    winding[end] = before.contacts[k].winding;
     double out = now.q[c] - before.q[c];
     if (line.radius[end] > 0 && !line.at_load[end] && !sagging)
-      out -= is.radius[end] / winding[end] * (is.angle[end] - was.angle[end]);
+      out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
     L += end == 0 ? out : -out;
   }
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
@@ -130,6 +130,10 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   is.L = L;
   if (sagging) {
     const std::size_t k = at(line.sag);
+    std::array<double, 2> winding{1, 1};
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (line.contact[end] >= 0) winding[end] = before.contacts[at(line.contact[end])].winding;
+    }
     if (!hang(line, now.bodies, winding, before.sags[k], is.L, was.angle, is, now.sags[k]))
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
@@ -227,7 +231,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
 
 /// Velocity of the rope's touching points, fixed to their bodies, apart. Coordinate by coordinate: in chains and
 /// tackles this is what is done most often of all.
-void set_apart(const Line& line, const std::vector<Motion3>& bodies, LineValues& is) {
+[[gnu::always_inline]] inline void set_apart(const Line& line, const std::vector<Motion3>& bodies, LineValues& is) {
   double x = 0, y = 0, z = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.body[end] < 0) continue;
