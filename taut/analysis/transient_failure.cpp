@@ -72,8 +72,8 @@ Outcome failure(Run& run, StepEnd end, double t) {
                     t));
   }
   // bodies have masses: what has no answer now is a fault of the search, not of the machine
-  return not_converged(fmt::format(
-      "at t = {:.6g} s no common answer of all ropes and contacts was found, down to steps of {:.3g} s", t, run.h));
+  const std::string steps = run.h > 0 ? fmt::format(", down to steps of {:.3g} s", run.h) : std::string();
+  return not_converged(fmt::format("at t = {:.6g} s no common answer of all ropes and contacts was found{}", t, steps));
 }
 
 }  // namespace taut::analysis::dynamics
