@@ -108,7 +108,8 @@ struct EnergyLedger {
   double bearings = 0;   ///< of sheaves, or of light sheaves the whole loss
   double broken = 0;     ///< elastic energy of branches at their break
   double contacts = 0;   ///< dashpots and friction of faces
-  double numerical = 0;  ///< what the scheme itself takes: not known apart, part of the residual
+  double slack = 0;      ///< by the weight of rope that runs into slack branches (lost) and out of them (< 0)
+  double numerical = 0;  ///< by the Euler steps over kinks: impacts of ropes without mass; else part of the residual
   double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
   double residual = 0;
   double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual
@@ -168,7 +169,8 @@ struct TransientFrame {
 };
 
 /// What happened: "slack", "taut", "stick", "slip", "break", "run_off", "stop", "lift_off", "length_zero", "layer",
-/// "drive", "brake", "actuator", "contact", "apart".
+/// "drive", "brake", "actuator", "contact", "apart"; "coarser": a run of very many steps resolves what shakes fast and
+/// undamped within each of its swings from here on, no more to its tolerance over all of them.
 struct TransientEvent {
   double t = 0;
   std::string what;

@@ -187,7 +187,7 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[at(k)].t.z() : 0;
     double hangs = line.weight / 2 * (d.L[at(k)] * now.t.z() + turned);
-    if (std::abs(half) >= now.T) hangs = half > 0 ? d.T[at(k)] : -d.T[at(k)];
+    if (std::abs(half) >= most_hung * now.T) hangs = std::copysign(most_hung, half) * d.T[at(k)];
     tangent.end_T[0][at(k)] = d.T[at(k)] - (bears_half(line, 0) ? hangs : 0);
     tangent.end_T[1][at(k)] = d.T[at(k)] + (bears_half(line, 1) ? hangs : 0);
   }

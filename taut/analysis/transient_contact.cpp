@@ -70,17 +70,24 @@ void rolling_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& bef
   });
 }
 
-/// The drum's rope has a given tension; a slack one counts as a spring that may push.
-void pull_row(Mechanism& m, const Contact& contact, double given, const Values& now, Work& w) {
+/// The drum's rope has a given tension; a slack one counts as a spring that may push, by what it is shorter than its
+/// branch: that is linear in the rope passed. Where its rope is broken the drum stays as it is.
+void pull_row(Mechanism& m, const Contact& contact, double given, const Values& before, const Values& now, Work& w) {
   auto& values = m.solver.values();
   const int line = contact.in >= 0 ? contact.in : contact.out;
   const std::size_t end = contact.in >= 0 ? 1 : 0;
   const LineValues& is = now.lines[at(line)];
   const bool slack = is.T <= 0;
   const double EA = m.lines[at(line)].stiffness * is.gone;
-  w.residual[at(contact.column)] += (slack ? EA * is.e : is.end_T[end]) - given;
+  if (!(EA > 0)) {
+    w.residual[at(contact.column)] += now.q[at(contact.column)] - before.q[at(contact.column)];
+    values[at(contact.row[own_column(m, contact)])] += 1;
+    return;
+  }
+  const double share = is.L / length_of(m.lines[at(line)], is.l);
+  w.residual[at(contact.column)] += (slack ? EA * is.e * share : is.end_T[end]) - given;
   for_columns(m, contact, w, [&](std::size_t k, bool, double T, double, double e) {
-    values[at(contact.row[k])] += slack ? EA * e : T;
+    values[at(contact.row[k])] += slack ? EA * e * share * share : T;
   });
 }
 
@@ -131,8 +138,8 @@ void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, co
 
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
   const Contact& contact = m.contacts[i];
-  if (const auto given = contact.drum < 0 ? std::nullopt : given_tension(m, contact, before, now.when)) {
-    pull_row(m, contact, *given, now, w);
+  if (const auto given = contact.drum < 0 ? std::nullopt : given_tension(m, contact, before, now.when, now)) {
+    pull_row(m, contact, *given, before, now, w);
     return;
   }
   if (now.contacts[i].grip == Grip::stuck) {

@@ -8,6 +8,8 @@ namespace taut::analysis::dynamics {
 namespace {
 
 constexpr double least_share = 1e-5;  ///< of the tolerance that any step may use
+constexpr long patient_steps = 150'000, steps_to_twice = 10'000;
+constexpr double most_impatience = 8;
 
 /// Error of the trapezoidal rule in one step, from the prediction of Adams and Bashforth (Gear 1971, sec. 9): a third
 /// of the difference for equal steps.
@@ -30,6 +32,39 @@ double error_by_turning(const Run& run, std::size_t i) {
 }
 
 }  // namespace
+
+double impatience(const Run& run) {
+  if (run.options.step > 0 || run.options.method != TimeMethod::implicit) return 1;
+  const auto more = static_cast<double>(run.result.steps - patient_steps) / static_cast<double>(steps_to_twice);
+  return std::clamp(1 + more, 1.0, most_impatience);
+}
+
+void note_impatience(Run& run) {
+  const bool begins = run.result.steps == patient_steps + 1 && impatience(run) > 1;
+  if (begins) note(run, run.now.t, "coarser", "");
+}
+
+void book_step(Run& run, bool rough) {
+  const double open = rough ? told(run.ledger).residual : 0;
+  add_step(run.m, run.before, run.now, run.ledger, rough);
+  if (rough) add_numerical(open, run.ledger);
+}
+
+bool gains(const Run& run) {
+  constexpr double free_of = 1e-3;  ///< of what is turned over: no gain
+  Ledger ledger = run.ledger;
+  const double open = told(ledger).residual;
+  add_step(run.m, run.before, run.now, ledger);
+  const double now = told(ledger).residual;
+  return now > open && now > free_of * ledger.turnover;
+}
+
+double floor_of(const Run& run) { return run.floor * impatience(run); }
+
+double resolving_step(const Run& run) {
+  const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
+  return std::min(std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100);
+}
 
 double error_of(const Run& run, bool kink) {
   if (run.known < 2) return 0;
@@ -65,7 +100,9 @@ double error_of(const Run& run, bool kink) {
     const double off = std::abs(run.now.lines[i].T - predicted) - rounding * (1 + h / h1) * (1 + h / h2);
     if (largest > 0) error = std::max(error, third * off / largest);
   }
-  const double allowed = run.options.tolerance * (kink ? 1 : std::clamp(h / run.options.duration, least_share, 1.0));
+  // what shakes without end, and fast, is resolved within each swing then, no more over all of them together
+  const double share = least_share * std::pow(impatience(run), 3);
+  const double allowed = run.options.tolerance * (kink ? 1 : std::clamp(h / run.options.duration, share, 1.0));
   return error / allowed;
 }
 

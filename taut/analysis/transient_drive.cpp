@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "taut/analysis/transient_values.hpp"
 
 namespace taut::analysis::dynamics {
@@ -24,14 +26,30 @@ double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, d
   return model::at(drive.signal, t).value;
 }
 
-std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t) {
+namespace {
+
+/// What is left of a rope that breaks somewhere.
+double left_of(const Mechanism& m, int reeving, const Values& v) {
+  const auto [first, lines] = m.first_line[at(reeving)];
+  double left = 1;
+  for (int i = first; i < first + lines; ++i) left = std::min(left, v.lines[at(i)].gone);
+  return left;
+}
+
+}  // namespace
+
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t,
+                                    const Values& rope) {
   if (contact.drum < 0) return std::nullopt;
   const Spin& spin = m.spins[at(contact.spin)];
   const model::Drive& drive = v.drive(spin);
   if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
-  if (drive.kind == model::DriveKind::pull) return model::at(drive.signal, t).value;
-  if (spin.inertia > 0) return std::nullopt;
-  return drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
+  const bool pulls = drive.kind == model::DriveKind::pull;
+  if (!pulls && spin.inertia > 0) return std::nullopt;
+  // against the free end of a broken rope there is nothing to pull
+  const double left = left_of(m, contact.reeving, rope);
+  if (pulls) return left * model::at(drive.signal, t).value;
+  return left * drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
 }
 
 }  // namespace taut::analysis::dynamics

@@ -41,6 +41,18 @@ bool rounds_touch(const Run& run) {
   });
 }
 
+/// A joint of a rope in segments next to the round at the end of its branch, its line; -1: none is.
+int joint_at_round(const Run& run) {
+  constexpr double near = 1.05;
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues& line = run.before.lines[i];
+    if (run.m.lines[i].segment < 0) continue;
+    const double radius = std::max(line.radius[0], line.radius[1]);
+    if (radius > 0 && (line.centre[1] - line.centre[0]).norm() < near * radius) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 }  // namespace
 
 Outcome failure(Run& run, StepEnd end, double t) {
@@ -63,6 +75,14 @@ Outcome failure(Run& run, StepEnd end, double t) {
         "at t = {:.6g} s a rope hangs so loose that it would fall off its sheaves: keep it taut, or take 'branches: "
         "by_weight', where it stays straight while it weighs little beside its tension at the start",
         t));
+  }
+  if (const int joint = joint_at_round(run); end == StepEnd::no_place && joint >= 0) {
+    const Line& of = run.m.lines[at(joint)];
+    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
+    return infeasible(fmt::format(
+        "at t = {:.6g} s a joint between the segments of '{}' comes onto the round '{}': give it fewer 'segments', or "
+        "stop the motion before",
+        t, rope.name, rope.nodes[at(run.before.lines[at(joint)].radius[0] > 0 ? of.from : of.to)].name));
   }
   if (run.options.quasi_static && end == StepEnd::singular) {
     return infeasible(

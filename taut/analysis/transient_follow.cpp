@@ -140,6 +140,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   }
   if (is.gone == 0) is.L = L = std::max(L, nothing_left * is.l);  // a dead end may run out: its length counts no more
   is.e = length_of(line, is.l) / L - 1;
+  if (is.gone == 0) is.e = std::min(is.e, 0.0);  // nothing holds the end of a broken rope: it has no stretch
 }
 
 /// Angle of the arc, and what its law allows.
@@ -289,8 +290,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   pull(line, s.undamped ? 0 : line.damping, is);
   is.end_T[0] = is.end_T[1] = is.T;
   if (line.weight == 0) return;
-  // no more hangs on the upper end than the tension carries: the end of a rope that goes slack has none
-  const double hangs = std::clamp(line.weight * is.L * is.t.z() / 2, -is.T, is.T);
+  const double hangs = hung_at_ends(line.weight * is.L * is.t.z() / 2, is.T);
   if (bears_half(line, 0)) is.end_T[0] -= hangs;
   if (bears_half(line, 1)) is.end_T[1] += hangs;
 }

@@ -21,6 +21,14 @@ double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
   return T * (1 + e / 2) + (is.end_T[end] - T) * is.l / is.L;
 }
 
+/// What an end of a line would have to hold of its weight beyond what its tension allows, N: a slack rope's weight
+/// counts in the middle of its branch, where rope that runs in at an end falls to, or is lifted from, without a force.
+double hangs_on_nothing(const Line& line, const LineValues& v) {
+  if (line.weight == 0 || sags(line, v)) return 0;
+  const double hangs = line.weight * v.L * v.t.z() / 2;
+  return (hangs - hung_at_ends(hangs, v.T)) * (1 + v.e);
+}
+
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
 /// less than its weight.
 double per_metre_let_in(const Mechanism& m, const Values& values, int i, std::size_t end) {
@@ -41,8 +49,10 @@ void set_prices(const Mechanism& m, std::size_t i, const Values& v, Prices& p) {
   const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
   p.passed = out - in;
   p.rolled = -(T_out - T_in) * is.lambda;
+  if (contact.load) return;
+  if (contact.out >= 0) p.hung -= hangs_on_nothing(m.lines[at(contact.out)], v.lines[at(contact.out)]);
+  if (contact.in >= 0) p.hung -= hangs_on_nothing(m.lines[at(contact.in)], v.lines[at(contact.in)]);
   if (contact.in >= 0 && contact.out >= 0) {
-    if (contact.load) return;
     const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
     p.laid_by = -m.lines[at(contact.in)].weight * lifted;
     return;
@@ -77,12 +87,13 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
   ledger.laid_by += passed * (a.laid_by + b.laid_by);
   ledger.supplied += passed * (a.supplied + b.supplied);
+  ledger.hung += passed * (a.hung + b.hung);
 }
 
-/// Work of the dampers of a line.
-double damped(const Mechanism& m, std::size_t i, const Values& before, const Values& now) {
+/// Work of the dampers of a line: where it is slack they do none.
+double damped(const Mechanism& m, std::size_t i, const Values& before, const Values& now, bool at_end) {
   const Line& line = m.lines[i];
-  const LineValues &a = before.lines[i], &b = now.lines[i];
+  const LineValues &b = now.lines[i], &a = at_end ? b : before.lines[i];
   if (sags(line, b)) {
     const auto power = [&](const Values& v) {
       const SagValues& is = v.sags[at(line.sag)];
@@ -91,7 +102,7 @@ double damped(const Mechanism& m, std::size_t i, const Values& before, const Val
     return line.copies * (power(before) + power(now)) / 2 * (now.t - before.t);
   }
   const double more_a = a.T - elastic_tension(line, a), more_b = b.T - elastic_tension(line, b);
-  return line.copies * (more_a * a.L + more_b * b.L) / 2 * (b.e - a.e);
+  return line.copies * (more_a * a.L + more_b * b.L) / 2 * (std::max(0.0, b.e) - std::max(0.0, before.lines[i].e));
 }
 
 /// Strain energy that the fading of a breaking line takes; of a sagging one also what its weight falls.
@@ -162,10 +173,12 @@ double power_of_running(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
+    const bool sagging = sags(line, is);
     for (const std::size_t end : {0U, 1U}) {
-      if (!sags(line, is) || line.body[end] < 0) continue;
+      if (line.body[end] < 0 || line.part || (!sagging && is.thrust[end] == 0)) continue;
       const Motion3& body = v.bodies[at(line.body[end])];
-      const double G = sagging_thrust(is, v.sags[at(line.sag)], end);
+      // a straight rope can't push: it lifts off
+      const double G = sagging ? sagging_thrust(is, v.sags[at(line.sag)], end) : is.T - body_pull(is, end);
       power += (end == 0 ? 1 : -1) * line.copies * G * is.t.dot(body.v + body.w.cross(is.touch[end] - body.x));
     }
   }
@@ -202,7 +215,7 @@ Powers powers(const Mechanism& m, const Values& v) {
     p.supplied -= m.lines[at(line)].copies * per_metre_let_in(m, v, line, at(end)) * v.tension_rate[k];
   }
   add_driven(m, v, p);
-  if (m.sagging > 0) p.running = power_of_running(m, v);
+  p.running = power_of_running(m, v);
   return p;
 }
 
@@ -262,7 +275,8 @@ void add_turnover(Ledger& ledger) {
   const double change = std::max({std::abs(ledger.now.kinetic - ledger.start.kinetic),
                                   std::abs(ledger.now.elastic - ledger.start.elastic),
                                   std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
-                                  ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces,
+                                  ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces +
+                                      std::abs(ledger.hung) + ledger.numerical,
                                   ledger.now.elastic, ledger.now.kinetic});
   ledger.turnover = std::max(ledger.turnover, change);
 }
@@ -309,7 +323,8 @@ double bearing_moment(const Mechanism& m, std::size_t i, const Values& v) {
 
 }  // namespace
 
-void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
+void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end) {
+  if (at_end) price(m, now, ledger);
   const double half = (now.t - before.t) / 2;
   const Powers p = powers(m, now);
   const auto add = [&](double Powers::*what) { return half * (p.*what + ledger.last.*what); };
@@ -317,7 +332,7 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   ledger.supplied += add(&Powers::supplied);
   ledger.running += add(&Powers::running);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now);
+    if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now, at_end);
     if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
   }
   add_ways(m, before, now, ledger);
@@ -367,12 +382,16 @@ EnergyLedger told(const Ledger& l) {
   e.bearings = l.bearings;
   e.broken = l.broken;
   e.contacts = l.faces;
+  e.slack = l.hung;
+  e.numerical = l.numerical;
   e.supplied = l.supplied;
   e.turnover = l.turnover;
   const double before = l.start.kinetic + l.start.elastic + l.start.potential;
   e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings +
-               l.broken + l.faces;
+               l.broken + l.faces + l.hung + l.numerical;
   return e;
 }
+
+void add_numerical(double open, Ledger& ledger) { ledger.numerical += std::max(0.0, open - told(ledger).residual); }
 
 }  // namespace taut::analysis::dynamics

@@ -6,7 +6,7 @@ namespace taut::analysis::dynamics {
 /// What the bearings of spins take and drives give at one time, W.
 struct Powers {
   double bearings = 0, supplied = 0;
-  double running = 0;  ///< given to rope that runs over bends which move, of sagging branches
+  double running = 0;  ///< given to rope that runs over bends which move: thrust
 };
 Powers powers(const Mechanism& m, const Values& v);
 
@@ -20,22 +20,25 @@ Stored stored(const Mechanism& m, const Values& v);
 struct Prices {
   double passed = 0, rolled = 0;     ///< lost, per metre passed and per metre rolled
   double laid_by = 0, supplied = 0;  ///< per metre passed
+  double hung = 0;                   ///< the same: weight of slack rope that no tension carries
 };
 
 /// The ledger over a run.
 struct Ledger {
   Stored start, now;
   double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0;
-  double faces = 0;    ///< dashpots and friction of points on faces
-  double laid_by = 0;  ///< of the rope on drums and arcs
-  double running = 0;  ///< kinetic energy of rope that has run over bends which move
+  double faces = 0;      ///< dashpots and friction of points on faces
+  double laid_by = 0;    ///< of the rope on drums and arcs
+  double running = 0;    ///< kinetic energy of rope that has run over bends which move
+  double hung = 0;       ///< taken by the weight of rope that runs into slack branches and out of them
+  double numerical = 0;  ///< by implicit Euler
   double turnover = 0;
   Powers last;
   std::vector<Prices> prices;  ///< by contact, at the time reached
 };
 Ledger open_ledger(const Mechanism& m, const Values& v);
-/// After a step.
-void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+/// After a step: forces by the mean of its ends. `at_end`: of implicit Euler, whose laws hold at its end.
+void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end = false);
 /// After a quasi-static step. Both its ends are in equilibrium, so the means of all forces over the ways of the step do
 /// no work together, whatever laws have changed in it: what is left is of the third order of the ways.
 void add_slow_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
@@ -44,6 +47,9 @@ void add_fall(const Mechanism& m, const Values& before, const Values& now, doubl
 /// After a restart at one time: what light sheaves have passed at once, or a break has set free, goes to `where`.
 void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger);
 EnergyLedger told(const Ledger& ledger);
+/// What the books of a step of implicit Euler leave open is its own doing where it is a loss. `open`: the residual
+/// before the step, J.
+void add_numerical(double open, Ledger& ledger);
 
 /// Power of a drive into its spin, and its torque.
 double drive_moment(const Mechanism& m, int spin, const Values& v);

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "taut/analysis/transient_mechanism.hpp"
 
 namespace taut::analysis::dynamics {
@@ -52,6 +54,13 @@ inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1
 inline double body_pull(const LineValues& now, std::size_t end) {
   return now.T > now.thrust[end] ? now.T - now.thrust[end] : 0;
 }
+
+constexpr double most_hung = 0.9;  ///< of its tension, that an end of a line bears of its weight
+
+/// What of `hangs`, half a line's weight along it, its tension T carries at its ends, N: a line that goes slack has no
+/// tension there; and as both ends stay tighter the tighter it is, a drum or a round that gives an end its tension
+/// always gives the line one.
+inline double hung_at_ends(double hangs, double T) { return std::clamp(hangs, -most_hung * T, most_hung * T); }
 
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
 inline void pull(const Line& line, double damping, LineValues& now) {

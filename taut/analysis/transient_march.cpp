@@ -29,12 +29,6 @@ constexpr double longest_rough = 4;      ///< their size, of the floor
 constexpr int steps_between_asking = 32;
 constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
-/// A step that resolves the fastest motion, s.
-double resolving_step(const Run& run) {
-  const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);
-  return std::min(std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100);
-}
-
 /// Without consistent accelerations, where no common answer was found at an unchanged time: the first steps, very
 /// short, find them.
 void begin_roughly(Run& run) {
@@ -54,7 +48,7 @@ StepEnd begin_again(Run& run, double& where) {
   fade(run, run.before.t, run.now);
   if (run.options.quasi_static) return rest_again(run);
   StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
-  const bool rough = end == StepEnd::not_converged || end == StepEnd::singular;
+  const bool rough = end != StepEnd::ok && end != StepEnd::interrupted;
   if (rough) begin_roughly(run);
   if (rough) end = StepEnd::ok;
   if (end != StepEnd::ok) return end;
@@ -64,7 +58,7 @@ StepEnd begin_again(Run& run, double& where) {
   for (ContactValues& contact : run.before.contacts) contact.slip_mean = contact.slip_rate;
   if (run.options.step <= 0) {
     run.h = std::min(resolving_step(run), run.h > 0 ? run.h : run.options.duration);
-    if (rough) run.h = std::min(run.h, run.floor);
+    if (rough) run.h = std::min(run.h, floor_of(run));
   }
   run.rough_next = rough;
   run.fresh = true;
@@ -141,16 +135,18 @@ void commit_contacts(Run& run) {
   }
 }
 
-void accept(Run& run) {
+/// `rough`: by implicit Euler.
+void accept(Run& run, bool rough = false) {
   commit_contacts(run);
   const bool slowly = run.options.quasi_static;
   const bool implicit = run.options.method == TimeMethod::implicit && !slowly;
   if (implicit) end_step(run.m, run.scheme, run.before, run.now, run.w);
   if (slowly) book_slow_step(run);
-  if (!slowly && (!run.m.lossless || !run.breaking.empty())) add_step(run.m, run.before, run.now, run.ledger);
+  if (!slowly && (!run.m.lossless || !run.breaking.empty())) book_step(run, rough);
   if (implicit) keep_history(run);
   note_changes(run);
   ++run.result.steps;
+  note_impatience(run);
   const double h = run.scheme.h;
   run.result.smallest_step = run.result.smallest_step > 0 ? std::min(run.result.smallest_step, h) : h;
   run.result.largest_step = std::max(run.result.largest_step, h);
@@ -162,12 +158,12 @@ void accept(Run& run) {
 void go_roughly(Run& run, Tries& tries) {
   run.rough_more = run.fresh ? std::min(2 * run.rough_more, most_rough) : 1;
   run.rough_left = run.rough_more;
-  run.h = run.floor;
+  run.h = floor_of(run);
   tries.rough = true;
 }
 
 bool goes_roughly(const Run& run, double h) {
-  return run.options.method == TimeMethod::implicit && !run.options.quasi_static && h < run.floor;
+  return run.options.method == TimeMethod::implicit && !run.options.quasi_static && h < floor_of(run);
 }
 
 /// After a step of h without an answer. Whether one can be tried again.
@@ -197,14 +193,14 @@ void try_closer(Run& run, double h, double error, Tries& tries) {
 /// Takes an Euler step or one of a given size, of h, as it is.
 void accept_as_it_is(Run& run, double h, bool rough) {
   const bool whole = h == run.h;
-  accept(run);
+  accept(run, rough);
   run.fresh = rough;
   if (rough) {
     run.known = 0;
     run.newton.forget();
   }
   run.rough_left = std::max(0, run.rough_left - 1);
-  if (whole) run.h = run.rough_left > 0 ? std::min(growth * h, longest_rough * run.floor) : growth * h;
+  if (whole) run.h = run.rough_left > 0 ? std::min(growth * h, longest_rough * floor_of(run)) : growth * h;
   if (run.options.step > 0) run.h = run.options.step;
 }
 
@@ -247,6 +243,11 @@ StepEnd advance(Run& run, double limit) {
       try_closer(run, h, error, tries);
       continue;
     }
+    if (impatience(run) > 1 && gains(run)) {  // longer steps over kinks could feed a motion: implicit Euler can't
+      ++run.result.rejected;
+      tries.rough = true;
+      continue;
+    }
     const double most = error < far_below || run.careful == 0 ? growth : careful_growth;
     if (run.careful > 0) --run.careful;
     const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, most) : growth;
@@ -266,8 +267,7 @@ StepEnd run_off(Run& run, std::size_t line) {
     if (index < 0) continue;
     const Contact& contact = run.m.contacts[at(index)];
     const int other = contact.in == static_cast<int>(line) ? contact.out : contact.in;
-    if (other < 0) return StepEnd::no_place;
-    if (run.before.lines[at(other)].gone == 0) continue;
+    if (other < 0 || run.before.lines[at(other)].gone == 0) continue;  // a drum has all of it
     run.breaking.push_back({other, run.before.t, 0});
     note(run, run.before.t, "run_off", run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name);
   }

@@ -128,7 +128,7 @@ void pass_at_round(const PassingRope& of, std::size_t i) {
 
 void pass_at_drum(const PassingRope& of, std::size_t i) {
   const Contact& contact = of.m.contacts[i];
-  const auto given = given_tension(of.m, contact, of.before, of.now.when);
+  const auto given = given_tension(of.m, contact, of.before, of.now.when, of.now);
   if (!given) {
     pass_with_rim(of, i);
     return;

@@ -68,7 +68,7 @@ void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& no
       lifts = square * now.L * (c.sign * (c.along->z() - c.share * now.t.z()) / now.l);
     }
     double weight = line.weight / 2 * (w.L_slope[k] * now.t.z() + lifts);
-    if (std::abs(half) >= now.T) weight = half > 0 ? w.T_slope[k] : -w.T_slope[k];
+    if (std::abs(half) >= most_hung * now.T) weight = std::copysign(most_hung, half) * w.T_slope[k];
     tangent.end_T[0][k] = w.T_slope[k] - (bears_half(line, 0) ? weight : 0);
     tangent.end_T[1][k] = w.T_slope[k] + (bears_half(line, 1) ? weight : 0);
   }

@@ -77,7 +77,7 @@ RopeStep pull_rope(Points& p, int first, int count, double& work) {
     step.turned = step.turned || (e > 0) != (was > 0);
     p.e[i] = e;
     p.T[i] = T / link.copies;
-    const double per = T / l, end = p.T[i] + std::min(link.hangs * std::abs(z) / l, p.T[i]);
+    const double per = T / l, end = p.T[i] + hung_at_ends(link.hangs * std::abs(z) / l, p.T[i]);
     if (end > step.largest) {
       step.largest = end;
       step.branch = static_cast<int>(i) - first;
@@ -144,7 +144,7 @@ void scatter(Run& run, const Points& p, double t) {
     is.T = p.T[i];
     is.l = (1 + is.e) * is.L;
     const auto end_z = [&](std::size_t end) { return p.x[3 * at(line.body[end] + 1) + 2] + line.offset[end].z(); };
-    const double hangs = std::clamp(p.links[i].hangs * (end_z(1) - end_z(0)) / is.l, -is.T, is.T);
+    const double hangs = hung_at_ends(p.links[i].hangs * (end_z(1) - end_z(0)) / is.l, is.T);
     is.end_T = {is.T - hangs, is.T + hangs};
   }
 }

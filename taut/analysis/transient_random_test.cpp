@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 
 #include "taut/analysis/random_machines_test.hpp"
 
 namespace taut_test::transient_random {
 namespace {
 
+using taut::analysis::EnergyLedger;
 using taut::analysis::transient;
 using taut::analysis::TransientFrame;
 using taut::analysis::TransientOptions;
@@ -23,36 +24,63 @@ bool finite(const TransientFrame& frame) {
   return all;
 }
 
-/// What a broken rope takes along that has run off a round is not counted well yet.
-bool has_run_off(const TransientResult& r) {
-  return std::any_of(r.events.begin(), r.events.end(), [](const auto& event) { return event.what == "run_off"; });
+/// Largest energy over the run that nothing explains, as a share of what is turned over.
+double largest_gain(const TransientResult& r) {
+  double largest = 0;
+  for (const TransientFrame& frame : r.frames) {
+    const EnergyLedger& e = frame.energy;
+    largest = std::max(largest, e.residual / (e.turnover + 1e-4));
+  }
+  return largest;
 }
 
-/// 500 machines by chance, 2 s each or 2000 steps: no number that is none, no rope that pushes or has no length, no
-/// hang; those that can't go on say why, and when. Those that end create no energy: a tenth of what is turned over is
-/// the most that kinks and breaks leave.
+TransientResult run(unsigned seed, long most_steps) {
+  RandomMachine chance(seed);
+  const model::Model m = chance.machine();
+  TransientOptions options = chance.options();
+  options.most_steps = most_steps;
+  return transient(m, options);
+}
+
+/// 500 machines by chance, 2 s each or 1200 steps (TAUT_RANDOM_STEPS: as many): no number that is none, no rope that
+/// pushes or has no length, no hang; those that can't go on say why, and when. Nineteen of twenty that end close their
+/// books to a hundredth of what is turned over; none ends with a tenth of it gained.
 TEST(TransientRandom, MachinesByChance) {
-  int ended = 0;
+  const char* const given = std::getenv("TAUT_RANDOM_STEPS");
+  const long most_steps = given != nullptr ? std::atol(given) : 1200;
+  int ended = 0, open = 0, gained = 0;
   for (unsigned seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
-    RandomMachine chance(seed);
-    const model::Model m = chance.machine();
-    TransientOptions options = chance.options();
-    options.most_steps = 2000;
-    const TransientResult r = transient(m, options);
+    const TransientResult r = run(seed, most_steps);
     for (const TransientFrame& frame : r.frames) ASSERT_TRUE(finite(frame)) << frame.t;
+    if (largest_gain(r) > 0.01) ++gained;
     if (r.outcome.ok()) {
       EXPECT_NEAR(r.t_end, 2, 1e-12);
-      const double allowed =
-          has_run_off(r) ? std::numeric_limits<double>::infinity() : 0.1 * r.frames.back().energy.turnover + 1e-6;
-      EXPECT_LT(r.frames.back().energy.residual, allowed);
+      const EnergyLedger& end = r.frames.back().energy;
+      EXPECT_LT(end.residual, 0.1 * end.turnover + 1e-6);
+      if (std::abs(end.residual) > 0.01 * end.turnover + 1e-6) ++open;
       ++ended;
       continue;
     }
     EXPECT_FALSE(r.outcome.message.empty());
     EXPECT_TRUE(r.frames.empty() || r.outcome.message.find("t = ") != std::string::npos) << r.outcome.message;
   }
-  EXPECT_GE(ended, 140);
+  RecordProperty("ended", ended);
+  EXPECT_GE(ended, 120);
+  EXPECT_LE(open, ended / 20);
+  EXPECT_LE(gained, 25);
+}
+
+/// Machines that once had no answer: drums without inertia on slack ropes with weight, ropes broken between a drum and
+/// a round, ends that run off.
+TEST(TransientRandom, OnceWithoutAnswer) {
+  for (const unsigned seed : {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U}) {
+    SCOPED_TRACE(seed);
+    const TransientResult r = run(seed, 20'000);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_NEAR(r.t_end, 2, 1e-12);
+    EXPECT_LT(std::abs(r.frames.back().energy.residual), 0.01 * r.frames.back().energy.turnover);
+  }
 }
 
 }  // namespace

@@ -94,6 +94,18 @@ std::vector<double> stops_of(const model::Model& model, double from, double to);
 /// Sets what is left of breaking lines at t.
 void fade(const Run& run, double t, Values& v);
 
+/// How many times longer the steps of fast motions may be than their errors say: 1, until a run has taken many.
+double impatience(const Run& run);
+/// Notes when that begins.
+void note_impatience(Run& run);
+/// The step's energy; `rough`: by implicit Euler.
+void book_step(Run& run, bool rough);
+/// Whether the step adds to an energy that the books can't explain.
+bool gains(const Run& run);
+/// Where a law changes no step need be shorter, s.
+double floor_of(const Run& run);
+/// A step that resolves the fastest motion, s.
+double resolving_step(const Run& run);
 /// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
 /// Whether no rope is left of line `i`.

@@ -19,6 +19,8 @@ constexpr double small_change = 1e-2;      ///< of tensions: the factors of the 
 constexpr double good_contraction = 0.05;  ///< with which they go on to do
 constexpr int most_trusted = 15;           ///< steps until it is looked at again
 constexpr double least_contraction = 1e-7, caution = 8;
+constexpr int most_put_back = 4;  ///< times that loose rope is put back where it lay, in one step
+constexpr int most_retreats = 8;  ///< halvings of an iteration that goes where there is no rope
 
 /// The flow of a contact in the step, if it goes on as before: what slips between taut branches with the change of its
 /// rate.
@@ -81,6 +83,38 @@ bool slides_in_turn_stick(Mechanism& m, const Scheme& s, const Values& before, d
   apply(m, w.residual, share - 1, share_of_flows(newton, i - 1), now);
   if (!follow(m, s, before, w, t, now)) return false;
   for (std::size_t k = 0; k < now.faces.size(); ++k) w.slid[k] = beyond(k);
+  return true;
+}
+
+/// Of the last iteration: the shares of it and of its flows that have been taken; and what came of those before.
+struct Taken {
+  double share = 0, of_flows = 1;
+  int retreats = 0, put_back = 0;
+};
+
+/// Takes half of the last iteration back: it went too far, rounds inside each other, or more rope passed on than there
+/// is. False: that has been done often enough.
+bool retreat(const Mechanism& m, const std::vector<double>& step, Taken& taken, Values& now) {
+  if (taken.share == 0 || ++taken.retreats > most_retreats) return false;
+  taken.share /= 2;
+  apply(m, step, -taken.share, taken.of_flows, now);
+  return true;
+}
+
+/// Passes rope contact by contact. False: some line has none left.
+bool pass_by_turns(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, const Newton& newton,
+                   Values& now) {
+  pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
+  return std::all_of(now.lines.begin(), now.lines.end(), [](const LineValues& line) { return line.L > 0; });
+}
+
+/// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration.
+bool puts_back(const Mechanism& m, const Scheme& s, const Values& before, double t, const Work& w, Taken& taken,
+               Values& now) {
+  if (taken.put_back >= most_put_back || !put_loose_back(m, s, before, now)) return false;
+  ++taken.put_back;
+  if (!follow(m, s, before, w, t, now)) return false;
+  decide(m, s, before, now);
   return true;
 }
 
@@ -161,18 +195,18 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
   bool laws_changed = false;
+  Taken taken;
   const bool moves = s.h > 0 && !s.at_rest, loops = has_loops(m);
   for (int i = 0; i <= newton.most; ++i) {
-    if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
-    if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
-    if (newton.passes && i >= passes_from && i % passes_every == 0) {
-      pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
-      const auto none = [](const LineValues& line) { return !(line.L > 0); };
-      if (std::any_of(now.lines.begin(), now.lines.end(), none)) return StepEnd::no_place;
+    if (!follow(m, s, before, w, t, now)) {
+      if (!retreat(m, w.residual, taken, now)) return StepEnd::no_place;
+      continue;
     }
+    if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
+    const bool by_turns = newton.passes && i >= passes_from && i % passes_every == 0;
+    if (by_turns && !pass_by_turns(m, s, before, w, newton, now)) return StepEnd::no_place;
     const bool changed = decide(m, s, before, now);
     bool turned = changed;  // a contact or a line follows another law now
-    const double floor = rounding_of_tensions(m, s, newton.passes);
     double change = change_of_tensions(now, w, newton, turned);
     const CoupleChange pushed = change_of_couples(w, now);
     change = std::max(change, pushed.force);
@@ -183,15 +217,19 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     const bool at_its_limit = s.creeps && i >= turns_until;  // whether it sticks or slides there is the same
     if (i > 0 && (!changed || at_its_limit) && !begins) {
+      const double floor = rounding_of_tensions(m, s, newton.passes);
       const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      if (close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine) {
+      const bool there = close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
+      const bool again = there && puts_back(m, s, before, t, w, taken, now);
+      turned = turned || again;
+      if (there && !again) {
         newton.used += i;
         if (moves) learn(newton, i, laws_changed || turned, contraction);
         return StepEnd::ok;
       }
-      last_change = change;
+      last_change = again ? std::numeric_limits<double>::infinity() : change;
     }
     if (i == newton.most) break;
     laws_changed = laws_changed || (i > 0 && turned);
@@ -203,7 +241,8 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
     if (loops) hold_circulation(m, s, before, now, w.residual);
-    apply(m, w.residual, 1, share_of_flows(newton, i), now);
+    taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
+    apply(m, w.residual, 1, taken.of_flows, now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;

@@ -221,6 +221,10 @@ inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
   return pressure(m.contacts[at(contact)], now);
 }
 
+/// Rope between slack branches that an iteration has moved farther from where it lay than need be goes back, as long as
+/// both stay slack: their lengths have no other law. Whether any did.
+bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
+
 /// Stiffness of both its lines, N/m.
 inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
   const auto of = [&](int i) { return i < 0 ? 0 : m.lines[at(i)].stiffness / now.lines[at(i)].L; };
@@ -253,8 +257,13 @@ struct Turning {
 };
 std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t);
 double drive_torque(const Mechanism& m, const Spin& spin, const Values& v, double t);
-/// The tension that a drum without inertia, or one that pulls, gives its rope.
-std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t);
+/// The tension that a drum without inertia, or one that pulls, gives its rope: none to one that is broken somewhere,
+/// and less to one that breaks, by what is left of it in `rope`.
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t,
+                                    const Values& rope);
+inline std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t) {
+  return given_tension(m, contact, v, t, v);
+}
 
 /// Moment of the ropes on a spin, in its sense, N m.
 double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now);

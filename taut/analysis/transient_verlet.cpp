@@ -30,7 +30,7 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
     }
     pull(line, is);
     const double half = line.weight * is.L / 2;
-    const double hangs = line.segment < 0 ? std::clamp(half * is.t.z(), -is.T, is.T) : 0;
+    const double hangs = line.segment < 0 ? hung_at_ends(half * is.t.z(), is.T) : 0;
     is.end_T = {is.T - hangs, is.T + hangs};
     const Vector3 force = line.copies * is.T * is.t;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -59,7 +59,7 @@ void pull_quickly(const Mechanism& m, const Values& before, Values& now, Work& w
     const double x = to.x() - from.x(), y = to.y() - from.y(), z = to.z() - from.z();
     const double l = std::sqrt(x * x + y * y + z * z), L = before.lines[i].L, e = l / L - 1;
     const double T = e > 0 ? line.stiffness * is.gone * e : 0, half = line.weight * L / 2;
-    const double hangs = line.segment < 0 ? std::clamp(half * z / l, -T, T) : 0;
+    const double hangs = line.segment < 0 ? hung_at_ends(half * z / l, T) : 0;
     is.l = l;
     is.L = L;
     is.e = e;

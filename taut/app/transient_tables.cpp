@@ -101,6 +101,11 @@ void add_energy(const TransientRun& run, Result& r) {
   add("bearings of sheaves", &EnergyLedger::bearings);
   add("broken ropes", &EnergyLedger::broken);
   add("contacts", &EnergyLedger::contacts);
+  const auto add_if_any = [&](const char* form, double EnergyLedger::*part) {
+    if (last.*part != 0) add(form, part);
+  };
+  add_if_any("weight of slack ropes", &EnergyLedger::slack);
+  add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical);
   add("residual", &EnergyLedger::residual);
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
