@@ -14,7 +14,7 @@ struct ModesOptions {
   int most = 10;             ///< so many modes, lowest first
   double damping_ratio = 0;  ///< of ropes that give none
   Branches branches = Branches::straight;
-  bool rope_mass = true;     ///< false: ropes have neither weight nor inertia
+  bool rope_mass = true;  ///< false: ropes have neither weight nor inertia
 };
 
 /// Rope on its sheaves. stuck: no loss is overcome; a light sheave with a loss, a saddle, a bearing with a loss hold

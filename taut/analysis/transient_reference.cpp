@@ -61,8 +61,7 @@ struct ReferenceState {
   ReferenceState& operator=(const ReferenceState&) = delete;
   ~ReferenceState() {
     if (ida != nullptr) IDAFree(&ida);
-    solver.reset();
-    matrix.reset();
+    solver.reset(), matrix.reset();
     for (auto* v : {&y, &rates, &differential, &allowed}) v->reset();
     if (context != nullptr) SUNContext_Free(&context);
   }
@@ -392,8 +391,7 @@ Outcome reference_refuses(const Mechanism& m) {
     if (!drum.automatic_layers) continue;
     return infeasible(fmt::format("the drum '{}' changes its layers: not in the reference", drum.name));
   }
-  for (const model::Event& event : m.model->events) {
-    if (!event.when) continue;
+  if (std::ranges::any_of(m.model->events, [](const model::Event& e) { return e.when.has_value(); })) {
     return infeasible("the reference has no events by condition: give them times");
   }
   return {};

@@ -41,8 +41,8 @@ struct CheckState {
 CheckState state_of(const model::Model& model, const analysis::EquilibriumResult& state, std::string words,
                     std::string analysis);
 
-/// At an output step. A branch that is straight there has half of its weight hanging at each of its ends (`mass_lumped`). Of a
-/// rope in segments the first and the last one pull at the ends.
+/// At an output step. A branch that is straight there has half of its weight hanging at each of its ends
+/// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
 CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
                     std::string words, std::string analysis);
 

@@ -12,7 +12,7 @@ class DenseLu {
   explicit DenseLu(const Eigen::MatrixXd& A) { factor(A); }
   /// A of any size, of finite entries; the storage of the factors before is used again.
   void factor(const Eigen::MatrixXd& A);
-  /// The smallest pivot by the largest: 0 where A is singular, NaN where an entry is not finite.
+  /// The smallest pivot by the largest: 0 (to rounding) where A is singular.
   double pivot_ratio() const;
   /// A^-1 b; not finite where A is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;

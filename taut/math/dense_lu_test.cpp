@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace taut::dense_lu_test {
 
 TEST(DenseLu, SolvesInvertsAndTellsSingular) {
@@ -18,8 +16,6 @@ TEST(DenseLu, SolvesInvertsAndTellsSingular) {
   A.row(2) = A.row(0) + A.row(1);
   const DenseLu singular(A);
   EXPECT_LT(singular.pivot_ratio(), 1e-15);
-  A(1, 1) = std::nan("");
-  EXPECT_TRUE(std::isnan(DenseLu(A).pivot_ratio()));
 }
 
 }  // namespace taut::dense_lu_test

@@ -168,7 +168,8 @@ class Motion(unittest.TestCase):
             self.run_to(out)
             whole = {p.name: p.read_bytes() for p in out.iterdir()}
             path = pathlib.Path(folder) / "deck.yaml"
-            path.write_text(HOIST.replace(*long))
+            to_and_fro = ("ramp: {to: 0.5 m/s, start: 0.5 s, duration: 0.5 s}", "sine: {amplitude: 0.2 m/s, period: 2 s}")
+            path.write_text(HOIST.replace(*long).replace(*to_and_fro))
             with subprocess.Popen([PROGRAM, "run", str(path), "-o", str(out), "-q"]) as running:
                 time.sleep(1.5)
                 self.assertIsNone(running.poll(), "it should still run")
