@@ -109,6 +109,7 @@ struct EnergyLedger {
   double broken = 0;     ///< elastic energy of branches at their break
   double contacts = 0;   ///< dashpots and friction of faces
   double slack = 0;      ///< by the weight of rope that runs into slack branches (lost) and out of them (< 0)
+  double askew = 0;      ///< by the flanges of rounds that ropes leave askew: T (1 - cos d) R d(phi); a gain is < 0
   double numerical = 0;  ///< by the Euler steps over kinks: impacts of ropes without mass; else part of the residual
   double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
   double residual = 0;

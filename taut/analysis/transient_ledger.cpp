@@ -10,8 +10,6 @@
 namespace taut::analysis::dynamics {
 namespace {
 
-double elastic_tension(const Line& line, const LineValues& v) { return line.stiffness * v.gone * std::max(0.0, v.e); }
-
 /// What a metre of unstretched rope takes out of a line at one end, J/m: the tension's work less its strain energy.
 double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
   const Line& line = m.lines[at(i)];
@@ -144,29 +142,6 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
   }
 }
 
-/// Strain energy and height of what the turning of lines has laid on rounds in a step.
-double wound(const Mechanism& m, const Values& before, const Values& now) {
-  double energy = 0;
-  for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const Line& line = m.lines[i];
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (line.contact[end] < 0 || now.lines[i].radius[end] == 0 || line.at_load[end]) continue;
-      const LineValues &a = before.lines[i], &b = now.lines[i];
-      const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
-      const double winding = before.contacts[at(line.contact[end])].winding;
-      const auto rate = [&](const Values& values) {
-        const LineValues& v = values.lines[i];
-        const bool hangs = sags(line, v);
-        const double e = end_strain(m, values, static_cast<int>(i), end), T = hangs ? v.end_T[end] : v.T;
-        const double elastic = hangs ? line.stiffness * v.gone * e : elastic_tension(line, v);
-        return T * (1 - (1 + e) / winding) + elastic * e / (2 * winding) + line.weight * v.touch[end].z() / winding;
-      };
-      energy += line.copies * onto * (rate(before) + rate(now)) / 2;
-    }
-  }
-  return energy;
-}
-
 /// Rope that runs over a bend moving with v leaves it with more kinetic energy than it came with: G (t_out - t_in).v.
 double power_of_running(const Mechanism& m, const Values& v) {
   double power = 0;
@@ -276,14 +251,14 @@ void add_turnover(Ledger& ledger) {
                                   std::abs(ledger.now.elastic - ledger.start.elastic),
                                   std::abs(ledger.now.potential - ledger.start.potential), std::abs(ledger.supplied),
                                   ledger.damped + ledger.slipped + ledger.bearings + ledger.broken + ledger.faces +
-                                      std::abs(ledger.hung) + ledger.numerical,
+                                      std::abs(ledger.hung) + std::abs(ledger.askew) + ledger.numerical,
                                   ledger.now.elastic, ledger.now.kinetic});
   ledger.turnover = std::max(ledger.turnover, change);
 }
 
 /// All that goes by ways and not by time.
 void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
-  ledger.laid_by += wound(m, before, now);
+  add_wound(m, before, now, ledger);
   for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
   const CoupleWork work = work_of_couples(m, before, now);
   ledger.faces += work.lost;
@@ -383,12 +358,13 @@ EnergyLedger told(const Ledger& l) {
   e.broken = l.broken;
   e.contacts = l.faces;
   e.slack = l.hung;
+  e.askew = l.askew;
   e.numerical = l.numerical;
   e.supplied = l.supplied;
   e.turnover = l.turnover;
   const double before = l.start.kinetic + l.start.elastic + l.start.potential;
   e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings +
-               l.broken + l.faces + l.hung + l.numerical;
+               l.broken + l.faces + l.hung + l.askew + l.numerical;
   return e;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "taut/analysis/transient_values.hpp"
 
 namespace taut::analysis::dynamics {
@@ -31,11 +33,22 @@ struct Ledger {
   double laid_by = 0;    ///< of the rope on drums and arcs
   double running = 0;    ///< kinetic energy of rope that has run over bends which move
   double hung = 0;       ///< taken by the weight of rope that runs into slack branches and out of them
+  double askew = 0;      ///< taken by flanges that lead ropes into their grooves at an angle
   double numerical = 0;  ///< by implicit Euler
   double turnover = 0;
   Powers last;
   std::vector<Prices> prices;  ///< by contact, at the time reached
 };
+/// Without what its dampers hold, N.
+inline double elastic_tension(const Line& line, const LineValues& v) {
+  return line.stiffness * v.gone * std::max(0.0, v.e);
+}
+
+/// What the turning of lines lays on rounds in a step, R d(phi): strain energy and height of the rope that is laid by;
+/// and, where a line leaves the plane of its round by the angle d, the work of the force T (1 - cos d) along the groove
+/// by which the rope on the round has the free rope's tension: that of the laws' own energy which no body is given.
+void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+
 Ledger open_ledger(const Mechanism& m, const Values& v);
 /// After a step: forces by the mean of its ends. `at_end`: of implicit Euler, whose laws hold at its end.
 void add_step(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end = false);

@@ -68,7 +68,7 @@ TEST(TransientRandom, MachinesByChance) {
   RecordProperty("ended", ended);
   EXPECT_GE(ended, 120);
   EXPECT_LE(open, ended / 20);
-  EXPECT_LE(gained, 10);
+  EXPECT_LE(gained, 5);
 }
 
 /// Machines that once had no answer: drums without inertia on slack ropes with weight, ropes broken between a drum and
@@ -80,6 +80,21 @@ TEST(TransientRandom, OnceWithoutAnswer) {
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.t_end, 2, 1e-12);
     EXPECT_LT(std::abs(r.frames.back().energy.residual), 0.01 * r.frames.back().energy.turnover);
+  }
+}
+
+/// Blocks on bodies that tumble, and swing far out of their ropes' planes: what flanges take or give there counts.
+TEST(TransientRandom, BlocksThatTumble) {
+  for (const unsigned seed : {174U, 280U, 308U, 315U, 431U, 447U}) {
+    SCOPED_TRACE(seed);
+    const TransientResult r = run(seed, 20'000);
+    double askew = 0, open = 0;
+    for (const TransientFrame& frame : r.frames) {
+      askew = std::max(askew, std::abs(frame.energy.askew) / (frame.energy.turnover + 1e-4));
+      open = std::max(open, std::abs(frame.energy.residual) / (frame.energy.turnover + 1e-4));
+    }
+    EXPECT_GT(askew, 0.01);
+    EXPECT_LT(open, 0.005);
   }
 }
 

@@ -105,6 +105,7 @@ void add_energy(const TransientRun& run, Result& r) {
     if (last.*part != 0) add(form, part);
   };
   add_if_any("weight of slack ropes", &EnergyLedger::slack);
+  if (std::abs(last.askew) > 1e-9 * last.turnover) add("flanges, where ropes leave rounds askew", &EnergyLedger::askew);
   add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical);
   add("residual", &EnergyLedger::residual);
   r.tables.push_back(std::move(t));
