@@ -36,9 +36,9 @@ model::Model winch(const Vector3& end, bool backwards, int side) {
   return m;
 }
 
-TransientResult run(const model::Model& m) {
+TransientResult run(const model::Model& m, taut::analysis::Branches branches = taut::analysis::Branches::catenary) {
   TransientOptions options;
-  options.branches = taut::analysis::Branches::catenary;  // of ropes with weight
+  options.branches = branches;  // of ropes with weight
   options.duration = 1;
   options.output_step = 0.002;
   options.tolerance = 1e-5;
@@ -112,6 +112,24 @@ TEST(TransientAskew, BlockThatTumbles) {
     const TransientResult r = run(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_GT(largest(r, &EnergyLedger::askew), 0.001);
+    EXPECT_LT(largest(r, &EnergyLedger::residual), 1e-4);
+  }
+}
+
+/// A block that falls aside into the slack of a heavy rope stuck on it: half of each branch's weight goes with the
+/// touching point along the round.
+TEST(TransientAskew, SlackRopeOnARound) {
+  for (const double aside : {0.0, 0.8}) {
+    SCOPED_TRACE(aside);
+    model::Model m;
+    m.gravity = 9.81;
+    m.bodies.push_back(body("block", {0, 0, 0}, 100, "xz"));
+    model::Node low = sheave("low", origin, radius, -1, 0, 0);
+    low.law = {20, 0};
+    m.reevings.push_back(reeve("rope", {anchor("start", {-3, 0, 2}), low, anchor("end", {2, aside, 1})}, 60, 40, 5e5));
+    const TransientResult r = run(m, taut::analysis::Branches::straight);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_GT(largest(r, &EnergyLedger::slack), 0.01);
     EXPECT_LT(largest(r, &EnergyLedger::residual), 1e-4);
   }
 }

@@ -6,12 +6,25 @@
 namespace taut::analysis::dynamics {
 namespace {
 
+Vector3 axis_of(const Line& line, const Values& v, std::size_t end) {
+  const int body = line.body[end];
+  return body < 0 ? line.axis[end] : Vector3(v.bodies[at(body)].R * line.axis[end]);
+}
+
 /// 1 - cos of the angle at which a line leaves the plane of its round.
 double out_of_plane(const Line& line, const Values& v, const Vector3& along, std::size_t end) {
-  const int body = line.body[end];
-  const Vector3& axis = line.axis[end];
-  const double s = along.dot(body < 0 ? axis : Vector3(v.bodies[at(body)].R * axis));
+  const double s = along.dot(axis_of(line, v, end));
   return s * s / (1 + std::sqrt(std::max(0.0, 1 - s * s)));
+}
+
+/// What the weight of a straight line gains by each metre that its touching point goes along the round, J/m, beyond
+/// that of the rope laid there: the half of it that hangs there goes with the point, and no body lifts it. Where the
+/// rope is as long as its line that is what the rope loses that comes from its middle onto the round.
+double carried_along(const Line& line, const LineValues& is, const Values& v, std::size_t end, double winding) {
+  if (line.weight == 0 || line.part || sags(line, is)) return 0;
+  const Vector3 axis = axis_of(line, v, end);
+  const Vector3 groove = (is.t - is.t.dot(axis) * axis).normalized();
+  return line.weight * (is.L * groove.z() - is.l * is.t.z() / winding) / 2;
 }
 
 }  // namespace
@@ -38,8 +51,12 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       const auto askew = [&](const Values& values) {
         return tension(values) * out_of_plane(line, values, direction(m, values, static_cast<int>(i), end), end);
       };
+      const auto carried = [&](const Values& values) {
+        return carried_along(line, values.lines[i], values, end, winding);
+      };
       ledger.laid_by += line.copies * onto * (laid_by(before) + laid_by(now)) / 2;
       ledger.askew -= line.copies * onto * (askew(before) + askew(now)) / 2;
+      ledger.hung -= line.copies * (end == 0 ? onto : -onto) * (carried(before) + carried(now)) / 2;
     }
   }
 }

@@ -101,12 +101,12 @@ void add_energy(const TransientRun& run, Result& r) {
   add("bearings of sheaves", &EnergyLedger::bearings);
   add("broken ropes", &EnergyLedger::broken);
   add("contacts", &EnergyLedger::contacts);
-  const auto add_if_any = [&](const char* form, double EnergyLedger::*part) {
-    if (last.*part != 0) add(form, part);
+  const auto add_if_any = [&](const char* form, double EnergyLedger::*part, double of_turnover) {
+    if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
   };
-  add_if_any("weight of slack ropes", &EnergyLedger::slack);
-  if (std::abs(last.askew) > 1e-9 * last.turnover) add("flanges, where ropes leave rounds askew", &EnergyLedger::askew);
-  add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical);
+  add_if_any("weight of slack ropes", &EnergyLedger::slack, 1e-5);
+  add_if_any("flanges, where ropes leave rounds askew", &EnergyLedger::askew, 1e-5);
+  add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical, 0);
   add("residual", &EnergyLedger::residual);
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
