@@ -10,12 +10,6 @@ set(parts_layers base units math calc catalogue rope structure)
 set(words_layers model io report)
 include(GoogleTest)
 
-# The sanitizers' code takes twice the memory to compile.
-set(test_batch 60)
-if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  set(test_batch 20)
-endif()
-
 function(taut_add_test name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE taut_test_support)
@@ -23,7 +17,7 @@ function(taut_add_test name)
   # The library comes first, so that templates which both have instantiated are taken from it, as optimised there.
   target_link_options(${name} PRIVATE LINKER:--whole-archive,$<TARGET_FILE:taut>,--no-whole-archive)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test
-    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE ${test_batch})
+    UNITY_BUILD ${TAUT_UNITY} UNITY_BUILD_BATCH_SIZE ${tests_as_one})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300)
 endfunction()
 
