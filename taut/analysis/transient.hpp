@@ -114,6 +114,9 @@ struct EnergyLedger {
   double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
   double residual = 0;
   double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual
+
+  /// All that is neither stored nor supplied and has a name.
+  double dissipated() const { return damped + slipped + bearings + broken + contacts + slack + askew + numerical; }
 };
 
 /// The machine at one output step.

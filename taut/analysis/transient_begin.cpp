@@ -32,8 +32,7 @@ double back_from_rounds(const Line& line, const Values& v, const DynamicState::R
   for (const std::size_t end : {0U, 1U}) {
     const Vector3& hangs = end == 0 ? start.leaves[branch] : start.arrives[branch];
     if (hangs == Vector3::Zero() || line.radius[end] == 0 || (line.part && line.at_load[end])) continue;
-    const int body = line.body[end];
-    const Vector3 axis = body < 0 ? line.axis[end] : Vector3(v.bodies[at(body)].R * line.axis[end]);
+    const Vector3 axis = to_ground(v.bodies, line.body[end], line.axis[end]);
     const double turned = std::atan2(axis.dot(straight.cross(hangs)), straight.dot(hangs));
     length += (end == 0 ? 1 : -1) * line.side[end] * line.radius[end] * turned;
   }
@@ -51,7 +50,7 @@ void place_lines(const DynamicState& start, Built& built) {
     line.radius = m.lines[i].radius;
     for (const std::size_t end : {0U, 1U}) {
       const int body = m.lines[i].body[end];
-      m.lines[i].offset[end] = body < 0 ? m.lines[i].place[end] : Vector3(v.bodies[at(body)].R * m.lines[i].place[end]);
+      m.lines[i].offset[end] = to_ground(v.bodies, body, m.lines[i].place[end]);
     }
     if (!place_line(m.lines[i], v.bodies, line, line)) {
       built.outcome = no_rope_between(model, m.lines[i], "goes straight");

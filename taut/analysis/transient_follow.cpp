@@ -130,11 +130,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   is.L = L;
   if (sagging) {
     const std::size_t k = at(line.sag);
-    std::array<double, 2> winding{1, 1};
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (line.contact[end] >= 0) winding[end] = before.contacts[at(line.contact[end])].winding;
-    }
-    if (!hang(line, now.bodies, winding, before.sags[k], is.L, was.angle, is, now.sags[k]))
+    if (!hang(line, now.bodies, windings_of(line, before), before.sags[k], is.L, was.angle, is, now.sags[k]))
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
   }

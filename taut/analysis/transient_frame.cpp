@@ -208,7 +208,7 @@ double observe_energy(const Run& run, Quantity what) {
     case Quantity::potential:
       return e.potential;
     case Quantity::dissipated:
-      return e.damped + e.slipped + e.bearings + e.broken + e.contacts;
+      return e.dissipated();
     case Quantity::supplied:
       return e.supplied;
     default:

@@ -363,8 +363,7 @@ EnergyLedger told(const Ledger& l) {
   e.supplied = l.supplied;
   e.turnover = l.turnover;
   const double before = l.start.kinetic + l.start.elastic + l.start.potential;
-  e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + l.damped + l.slipped + l.bearings +
-               l.broken + l.faces + l.hung + l.askew + l.numerical;
+  e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + e.dissipated();
   return e;
 }
 

@@ -10,10 +10,6 @@
 namespace taut::analysis::dynamics {
 namespace {
 
-Vector3 to_ground(const std::vector<Motion3>& bodies, int body, const Vector3& direction) {
-  return body < 0 ? direction : Vector3(bodies[at(body)].R * direction);
-}
-
 Vector3 place_of(const std::vector<Motion3>& bodies, int body, const Vector3& place) {
   return body < 0 ? place : Vector3(bodies[at(body)].x + bodies[at(body)].R * place);
 }

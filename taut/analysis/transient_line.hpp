@@ -27,6 +27,11 @@ struct LineValues {
   double gone = 1;                     ///< share that is left of a breaking rope
 };
 
+/// A direction in the frame of a body (the ground: -1), in the ground's.
+inline Vector3 to_ground(const std::vector<Motion3>& bodies, int body, const Vector3& direction) {
+  return body < 0 ? direction : Vector3(bodies[at(body)].R * direction);
+}
+
 /// Geometry from the poses; `before`: the same line at the start of the step, for angles. False: there is no line.
 bool place_line(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now);
 

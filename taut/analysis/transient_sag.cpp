@@ -27,7 +27,7 @@ Ends sag_ends(const Line& line, const std::vector<Motion3>& bodies, const LineVa
   Ends ends;
   for (const std::size_t e : {0U, 1U}) {
     ends[e].centre = now.centre[e];
-    ends[e].axis = sag_turned(bodies, line.body[e]) * line.axis[e];
+    ends[e].axis = to_ground(bodies, line.body[e], line.axis[e]);
     ends[e].radius = line.side[e] * now.radius[e];
   }
   return ends;
@@ -180,7 +180,7 @@ bool hang(const Line& line, const std::vector<Motion3>& bodies, const std::array
       .line = line,
       .ends = ends,
       .winding = winding,
-      .then = {sag_turned(bodies, line.body[0]) * before.seat[0], sag_turned(bodies, line.body[1]) * before.seat[1]},
+      .then = {to_ground(bodies, line.body[0], before.seat[0]), to_ground(bodies, line.body[1], before.seat[1])},
       .apart = X,
       .fed = fed,
       .size = X.norm() + std::abs(ends[0].radius) + std::abs(ends[1].radius)};

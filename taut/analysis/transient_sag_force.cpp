@@ -56,6 +56,8 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
   return slopes;
 }
 
+}  // namespace
+
 std::array<double, 2> windings_of(const Line& line, const Values& before) {
   std::array<double, 2> winding{1, 1};
   for (const std::size_t end : {0U, 1U}) {
@@ -63,8 +65,6 @@ std::array<double, 2> windings_of(const Line& line, const Values& before) {
   }
   return winding;
 }
-
-}  // namespace
 
 void pull_sagging(const Line& line, double damping, LineValues& now, SagValues& is) {
   const double share = line.stiffness * now.gone * damping * is.stretches * is.stretches;

@@ -160,6 +160,8 @@ inline double end_strain(const Mechanism& m, const Values& v, int line, std::siz
 inline double entry_strain(const Mechanism& m, const Values& v, const Contact& contact, int entry) {
   return end_strain(m, v, entry, entry == contact.in ? 1 : 0);
 }
+/// Stretch of what lies on the rounds at its ends, as of the start of the step.
+std::array<double, 2> windings_of(const Line& line, const Values& before);
 /// Its rows.
 void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::size_t i, const Values& now, Work& w);
 

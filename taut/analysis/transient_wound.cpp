@@ -7,8 +7,7 @@ namespace taut::analysis::dynamics {
 namespace {
 
 Vector3 axis_of(const Line& line, const Values& v, std::size_t end) {
-  const int body = line.body[end];
-  return body < 0 ? line.axis[end] : Vector3(v.bodies[at(body)].R * line.axis[end]);
+  return to_ground(v.bodies, line.body[end], line.axis[end]);
 }
 
 /// 1 - cos of the angle at which a line leaves the plane of its round.

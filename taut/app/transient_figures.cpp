@@ -295,7 +295,7 @@ void add_energy_plot(const TransientRun& run, Result& r) {
     all[1].push_back(e.elastic - first.elastic);
     all[2].push_back(e.potential - first.potential);
     all[3].push_back(e.supplied);
-    all[4].push_back(e.damped + e.slipped + e.bearings + e.broken + e.contacts + e.slack + e.askew + e.numerical);
+    all[4].push_back(e.dissipated());
     all[5].push_back(e.residual);
   }
   Plot p = plot_of(run, "Energy since the start", {"energy", si::J},

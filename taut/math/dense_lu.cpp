@@ -16,8 +16,6 @@ double DenseLu::pivot_ratio() const {
 
 Eigen::VectorXd DenseLu::solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
 
-Eigen::MatrixXd DenseLu::inverse() const {
-  return factors_.solve(Eigen::MatrixXd::Identity(factors_.rows(), factors_.cols()));
-}
+Eigen::MatrixXd DenseLu::solve_columns(const Eigen::MatrixXd& B) const { return factors_.solve(B); }
 
 }  // namespace taut

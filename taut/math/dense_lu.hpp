@@ -16,8 +16,8 @@ class DenseLu {
   double pivot_ratio() const;
   /// A^-1 b; not finite where A is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  /// A^-1; not finite where A is singular.
-  Eigen::MatrixXd inverse() const;
+  /// The same for each column of B.
+  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
 
  private:
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;

@@ -1,21 +1,20 @@
 #include "taut/math/eigen_general.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
 #include "taut/base/expects.hpp"
+#include "taut/math/dense_lu.hpp"
 
 namespace taut {
 
 std::optional<Eigen::MatrixXd> solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   expects(A.rows() == A.cols() && A.rows() == B.rows(), "a square system");
   if (A.rows() == 0) return Eigen::MatrixXd(0, B.cols());
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(A);
-  const double smallest = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
-  if (!(smallest > 0)) return std::nullopt;
-  Eigen::MatrixXd x = lu.solve(B);
+  const DenseLu lu(A);
+  if (!(lu.pivot_ratio() > 0)) return std::nullopt;
+  Eigen::MatrixXd x = lu.solve_columns(B);
   if (!x.allFinite()) return std::nullopt;
   return x;
 }

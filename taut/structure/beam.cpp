@@ -126,7 +126,7 @@ Eigen::Matrix<double, 12, 12> piece_stiffness(const std::function<BeamState(cons
     plus.moment += moment * e, minus.moment -= moment * e;
     column(plus, minus, moment, B.col(3 + i), D.col(3 + i));
   }
-  const Matrix6 inverse = DenseLu(B).inverse();
+  const Matrix6 inverse = DenseLu(B).solve_columns(Matrix6::Identity());
   Eigen::Matrix<double, 12, 12> K;
   K << inverse * A, -inverse, C - D * inverse * A, D * inverse;
   return K;
