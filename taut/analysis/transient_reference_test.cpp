@@ -6,6 +6,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// The reference by rows of numbers known otherwise, and the fast schemes by the reference.
 namespace taut_test::transient_reference_test {
@@ -28,18 +29,6 @@ TransientOptions lasting(double duration, TimeMethod method, double tolerance = 
   return options;
 }
 
-TransientResult run(const model::Model& m, const TransientOptions& options) {
-  TransientResult r = transient(m, options);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  return r;
-}
-
-model::Signal smooth(double to, double start, double over) {
-  model::Signal s;
-  s.law = model::Moves{0, {{start, to, over, true}}};
-  return s;
-}
-
 /// A load on a tackle with losses that a drum hoists: light sheaves, and sheaves with inertia, friction and bearings.
 model::Model hoist(bool heavy) {
   model::Model m;
@@ -60,7 +49,7 @@ model::Model hoist(bool heavy) {
   m.reevings[0].damping_time = 1e-3;
   m.drums.resize(1);
   m.drums[0].core_radius = 0.2;
-  m.drums[0].drive = {model::DriveKind::speed, smooth(0.6, 0.1, 0.4)};
+  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.6, 0.1, 0.4)};
   return m;
 }
 
@@ -68,9 +57,9 @@ TEST(TransientReference, TheFastSchemeHoistsATackleAsItDoes) {
   for (const bool heavy : {false, true}) {
     TransientOptions options = lasting(0.8, TimeMethod::reference);
     options.start = Start::settled;
-    const TransientResult exact = run(hoist(heavy), options);
+    const TransientResult exact = run_to_end(hoist(heavy), options);
     options.method = TimeMethod::implicit;
-    const TransientResult fast = run(hoist(heavy), options);
+    const TransientResult fast = run_to_end(hoist(heavy), options);
     ASSERT_EQ(exact.frames.size(), fast.frames.size());
     for (std::size_t f = 0; f < exact.frames.size(); ++f) {
       EXPECT_NEAR(fast.frames[f].bodies[0].position.z(), exact.frames[f].bodies[0].position.z(), 2e-6) << heavy << f;
@@ -99,9 +88,9 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
   m.reevings[0].value = (10 + 2 * pi * 0.3) / (1 + 800 / 2e5);
   m.reevings[0].damping_time = 5e-3;
   m.motors.resize(1);
-  m.motors[0].drive = {model::DriveKind::speed, smooth(5, 0, 0.5)};
-  const TransientResult exact = run(m, lasting(2.2, TimeMethod::reference)),
-                        fast = run(m, lasting(2.2, TimeMethod::implicit));
+  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, 5, 0, 0.5)};
+  const TransientResult exact = run_to_end(m, lasting(2.2, TimeMethod::reference)),
+                        fast = run_to_end(m, lasting(2.2, TimeMethod::implicit));
   bool slipped = false;
   for (std::size_t f = 0; f < exact.frames.size(); ++f) {
     const auto &a = exact.frames[f].contacts[0], &b = fast.frames[f].contacts[0];

@@ -11,6 +11,7 @@
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/modes.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 #include "taut/rope/span.hpp"
 
 /// Branches that hang as catenaries while the machine moves: against statics, against chains of segments, against
@@ -38,19 +39,6 @@ TransientOptions hanging_for(double duration, double tolerance = 1e-6, int outpu
   return options;
 }
 
-TransientResult run(const model::Model& m, const TransientOptions& options) {
-  TransientResult r = transient(m, options);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  if (r.frames.empty()) r.frames.emplace_back();
-  return r;
-}
-
-model::Signal smooth(double from, double to, double start, double over) {
-  model::Signal s;
-  s.law = model::Moves{from, {{start, to, over, true}}};
-  return s;
-}
-
 /// A mass clamped to two ropes between anchors of different height. `slack`: what is longer than straight.
 model::Model two_legs(double mass, double slack, double weight = 15, double EA = 5e6) {
   model::Model m;
@@ -68,7 +56,7 @@ model::Model hauled(double speed, double from = 0.0, double over = 1.0) {
   winch.name = "winch";
   winch.core_radius = 0.4;
   winch.drive.kind = model::DriveKind::speed;
-  winch.drive.signal = smooth(0, speed, from, over);
+  winch.drive.signal = smooth_move(0, speed, from, over);
   m.drums.push_back(winch);
   model::Node drum = anchor("winch", {302, 0, 82});
   drum.radius = 0.4;
@@ -86,7 +74,7 @@ TEST(TransientSag, StartsWhereStaticsIsAndStays) {
     at_rest.band = false;
     const EquilibriumResult rest = equilibrium(m, at_rest);
     ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
-    const TransientResult r = run(m, hanging_for(2));
+    const TransientResult r = run_to_end(m, hanging_for(2));
     for (const auto& frame : r.frames) {
       for (std::size_t b = 0; b < m.bodies.size(); ++b) {
         EXPECT_LT((frame.bodies[b].position - rest.state.bodies[b].position).norm(), 1e-8);
@@ -103,7 +91,7 @@ TEST(TransientSag, StartsWhereStaticsIsAndStays) {
 
 /// The tensions at a branch's ends differ by what the rope weighs between their heights (its stretch apart).
 TEST(TransientSag, TensionsDifferByWeightTimesHeight) {
-  const TransientResult r = run(two_legs(800, 0.002), hanging_for(0.1));
+  const TransientResult r = run_to_end(two_legs(800, 0.002), hanging_for(0.1));
   const auto& b = r.frames.back().branches[1];
   const double T = (b.T_from + b.T_to) / 2;
   EXPECT_NEAR(b.T_to - b.T_from, 15 * (b.end.z() - b.start.z()) / (1 + T / 5e6), 1e-4);
@@ -115,7 +103,7 @@ TEST(TransientSag, BeginsAssembledOverRounds) {
   m.reevings[0].value -= 0.75;
   TransientOptions o = hanging_for(0.2);
   o.start = Start::assembled;
-  const TransientResult r = run(m, o);
+  const TransientResult r = run_to_end(m, o);
   const auto& first = r.frames.front();
   double length = 0;
   for (const auto& b : first.branches) {
@@ -127,7 +115,7 @@ TEST(TransientSag, BeginsAssembledOverRounds) {
   }
   o.branches = Branches::straight;
   double straight = 0;
-  const TransientResult without_sag = run(m, o);
+  const TransientResult without_sag = run_to_end(m, o);
   for (const auto& b : without_sag.frames.front().branches) straight += b.unstretched;
   EXPECT_NEAR(length, straight, 0.05);
 }
@@ -157,7 +145,7 @@ TEST(TransientSag, SmallVibrations) {
     TransientOptions o = hanging_for(1 / f, 1e-8, 1);
     o.start = Start::assembled;
     m.bodies[0].position = rest.state.bodies[0].position + Vector3(0, 0, 1e-3);
-    const TransientResult there = run(m, o);
+    const TransientResult there = run_to_end(m, o);
     const auto& end = there.frames.back().bodies[0];
     EXPECT_NEAR(end.position.z(), m.bodies[0].position.z(), 2e-6);
   }
@@ -169,7 +157,7 @@ TEST(TransientSag, SlowHaulIsTheLoadPath) {
   TransientOptions o = hanging_for(20, 1e-6, 5);
   o.quasi_static = true;
   o.step = 1;
-  const TransientResult r = run(m, o);
+  const TransientResult r = run_to_end(m, o);
   ASSERT_EQ(r.frames.size(), 6U);
   EXPECT_GT(r.frames.back().bodies[0].position.x() - r.frames.front().bodies[0].position.x(), 8);
   for (const auto& frame : r.frames) {
@@ -196,9 +184,9 @@ TEST(TransientSag, WithoutWeightItIsStraight) {
     }
     m.reevings[0].value = 311;
     TransientOptions o = hanging_for(0.5, 1e-7);
-    const TransientResult sagging = run(m, o);
+    const TransientResult sagging = run_to_end(m, o);
     o.branches = Branches::straight;
-    const TransientResult straight = run(m, o);
+    const TransientResult straight = run_to_end(m, o);
     ASSERT_EQ(straight.frames.size(), sagging.frames.size());
     for (std::size_t i = 0; i < straight.frames.size(); ++i) {
       for (std::size_t k = 0; k < straight.frames[i].branches.size(); ++k) {
@@ -215,7 +203,7 @@ TEST(TransientSag, ChainsOfSegmentsComeToIt) {
   const auto moved = [](int segments, Branches branches) {
     model::Model m = two_legs(800, 0.03, 20);
     model::Body end = body("end", {150, 10, 20}, 1, "");
-    end.driven.push_back({Vector3(0.6, 0, 0.8), Vector3::Zero(), smooth(0, 3, 0, 20)});
+    end.driven.push_back({Vector3(0.6, 0, 0.8), Vector3::Zero(), smooth_move(0, 3, 0, 20)});
     m.bodies.push_back(end);
     m.reevings[1].nodes.back() = anchor_on("end", 1);
     for (auto& rope : m.reevings) rope.segments = segments;
@@ -223,7 +211,7 @@ TEST(TransientSag, ChainsOfSegmentsComeToIt) {
     o.branches = branches;
     o.quasi_static = true;
     o.step = 4;
-    return run(m, o).frames.back();
+    return run_to_end(m, o).frames.back();
   };
   const auto exact = moved(1, Branches::catenary), coarse = moved(24, Branches::straight),
              fine = moved(48, Branches::straight);
@@ -244,12 +232,12 @@ TEST(TransientSag, EnergyCloses) {
   o.start = Start::assembled;
   for (const double damping : {0.0, 0.05}) {
     for (auto& rope : car.reevings) rope.damping_time = damping;
-    const TransientResult r = run(car, o);
+    const TransientResult r = run_to_end(car, o);
     const auto& e = r.frames.back().energy;
     EXPECT_LT(std::abs(e.residual), 1e-6 * e.turnover) << damping;
     EXPECT_EQ(e.damped > 0, damping > 0);
   }
-  const TransientResult hauling = run(hauled(2), hanging_for(2, 1e-6));
+  const TransientResult hauling = run_to_end(hauled(2), hanging_for(2, 1e-6));
   const auto& e = hauling.frames.back().energy;
   EXPECT_GT(e.supplied, 1e4);
   EXPECT_LT(std::abs(e.residual), 1e-6 * e.turnover);
@@ -263,7 +251,7 @@ TEST(TransientSag, EnergyOfASlackRope) {
   m.bodies[0].position.z() += 4;
   TransientOptions o = hanging_for(1, 1e-6);
   o.start = Start::assembled;
-  const TransientResult r = run(m, o);
+  const TransientResult r = run_to_end(m, o);
   const auto& e = r.frames.back().energy;
   EXPECT_LT(std::abs(e.residual), 1e-6 * e.turnover);
   EXPECT_GT(e.turnover, 1e4);
@@ -283,10 +271,10 @@ double apart(const TransientResult& a, const TransientResult& b, const taut::Mat
 TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
   model::Model m = hauled(2);
   const TransientOptions o = hanging_for(1, 1e-7, 4);
-  const TransientResult r = run(m, o);
+  const TransientResult r = run_to_end(m, o);
   const Vector3 by(30, -20, 5);
   const taut::Matrix3 turn = Eigen::AngleAxisd(0.7, Vector3::UnitZ()).toRotationMatrix();
-  EXPECT_LT(apart(r, run(turned(m, 0.7, by), o), turn, by), 2e-6);
+  EXPECT_LT(apart(r, run_to_end(turned(m, 0.7, by), o), turn, by), 2e-6);
 
   model::Model mirrored = m;
   const taut::Matrix3 mirror = Vector3(-1, 1, 1).asDiagonal();
@@ -297,7 +285,7 @@ TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
       node.side = -node.side;
     }
   }
-  EXPECT_LT(apart(r, run(mirrored, o), mirror, origin), 2e-6);
+  EXPECT_LT(apart(r, run_to_end(mirrored, o), mirror, origin), 2e-6);
 
   model::Model swapped = m;
   for (auto& rope : swapped.reevings) {
@@ -305,17 +293,17 @@ TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
     for (auto& node : rope.nodes) node.side = -node.side;
   }
   swapped.carriages[0].node = 2;
-  EXPECT_LT(apart(r, run(swapped, o), taut::Matrix3::Identity(), origin), 2e-6);
+  EXPECT_LT(apart(r, run_to_end(swapped, o), taut::Matrix3::Identity(), origin), 2e-6);
 }
 
 TEST(TransientSag, TheReferenceAgrees) {
   model::Model m = hauled(2);
   for (auto& rope : m.reevings) rope.damping_time = 0.003;
   TransientOptions o = hanging_for(1.5, 1e-7, 3);
-  const TransientResult fast = run(m, o);
+  const TransientResult fast = run_to_end(m, o);
   o.method = TimeMethod::reference;
   o.tolerance = 1e-6;
-  const TransientResult exact = run(m, o);
+  const TransientResult exact = run_to_end(m, o);
   ASSERT_EQ(fast.frames.size(), exact.frames.size());
   EXPECT_LT(apart(fast, exact, taut::Matrix3::Identity(), origin), 1e-5);
   for (std::size_t k = 0; k < exact.frames.back().branches.size(); ++k) {
@@ -327,15 +315,15 @@ TEST(TransientSag, GoesOnToTheLastBit) {
   const model::Model m = hauled(2);
   TransientOptions o = hanging_for(1);
   o.step = 5e-3;
-  const TransientResult whole = run(m, o);
+  const TransientResult whole = run_to_end(m, o);
   o.duration = 0.5;
-  const TransientResult first = run(m, o);
+  const TransientResult first = run_to_end(m, o);
   o.from = first.state;
-  const TransientResult second = run(m, o);
+  const TransientResult second = run_to_end(m, o);
   EXPECT_EQ(whole.frames.back().bodies[0].position, second.frames.back().bodies[0].position);
   EXPECT_EQ(whole.frames.back().branches[0].T_from, second.frames.back().branches[0].T_from);
   o.from->memory.clear();
-  const TransientResult anew = run(m, o);
+  const TransientResult anew = run_to_end(m, o);
   EXPECT_LT((whole.frames.back().bodies[0].position - anew.frames.back().bodies[0].position).norm(), 1e-4);
 }
 
@@ -345,15 +333,15 @@ TEST(TransientSag, ByWeight) {
   m.reevings[1].weight = 0.2;
   TransientOptions o = hanging_for(0.1);
   o.branches = Branches::by_weight;
-  const TransientResult r = run(m, o);
+  const TransientResult r = run_to_end(m, o);
   EXPECT_EQ(r.sagging, (std::vector<int>{1, 0}));
   EXPECT_FALSE(r.frames[0].branches[0].curve.empty());
   EXPECT_TRUE(r.frames[0].branches[1].curve.empty());
   o.from = r.state;
-  EXPECT_EQ(run(m, o).sagging, (std::vector<int>{1, 0}));
+  EXPECT_EQ(run_to_end(m, o).sagging, (std::vector<int>{1, 0}));
   o.from.reset();
   o.rope_mass = false;
-  EXPECT_EQ(run(m, o).sagging, (std::vector<int>{0, 0}));
+  EXPECT_EQ(run_to_end(m, o).sagging, (std::vector<int>{0, 0}));
 }
 
 /// A leg that breaks falls away, at once or over a time; its energy is told.
@@ -366,7 +354,7 @@ TEST(TransientSag, ABranchBreaks) {
     event.index = 1;
     event.over = over;
     m.events.push_back(event);
-    const TransientResult r = run(m, hanging_for(1, 1e-7));
+    const TransientResult r = run_to_end(m, hanging_for(1, 1e-7));
     EXPECT_LT(r.frames.back().bodies[0].position.z(), r.frames[0].bodies[0].position.z() - 1);
     const auto& e = r.frames.back().energy;
     EXPECT_LT(std::abs(e.residual), 1e-5 * e.turnover) << over;

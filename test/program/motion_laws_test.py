@@ -186,6 +186,22 @@ class Laws(unittest.TestCase):
         begun = self.run_deck(deck.replace("hook.z > 11 m", "hook.z > 1 m"))
         self.assertEqual(begun["rows"][-1]["t"], 0)
 
+    def test_what_is_dissipated_has_all_that_the_ledger_names(self):
+        source = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples" / "motion" / "yarder_pickup.yaml"  # its ropes go slack
+        names = ("kinetic", "elastic", "potential", "supplied", "dissipated", "residual")
+        lines = source.read_text(encoding="utf-8").splitlines()
+        observe = "  observe: [" + ", ".join("energy." + name for name in names) + "]"
+        deck = "\n".join(observe if line.startswith("  observe:") else line for line in lines)
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([PROGRAM, "run", "-", "-o", folder, "-q"], input=deck, capture_output=True, text=True,
+                                  timeout=100, check=False)
+            self.assertIn(done.returncode, (0, 4), done.stderr)
+            with open(pathlib.Path(folder) / "time.csv", encoding="utf-8", newline="") as file:
+                rows = [[float(x) for x in row] for row in list(csv.reader(file))[1:]]
+        start = sum(rows[0][1:4])
+        for _, kinetic, elastic, potential, supplied, dissipated, residual in rows:
+            self.assertAlmostEqual(kinetic + elastic + potential - start - supplied + dissipated, residual, delta=1e-6)
+
 
 if __name__ == "__main__":
     unittest.main()
