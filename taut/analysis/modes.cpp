@@ -23,6 +23,7 @@ constexpr double eigen_shift = 0.1;       ///< 1/s, near which eigenvalues are l
 constexpr double no_frequency = 1e-3;     ///< of the shift: no frequency
 constexpr double imaginary_share = 1e-6;  ///< imaginary part that counts, of |lambda|
 constexpr double drawn_share = 1.0 / 12;  ///< of the machine's size: displacement that is drawn
+constexpr int most_halved = 20;           ///< times that it is halved until it can be drawn
 
 /// Nothing is driven: the machine stands as it is at the start.
 model::Model at_rest(const model::Model& model) {
@@ -169,6 +170,25 @@ Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
   return moved;
 }
 
+/// Whether every sagging rope still has a length to hang with.
+bool can_be_drawn(const Mechanism& m, const Values& v) {
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    if (!sags(m.lines[i], v.lines[i])) continue;
+    const SagValues& is = v.sags[at(m.lines[i].sag)];
+    if (!(v.lines[i].L > 0) || !std::isfinite(is.H + is.V + v.lines[i].l)) return false;
+  }
+  return true;
+}
+
+/// The machine moved by a shape, less far where a rope would be longer or shorter than it can be drawn.
+Values drawn_by(Run& run, Eigen::VectorXd x, const Values& rest) {
+  for (int halved = 0; halved < most_halved; ++halved, x /= 2) {
+    Values moved = displaced_by(run, x, rest);
+    if (can_be_drawn(run.m, moved)) return moved;
+  }
+  return rest;
+}
+
 /// How large the machine is as it is drawn, m: the diagonal of the box round its ropes.
 double drawn_size(const Values& v) {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -215,7 +235,7 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
     }
   }
   if (of_ropes > most) mode.largest = -1;
-  if (unit > 0) mode.shape = frame_of(m, displaced_by(run, x * (drawn_share * machine * unit / size), rest));
+  if (unit > 0) mode.shape = frame_of(m, drawn_by(run, x * (drawn_share * machine * unit / size), rest));
 }
 
 Mode mode_of(Complex lambda) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
+#include "taut/model/drums.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -81,25 +81,22 @@ bool apply_event(Run& run, Values& v, const model::Event& event) {
   return false;
 }
 
-/// Radius of a drum's layer, with the rope's diameter as it follows from the layer of the description.
-double radius_of_layer(const Contact& contact, const model::Drum& drum, int layer) {
-  const double diameter = (contact.radius - drum.core_radius) / (drum.layer - 0.5);
-  return drum.core_radius + (layer - 0.5) * diameter;
+constexpr double no_rope_on_drum = 1e-6;     ///< m
+constexpr double rounding_of_radius = 1e-9;  ///< share of a radius
+
+/// How a drum takes the rope of this contact; width 0 where nobody knows.
+rope::DrumLayers layers_on(const Run& run, const Contact& contact) {
+  return model::measures_of(run.model.drums[at(contact.drum)], run.model.reevings[at(contact.reeving)].diameter);
 }
 
-constexpr double no_rope_on_drum = 1e-6;    ///< m
-constexpr double rounding_of_turns = 1e-9;  ///< a width of so many diameters holds so many turns
-
-/// The layer on which the end of so much rope lies.
-int layer_of(const Contact& contact, const model::Drum& drum, double content) {
-  const double diameter = (contact.radius - drum.core_radius) / (drum.layer - 0.5);
-  const double turns = std::floor(drum.width / diameter + rounding_of_turns);
-  if (!(diameter > 0) || !(turns >= 1)) return drum.layer;
-  int layer = 1;
-  for (double left = content;; ++layer) {
-    left -= turns * 2 * std::numbers::pi * radius_of_layer(contact, drum, layer);
-    if (left <= 0 || layer >= 100) return layer;
-  }
+/// The layer on which the end of so much unstretched rope lies, as statics has it: by its turns and the tension at
+/// which it was wound.
+int layer_of(const Run& run, const Contact& contact, double content) {
+  const model::Drum& drum = run.model.drums[at(contact.drum)];
+  const rope::DrumLayers layers = layers_on(run, contact);
+  if (layers.width == 0) return drum.layer;
+  const double strain = drum.wound_at.value_or(0) / run.m.lines[at(std::max(contact.in, contact.out))].stiffness;
+  return rope::on_drum(layers, std::max(0.0, content) * (1 + strain)).layer;
 }
 
 }  // namespace
@@ -177,7 +174,7 @@ bool winds_on(const Run& run, const Values& v) {
     if (!content) return false;
     const model::Drum& drum = run.model.drums[at(contact.drum)];
     const bool climbs =
-        drum.automatic_layers && layer_of(contact, drum, *content) != run.before.drums[at(contact.drum)].layer;
+        drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[at(contact.drum)].layer;
     return climbs || *content < -no_rope_on_drum;
   });
 }
@@ -236,12 +233,14 @@ bool change_layers(Run& run, Values& v) {
     const model::Drum& drum = run.model.drums[at(contact.drum)];
     if (!drum.automatic_layers || !drum.length_on_drum) continue;
     DrumValues& is = v.drums[at(contact.drum)];
-    const int layer = layer_of(contact, drum, is.content);
+    const rope::DrumLayers layers = layers_on(run, contact);
+    if (layers.width == 0) continue;
+    const int layer = layer_of(run, contact, is.content);
     const int line = contact.in >= 0 ? contact.in : contact.out;
     const std::size_t end = contact.in >= 0 ? 1 : 0;
     LineValues& rope = v.lines[at(line)];
-    const double radius = radius_of_layer(contact, drum, layer);
-    if (layer == is.layer && rope.radius[end] == radius) continue;
+    const double radius = rope::layer_radius(layers, layer);
+    if (layer == is.layer && std::abs(rope.radius[end] - radius) <= rounding_of_radius * radius) continue;
     // the strain is kept: a rope climbs onto the next layer within a turn
     const double strain = std::max(0.0, end_strain(run.m, v, line, end));
     while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(strain);

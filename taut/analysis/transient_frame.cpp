@@ -1,9 +1,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
+#include "taut/math/fixed_angles.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -100,14 +102,28 @@ int spin_of_drum(const Mechanism& m, int drum) {
   return -1;
 }
 
-/// Angles about the fixed axes x, y, z, one after the other.
-Vector3 angles_of(const Matrix3& R) {
-  const double ry = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
-  return {std::atan2(R(2, 1), R(2, 2)), ry, std::atan2(R(1, 0), R(0, 0))};
+/// How far freedoms and drives have turned a body about a fixed axis since the start, beyond whole turns too, rad.
+double counted_turn(const Run& run, const Values& v, int index, int axis) {
+  if (index < 0) return 0;
+  const Body& body = run.m.bodies[at(index)];
+  double turn = 0;
+  for (int f = 0; body.turns && f < body.count; ++f) turn += v.q[at(body.first + f)] * body.about[at(f)][axis];
+  if (!body.driven) return turn;
+  for (const model::DrivenWay& way : run.model.bodies[at(body.model)].driven) {
+    if (way.about[axis] != 0) turn += model::at(way.signal, v.when).value * way.about[axis];
+  }
+  return turn;
+}
+
+/// An angle about a fixed axis; of what turns about this one alone with its whole turns.
+double angle_about(const Matrix3& R, int axis, double counted) {
+  constexpr double whole = 2 * std::numbers::pi, same = 1e-12;
+  const double angle = fixed_angles(R)[axis];
+  return R(axis, axis) < 1 - same ? angle : angle + whole * std::round((counted - angle) / whole);
 }
 
 /// As one sees it who stands on another body, in that one's axes.
-double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm, Quantity what) {
+double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm, Quantity what, double counted) {
   const Vector3 apart = body.x + arm - seat.x;
   const Vector3 rate = body.v + body.w.cross(arm) - seat.v - seat.w.cross(apart);
   const int k = static_cast<int>(what);
@@ -117,7 +133,7 @@ double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm
     case static_cast<int>(Quantity::vx) / 3:
       return (seat.R.transpose() * rate)[k % 3];
     case static_cast<int>(Quantity::rx) / 3:
-      return angles_of(seat.R.transpose() * body.R)[k % 3];
+      return angle_about(seat.R.transpose() * body.R, k % 3, counted);
     default:
       return (seat.R.transpose() * (body.w - seat.w))[k % 3];
   }
@@ -127,14 +143,17 @@ double observe_place(const Run& run, const Values& v, const model::Observable& w
   static const Motion3 still;
   const Motion3& body = what.index < 0 ? still : v.bodies[at(what.index)];
   const Vector3 arm = body.R * what.at;
-  if (what.seen_from >= 0) return observe_from(v.bodies[at(what.seen_from)], body, arm, what.quantity);
   const int k = static_cast<int>(what.quantity);
+  const auto counted = [&](int body_of) { return counted_turn(run, v, body_of, k % 3); };
+  if (what.seen_from >= 0) {
+    const double turn = k / 3 == static_cast<int>(Quantity::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
+    return observe_from(v.bodies[at(what.seen_from)], body, arm, what.quantity, turn);
+  }
   const auto in = [&](Quantity first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
   const auto axis = [&](Quantity first) { return k - static_cast<int>(first); };
-  (void)run;
   if (in(Quantity::x)) return (body.x + arm)[axis(Quantity::x)];
   if (in(Quantity::vx)) return (body.v + body.w.cross(arm))[axis(Quantity::vx)];
-  if (in(Quantity::rx)) return angles_of(body.R)[axis(Quantity::rx)];
+  if (in(Quantity::rx)) return angle_about(body.R, axis(Quantity::rx), counted(what.index));
   return body.w[axis(Quantity::wx)];
 }
 

@@ -179,11 +179,14 @@ TEST(TransientLaws, DrumTakesInByTheLayer) {
   m.bodies[0].position.x() = 0.21;
   m.reevings.push_back(reeve("hoist", {drum, anchor_on("load", 0)}, 10, 0, 1e6));
   m.reevings[0].damping_time = 0.02;
+  m.reevings[0].diameter = 0.02;
   model::Drum winch;
   winch.name = "winch";
   winch.core_radius = 0.2;
   winch.automatic_layers = true;
   winch.width = 0.1;
+  winch.pitch = 0.024;
+  winch.layer_height = 0.017;
   winch.length_on_drum = 5;
   winch.drive.kind = model::DriveKind::speed;
   winch.drive.signal.law = model::Moves{0, {{0, 0.5, 1, true}}};
@@ -195,13 +198,16 @@ TEST(TransientLaws, DrumTakesInByTheLayer) {
   const double taken = 0.5 * 7.5, strain = 9810 / 1e6;
   const auto& last = r.frames.back();
   EXPECT_NEAR(last.drums[0].content - 5, taken / (1 + strain), 2e-4);
-  EXPECT_EQ(last.drums[0].layer, 2);  // 5 turns of 1.32 m in the first
+  EXPECT_EQ(last.drums[0].layer, 2);
   EXPECT_NEAR(last.drums[0].T, 9810, 1);
-  EXPECT_NEAR(last.drums[0].torque, 9810 * 0.23, 1);
+  EXPECT_NEAR(last.drums[0].torque, 9810 * 0.227, 1);
   EXPECT_NEAR(last.drums[0].power, 9810 * 0.5, 1);
   EXPECT_NEAR(last.bodies[0].velocity.z(), 0.5, 1e-3);
   const auto layer = std::find_if(r.events.begin(), r.events.end(), [](const auto& e) { return e.what == "layer"; });
-  EXPECT_NE(layer, r.events.end());
+  ASSERT_NE(layer, r.events.end());
+  // four turns in the first layer, each the helix of statics; 0.25 m in the first second
+  const double full = 4 * std::hypot(2 * std::numbers::pi * 0.21, 0.024);
+  EXPECT_NEAR(layer->t, 1 + ((full - 5) * (1 + strain) - 0.25) / 0.5, 2e-3);
 }
 
 /// A heavy rope is wound on a drum and let out by a tensioner at its other end: its weight goes with it.

@@ -9,6 +9,7 @@
 #include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/none.hpp"
+#include "taut/math/fixed_angles.hpp"
 
 namespace taut::app {
 namespace {
@@ -99,12 +100,6 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-/// Rotations about the fixed axes x, then y, then z.
-Vector3 angles_of(const Matrix3& r) {
-  const double ry = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
-  return {std::atan2(r(2, 1), r(2, 2)), ry, std::atan2(r(1, 0), r(0, 0))};
-}
-
 Table bodies(const model::Model& m, const EquilibriumResult& e) {
   Table t{"bodies",
           "Bodies: places, rotations about x, then y, then z, and the force of what holds them",
@@ -122,7 +117,7 @@ Table bodies(const model::Model& m, const EquilibriumResult& e) {
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
     if (m.bodies[i].of_rope || !told(m.bodies[i])) continue;
     const auto& [position, orientation] = e.state.bodies[i];
-    const Vector3 turn = angles_of(orientation);
+    const Vector3 turn = fixed_angles(orientation);
     const Vector3& hold = e.reactions[i];
     t.rows.push_back({m.bodies[i].name, position.x(), position.y(), position.z(), turn.x(), turn.y(), turn.z(),
                       hold.x(), hold.y(), hold.z()});

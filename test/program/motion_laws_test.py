@@ -47,6 +47,21 @@ analyses:
   - transient: {duration: 1 s, output_step: 0.1 s, tolerance: 1e-7, start: assembled}
 """
 
+HINGE = """taut: 1
+title: A body on a hinge falls over from above it
+machine:
+  gravity: 9.81 m/s^2
+  points: {far: [0 m, 0.5 m, 3 m], near: {body: b, at: [0 m, 0 m, 0 m]}}
+  bodies: {b: {mass: 800 kg, centre: [2 m, 0 m, 1.5 m], inertia: 900 kg m^2, free: [ry]}}
+  ropes: {slack: {mass: 0 kg/m, stiffness: 1 MN}}
+  reevings: [{rope: slack, path: [{anchor: far}, {anchor: near}], length: 4 m}]
+  signals: {round: {ramp: {to: 800 deg, duration: 2 s, smooth: true}}}
+  observe: [b.ry, b.rx, b.wy, turner.rz]
+  events: [{when: b.ry > 200 deg, stop: true}]
+analyses:
+  - transient: {duration: 4 s, output_step: 0.05 s, start: assembled}
+"""
+
 BREAK = """taut: 1
 title: One end of a stretched rope let go, far from any gravity
 machine:
@@ -176,6 +191,31 @@ class Laws(unittest.TestCase):
         r = self.run_deck(WINCH.replace("SPEED", "-2 m/s"), expected=3)
         self.assertIn("no rope is left on the drum 'w'", r["message"])
         self.assertAlmostEqual(r["rows"][-1]["t"], 1.5, delta=2e-3)
+
+    def test_a_hinge_turns_as_far_as_it_turns(self):
+        turner = "{turner: {at: [9 m, 0 m, 0 m], motion: {rz: round}}, b: {"
+        deck = HINGE.replace("bodies: {b: {", "bodies: " + turner)
+        r = self.run_deck(deck)
+        arm, angle, rate, h = math.atan2(2, 1.5), 0.0, 0.0, 1e-4
+        steps = {round(row["t"] / h): row for row in r["rows"][:-1]}
+        for k in range(max(steps) + 1):  # semi-implicit, at half steps: second order
+            if k in steps:
+                self.assertAlmostEqual(steps[k]["b.ry"], angle, delta=1e-5)
+                self.assertAlmostEqual(steps[k]["b.rx"], 0, delta=1e-9)
+            rate += (h / 2 if k == 0 else h) * 800 * 9.81 * 2.5 * math.sin(arm + angle) / (900 + 800 * 2.5**2)
+            angle += h * rate
+        self.assertAlmostEqual(r["rows"][-1]["b.ry"], math.radians(200), delta=1e-6)  # the event's
+        self.assertGreater(r["rows"][-1]["b.wy"], 0)
+        slewed = self.run_deck(deck.replace("200 deg", "900 deg").replace("duration: 4 s", "duration: 2.5 s"))
+        self.assertAlmostEqual(slewed["rows"][-1]["turner.rz"], math.radians(800), delta=1e-9)
+
+    def test_all_modes_of_sagging_ropes_are_drawn(self):
+        source = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples" / "motion" / "longspan_sag.yaml"
+        done = subprocess.run([PROGRAM, "run", str(source), "-q", "--json", "--set", "analyses[1].modes.count=20",
+                               "--set", "analyses[0].transient.duration=0.1 s"], capture_output=True, text=True,
+                              timeout=100, check=False)
+        self.assertIn(done.returncode, (0, 4), done.stderr)
+        self.assertIn("damping_6", json.loads(done.stdout)["values"])
 
     def test_what_does_not_happen_is_told(self):
         deck = HANGING.replace("HOOK", "150 kg").replace(
