@@ -7,7 +7,6 @@
 #include "taut/math/index.hpp"
 
 namespace taut::analysis {
-namespace {}  // namespace
 
 std::vector<std::vector<int>> flow_of(const model::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;
