@@ -80,6 +80,37 @@ void check_motors(const model::Machine& machine, const model::Model& model, std:
   }
 }
 
+bool turns_it(const model::Drive& drive) {
+  return drive.kind != model::DriveKind::held && drive.kind != model::DriveKind::pull;
+}
+
+/// Drums and driven sheaves that turn, from the start or after an event, and are points.
+void check_radii(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
+  const auto turned_later = [&](int index, bool of_motor) {
+    return std::any_of(model.events.begin(), model.events.end(), [&](const model::Event& event) {
+      if (event.index != index || event.of_motor != of_motor) return false;
+      if (event.kind == model::EventKind::brake) return !event.brake_set;
+      return event.kind == model::EventKind::drive && turns_it(event.drive);
+    });
+  };
+  const auto is_point = [&](int model::Node::*of, int index) {
+    return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const model::Reeving& rope) {
+      return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                         [&](const model::Node& node) { return node.*of == index && node.radius == 0; });
+    });
+  };
+  for (int i = 0; i < static_cast<int>(model.drums.size()); ++i) {
+    const model::Drum& drum = model.drums[static_cast<std::size_t>(i)];
+    if (!is_point(&model::Node::drum, i) || !(turns_it(drum.drive) || turned_later(i, false))) continue;
+    complaints.push_back({"machine.drums." + drum.name, "turns: a motion needs its 'core_diameter'"});
+  }
+  for (int i = 0; i < static_cast<int>(model.motors.size()); ++i) {
+    const model::Motor& motor = model.motors[static_cast<std::size_t>(i)];
+    if (!is_point(&model::Node::motor, i) || !(turns_it(motor.drive) || turned_later(i, true))) continue;
+    complaints.push_back({place_of_sheave(machine, motor.name), "is driven: a motion needs its 'diameter'"});
+  }
+}
+
 }  // namespace
 
 void check_inertia(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
@@ -115,6 +146,7 @@ void check_masses(const model::Machine& machine, const model::Model& model, bool
   if (machine.beams.empty()) check_bodies(machine, model, rope_mass, complaints);
   check_ropes(machine, model, rope_mass, complaints);
   check_motors(machine, model, complaints);
+  check_radii(machine, model, complaints);
 }
 
 }  // namespace taut::app

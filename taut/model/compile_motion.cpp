@@ -292,6 +292,11 @@ void add_motion(const Machine& machine, const Links& links, Model& model, Compla
   add_tensioners(machine, model, complaints);
   add_measures(machine, links, model, complaints);
   for (std::size_t i = 0; i < machine.observe.size(); ++i) {
+    const auto here = machine.observe.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(machine.observe.begin(), here, *here) != here) {
+      complaints.push_back({fmt::format("observe[{}]", i), fmt::format("'{}' stands here a second time", *here)});
+      continue;
+    }
     const auto found = observable(machine.observe[i], model, links, fmt::format("observe[{}]", i), complaints);
     if (found) model.observed.push_back(*found);
   }

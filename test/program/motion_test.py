@@ -233,6 +233,9 @@ class Motion(unittest.TestCase):
                 (("output_step: 10 ms", "method: reference, step: 1 ms"), "chooses its steps itself"),
                 (("mass: 2 t", "mass: 2 t, inertia: 3 kg"), "an inertia is expected here"),
                 (("speed: hoist_speed", "speed: hoist_sped"), "did you mean 'hoist_speed'"),
+                (("core_diameter: 400 mm, ", ""), "a motion needs its 'core_diameter'"),
+                (("core_diameter: 400 mm, drive: {speed: hoist_speed}", "drive: {brake: open}"), "turns: a motion needs"),
+                (("load.vz", "load.z"), "'load.z' stands here a second time"),
                 (("load.vz", "load.v"), "'load' has x, y, z")):
             done = taut("check", "-", stdin=HOIST.replace(*change))
             self.assertEqual(done.returncode, 2, change)
