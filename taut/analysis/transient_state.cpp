@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "taut/analysis/transient_build.hpp"
@@ -86,7 +87,52 @@ DynamicState state_from(const model::Model& model, const model::State& state) {
   return start;
 }
 
-DynamicState assembled(const model::Model& model) { return state_from(model, model::initial_state(model)); }
+namespace {
+
+/// Rope on the round of an inner node between two straight branches, m.
+double arc_on(const model::State& state, const model::Reeving& given, std::size_t node) {
+  const model::Node& here = given.nodes[node];
+  if (here.radius == 0) return 0;
+  const rope::Round round = round_at(state, here);
+  const auto before = rope::tangent_line(round_at(state, given.nodes[node - 1]), round);
+  const auto behind = rope::tangent_line(round, round_at(state, given.nodes[node + 1]));
+  if (!before || !behind) return 0;
+  double wrap = rope::wrap_angle(here.side, before->angle_to, behind->angle_from);
+  if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
+  return here.radius * (wrap + 2 * std::numbers::pi * here.turns);
+}
+
+/// The rope before a clamp and behind it, as far as the next one, has the length that the description says.
+void keep_clamps(const model::Model& model, model::State& state) {
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const model::Reeving& rope = model.reevings[r];
+    if (rope.given != model::Given::length || rope.also || rope.closed) continue;
+    std::vector<model::BranchState>& branches = state.branches[r];
+    double from = 0, free = 0, arcs = 0;
+    std::size_t first = 0;
+    for (std::size_t node = 1; node < rope.nodes.size(); ++node) {
+      free += branches[node - 1].length;
+      const bool last = node + 1 == rope.nodes.size();
+      const bool clamp = rope.nodes[node].kind == model::NodeKind::clamp;
+      if (!clamp && !last) arcs += arc_on(state, rope, node);
+      if (!clamp && (!last || first == 0)) continue;
+      const double to = (clamp ? rope.nodes[node].length_before : rope.value) * (1 + rope.thermal_strain);
+      const double left = to - from - arcs;
+      for (std::size_t k = first; k < node && left > 0 && free > 0; ++k) branches[k].length *= left / free;
+      from = to;
+      free = arcs = 0;
+      first = node;
+    }
+  }
+}
+
+}  // namespace
+
+DynamicState assembled(const model::Model& model) {
+  model::State state = model::initial_state(model);
+  keep_clamps(model, state);
+  return state_from(model, state);
+}
 
 DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& before) {
   DynamicState state = before;

@@ -126,7 +126,11 @@ class Compiler {
       const bool on_beam = links_.beams().hold(static_cast<int>(i));
       const bool otherwise = !machine_.contacts.empty() || !machine_.actuators.empty() || on_beam;
       if (held || otherwise || model_.bodies[i].free.empty()) continue;
-      complain(fmt::format("bodies.{}", machine_.bodies[i].name), "may move, but no rope runs to it");
+      const std::string& name = machine_.bodies[i].name;
+      complain(fmt::format("bodies.{}", name),
+               index_of(machine_.points, name) < 0
+                   ? "may move, but no rope runs to it"
+                   : fmt::format("may move, but no rope runs to it: '{}' in a path is the point of that name", name));
     }
   }
 

@@ -109,6 +109,23 @@ analyses:
 """
 
 
+CLAMPED = """taut: 1
+title: A carriage clamped to its rope, which runs over a saddle
+machine:
+  gravity: 9.81 m/s^2
+  points: {a: [0 m, 0 m, 0 m], b: [12 m, 0 m, 1 m]}
+  ropes: {q: {mass: 0 kg/m, stiffness: 6 MN, damping_ratio: 0.05}}
+  bodies: {}
+  supports: {s: {at: [9 m, 0 m, 0.5 m], diameter: 400 mm, friction: 0.05}}
+  carriages: {w: {mass: 900 kg, at: [3 m, 1 m, -4 m], rides: whole, hold: clamped, length_before: 5.2 m}}
+  reevings:
+    - {name: whole, rope: q, path: [{anchor: a}, {through: w}, {over: s}, {anchor: b}], length: 16 m}
+  observe: [w.x, w.y, w.z]
+analyses:
+  - transient: {duration: 1 s, output_step: 0.1 s, tolerance: 1e-7, start: assembled}
+"""
+
+
 class Laws(unittest.TestCase):
     def run_deck(self, deck, expected=0):
         with tempfile.TemporaryDirectory() as folder:
@@ -216,6 +233,17 @@ class Laws(unittest.TestCase):
                               timeout=100, check=False)
         self.assertIn(done.returncode, (0, 4), done.stderr)
         self.assertIn("damping_6", json.loads(done.stdout)["values"])
+
+    def test_a_clamped_carriage_is_where_its_rope_is_clamped(self):
+        one = self.run_deck(CLAMPED.replace("  bodies: {}\n", ""))["rows"]
+        lines = CLAMPED.replace("bodies: {}", "bodies: {w: {mass: 900 kg, at: [3 m, 1 m, -4 m], free: [x, y, z]}}").splitlines()
+        deck = "\n".join(line for line in lines if not line.startswith("  carriages:"))
+        cut = "name: before, rope: q, path: [{anchor: a}, {anchor: w}], length: 5.2 m}\n    - {name: behind"
+        deck = deck.replace("name: whole", cut).replace("{anchor: a}, {through: w}, {over", "{anchor: w}, {over")
+        two = self.run_deck(deck.replace("length: 16 m", "length: 10.8 m"))["rows"]
+        for a, b in zip(one, two, strict=True):
+            for name in ("w.x", "w.y", "w.z"):
+                self.assertAlmostEqual(a[name], b[name], delta=1e-6)
 
     def test_what_does_not_happen_is_told(self):
         deck = HANGING.replace("HOOK", "150 kg").replace(
