@@ -31,10 +31,10 @@ model::Model heavy_boom() {
 
 /// Without dampers in motion, with them at rest: by how much they change with the rate of strain itself, the damping
 /// times that rate of all, is left out of the tangent.
-double worst_of_both(model::Model m, Grip grip, double speed = 0.1) {
-  const double undamped = worst_slope(m, {.grip = grip, .speed = speed});
+double worst_of_both(model::Model m, Grip grip, int turns = 0, double speed = 0.1) {
+  const double undamped = worst_slope(m, {.grip = grip, .turns = turns, .speed = speed});
   for (auto& rope : m.reevings) rope.damping_time = 0.01;
-  return std::max(undamped, worst_slope(m, {.grip = grip, .still = true}));
+  return std::max(undamped, worst_slope(m, {.grip = grip, .turns = turns, .still = true}));
 }
 
 TEST(TransientAssemble, SlopesOfStraightMachinesAgreeWithDifferences) {
@@ -47,8 +47,11 @@ TEST(TransientAssemble, SlopesOfStraightMachinesAgreeWithDifferences) {
 
 TEST(TransientAssemble, SlopesOfTurningBodiesAgreeWithDifferences) {
   for (const Grip grip : every) {
-    for (const double speed : {0.1, 1.5}) {  // the faster, the more gyroscopic
-      EXPECT_LT(worst_of_both(heavy_boom(), grip, speed), 1e-7) << static_cast<int>(grip) << " " << speed;
+    for (const int turns : {0, 1, -1}) {
+      for (const double speed : {0.1, 1.5}) {  // the faster, the more gyroscopic
+        EXPECT_LT(worst_of_both(heavy_boom(), grip, turns, speed), 1e-7)
+            << static_cast<int>(grip) << turns << " " << speed;
+      }
     }
   }
 }

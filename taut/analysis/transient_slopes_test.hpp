@@ -15,6 +15,7 @@ struct SlopesAt {
   taut::analysis::Branches branches = taut::analysis::Branches::straight;
   /// Of every contact between two lines; what ends on a drum is stuck.
   taut::analysis::dynamics::Grip grip = taut::analysis::dynamics::Grip::equal;
+  int turns = 0;       ///< of every bearing, the sense in which it slides; 0: it sticks
   double speed = 0.1;  ///< of every freedom, up to this, m/s, 1/s
   bool still = false;  ///< nothing moves nor slips
   int dice = 3;
@@ -70,6 +71,14 @@ inline double worst_slope(const taut::model::Model& m, const SlopesAt& at = {}) 
     dynamics::Values v = now;
     if (change != 0) (is_flow[column] ? v.q : v.rate)[column] += change;
     EXPECT_TRUE(dynamics::follow(mechanism, s, run.before, run.w, s.h, v));
+    for (std::size_t i = 0; i < v.spins.size(); ++i) {
+      v.spins[i].turns = static_cast<std::int8_t>(at.turns);
+      v.spins[i].capacity = 0;
+      for (const auto& [contact, sense] : mechanism.spins[i].contacts) {
+        const auto& of = mechanism.contacts[static_cast<std::size_t>(contact)];
+        v.spins[i].capacity += dynamics::bearing_slope(mechanism, of, run.before, v).capacity;
+      }
+    }
     dynamics::assemble(mechanism, s, run.before, v, run.w);
     return run.w.residual;
   };
