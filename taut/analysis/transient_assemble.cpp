@@ -172,9 +172,10 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
     const bool stuck = now_contacts[at(line.contact[end])].grip == Grip::stuck;
     const double by_flow = stuck ? (s.reach > 0 ? 1 / s.reach : 0) : s.slip_now;
     const double sign = end == 0 ? 1 : -1;
-    d.L[at(k)] = sign;
     tangent.e[at(k)] = -sign * lambda / now.L;
-    d.T[at(k)] = (now.T_e + now.T_rate * by_flow) * tangent.e[at(k)];
+    const bool later = s.only_rates && now.T_rate > 0;  // slip has a rate there, and no way yet
+    d.L[at(k)] = later ? 0 : sign;
+    d.T[at(k)] = ((later ? 0 : now.T_e) + now.T_rate * by_flow) * tangent.e[at(k)];
   }
   return d;
 }

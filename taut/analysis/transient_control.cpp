@@ -66,6 +66,12 @@ double resolving_step(const Run& run) {
   return std::min(std::cbrt(run.options.tolerance) / (2 * fastest), run.options.duration / 100);
 }
 
+double largest_tension(const Run& run) {
+  double largest = 0;
+  for (const double T : run.T_largest) largest = std::max(largest, T);
+  return largest;
+}
+
 double error_of(const Run& run, bool kink) {
   if (run.known < 2) return 0;
   const double h = run.scheme.h;

@@ -295,4 +295,10 @@ std::vector<double> stops_of(const model::Model& model, double from, double to) 
   return stops;
 }
 
+bool jumps_at(const Run& run, double t) {
+  const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
+  const std::vector<double> stops = stops_of(run.model, t - near, t + near);
+  return !stops.empty();
+}
+
 }  // namespace taut::analysis::dynamics

@@ -110,7 +110,8 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
 // What follows is inlined where it stands in the innermost loops: the calls alone would be a tenth of a tackle's time.
 
 /// Unstretched length and strain. The rope that the turning of a line lays on a round lies there at its `winding`.
-[[gnu::always_inline]] inline void stretch(const Mechanism& m, const Values& before, std::size_t i, Values& now) {
+[[gnu::always_inline]] inline void stretch(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i,
+                                           Values& now) {
   const Line& line = m.lines[i];
   const LineValues& was = before.lines[i];
   LineValues& is = now.lines[i];
@@ -119,7 +120,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
     const std::size_t k = at(line.contact[end]), c = at(m.contacts[k].column);
-    double out = now.q[c] - before.q[c];
+    double out = s.only_rates && slips_later(m, s, m.contacts[k]) ? 0 : now.q[c] - before.q[c];
     if (line.radius[end] > 0 && !line.at_load[end] && !sagging)
       out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
     L += end == 0 ? out : -out;
@@ -283,7 +284,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[at(line.sag)]);
     return;
   }
-  pull(line, s.undamped ? 0 : line.damping, is);
+  s.only_rates ? pull_without_bounds(line, line.damping, is) : pull(line, s.undamped ? 0 : line.damping, is);
   is.end_T[0] = is.end_T[1] = is.T;
   if (line.weight == 0) return;
   const double hangs = hung_at_ends(line.weight * is.L * is.t.z() / 2, is.T);
@@ -326,7 +327,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       const bool placed = line.still && is.radius == before.lines[i].radius;
       if (!placed && !place_line(line, now.bodies, before.lines[i], is)) return false;
     }
-    stretch(m, before, i, now);
+    stretch(m, s, before, i, now);
     if (!(is.L > 0) || !std::isfinite(is.l)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
@@ -344,7 +345,7 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
                     Values& now) {
   const Contact& of = m.contacts[contact];
   for (const int line : {of.in, of.out}) {
-    if (line >= 0) stretch(m, before, at(line), now);
+    if (line >= 0) stretch(m, s, before, at(line), now);
   }
   flow(m, s, before, w, contact, now);
   if (of.mass != 0) steady_flow(m, s, before, contact, now);
@@ -363,6 +364,11 @@ double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
 
 bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact) {
   return s.slip_now > 0 && m.lines[at(contact.in >= 0 ? contact.in : contact.out)].damping > 0;
+}
+
+bool slips_later(const Mechanism& m, const Scheme& s, const Contact& contact) {
+  const auto hangs = [&](int line) { return line >= 0 && m.lines[at(line)].sag >= 0; };
+  return s.only_rates && !hangs(contact.in) && !hangs(contact.out) && slips_in_a_moment(m, s, contact);
 }
 
 std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now) {

@@ -83,6 +83,13 @@ inline void pull(const Line& line, double damping, LineValues& now) {
   now.T_e = EA;
   now.T_rate = EA * damping;
 }
+/// The same without its bounds: where it is asked for, dampers hold whatever they have to.
+inline void pull_without_bounds(const Line& line, double damping, LineValues& now) {
+  pull(line, 0, now);
+  if (now.e <= 0) return;
+  now.T_rate = now.T_e * damping;
+  now.T += now.T_rate * now.e_rate;
+}
 inline void pull(const Line& line, LineValues& now) { pull(line, line.damping, now); }
 
 }  // namespace taut::analysis::dynamics

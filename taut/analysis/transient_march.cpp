@@ -18,14 +18,12 @@ constexpr double growth = 2;
 // Where one has been taken back, steps near the limit grow a little at a time for a while.
 constexpr double careful_growth = 1.1, far_below = 0.05, much_longer = 1.2;
 constexpr int careful_steps = 64;
-constexpr double at_once = 1e-10;  ///< of the duration: how exactly the moment of a condition is found
-
-constexpr double shorter_at_kinks = 4;  ///< than a step that resolves the fastest motion
-
-constexpr double least_resolved = 1e-3;  ///< of the floor: below it rounding is more than what changes
-constexpr int most_rough = 64;           ///< Euler steps before the usual ones are tried again
-constexpr double longest_rough = 4;      ///< their size, of the floor
-
+constexpr double at_once = 1e-10;         ///< of the duration: how exactly the moment of a condition is found
+constexpr double at_once_of_step = 1e-6;  ///< the same of a given step, whatever the duration
+constexpr double shorter_at_kinks = 4;    ///< than a step that resolves the fastest motion
+constexpr double least_resolved = 1e-3;   ///< of the floor: below it rounding is more than what changes
+constexpr int most_rough = 64;            ///< Euler steps before the usual ones are tried again
+constexpr double longest_rough = 4;       ///< their size, of the floor
 constexpr int steps_between_asking = 32;
 constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
 
@@ -102,6 +100,8 @@ StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
     s.slip_now = 1 / h;
     s.slip_before = 0;
     run.newton.tolerance = 1e-10;
+    run.newton.largest = largest_tension(run);
+    run.now.rate = run.before.rate;
     return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton, last);
   }
   // accelerations go on as they changed
@@ -112,8 +112,7 @@ StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
   fade(run, t, run.now);
   const double share = run.options.step > 0 ? 1e-3 : std::clamp(h / run.options.duration, 1e-5, 1.0);
   run.newton.tolerance = 0.02 * share * run.options.tolerance;
-  run.newton.largest = 0;
-  for (const double T : run.T_largest) run.newton.largest = std::max(run.newton.largest, T);
+  run.newton.largest = largest_tension(run);
   for (std::size_t i = 0; i < run.now.spins.size(); ++i) run.now.spins[i].turns = run.before.spins[i].turns;
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }
@@ -217,6 +216,8 @@ StepEnd advance(Run& run, double limit) {
   Tries tries;
   tries.rough = run.rough_next || run.rough_left > 0;
   run.rough_next = false;
+  const bool given = run.options.step > 0;
+  const double shortest = given ? at_once_of_step * run.options.step : at_once * run.options.duration;
   for (;;) {
     if (run.options.progress && ++run.since_asked >= steps_between_asking) {
       run.since_asked = 0;
@@ -229,12 +230,12 @@ StepEnd advance(Run& run, double limit) {
       if (!try_shorter(run, h, tries)) return end;
       continue;
     }
-    if (h > at_once * run.options.duration && comes_true(run, run.now)) {  // halve the way to the moment
+    if (h > shortest && comes_true(run, run.now)) {  // halve the way to the moment
       run.h = h / 2;
       ++run.result.rejected;
       continue;
     }
-    if (run.options.step > 0 || tries.rough) {
+    if (given || tries.rough) {
       accept_as_it_is(run, h, tries.rough);
       return StepEnd::ok;
     }
@@ -279,23 +280,16 @@ StepEnd run_off(Run& run, std::size_t line) {
   return end;
 }
 
-/// Whether an event is due at t or a signal jumps there.
-bool jumps_at(const Run& run, double t) {
-  const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
-  const std::vector<double> stops = stops_of(run.model, t - near, t + near);
-  return !stops.empty();
-}
-
 StepEnd begin(Run& run) {
   StepEnd end = StepEnd::ok;
   if (!run.resumed) {
     run.L_first.clear();
     for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
   }
-  run.floor = resolving_step(run) / shorter_at_kinks;
+  if (!run.resumed) run.floor = resolving_step(run) / shorter_at_kinks;
   run.ledger = open_ledger(run.m, run.before);
   // where a run left off, its accelerations stand, unless something happens or jumps at that very time
-  if (!run.resumed || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
+  if (!run.resumed || run.begins_anew || jumps_at(run, run.before.t)) end = begin_again(run, run.ledger.slipped);
   run.ledger = open_ledger(run.m, run.before);
   if (run.options.quasi_static) run.ledger.start.kinetic = run.ledger.now.kinetic = 0;
   record_extremes(run, run.before);
@@ -303,6 +297,9 @@ StepEnd begin(Run& run) {
   const double step = run.options.output_step;
   if (!run.resumed || run.grid_step != step) run.grid_from = run.before.t;
   run.grid_step = step;
+  // a run that ends at an output ends at the very time that a longer one would give that output
+  const double outputs = std::round((run.end - run.grid_from) / step), last = run.grid_from + outputs * step;
+  if (std::abs(run.end - last) < 1e-12 * std::max(run.end, step)) run.end = last;
   return end;
 }
 
@@ -337,7 +334,9 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   double broken = 0;
   const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
   const bool jolts = jump && !run.options.quasi_static;
+  run.begins_anew = event;
   if ((event || jolts) && !stop && run.before.t < run.end) {
+    run.begins_anew = false;
     end = begin_again(run, broken);
     (event ? run.ledger.broken : run.ledger.slipped) += broken;
   }

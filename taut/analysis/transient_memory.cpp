@@ -1,6 +1,8 @@
 #include "taut/analysis/transient_memory.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <type_traits>
 
 namespace taut::analysis::dynamics {
@@ -113,12 +115,21 @@ void walk_run(W& w, Run& run) {
   w.all(run.w.q_mean);
   w.all(run.w.nu_mean);
   w.number(run.w.mean_step);
-  w.whole(run.known);
   for (auto* list : {&run.nu_old, &run.rate_old, &run.T_old, &run.T_older, &run.T_largest, &run.L_first}) w.all(*list);
-  for (double* one : {&run.h, &run.h_last, &run.h_older, &run.m.size_of_machine, &run.grid_from, &run.grid_step}) {
+  for (double* one :
+       {&run.h, &run.h_last, &run.h_older, &run.m.size_of_machine, &run.grid_from, &run.grid_step, &run.floor}) {
     w.number(*one);
   }
+  for (int* one : {&run.known, &run.rough_left, &run.rough_more, &run.careful}) w.whole(*one);
+  for (bool* one : {&run.fresh, &run.rough_next, &run.begins_anew}) w.whole(*one);
+  for (Line& line : run.m.lines) {
+    if (!line.part) continue;
+    w.number(line.ahead_more);
+    w.number(line.more);
+  }
 }
+
+constexpr double layout = 2;  ///< of the list: another one is not understood
 
 /// What the numbers belong to: how many they are, the method, its damping, the kinds of steps.
 std::vector<double> head_of(Run& run) {
@@ -127,7 +138,38 @@ std::vector<double> head_of(Run& run) {
   Walk walk(see);
   walk_run(walk, run);
   const bool explicit_steps = run.options.method == TimeMethod::verlet, given = run.options.step > 0;
-  return {count, explicit_steps ? 1.0 : 0.0, run.options.rho, given ? 1.0 : 0.0};
+  return {layout, count, explicit_steps ? 1.0 : 0.0, run.options.rho, given ? 1.0 : 0.0};
+}
+
+/// Measures by their names: what they relate to and their means so far. A deck that observes something else goes on
+/// without those that it does not have.
+constexpr std::size_t per_measure = 7;
+
+/// A number that tells names apart (Fowler, Noll, Vo: FNV-1a, 52 bits of it).
+double mark_of(const std::string& name) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return static_cast<double>(hash >> 12U);
+}
+
+void keep_measures(const Run& run, std::vector<double>& memory) {
+  memory.push_back(static_cast<double>(run.model.observed.size()));
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    const Run::Mean& mean = run.means[i];
+    memory.insert(memory.end(), {mark_of(run.model.observed[i].name), run.reference[i], mean.integral, mean.duration,
+                                 mean.last_t, mean.last_value, mean.inside ? 1.0 : 0.0});
+  }
+}
+
+void take_measures(Run& run, const std::vector<double>& memory, std::size_t first, std::size_t kept) {
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    const double mark = mark_of(run.model.observed[i].name);
+    for (std::size_t k = first; k < first + kept * per_measure; k += per_measure) {
+      if (memory[k] != mark) continue;
+      run.reference[i] = memory[k + 1];
+      run.means[i] = {memory[k + 2], memory[k + 3], memory[k + 4], memory[k + 5], memory[k + 6] != 0};
+    }
+  }
 }
 
 }  // namespace
@@ -137,6 +179,7 @@ std::vector<double> memory_of(Run& run) {
   auto see = [&](double& x) { memory.push_back(x); };
   Walk walk(see);
   walk_run(walk, run);
+  keep_measures(run, memory);
   for (const Run::Breaking& one : run.breaking) memory.insert(memory.end(), {1.0 * one.line, one.from, one.over});
   return memory;
 }
@@ -146,12 +189,16 @@ bool take_memory(Run& run, const std::vector<double>& memory) {
   const std::vector<double> head = head_of(run);
   if (memory.size() < head.size() || !std::equal(head.begin(), head.end(), memory.begin())) return false;
   std::size_t next = head.size();
-  const std::size_t needed = next + static_cast<std::size_t>(head[0]);
-  if (memory.size() < needed || (memory.size() - needed) % 3 != 0) return false;
+  const std::size_t measures = next + static_cast<std::size_t>(head[1]);
+  if (memory.size() <= measures) return false;
+  const auto kept = static_cast<std::size_t>(memory[measures]);
+  const std::size_t breaks = measures + 1 + kept * per_measure;
+  if (memory.size() < breaks || (memory.size() - breaks) % 3 != 0) return false;
   auto see = [&](double& x) { x = memory[next++]; };
   Walk walk(see);
   walk_run(walk, run);
-  for (; next < memory.size(); next += 3) {
+  take_measures(run, memory, measures + 1, kept);
+  for (next = breaks; next < memory.size(); next += 3) {
     run.breaking.push_back({static_cast<int>(memory[next]), memory[next + 1], memory[next + 2]});
   }
   run.now = run.before;

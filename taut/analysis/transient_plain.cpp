@@ -48,8 +48,9 @@ void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, cons
     const double by_flow = stuck ? (s.reach > 0 ? 1 / s.reach : 0) : s.slip_now;
     const double sign = end == 0 ? 1 : -1;
     tangent.e[k] = -sign * (1 + now.e) * per;
-    w.T_slope[k] = (now.T_e + now.T_rate * by_flow) * tangent.e[k];
-    w.L_slope[k] = sign;
+    const bool later = s.only_rates && now.T_rate > 0;  // slip has a rate there, and no way yet
+    w.T_slope[k] = ((later ? 0 : now.T_e) + now.T_rate * by_flow) * tangent.e[k];
+    w.L_slope[k] = later ? 0 : sign;
   }
 }
 

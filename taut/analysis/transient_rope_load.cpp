@@ -20,7 +20,7 @@ double difference_at(const Contact& contact, const Values& v) {
   return out.end_T[0] - in.end_T[1];
 }
 
-/// Unstretched length of the free rope, from round to round, in which a load lies, m.
+/// Unstretched length of the free rope at the very start, from round to round, in which a load lies, m.
 double loaded_span(const Mechanism& m, const Contact& contact, const DynamicState& start) {
   const model::Reeving& rope = m.model->reevings[at(contact.reeving)];
   const int nodes = static_cast<int>(rope.nodes.size()), per_branch = std::max(1, rope.segments);
@@ -31,7 +31,7 @@ double loaded_span(const Mechanism& m, const Contact& contact, const DynamicStat
   const auto [first, lines] = m.first_line[at(contact.reeving)];
   double length = 0;
   for (int k = from * per_branch; k < to * per_branch; ++k) {
-    length += start_length(m, start, first + (k + lines) % lines);
+    length += lumped_length(m, start, first + (k + lines) % lines);
   }
   return length;
 }

@@ -30,6 +30,7 @@ struct Run {
   bool fresh = false;                   ///< what slips does not go on as it did: after a start, an event, an Euler step
   int rough_left = 0, rough_more = 1;   ///< Euler steps to go on with; how many were asked for last
   bool rough_next = false;              ///< the next step is an implicit Euler step
+  bool begins_anew = false;             ///< something has happened at the end of the run: what goes on has to begin so
   bool fell = false;                    ///< a quasi-static step has ended where the machine came to rest again
   double grid_from = 0, grid_step = 0;  ///< of the outputs, s
   bool resumed = false;                 ///< from the memory of an earlier run
@@ -90,6 +91,8 @@ bool change_layers(Run& run, Values& v);
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
 std::vector<double> stops_of(const model::Model& model, double from, double to);
+/// Whether an event is due at t or a signal jumps there.
+bool jumps_at(const Run& run, double t);
 
 /// Sets what is left of breaking lines at t.
 void fade(const Run& run, double t, Values& v);
@@ -106,6 +109,8 @@ bool gains(const Run& run);
 double floor_of(const Run& run);
 /// A step that resolves the fastest motion, s.
 double resolving_step(const Run& run);
+/// Of all ropes so far, N.
+double largest_tension(const Run& run);
 /// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
 /// Whether no rope is left of line `i`.

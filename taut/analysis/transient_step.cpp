@@ -274,14 +274,49 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
   return end;
 }
 
+namespace {
+
+/// Whether a damper would have to push, or pull more than its rope does.
+bool beyond_dampers(const Mechanism& m, const Values& now) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const LineValues& is = now.lines[i];
+    const double elastic = elastic_tension(m.lines[i], is);
+    if (m.lines[i].damping == 0 || m.lines[i].sag >= 0 || elastic <= 0) continue;
+    if (is.T < -rounding * elastic || is.T > (2 + rounding) * elastic) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton) {
   s.h = s.reach = 0;
   // with dampers the tension of a slipping rope follows from its speed: the speed is found, by the slip of a moment
   s.slip_now = 1 / moment;
   s.slip_before = 1;
   now.rate = before.rate;
-  const StepEnd end = solve_step(m, s, before, before.t, now, w, newton);
+  const std::vector<SpinValues> spins = now.spins;
+  s.only_rates = true;
+  s.only_rates = std::any_of(m.contacts.begin(), m.contacts.end(),
+                             [&](const Contact& contact) { return slips_later(m, s, contact); });
+  StepEnd end = solve_step(m, s, before, before.t, now, w, newton);
+  const bool beyond = s.only_rates && (end == StepEnd::ok ? beyond_dampers(m, now) : end != StepEnd::interrupted);
+  if (beyond) {  // more than dampers can hold: some of it slips at once
+    s.only_rates = false;
+    now.rate = before.rate;
+    now.spins = spins;
+    end = solve_step(m, s, before, before.t, now, w, newton);
+  }
   if (end != StepEnd::ok) return end;
+  for (LineValues& line : now.lines) {
+    if (s.only_rates && line.T < 0) line.T = line.end_T[0] = line.end_T[1] = 0;  // rounding
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    if (!slips_later(m, s, m.contacts[i])) continue;
+    now.q[at(m.contacts[i].column)] = before.q[at(m.contacts[i].column)];
+    now.contacts[i].slipped = before.contacts[i].slipped;
+  }
   w.mean_step = 0;
   w.q_mean = now.nu;
   w.nu_mean = now.rate;

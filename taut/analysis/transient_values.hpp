@@ -106,7 +106,8 @@ struct Scheme {
   bool creeps = false;                   ///< quasi-static: from rest to rest, with friction
   double elapsed = 0;                    ///< then: the time in which drives and signals go on, s
   bool undamped = false;                 ///< ropes without their damping
-  bool fresh = false;                    ///< what lies loose does not go on as it went before
+  bool only_rates = false;  ///< at an unchanged time: ropes with dampers begin to slip, none has slipped yet
+  bool fresh = false;       ///< what lies loose does not go on as it went before
 };
 Scheme scheme_of(double rho);
 /// Implicit Euler: first order, and nothing fast is left of what a step can't follow.
@@ -249,6 +250,8 @@ std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Val
 /// At an unchanged time: whether the rate of a contact's slip is found with the tensions (its rope has dampers), by the
 /// slip in 1/slip_now. Else the rope slips at once, and goes on with the rate that it had.
 bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact);
+/// Whether such a rope stays where it is, and its rate alone is found (Scheme::only_rates); not one that sags.
+bool slips_later(const Mechanism& m, const Scheme& s, const Contact& contact);
 
 /// Radius of the rope on a round; of a drum that of the layer being wound, m.
 double working_radius(const Mechanism& m, const Contact& contact, const Values& v);

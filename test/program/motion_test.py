@@ -35,6 +35,24 @@ analyses:
   - transient: {duration: 2 s, output_step: 10 ms}
 """
 
+SLIPPING = """taut: 1
+title: A belt that slips on its drive
+machine:
+  signals:
+    running: {ramp: {to: 4 m/s, start: 0 s, duration: 0.3 s, smooth: true}}
+  ropes: {belt: {mass: 0.6 kg/m, stiffness: 0.65 MN, damping_ratio: 0.02}}
+  bodies: {slide: {mass: 85 kg, at: [9 m, 0 m, 0 m], free: [x]}}
+  sheaves:
+    drive: {at: [0 m, 0 m, 0 m], diameter: 500 mm, friction: 0.2, inertia: 4 kg m^2, motor: {speed: running}}
+    tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 500 mm, efficiency: 0.95, inertia: 2 kg m^2}
+  take_up: [{body: slide, weight: 300 kg, along: [1, 0, 0]}]
+  reevings: [{rope: belt, path: [{over: drive, side: left}, {over: tail, side: left}], closed: true, length: 19.53 m}]
+  rope_loads: [{name: cut, rope: belt, between: [tail, drive], rate: 450 N/m, from: 0.2, to: 0.7}]
+  observe: [drive.T_in, drive.T_out, drive.slip, slide.x, tail.speed]
+analyses:
+  - transient: {duration: 1 s, output_step: 50 ms, method: METHOD}
+"""
+
 
 def taut(*args, stdin="", cwd=None):
     return subprocess.run([PROGRAM, *args], input=stdin, capture_output=True, text=True, timeout=100, check=False, cwd=cwd)
@@ -104,6 +122,41 @@ class Motion(unittest.TestCase):
             self.assertEqual(rows[0][0], 1)
             # at its beginning signals are read at that time, at an end just before it
             self.assertEqual(rows[1:], rows_of(folder + "/whole/time.csv")[1][101:])
+
+    def goes_on(self, deck, step, whole, halves):
+        """Each half run and what goes on from it give the lines of the whole run, but at the moment between them."""
+        with tempfile.TemporaryDirectory() as folder:
+            given = f"analyses[0].transient.step={step}"
+            last = "analyses[0].transient.duration="
+            self.run_to(folder + "/whole", given, f"{last}{whole:.15g} s", deck=deck)
+            head, rows = rows_of(folder + "/whole/time.csv")
+            for half in halves:
+                self.run_to(folder + "/first", given, f"{last}{half:.15g} s", "analyses[0].transient.save=state.json", deck=deck)
+                self.run_to(folder + "/second", given, f"{last}{whole - half:.15g} s",
+                            f"analyses[0].transient.restart={folder}/first/state.json", deck=deck)
+                second = rows_of(folder + "/second/time.csv")[1]
+                self.assertGreater(len(second), 2)
+                self.assertEqual(second[1:], rows[len(rows) - len(second) + 1:], f"{head} from {half} s on")
+            return head, rows
+
+    def test_a_rope_that_slips_goes_on_to_the_last_bit(self):
+        for method in ("implicit", "verlet"):
+            head, rows = self.goes_on(SLIPPING.replace("METHOD", method), "0.5 ms", 1, (0.3, 0.4, 0.55, 0.6))
+            slip = [row[head.index("drive.slip [m/s]")] for row in rows]
+            self.assertGreater(min(abs(x) for x in slip[6:]), 1, "it slips all the time")
+
+    def test_what_measures_relate_to_and_events_of_the_last_moment_go_on(self):
+        deck = HOIST.replace("observe: [", "measures: {gone: {of: load.z, since: 0.4 s, relative: difference}}\n  observe: [gone, ")
+        for event in ("at: 0.9 s", "when: load.vz > 0.4 m/s"):
+            twice = f"  events: [{{{event}, drive: winch, torque: 5 kN m}}]\n  observe:"
+            self.goes_on(deck.replace("  observe:", twice), "1 ms", 2, (0.6, 0.9, 1))
+        # the event comes true in the very last step of the first run
+        twice = "  events: [{when: load.z > 2.1299 m, drive: winch, torque: 5 kN m}]\n  observe:"
+        deck = deck.replace("  observe:", twice)
+        with tempfile.TemporaryDirectory() as folder:
+            events = self.run_to(folder, "analyses[0].transient.step=1 ms", deck=deck)["tables"]["events"]["rows"]
+            at = next(row[0] for row in events if row[1] == "drive")
+        self.goes_on(deck.replace("output_step: 10 ms", f"output_step: {at / 50:.17g} s"), "1 ms", 2 * at, (at,))
 
     def test_a_state_of_another_machine_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
