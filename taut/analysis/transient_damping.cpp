@@ -51,6 +51,24 @@ std::vector<double> gradient(const Mechanism& m, const Values& v, std::size_t i,
   return b;
 }
 
+/// What the tensions resist as branches swing in a motion, N/m by the square of its unit: T/l of each way across.
+double stiffness_across(const Mechanism& m, const Values& v, const std::vector<double>& motion, Work& w) {
+  double sum = 0;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    if (!(is.T > 0) || !(is.l > 0)) continue;
+    line_columns(line, m.bodies, v.bodies, is, w.columns);
+    Vector3 apart = Vector3::Zero();
+    for (int k = 0; k < line.freedoms[0] + line.freedoms[1]; ++k) {
+      const double sign = k < line.freedoms[0] ? -1 : 1;
+      apart += sign * line.share * motion[at(line.column[at(k)])] * w.columns[at(k)].velocity;
+    }
+    sum += line.copies * is.T / is.l * (apart - apart.dot(is.t) * is.t).squaredNorm();
+  }
+  return sum;
+}
+
 }  // namespace
 
 Symmetric eigen_of(std::vector<double> a, std::size_t n) {
@@ -99,16 +117,27 @@ std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& 
   }
   const Symmetric e = eigen_of(a, n);
   const double largest = e.values.empty() ? 0 : *std::max_element(e.values.begin(), e.values.end());
+  std::vector<double> swinging = found;
   for (std::size_t k = 0; k < n; ++k) {
     if (!(e.values[k] > 1e-10 * largest)) continue;
+    std::vector<double> motion(at(m.size), 0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t c = 0; c < motion.size(); ++c) motion[c] += root[i] * e.vectors[i * n + k] * moved[i][c];
+    }
+    // the motion's elastic stiffness is the square of the eigenvalue: one that tensions resist more is a swing
+    const bool swings = stiffness_across(m, v, motion, w) > e.values[k] * e.values[k];
     for (std::size_t r = 0; r < found.size(); ++r) {
       double share = 0;
       for (int i = m.first_line[r].first; i < m.first_line[r].first + m.first_line[r].second; ++i) {
         share += e.vectors[at(i) * n + k] * e.vectors[at(i) * n + k];
       }
+      double& lowest = (swings ? swinging : found)[r];
       const double omega = std::sqrt(e.values[k]);
-      if (share >= stretches && (found[r] == 0 || omega < found[r])) found[r] = omega;
+      if (share >= stretches && (lowest == 0 || omega < lowest)) lowest = omega;
     }
+  }
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    if (found[r] == 0) found[r] = swinging[r];
   }
   return found;
 }

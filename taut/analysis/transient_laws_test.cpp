@@ -167,6 +167,23 @@ TEST(TransientLaws, BrokenRopeRecoils) {
   }
 }
 
+/// A block on falls that are nearly parallel swings with hardly any stretch: the damping is that of its bounce.
+TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
+  for (const double aside : {0.0, 0.25, 0.4}) {
+    model::Model m = tackle(2, 1, 3000);
+    m.reevings[0].damping_ratio = 0.02;
+    m.reevings[0].nodes.back().at.at.x() += aside;
+    TransientOptions options = lasting(0.1, 1e-4);
+    options.start = Start::settled;
+    const TransientResult r = transient(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    const double bounce =
+        std::sqrt(1e7 * (1 / r.frames[0].branches[1].unstretched + 1 / r.frames[0].branches[2].unstretched) / 3000);
+    EXPECT_NEAR(r.frequency[0] / bounce, 1, 2e-3) << aside;
+    EXPECT_NEAR(r.damping_time[0], 0.04 / r.frequency[0], 1e-12);
+  }
+}
+
 /// A drum that takes in at 0.5 m/s; the strained rope that lies on it counts unstretched. The load hangs still.
 TEST(TransientLaws, DrumTakesInByTheLayer) {
   model::Model m;

@@ -99,7 +99,10 @@ void add_energy(const TransientRun& run, Result& r) {
   add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &EnergyLedger::damped);
   add("slip of ropes on sheaves", &EnergyLedger::slipped);
   add("bearings of sheaves", &EnergyLedger::bearings);
-  add("broken ropes", &EnergyLedger::broken);
+  const bool jolts = std::any_of(run.result.events.begin(), run.result.events.end(), [](const auto& event) {
+    return event.what == "brake" || event.what == "drive" || event.what == "layer";
+  });
+  add(jolts ? "broken ropes, jolts by brakes and drives" : "broken ropes", &EnergyLedger::broken);
   add("contacts", &EnergyLedger::contacts);
   const auto add_if_any = [&](const char* form, double EnergyLedger::*part, double of_turnover) {
     if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
@@ -300,7 +303,7 @@ void add_words(const TransientRun& run, Result& r) {
                                    sagging == all ? std::string("all") : fmt::format("{} of {} of", sagging, all));
     const std::string damping =
         beta <= 0   ? "without damping"
-        : omega > 0 ? fmt::format("damping time {:.4g} s, from its lowest stretching mode of {:.4g} 1/s", beta, omega)
+        : omega > 0 ? fmt::format("damping time {:.4g} s, from its lowest stretching mode of {:.4g} rad/s", beta, omega)
                     : fmt::format("damping time {:.4g} s", beta);
     r.assumptions.push_back(fmt::format(
         "Rope {} in motion: {}; {}{}{}.", run.model.reevings[i].name, damping, hangs,
