@@ -101,7 +101,7 @@ void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, con
   const auto spare_of = [&](int i) {
     const Line& line = m.lines[at(i)];
     if (now.lines[at(i)].T > 0) return 0.0;
-    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / now.lines[at(i)].L;
+    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / some_length(now.lines[at(i)]);
   };
   const double spare = spare_of(contact.in) + spare_of(contact.out);
   if (spare == 0) return;

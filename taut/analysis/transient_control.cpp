@@ -44,11 +44,7 @@ void note_impatience(Run& run) {
   if (begins) note(run, run.now.t, "coarser", "");
 }
 
-void book_step(Run& run, bool rough) {
-  const double open = rough ? told(run.ledger).residual : 0;
-  add_step(run.m, run.before, run.now, run.ledger, rough);
-  if (rough) add_numerical(open, run.ledger);
-}
+void book_step(Run& run, bool rough) { add_step(run.m, run.before, run.now, run.ledger, rough); }
 
 bool gains(const Run& run) {
   constexpr double free_of = 1e-3;  ///< of what is turned over: no gain

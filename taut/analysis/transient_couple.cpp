@@ -275,6 +275,22 @@ CoupleWork work_of_couples(const Mechanism& m, const Values& before, const Value
   return work;
 }
 
+double taken_by_couples(const Mechanism& m, const Values& before, const Values& now) {
+  double taken = 0;
+  for (std::size_t i = 0; i < now.faces.size(); ++i) {
+    const FaceValues &a = before.faces[i], &b = now.faces[i];
+    const double deep_a = a.over ? std::max(0.0, a.pen) : 0, deep_b = b.over ? std::max(0.0, b.pen) : 0;
+    if (a.over == b.over) taken += (b.N - a.N) / 2 * (deep_b - deep_a);
+    const Matrix3 &Ra = motion_of(before, m.couples[i].body[1]).R, &Rb = motion_of(now, m.couples[i].body[1]).R;
+    taken -= (Rb.transpose() * b.friction - Ra.transpose() * a.friction).dot(b.arm - a.arm) / 2;
+  }
+  for (std::size_t i = 0; i < now.actuators.size(); ++i) {
+    const ActuatorValues &a = before.actuators[i], &b = now.actuators[i];
+    taken -= (b.F - a.F) / 2 * (b.length - a.length);
+  }
+  return taken;
+}
+
 double power_of_couples(const Mechanism& m, int body, const Values& v) {
   const Motion3& is = v.bodies[at(body)];
   double power = 0;

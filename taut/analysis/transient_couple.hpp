@@ -36,6 +36,8 @@ struct CoupleWork {
   double lost = 0, supplied = 0;
 };
 CoupleWork work_of_couples(const Mechanism& m, const Values& before, const Values& now);
+/// What a step of implicit Euler takes, whose forces are those of its end while their work is booked by the mean, J.
+double taken_by_couples(const Mechanism& m, const Values& before, const Values& now);
 /// Elastic energy of contacts and their bristles, J.
 double energy_of_faces(const Mechanism& m, const Values& v);
 /// What they do on the driven part of a body's motion, W.

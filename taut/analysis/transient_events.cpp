@@ -30,7 +30,8 @@ bool holds(const Run& run, const Values& v, const model::Condition& condition) {
   return condition.above ? value > condition.threshold : value < condition.threshold;
 }
 
-/// The line that an event breaks: where the tension is largest; of equal ones, whatever their rounding, the first.
+/// The line that an event breaks, of those that are whole: where the tension is largest; of equal ones, whatever their
+/// rounding, the first. -1: they all are broken; or the rope is, somewhere, and what is left of it hangs loose.
 int breaking_line(const Run& run, const Values& v, const model::Event& event) {
   const auto [first, lines] = run.m.first_line[at(event.index)];
   const int pieces = std::max(1, run.model.reevings[at(event.index)].segments);
@@ -40,15 +41,19 @@ int breaking_line(const Run& run, const Values& v, const model::Event& event) {
     to = from + pieces;
   }
   constexpr double rounding = 1e-9;
-  int worst = from;
+  int worst = -1;
+  bool broken = false;
   for (int i = from; i < to; ++i) {
-    if (v.lines[at(i)].T > (1 + rounding) * v.lines[at(worst)].T) worst = i;
+    const bool whole = v.lines[at(i)].gone == 1;
+    broken = broken || !whole;
+    if (whole && (worst < 0 || v.lines[at(i)].T > (1 + rounding) * v.lines[at(worst)].T)) worst = i;
   }
-  return worst;
+  return worst >= 0 && broken && v.lines[at(worst)].T <= 0 ? -1 : worst;
 }
 
 void break_rope(Run& run, Values& v, const model::Event& event) {
   const int line = breaking_line(run, v, event);
+  if (line < 0) return;
   run.breaking.push_back({line, v.t, event.over});
   note(run, v.t, "break", line_name(run, run.m.lines[at(line)]), {{"T", v.lines[at(line)].T}});
 }
@@ -197,6 +202,8 @@ bool run_out(Run& run) {
 
 bool comes_true(const Run& run, const Values& v) {
   if (!run.model.drums.empty() && winds_on(run, v)) return true;
+  const auto overdrawn = [](const LineValues& line) { return line.gone == 0 && !(line.L > 0); };
+  if (std::any_of(v.lines.begin(), v.lines.end(), overdrawn)) return true;  // the end runs off before
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
     const model::Event& event = run.model.events[i];
     if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;
@@ -223,6 +230,15 @@ void fade(const Run& run, double t, Values& v) {
   for (const Run::Breaking& one : run.breaking) {
     v.lines[at(one.line)].gone = one.over > 0 ? std::clamp(1 - (t - one.from) / one.over, 0.0, 1.0) : 0.0;
   }
+}
+
+double step_of_fading(const Run& run) {
+  constexpr double steps = 32;
+  double shortest = run.options.duration;
+  for (const Run::Breaking& one : run.breaking) {
+    if (run.before.t < one.from + one.over) shortest = std::min(shortest, one.over / steps);
+  }
+  return shortest;
 }
 
 bool change_layers(Run& run, Values& v) {

@@ -7,7 +7,7 @@
 namespace taut::analysis::dynamics {
 namespace {
 
-constexpr double no_rope = 1e-3;          ///< of a line's first length
+constexpr double no_rope = 1e-3;          ///< of a line's first length, of one that is whole
 constexpr double nearly_no_rope = 0.1;    ///< the same, where a step finds no place for a line
 constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is found
 
@@ -15,7 +15,13 @@ constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is foun
 
 bool used_up(const Run& run, std::size_t i) {
   const LineValues& line = run.before.lines[i];
-  return !(line.L > no_rope * run.L_first[i]);
+  if (line.gone > 0) return !(line.L > no_rope * run.L_first[i]);
+  return line.L <= run_off_share * line.l && run.L_first[i] > 0;
+}
+
+void mark_run_off(Run& run, std::size_t i) {
+  run.L_first[i] = 0;
+  run.before.lines[i].L = run_off_rest * run.before.lines[i].l;
 }
 
 namespace {

@@ -10,7 +10,6 @@
 namespace taut::analysis::dynamics {
 namespace {
 
-constexpr double nothing_left = 1e-9;  ///< of its length: what is left of a dead end
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Matrix3 turned_by(const Vector3& rotation) {
@@ -116,12 +115,12 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   const LineValues& was = before.lines[i];
   LineValues& is = now.lines[i];
   double L = was.L;
-  const bool sagging = sags(line, is);
+  const bool sagging = sags(line, is), off = has_run_off(was);
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
     const std::size_t k = at(line.contact[end]), c = at(m.contacts[k].column);
     double out = s.only_rates && slips_later(m, s, m.contacts[k]) ? 0 : now.q[c] - before.q[c];
-    if (line.radius[end] > 0 && !line.at_load[end] && !sagging)
+    if (line.radius[end] > 0 && !line.at_load[end] && !sagging && !off)
       out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
     L += end == 0 ? out : -out;
   }
@@ -135,9 +134,12 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  if (is.gone == 0) is.L = L = std::max(L, nothing_left * is.l);  // a dead end may run out: its length counts no more
-  is.e = length_of(line, is.l) / L - 1;
-  if (is.gone == 0) is.e = std::min(is.e, 0.0);  // nothing holds the end of a broken rope: it has no stretch
+  if (is.gone > 0) {
+    is.e = length_of(line, is.l) / L - 1;
+    return;
+  }
+  if (off) is.L = L = std::max(L, was.L);                           // a drum may go on to wind in what is no more
+  is.e = L > 0 ? std::min(0.0, length_of(line, is.l) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
 }
 
 /// Angle of the arc, and what its law allows.
@@ -278,6 +280,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     set_apart(line, now.bodies, is);
     is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
+    if (is.gone == 0) is.e_rate = 0;
     if (sagging) now.sags[at(line.sag)].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;
   }
   if (sagging) {
@@ -328,7 +331,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       if (!placed && !place_line(line, now.bodies, before.lines[i], is)) return false;
     }
     stretch(m, s, before, i, now);
-    if (!(is.L > 0) || !std::isfinite(is.l)) return false;
+    if (!(left_in(is) > 0) || !std::isfinite(is.l)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
   for (std::size_t i = 0; i < contacts; ++i) {

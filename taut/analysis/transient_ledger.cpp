@@ -24,7 +24,7 @@ double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
 double hangs_on_nothing(const Line& line, const LineValues& v) {
   if (line.weight == 0 || sags(line, v)) return 0;
   const double hangs = line.weight * v.L * v.t.z() / 2;
-  return (hangs - hung_at_ends(hangs, v.T)) * (1 + v.e);
+  return (hangs - hung_at_ends(hangs, v.T)) * v.l / v.L;  // a broken one may be shorter than its branch
 }
 
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
@@ -72,6 +72,9 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const Prices a = ledger.prices[i];
   Prices& b = ledger.prices[i];
   set_prices(m, i, now, b);
+  const std::size_t end_line = at(contact.in >= 0 ? contact.in : contact.out);
+  const bool drum = contact.in < 0 || contact.out < 0;
+  if (drum && has_run_off(now.lines[end_line])) return;  // it winds in what is no more
   const std::size_t c = at(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
@@ -103,8 +106,9 @@ double damped(const Mechanism& m, std::size_t i, const Values& before, const Val
   return line.copies * (more_a * a.L + more_b * b.L) / 2 * (std::max(0.0, b.e) - std::max(0.0, before.lines[i].e));
 }
 
-/// Strain energy that the fading of a breaking line takes; of a sagging one also what its weight falls.
-double torn(const Mechanism& m, std::size_t i, const Values& values_before, const Values& values_now) {
+/// Strain energy that the fading of a breaking line takes; of a sagging one also what its weight falls. `at_end`: the
+/// tension of the end does the step's work, so the strain before is the one that is lost with the stiffness.
+double torn(const Mechanism& m, std::size_t i, const Values& values_before, const Values& values_now, bool at_end) {
   const Line& line = m.lines[i];
   const LineValues &before = values_before.lines[i], &now = values_now.lines[i];
   if (line.sag >= 0) {
@@ -113,10 +117,14 @@ double torn(const Mechanism& m, std::size_t i, const Values& values_before, cons
       return energy.elastic + energy.below;
     };
     const double after = sags(line, now) ? held(values_now) : held(values_before);
-    return line.copies * (before.gone - now.gone) * (held(values_before) + after) / 2;
+    return line.copies * (before.gone - now.gone) * (at_end ? held(values_before) : (held(values_before) + after) / 2);
   }
-  const auto square = [](const LineValues& v) { return v.e > 0 ? v.e * v.e * v.L : 0; };
-  return line.copies * line.stiffness * (before.gone - now.gone) * (square(before) + square(now)) / 4;
+  const auto square = [&](const LineValues& v) {
+    const double e = std::max(0.0, length_of(line, v.l) / v.L - 1);  // of what is left at last, too
+    return e * e * v.L;
+  };
+  const double mean = at_end ? square(before) : (square(before) + square(now)) / 2;
+  return line.copies * line.stiffness * (before.gone - now.gone) * mean / 2;
 }
 
 /// A body that signals move: its drive gives what inertia and weights ask and the ropes do not.
@@ -194,7 +202,7 @@ Powers powers(const Mechanism& m, const Values& v) {
   return p;
 }
 
-Stored stored(const Mechanism& m, const Values& v) {
+Stored stored_in_bodies(const Mechanism& m, const Values& v) {
   Stored s;
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     const Body& shape = m.bodies[b];
@@ -220,6 +228,11 @@ Stored stored(const Mechanism& m, const Values& v) {
     if (spin.body >= 0) omega += (v.bodies[at(spin.body)].R * spin.axis).dot(v.bodies[at(spin.body)].w);
     s.kinetic += spin.inertia * omega * omega / 2;
   }
+  return s;
+}
+
+Stored stored(const Mechanism& m, const Values& v) {
+  Stored s = stored_in_bodies(m, v);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
@@ -257,8 +270,8 @@ void add_turnover(Ledger& ledger) {
 }
 
 /// All that goes by ways and not by time.
-void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
-  add_wound(m, before, now, ledger);
+void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end = false) {
+  add_wound(m, before, now, ledger, at_end);
   for (std::size_t i = 0; i < m.contacts.size(); ++i) add_contact(m, i, before, now, ledger);
   const CoupleWork work = work_of_couples(m, before, now);
   ledger.faces += work.lost;
@@ -308,9 +321,10 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   ledger.running += add(&Powers::running);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now, at_end);
-    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
+    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now, at_end);
   }
-  add_ways(m, before, now, ledger);
+  add_ways(m, before, now, ledger, at_end);
+  if (at_end) ledger.numerical += taken_by_euler(m, before, now);
   ledger.last = p;
   ledger.now = stored(m, now);
   add_turnover(ledger);
@@ -325,7 +339,7 @@ void add_slow_step(const Mechanism& m, const Values& before, const Values& now, 
     ledger.bearings += last.spins[i].omega * (bearing_moment(m, i, first) + bearing_moment(m, i, last)) / 2;
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now);
+    if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now, false);
   }
   add_ways(m, before, now, ledger);
   ledger.now = stored(m, now);
@@ -366,7 +380,5 @@ EnergyLedger told(const Ledger& l) {
   e.residual = e.kinetic + e.elastic + e.potential - before - l.supplied + e.dissipated();
   return e;
 }
-
-void add_numerical(double open, Ledger& ledger) { ledger.numerical += std::max(0.0, open - told(ledger).residual); }
 
 }  // namespace taut::analysis::dynamics

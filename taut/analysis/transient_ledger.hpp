@@ -17,6 +17,8 @@ struct Stored {
   double kinetic = 0, elastic = 0, potential = 0;
 };
 Stored stored(const Mechanism& m, const Values& v);
+/// The kinetic energy of all bodies and spins, and what their weights and dead loads hold.
+Stored stored_in_bodies(const Mechanism& m, const Values& v);
 
 /// What the energy of a contact depends on at one time, J/m.
 struct Prices {
@@ -47,7 +49,8 @@ inline double elastic_tension(const Line& line, const LineValues& v) {
 /// What the turning of lines lays on rounds in a step, R d(phi): strain energy and height of the rope that is laid by;
 /// and, where a line leaves the plane of its round by the angle d, the work of the force T (1 - cos d) along the groove
 /// by which the rope on the round has the free rope's tension: that of the laws' own energy which no body is given.
-void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger);
+/// `at_end`: by the tensions there.
+void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end);
 
 Ledger open_ledger(const Mechanism& m, const Values& v);
 /// After a step: forces by the mean of its ends. `at_end`: of implicit Euler, whose laws hold at its end.
@@ -60,9 +63,8 @@ void add_fall(const Mechanism& m, const Values& before, const Values& now, doubl
 /// After a restart at one time: what light sheaves have passed at once, or a break has set free, goes to `where`.
 void add_jump(const Mechanism& m, const Values& now, double& where, Ledger& ledger);
 EnergyLedger told(const Ledger& ledger);
-/// What the books of a step of implicit Euler leave open is its own doing where it is a loss. `open`: the residual
-/// before the step, J.
-void add_numerical(double open, Ledger& ledger);
+/// What a step of implicit Euler takes by itself, J: of bodies, straight lines and couples; of each one by its own.
+double taken_by_euler(const Mechanism& m, const Values& before, const Values& now);
 
 /// Power of a drive into its spin, and its torque.
 double drive_moment(const Mechanism& m, int spin, const Values& v);

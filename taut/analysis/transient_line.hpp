@@ -27,6 +27,21 @@ struct LineValues {
   double gone = 1;                     ///< share that is left of a breaking rope
 };
 
+/// Unstretched length, of a dead end that is about to run off not less than a little, m.
+inline double some_length(const LineValues& line) { return std::max(line.L, 1e-3 * line.l); }
+
+constexpr double run_off_share = 1e-6;  ///< of its branch's length: with no more rope a dead end runs off its round
+constexpr double run_off_rest = 1e-15;  ///< the same: what is written down of it then
+/// Whether it has: nothing is wound on or off by its turning any more.
+inline bool has_run_off(const LineValues& line) { return line.gone == 0 && line.L <= 1e3 * run_off_rest * line.l; }
+
+/// Rope that contacts may still take out of a line while a step is looked for, m. A dead end may be overdrawn there,
+/// with no tension: the step is shortened then until it ends where the rope has run off.
+inline double left_in(const LineValues& line) {
+  constexpr double overdraft = 0.1;  // of its branch's length
+  return line.gone > 0 ? line.L : line.L + overdraft * line.l;
+}
+
 /// A direction in the frame of a body (the ground: -1), in the ground's.
 inline Vector3 to_ground(const std::vector<Motion3>& bodies, int body, const Vector3& direction) {
   return body < 0 ? direction : Vector3(bodies[at(body)].R * direction);

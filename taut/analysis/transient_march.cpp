@@ -206,7 +206,7 @@ void accept_as_it_is(Run& run, double h, bool rough) {
 /// The size of the next step, at most to `limit`; no rest that is next to nothing stays behind.
 double size_of_step(const Run& run, double limit) {
   const bool fixed = run.options.step > 0;  // of Verlet always
-  const double left = limit - run.before.t, h = fixed ? std::min(run.options.step, run.h) : run.h;
+  const double left = limit - run.before.t, h = std::min(run.h, fixed ? run.options.step : step_of_fading(run));
   if (h > 0.999999 * left) return left;
   return !fixed && h > left / 2 ? left / 2 : h;
 }
@@ -272,7 +272,7 @@ StepEnd run_off(Run& run, std::size_t line) {
     run.breaking.push_back({other, run.before.t, 0});
     note(run, run.before.t, "run_off", run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name);
   }
-  run.L_first[line] = 0;
+  mark_run_off(run, line);
   fade(run, run.before.t, run.before);
   double freed = 0;
   const StepEnd end = begin_again(run, freed);

@@ -57,7 +57,7 @@ double steepest_bound(const PassingRope& of, std::size_t i) {
     if (k < 0) continue;
     const Line& line = of.m.lines[at(k)];
     slope += line.stiffness * of.now.lines[at(k)].gone * std::max(2.0, 1 + line.damping * of.s.slip_now) /
-             of.now.lines[at(k)].L;
+             some_length(of.now.lines[at(k)]);
   }
   return slope * of.now.contacts[i].ratio;
 }
@@ -65,7 +65,7 @@ double steepest_bound(const PassingRope& of, std::size_t i) {
 /// The rope passed where `law` changes its sign, next to `from`; on a level at 0 its near end.
 template <class Law>
 void pass_until(const PassingRope& of, std::size_t i, double from, double at_from, double slope, Law law) {
-  const double room = at_from > 0 ? of.now.lines[at(of.m.contacts[i].in)].L : of.now.lines[at(of.m.contacts[i].out)].L;
+  const double room = left_in(of.now.lines[at(at_from > 0 ? of.m.contacts[i].in : of.m.contacts[i].out)]);
   const double sign = at_from > 0 ? 1 : -1;
   double low = 0, g_low = std::abs(at_from), step = g_low / slope, high = 0;
   double g_high = g_low;

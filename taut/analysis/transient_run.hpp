@@ -96,6 +96,8 @@ bool jumps_at(const Run& run, double t);
 
 /// Sets what is left of breaking lines at t.
 void fade(const Run& run, double t, Values& v);
+/// The longest step that follows the breaks under way: a rope whose stiffness fades stretches ever faster, s.
+double step_of_fading(const Run& run);
 
 /// How many times longer the steps of fast motions may be than their errors say: 1, until a run has taken many.
 double impatience(const Run& run);
@@ -115,6 +117,8 @@ double largest_tension(const Run& run);
 double error_of(const Run& run, bool kink);
 /// Whether no rope is left of line `i`.
 bool used_up(const Run& run, std::size_t i);
+/// Of a dead end: then nothing is left of it for good.
+void mark_run_off(Run& run, std::size_t i);
 /// Why the run can't go on at t.
 Outcome failure(Run& run, StepEnd end, double t);
 

@@ -86,7 +86,7 @@ bool slides_in_turn_stick(Mechanism& m, const Scheme& s, const Values& before, d
   return true;
 }
 
-/// Of the last iteration: the shares of it and of its flows that have been taken; and what came of those before.
+/// Of the last iteration: its share and that of its flows that have been taken; after retreats it is no answer yet.
 struct Taken {
   double share = 0, of_flows = 1;
   int retreats = 0, put_back = 0;
@@ -105,7 +105,7 @@ bool retreat(const Mechanism& m, const std::vector<double>& step, Taken& taken, 
 bool pass_by_turns(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, const Newton& newton,
                    Values& now) {
   pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
-  return std::all_of(now.lines.begin(), now.lines.end(), [](const LineValues& line) { return line.L > 0; });
+  return std::all_of(now.lines.begin(), now.lines.end(), [](const LineValues& line) { return left_in(line) > 0; });
 }
 
 /// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration.
@@ -216,7 +216,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     const bool at_its_limit = s.creeps && i >= turns_until;  // whether it sticks or slides there is the same
-    if (i > 0 && (!changed || at_its_limit) && !begins) {
+    if (i > 0 && taken.retreats == 0 && (!changed || at_its_limit) && !begins) {
       const double floor = rounding_of_tensions(m, s, newton.passes);
       const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
@@ -241,6 +241,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
     if (loops) hold_circulation(m, s, before, now, w.residual);
+    if (moves) hold_between_slack(m, now, w.residual);
     taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
     apply(m, w.residual, 1, taken.of_flows, now);
     moved = move_of(m, s, w.residual);

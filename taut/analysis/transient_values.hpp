@@ -228,9 +228,13 @@ inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
 /// both stay slack: their lengths have no other law. Whether any did.
 bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
 
+/// Takes out of an iteration's `step` what contacts in a row between two slack branches, or dead ends, would pass on
+/// together: nothing but what is left of the tension between them says how much that is.
+void hold_between_slack(const Mechanism& m, const Values& now, std::vector<double>& step);
+
 /// Stiffness of both its lines, N/m.
 inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
-  const auto of = [&](int i) { return i < 0 ? 0 : m.lines[at(i)].stiffness / now.lines[at(i)].L; };
+  const auto of = [&](int i) { return i < 0 ? 0 : m.lines[at(i)].stiffness / some_length(now.lines[at(i)]); };
   return of(contact.in) + of(contact.out);
 }
 

@@ -28,11 +28,13 @@ double carried_along(const Line& line, const LineValues& is, const Values& v, st
 
 }  // namespace
 
-void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger) {
+void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledger& ledger, bool at_end) {
+  const double of_start = at_end ? 0 : 0.5, of_end = 1 - of_start;
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     for (std::size_t end = 0; end < 2; ++end) {
       if (line.contact[end] < 0 || now.lines[i].radius[end] == 0 || line.at_load[end]) continue;
+      if (has_run_off(before.lines[i])) continue;
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[at(line.contact[end])].winding;
@@ -53,9 +55,10 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       const auto carried = [&](const Values& values) {
         return carried_along(line, values.lines[i], values, end, winding);
       };
-      ledger.laid_by += line.copies * onto * (laid_by(before) + laid_by(now)) / 2;
-      ledger.askew -= line.copies * onto * (askew(before) + askew(now)) / 2;
-      ledger.hung -= line.copies * (end == 0 ? onto : -onto) * (carried(before) + carried(now)) / 2;
+      const auto mean = [&](const auto& of) { return of_start * of(before) + of_end * of(now); };
+      ledger.laid_by += line.copies * onto * mean(laid_by);
+      ledger.askew -= line.copies * onto * mean(askew);
+      ledger.hung -= line.copies * (end == 0 ? onto : -onto) * mean(carried);
     }
   }
 }
