@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "taut/analysis/transient_damping.hpp"
@@ -19,6 +20,16 @@ namespace {
 using namespace dynamics;
 
 constexpr double verlet_share = 0.8;  ///< of the stability limit
+
+/// A fixed step, shortened so that the lines written down are a whole number of steps apart: one shorter step at each
+/// of them, again and again, would excite the fastest vibrations though every step is below the stability limit.
+double equal_part(const TransientOptions& options) {
+  constexpr double rounding = 1e-9;
+  const double lines = options.output_step > 0 ? options.output_step : options.duration / 1000;
+  const double parts = std::ceil(lines / options.step * (1 - rounding));
+  const bool fits = std::abs(parts * options.step - lines) <= rounding * lines;
+  return fits || options.step >= lines ? options.step : lines / parts;
+}
 
 /// Inner nodes on the catenaries of the equilibrium.
 void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
@@ -162,6 +173,7 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.result.stability_limit = stability_limit(run.m, run.before);
   if (options.method == TimeMethod::verlet && options.step <= 0)
     options.step = verlet_share * run.result.stability_limit;
+  if (options.method == TimeMethod::verlet) options.step = equal_part(options);
   run.h = options.step;
   run.resumed = options.from && take_memory(run, options.from->memory);
   if (run.resumed && options.step > 0) run.h = options.step;

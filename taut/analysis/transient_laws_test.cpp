@@ -6,6 +6,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Laws of contacts, drums and breaks against closed forms and other integrations.
 namespace taut_test::transient_laws {
@@ -181,6 +182,26 @@ TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
         std::sqrt(1e7 * (1 / r.frames[0].branches[1].unstretched + 1 / r.frames[0].branches[2].unstretched) / 3000);
     EXPECT_NEAR(r.frequency[0] / bounce, 1, 2e-3) << aside;
     EXPECT_NEAR(r.damping_time[0], 0.04 / r.frequency[0], 1e-12);
+  }
+}
+
+/// Lines written down 1.6 of Verlet's own steps apart: a short step after each long one would excite what vibrates
+/// fastest.
+TEST(TransientLaws, VerletStepsAreEqualBetweenTheLinesWrittenDown) {
+  model::Model m;
+  m.gravity = 0;
+  m.reevings = {reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {20.1, 0, 0})}, 20, 0, 1e7)};
+  m.reevings[0].mass = 1;
+  m.reevings[0].segments = 20;
+  m.tensioners.push_back({0, true, smooth_move(0, -1e-3, 0, 1e-3)});
+  TransientOptions options = lasting(0.4, 1e-4);
+  options.method = TimeMethod::verlet;
+  for (const double lines : {3.8e-4, 4e-4, 4.2e-4}) {
+    options.output_step = lines;
+    const TransientResult r = transient(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_LT(r.ropes[0].T.max, 6e4) << lines;
+    EXPECT_LT(std::abs(r.frames.back().energy.residual), 1e-3 * r.frames.back().energy.turnover) << lines;
   }
 }
 
