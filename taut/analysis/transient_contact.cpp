@@ -109,6 +109,13 @@ void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, con
   m.solver.values()[at(contact.row[own_column(m, contact)])] -= share * spare;
 }
 
+/// Where a closed rope slips at all of its contacts, the derivatives would not know how much of it runs round.
+void keep_from_circling(Mechanism& m, const Contact& contact, const Values& now) {
+  constexpr double circling_share = 1e-9;  // of the stiffness there
+  if (!m.model->reevings[at(contact.reeving)].closed) return;
+  m.solver.values()[at(contact.row[own_column(m, contact)])] -= circling_share * stiffness_at(m, contact, now);
+}
+
 void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, const Pressure& p, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
@@ -117,6 +124,7 @@ void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, co
   if (contact.load) {
     g += p.out - p.in - asked_difference(is);
     tension_row(m, contact, w, 1, 1, 0);
+    keep_from_circling(m, contact, now);
     return;
   }
   switch (is.grip) {
@@ -134,6 +142,7 @@ void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, co
       break;
   }
   keep_slack_apart(m, s, contact, now);
+  keep_from_circling(m, contact, now);
 }
 
 void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {

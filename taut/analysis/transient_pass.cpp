@@ -45,6 +45,10 @@ double pass_with_rim(const PassingRope& of, std::size_t i) {
 double over_bound(const PassingRope& of, std::size_t i, bool forward) {
   const ContactValues& is = of.now.contacts[i];
   const Pressure p = pressure(of.m, static_cast<int>(i), of.now);
+  if (of.m.contacts[i].load) {
+    const double asked = is.holds && !forward ? -is.drop : is.drop;
+    return p.out - p.in - asked;
+  }
   const double ratio = p.in > 0 && p.out > 0 ? is.ratio : 1;
   return forward ? p.out - ratio * p.in : ratio * p.out - p.in;
 }
@@ -95,20 +99,22 @@ void pass_until(const PassingRope& of, std::size_t i, double from, double at_fro
 void end_grip(const PassingRope& of, std::size_t i, bool forward) {
   ContactValues& is = of.now.contacts[i];
   const Pressure p = pressure(of.m, static_cast<int>(i), of.now);
-  const bool one = is.log_ratio == 0 || p.in <= 0 || p.out <= 0;
+  const bool load = of.m.contacts[i].load;
+  const bool one = load ? !is.holds || is.drop == 0 : is.log_ratio == 0 || p.in <= 0 || p.out <= 0;
   is.grip = one ? Grip::equal : forward ? Grip::forward : Grip::backward;
 }
 
 void pass_at_round(const PassingRope& of, std::size_t i) {
   const Contact& contact = of.m.contacts[i];
-  if (std::isinf(of.now.contacts[i].log_ratio)) {
+  if (!contact.load && std::isinf(of.now.contacts[i].log_ratio)) {
     pass_with_rim(of, i);
     return;
   }
   const double kept = of.before.q[at(contact.column)] +
                       (of.s.fresh ? 0 : of.s.h * loose_flow(contact, of.before.contacts[i], of.before));
+  const bool held = contact.load && of.now.contacts[i].holds && of.now.contacts[i].drop > 0;
   pass_rope(of, i, kept, false);
-  if (loose(contact, of.now)) {
+  if (!held && loose(contact, of.now)) {
     of.now.contacts[i].grip = Grip::equal;
     return;
   }
@@ -175,7 +181,6 @@ void pass_at_drum(const PassingRope& of, std::size_t i) {
 
 bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double tolerance,
                 Values& now) {
-  if (m.rope_loads) return false;
   const PassingRope of{m, s, before, w, now};
   const std::size_t n = m.contacts.size();
   std::vector<double> T(m.lines.size());

@@ -251,6 +251,37 @@ TEST(TransientRopeLoad, ARateAddsUp) {
   EXPECT_LT(std::abs(r.frames.back().energy.residual), 1e-4 * r.frames.back().energy.turnover);
 }
 
+/// At once, either way round, over light sheaves: the rope slips at all of its contacts for a while, where nothing but
+/// its laws holds what runs round. It comes to the speed of the rim and the steady tensions.
+TEST(TransientRopeLoad, DrivenAtOnceEitherWayRound) {
+  for (const int parts : {0, 5}) {
+    for (const double speed : {15.0, -15.0, 4.0, -4.0}) {
+      SCOPED_TRACE(speed);
+      Saw of;
+      of.parts = parts;
+      of.speed = speed;
+      model::Model m = saw(of);
+      m.motors[0].drive.signal.law = speed;
+      m.reevings[0].nodes[0].inertia = 0;
+      m.reevings[0].nodes[1].law.efficiency = 0.98;
+      TransientOptions options = lasting(3, 1e-4);
+      options.start = Start::settled;
+      const TransientResult r = run(m, options);
+      const auto& last = r.frames.back();
+      const auto& drive = last.contacts[0];
+      const double drawn = speed > 0 ? drive.T_in : drive.T_out, slack = drive.T_in + drive.T_out - drawn;
+      const double allowed = parts == 0 ? 1e-4 : 3e-3;  // per unstretched metre
+      const double c = of.per_metre * speed * speed / (1 + slack / 6.5e6);
+      EXPECT_NEAR(std::abs(drive.slip), 0, 0.02);
+      // the idler's loss is drawn too: backwards the rope comes to it with the force
+      const double idler = (slack + (speed > 0 ? 0 : of.force) - c) * (1 / 0.98 - 1);
+      EXPECT_NEAR(drawn - slack, of.force + idler, allowed * of.force);
+      EXPECT_LT(std::abs(last.energy.residual), 1e-4 * last.energy.turnover);
+      EXPECT_LT(r.ropes[0].T.max, 60e3);
+    }
+  }
+}
+
 /// Above the grip the drive slips, and no more than e times the slack tension is drawn.
 TEST(TransientRopeLoad, TooMuchForTheGripStopsTheRope) {
   Saw of;

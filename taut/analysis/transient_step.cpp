@@ -19,8 +19,9 @@ constexpr double small_change = 1e-2;      ///< of tensions: the factors of the 
 constexpr double good_contraction = 0.05;  ///< with which they go on to do
 constexpr int most_trusted = 15;           ///< steps until it is looked at again
 constexpr double least_contraction = 1e-7, caution = 8;
-constexpr int most_put_back = 4;  ///< times that loose rope is put back where it lay, in one step
-constexpr int most_retreats = 8;  ///< halvings of an iteration that goes where there is no rope
+constexpr double small_misfit = 1e-4;  ///< of the largest tension: of laws all round a closed rope
+constexpr int most_put_back = 4;       ///< times that loose rope is put back where it lay, in one step
+constexpr int most_retreats = 8;       ///< halvings of an iteration that goes where there is no rope
 
 /// The flow of a contact in the step, if it goes on as before: what slips between taut branches with the change of its
 /// rate.
@@ -164,31 +165,6 @@ bool has_loops(const Mechanism& m) {
   return std::any_of(ropes.begin(), ropes.end(), [](const model::Reeving& rope) { return rope.closed; });
 }
 
-/// Where all contacts of a closed rope slip at once, nothing but rounding says how much of it runs round. None of them
-/// passes more in one iteration than what all of the rope is too long or too short, and what rims take along in the
-/// step.
-void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
-                      std::vector<double>& step) {
-  for (std::size_t r = 0; r < m.model->reevings.size(); ++r) {
-    if (!m.model->reevings[r].closed) continue;
-    double most = 0, fastest = 0;
-    for (int k = m.first_line[r].first; k < m.first_line[r].first + m.first_line[r].second; ++k) {
-      most += std::abs(now.lines[at(k)].e) * now.lines[at(k)].L;
-    }
-    const auto of_rope = [&](const Contact& contact) { return contact.reeving == static_cast<int>(r); };
-    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-      if (!of_rope(m.contacts[i])) continue;
-      fastest = std::max({fastest, std::abs(now.contacts[i].roll_rate), std::abs(before.contacts[i].steady)});
-    }
-    most += s.h * fastest;
-    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-      if (!of_rope(m.contacts[i]) || now.contacts[i].grip == Grip::stuck) continue;
-      double& passes = step[at(m.contacts[i].column)];
-      passes = std::clamp(passes, -most, most);
-    }
-  }
-}
-
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
   guess_flows(m, s, before, w, now);
@@ -221,7 +197,9 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      const bool there = close && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
+      const bool holds = !loops || s.at_rest || loops_hold(m, before, now, small_misfit * newton.largest);
+      const bool there =
+          close && holds && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
       const bool again = there && puts_back(m, s, before, t, w, taken, now);
       turned = turned || again;
       if (there && !again) {

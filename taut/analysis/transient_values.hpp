@@ -183,7 +183,7 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
                     Values& now);
 
 /// Passes rope at each contact until its law holds there, one after the other, bodies and spins as they are. Whether
-/// all of them hold then; not of ropes with loads along them. docs/theory/dynamics.md, "Time".
+/// all of them hold then. docs/theory/dynamics.md, "Time".
 bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double tolerance,
                 Values& now);
 
@@ -231,6 +231,13 @@ bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, V
 /// Takes out of an iteration's `step` what contacts in a row between two slack branches, or dead ends, would pass on
 /// together: nothing but what is left of the tension between them says how much that is.
 void hold_between_slack(const Mechanism& m, const Values& now, std::vector<double>& step);
+
+/// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
+void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
+                      std::vector<double>& step);
+/// Whether ropes that slip at all of their contacts do so by their laws, to `allowed`, N: where these contradict each
+/// other, an iteration may stand still without an answer.
+bool loops_hold(const Mechanism& m, const Values& before, const Values& now, double allowed);
 
 /// Stiffness of both its lines, N/m.
 inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {

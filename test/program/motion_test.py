@@ -145,6 +145,16 @@ class Motion(unittest.TestCase):
             slip = [row[head.index("drive.slip [m/s]")] for row in rows]
             self.assertGreater(min(abs(x) for x in slip[6:]), 1, "it slips all the time")
 
+    def test_a_saw_driven_at_once_either_way_round(self):
+        """The example's rope saw, whose sheaves are light, with its six forces along the rope: from rest to full speed."""
+        deck = (EXAMPLES.parent / "machines" / "rope_saw_drive.yaml").read_text().split("analyses:")[0]
+        deck += "analyses: [transient: {duration: 4 s, output_step: 10 ms, tolerance: 1e-3, damping_ratio: 0.02}]\n"
+        for speed in (18, 5, -5, -18):
+            with tempfile.TemporaryDirectory() as folder:
+                values = self.run_to(folder, f"machine.sheaves.drive.motor.speed={speed} m/s", deck=deck)["values"]
+                self.assertLess(abs(values["energy_residual"]["value"]), 1e-5, speed)
+                self.assertLess(values["T_max"]["value"], 60e3, speed)
+
     def test_what_measures_relate_to_and_events_of_the_last_moment_go_on(self):
         deck = HOIST.replace("observe: [", "measures: {gone: {of: load.z, since: 0.4 s, relative: difference}}\n  observe: [gone, ")
         for event in ("at: 0.9 s", "when: load.vz > 0.4 m/s"):
