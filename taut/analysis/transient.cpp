@@ -11,6 +11,7 @@
 #include "taut/analysis/transient_quasi_static.hpp"
 #include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
+#include "taut/analysis/transient_stable.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
 
@@ -18,18 +19,6 @@ namespace taut::analysis {
 namespace {
 
 using namespace dynamics;
-
-constexpr double verlet_share = 0.8;  ///< of the stability limit
-
-/// A fixed step, shortened so that the lines written down are a whole number of steps apart: one shorter step at each
-/// of them, again and again, would excite the fastest vibrations though every step is below the stability limit.
-double equal_part(const TransientOptions& options) {
-  constexpr double rounding = 1e-9;
-  const double lines = options.output_step > 0 ? options.output_step : options.duration / 1000;
-  const double parts = std::ceil(lines / options.step * (1 - rounding));
-  const bool fits = std::abs(parts * options.step - lines) <= rounding * lines;
-  return fits || options.step >= lines ? options.step : lines / parts;
-}
 
 /// Inner nodes on the catenaries of the equilibrium.
 void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
@@ -171,9 +160,17 @@ TransientResult transient(const model::Model& model, const TransientOptions& giv
   run.end = run.before.t + options.duration;
   run.stops = stops_of(model, run.before.t, run.end);
   run.result.stability_limit = stability_limit(run.m, run.before);
-  if (options.method == TimeMethod::verlet && options.step <= 0)
-    options.step = verlet_share * run.result.stability_limit;
-  if (options.method == TimeMethod::verlet) options.step = equal_part(options);
+  if (options.method == TimeMethod::verlet) {
+    const double limit = run.result.stability_limit;
+    if (options.step > limit) {
+      run.result.outcome =
+          not_converged(fmt::format("steps of {:.4g} s are too long for Verlet: stable are those up to {:.4g} s here; "
+                                    "give a shorter 'step', or none",
+                                    options.step, limit));
+      return run.result;
+    }
+    options.step = equal_step(options, options.step > 0 ? options.step : verlet_share * limit);
+  }
   run.h = options.step;
   run.resumed = options.from && take_memory(run, options.from->memory);
   if (run.resumed && options.step > 0) run.h = options.step;

@@ -8,6 +8,7 @@
 #include "taut/analysis/transient_quasi_static.hpp"
 #include "taut/analysis/transient_reference.hpp"
 #include "taut/analysis/transient_run.hpp"
+#include "taut/analysis/transient_stable.hpp"
 
 namespace taut::analysis::dynamics {
 namespace {
@@ -206,7 +207,7 @@ void accept_as_it_is(Run& run, double h, bool rough) {
 /// The size of the next step, at most to `limit`; no rest that is next to nothing stays behind.
 double size_of_step(const Run& run, double limit) {
   const bool fixed = run.options.step > 0;  // of Verlet always
-  const double left = limit - run.before.t, h = std::min(run.h, fixed ? run.options.step : step_of_fading(run));
+  const double left = limit - run.before.t, h = std::min(run.h, fixed ? stable_step(run) : step_of_fading(run));
   if (h > 0.999999 * left) return left;
   return !fixed && h > left / 2 ? left / 2 : h;
 }

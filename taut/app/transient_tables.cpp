@@ -289,7 +289,7 @@ void add_words(const TransientRun& run, Result& r) {
   const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
                                   result.largest_step, result.rejected);
-  if (explicit_steps) steps += fmt::format("; stable below {:.3g} s", result.stability_limit);
+  if (explicit_steps) steps += fmt::format("; stable below {:.3g} s at the start", result.stability_limit);
   r.assumptions.push_back(fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run), scheme_words(run), steps));
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const double beta = i < result.damping_time.size() ? result.damping_time[i] : 0;
