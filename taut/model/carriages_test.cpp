@@ -104,6 +104,17 @@ TEST(Carriages, FixedToARunningRope) {
   EXPECT_EQ(model->carriages[0].grip_node, 1);
   EXPECT_EQ(model->reevings[1].nodes[1].kind, NodeKind::clamp);
   EXPECT_EQ(model->reevings[0].nodes[1].kind, NodeKind::contact);
+  // without a length at its share of the way all round, whichever node the path names first
+  const auto& nodes = model->reevings[1].nodes;
+  const auto place = [&](std::size_t k) {
+    const Place& at = nodes[k].at;
+    if (at.body < 0) return at.at;
+    const Body& body = model->bodies[static_cast<std::size_t>(at.body)];
+    return Vector3(body.position + body.orientation * at.at);
+  };
+  const double before = (place(1) - place(0)).norm();
+  const double round = before + (place(2) - place(1)).norm() + (place(0) - place(2)).norm();
+  EXPECT_NEAR(nodes[1].length_before, 300 * before / round, 1e-9);
 }
 
 TEST(Carriages, AnEndlessRopeThatPassesTwice) {

@@ -237,11 +237,12 @@ class Compiler {
     }
   }
 
-  /// Clamps without a length stand at their share of the way.
+  /// Clamps without a length stand at their share of the way, of an endless rope all the way round.
   static void set_clamps(std::vector<Stop>& stops, const std::vector<Vector3>& places, const Reeving& reeving) {
     double total = 0;
     std::vector<double> way = {0};
     for (std::size_t k = 1; k < places.size(); ++k) way.push_back(total += (places[k] - places[k - 1]).norm());
+    if (reeving.closed && places.size() > 1) total += (places.front() - places.back()).norm();
     const double length = reeving.given == Given::length ? reeving.value : total;
     for (std::size_t k = 0; k < stops.size(); ++k) {
       Node& node = stops[k].node;

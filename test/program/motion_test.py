@@ -155,6 +155,21 @@ class Motion(unittest.TestCase):
                 self.assertLess(abs(values["energy_residual"]["value"]), 1e-5, speed)
                 self.assertLess(values["T_max"]["value"], 60e3, speed)
 
+    def test_a_carriage_on_an_endless_haul_rope_begins_at_rest(self):
+        """It is put at the share of the rope's way all round where it stands, so the machine settles near there."""
+        deck = (EXAMPLES.parent / "machines" / "endless_haul.yaml").read_text().split("analyses:")[0]
+        deck = deck.replace("car: {mass: 260 kg,", "car: {mass: 260 kg, inertia: 40 kg m^2, at: [PLACE],")
+        deck = deck.replace("  terrain:", "  observe: [car.x, car.vx, slide.x]\n  terrain:")
+        deck += "analyses: [transient: {duration: 0.5 s, output_step: 50 ms, tolerance: 1e-4, branches: SHAPE}]\n"
+        for place in ("60 m, 0 m, 27 m", "100 m, 0 m, 38 m", "150 m, 0 m, 52 m"):
+            for shape in ("straight", "catenary"):
+                with tempfile.TemporaryDirectory() as folder:
+                    one = deck.replace("PLACE", place).replace("SHAPE", shape)
+                    values = self.run_to(folder, deck=one)["values"]
+                    self.assertAlmostEqual(values["car.x_end"]["value"], float(place.split()[0]), delta=5)
+                    self.assertAlmostEqual(values["slide.x_end"]["value"], 419.6, delta=1)
+                    self.assertLess(abs(values["car.vx_end"]["value"]), 1e-3)
+
     def test_what_measures_relate_to_and_events_of_the_last_moment_go_on(self):
         deck = HOIST.replace("observe: [", "measures: {gone: {of: load.z, since: 0.4 s, relative: difference}}\n  observe: [gone, ")
         for event in ("at: 0.9 s", "when: load.vz > 0.4 m/s"):
