@@ -6,9 +6,9 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
-#include "taut/analysis/transient_runs_test.hpp"
 
-/// Laws of contacts, drums and breaks against closed forms and other integrations.
+/// Laws of contacts, drums and breaks against closed forms and other integrations; of the explicit scheme in
+/// transient_verlet_test.cpp.
 namespace taut_test::transient_laws {
 namespace {
 
@@ -183,54 +183,6 @@ TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
     EXPECT_NEAR(r.frequency[0] / bounce, 1, 2e-3) << aside;
     EXPECT_NEAR(r.damping_time[0], 0.04 / r.frequency[0], 1e-12);
   }
-}
-
-/// Lines written down 1.6 of Verlet's own steps apart: a short step after each long one would excite what vibrates
-/// fastest.
-TEST(TransientLaws, VerletStepsAreEqualBetweenTheLinesWrittenDown) {
-  model::Model m;
-  m.gravity = 0;
-  m.reevings = {reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {20.1, 0, 0})}, 20, 0, 1e7)};
-  m.reevings[0].mass = 1;
-  m.reevings[0].segments = 20;
-  m.tensioners.push_back({0, true, smooth_move(0, -1e-3, 0, 1e-3)});
-  TransientOptions options = lasting(0.4, 1e-4);
-  options.method = TimeMethod::verlet;
-  for (const double lines : {3.8e-4, 4e-4, 4.2e-4}) {
-    options.output_step = lines;
-    const TransientResult r = transient(m, options);
-    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    EXPECT_LT(r.ropes[0].T.max, 6e4) << lines;
-    EXPECT_LT(std::abs(r.frames.back().energy.residual), 1e-3 * r.frames.back().energy.turnover) << lines;
-  }
-}
-
-/// A load hoisted until a tenth of its rope is left: stiffer and stiffer, so that Verlet's first step is too long.
-TEST(TransientLaws, VerletStaysStableWhereBranchesGetShort) {
-  model::Model m;
-  m.gravity = 9.81;
-  m.bodies.push_back(body("load", {0.2, 0, -10}, 500, "z"));
-  model::Node drum = anchor("winch", {0, 0, 0});
-  drum.radius = 0.2;
-  drum.drum = 0;
-  drum.side = 1;
-  m.reevings.push_back(reeve("hoist", {drum, anchor_on("load", 0)}, 10, 0, 5e6));
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.2;
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 0.5)};
-  TransientOptions options = lasting(18.2, 1e-4);
-  options.start = Start::settled;
-  options.method = TimeMethod::verlet;
-  options.output_step = 0.1;
-  const TransientResult r = run_to_end(m, options);
-  const double strain = 500 * 9.81 / 5e6, taken = 0.5 * (18.2 - 0.25);
-  EXPECT_NEAR(r.frames.back().bodies[0].position.z(), taken - 10 * (1 + strain), 0.02);
-  EXPECT_LT(r.ropes[0].T.max, 1.3 * 500 * 9.81);
-  EXPECT_LT(r.smallest_step, 0.5 * r.stability_limit);
-  options.step = 1.01 * r.stability_limit;
-  const TransientResult refused = transient(m, options);
-  EXPECT_FALSE(refused.outcome.ok());
-  EXPECT_NE(refused.outcome.message.find("too long for Verlet"), std::string::npos) << refused.outcome.message;
 }
 
 /// A drum that takes in at 0.5 m/s; the strained rope that lies on it counts unstretched. The load hangs still.

@@ -114,7 +114,12 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
     w.q_star[c] = before.q[c] + s.h * w.nu_star[c];
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-    w.q_star[at(m.contacts[i].column)] = before.contacts[i].rolled + s.h * before.contacts[i].roll_rate;
+    const Contact& contact = m.contacts[i];
+    const ContactValues& was = before.contacts[i];
+    // at the half step, as all that moves: by the rate at the start a sheave with inertia would gain energy
+    const double omega = contact.spin >= 0 ? w.nu_star[at(m.spins[at(contact.spin)].column)] : 0;
+    w.q_star[at(contact.column)] =
+        was.rolled + s.h * contact.sense * omega * working_radius(m, contact, before) / was.lambda;
   }
   if (m.simple) {
     now.t = now.when = t;

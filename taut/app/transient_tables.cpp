@@ -114,6 +114,12 @@ void add_energy(const TransientRun& run, Result& r) {
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
+    constexpr double much = 0.01;
+    if (const double open = std::abs(last.residual) / last.turnover; open > much) {
+      const bool fixed = run.options.step > 0 || run.options.method == analysis::TimeMethod::verlet;
+      r.warnings.push_back(fmt::format("{}: the energy ledger leaves {:.2g} % open: the motion needs a {}",
+                                       words_of(run), 100 * open, fixed ? "shorter 'step'" : "smaller 'tolerance'"));
+    }
     r.values.push_back({share,
                         last.residual / last.turnover,
                         si::one,

@@ -17,6 +17,7 @@ const std::vector<NameRow>& name_rows() {
       {"yd", "international_yard", "yard, 0.9144 m", "length", si::m.dimension},
       {"s", "s", "second", "time", si::s.dimension},
       {"ms", "ms", "millisecond", "time", si::s.dimension},
+      {"us", "us", "microsecond", "time", si::s.dimension},
       {"min", "min", "minute", "time", si::s.dimension},
       {"h", "h", "hour", "time", si::s.dimension},
       {"kg", "kg", "kilogram", "mass", si::kg.dimension},
