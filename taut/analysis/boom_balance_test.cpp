@@ -6,6 +6,7 @@
 
 #include "taut/analysis/boom_machine_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// What any model of the telescopic boom has to show, whatever its data: balances, the ropes' common way, the ratio of
 /// the moving sheaves, results that do not hang on the step.
@@ -21,28 +22,17 @@ using taut::analysis::TransientResult;
 
 constexpr double degree = std::numbers::pi / 180;
 
-TransientOptions lasting(double duration, double output_step, Start start) {
-  TransientOptions o;
-  o.duration = duration;
-  o.output_step = output_step;
-  o.tolerance = 1e-4;
+TransientOptions started(Start start, double duration, int outputs) {
+  TransientOptions o = lasting(duration, 1e-4, outputs);
   o.start = start;
   return o;
 }
 
 /// Sliding from the start on, without inertia.
-TransientOptions slowly(double duration, double step, double by = 0.1) {
-  TransientOptions o = lasting(duration, step, Start::sliding);
-  o.quasi_static = true;
-  o.tolerance = 1e-8;
+TransientOptions sliding(double duration, int steps, double by = 0.1) {
+  TransientOptions o = slowly(duration, steps, Start::sliding);
   o.slid = {Slid{false, 0, by}};
   return o;
-}
-
-TransientResult run(const model::Model& m, const TransientOptions& o) {
-  TransientResult r = transient(m, o);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  return r;
 }
 
 /// All forces on a body: its weight, ropes and pads.
@@ -82,7 +72,7 @@ TEST(BoomBalance, EverySectionAndTheHookAreInBalance) {
       b.start = 0;
       b.retracts = retracts;
       const model::Model m = boom_machine(b);
-      const TransientResult r = run(m, slowly(3, 0.1, retracts ? -0.1 : 0.1));
+      const TransientResult r = run_to_end(m, sliding(3, 30, retracts ? -0.1 : 0.1));
       for (const TransientFrame& f : r.frames) {
         for (const int body : {boom_bodies::s3, boom_bodies::hook, boom_bodies::load}) {
           EXPECT_LT(forces_on(body, m, f).norm(), 0.05) << angle << " " << f.t;
@@ -102,10 +92,10 @@ TEST(BoomBalance, TheRopesDifferByWhatSection3Asks) {
       b.S20 = S20;
       b.hook = b.load = 0;
       b.moves = false;
-      TransientOptions o = lasting(1, 0.5, Start::assembled);
+      TransientOptions o = started(Start::assembled, 1, 2);
       o.quasi_static = true;
       o.tolerance = 1e-8;
-      const TransientResult r = run(boom_machine(b), o);
+      const TransientResult r = run_to_end(boom_machine(b), o);
       const BoomState s = boom_state(b, r.frames.back());
       const auto [N, Ff] = pads_of_3(r.frames.back());
       const double F = Ff - b.G3 * std::sin(b.angle);
@@ -127,7 +117,8 @@ TEST(BoomBalance, RopesWithoutLossShareOneWayInEveryMotion) {
   lifting.moves = false;
   lifting.winding = 0.1;
   for (const auto& [b, duration] : {std::pair{extending, 31.5}, {lifting, 10.0}}) {
-    const TransientResult r = run(boom_machine(b), lasting(duration, 0.05, Start::settled));
+    const TransientResult r =
+        run_to_end(boom_machine(b), started(Start::settled, duration, static_cast<int>(20 * duration)));
     const double kappa = b.C2 / b.C1;
     double low = HUGE_VAL, high = 0;
     for (const TransientFrame& f : r.frames) {
@@ -155,7 +146,7 @@ TEST(BoomBalance, TheCylinderPushesTwiceWhatSection3Asks) {
         pad.stiffness = pad.tangential_stiffness = 1e11;
         pad.clearance = 0;
       }
-      const TransientResult r = run(m, slowly(1, 0.1));
+      const TransientResult r = run_to_end(m, sliding(1, 10));
       const double F = -b.G3 * std::sin(b.angle), Fh = -2 * F + b.G2 * std::sin(b.angle);
       EXPECT_NEAR(boom_state(b, r.frames.back()).Fh, Fh, 1e-5 * Fh) << angle << " " << travel;
     }
@@ -167,9 +158,9 @@ TEST(BoomBalance, HalfTheStepLeavesTheSteadyValues) {
   std::vector<BoomState> means;
   for (const double step : {4e-3, 2e-3, 1e-3}) {
     Boom b;
-    TransientOptions o = lasting(4, 0.02, Start::settled);
+    TransientOptions o = started(Start::settled, 4, 200);
     o.step = step;
-    const TransientResult r = run(boom_machine(b), o);
+    const TransientResult r = run_to_end(boom_machine(b), o);
     BoomState sum;
     int count = 0;
     for (const TransientFrame& f : r.frames) {

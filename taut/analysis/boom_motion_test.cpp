@@ -5,6 +5,7 @@
 
 #include "taut/analysis/boom_machine_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// The telescopic boom in motion: published rows beside an independent model with the same data, and what any such
 /// model has to show.
@@ -21,15 +22,10 @@ constexpr double degree = std::numbers::pi / 180;
 
 TransientResult run(const model::Model& m, double duration, double tolerance = 1e-4, double output_step = 0.02,
                     Start start = Start::assembled) {
-  TransientOptions options;
-  options.duration = duration;
+  TransientOptions options = lasting(duration, tolerance);
   options.output_step = output_step;
-  options.tolerance = tolerance;
   options.start = start;
-  options.most_steps = 2000000;
-  TransientResult r = transient(m, options);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  return r;
+  return run_to_end(m, options);
 }
 
 /// Means over times, or over boom lengths.

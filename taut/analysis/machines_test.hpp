@@ -147,6 +147,35 @@ inline model::Model boom() {
   return m;
 }
 
+/// The end of a rope on a new drum of the machine, which is held as long as nothing drives it.
+inline model::Node add_drum(model::Model& m, const std::string& name, const Vector3& at, double radius, int side = 1) {
+  model::Node node = anchor(name, at);
+  node.radius = radius;
+  node.side = side;
+  node.drum = static_cast<int>(m.drums.size());
+  model::Drum drum;
+  drum.name = name;
+  drum.core_radius = radius;
+  m.drums.push_back(drum);
+  return node;
+}
+
+/// A floor along x through the origin, and the sole of a body on it.
+inline model::FaceContact& add_floor(model::Model& m, int body, double half_length, double stiffness, double friction) {
+  model::Face floor;
+  floor.name = "floor";
+  floor.from = {-half_length, 0, 0};
+  floor.to = {half_length, 0, 0};
+  m.faces.push_back(floor);
+  model::FaceContact sole;
+  sole.name = "sole";
+  sole.body = body;
+  sole.face = static_cast<int>(m.faces.size()) - 1;
+  sole.stiffness = sole.tangential_stiffness = stiffness;
+  sole.static_friction = sole.kinetic_friction = friction;
+  return m.contacts.emplace_back(sole);
+}
+
 /// The same machine turned about the vertical through the origin, then shifted.
 inline model::Model turned(model::Model m, double angle, const Vector3& by) {
   const taut::Matrix3 turn = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();

@@ -153,18 +153,7 @@ model::Model on_a_floor(double tension, double mass, double f0) {
   model::Model m = between_two_ropes(tension);
   m.gravity = 10;
   m.bodies[0] = body("ring", origin, mass, "xz");
-  model::Face floor;
-  floor.name = "floor";
-  floor.from = {-1, 0, 0};
-  floor.to = {1, 0, 0};
-  m.faces.push_back(floor);
-  model::FaceContact c;
-  c.name = "sole";
-  c.body = 0;
-  c.stiffness = c.tangential_stiffness = 1e10;
-  c.static_friction = f0;
-  c.kinetic_friction = f0;
-  m.contacts.push_back(c);
+  add_floor(m, 0, 1, 1e10, f0);
   return m;
 }
 

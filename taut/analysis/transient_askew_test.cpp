@@ -7,6 +7,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 namespace taut_test::transient_askew {
 namespace {
@@ -37,12 +38,8 @@ model::Model winch(const Vector3& end, bool backwards, int side) {
 }
 
 TransientResult run(const model::Model& m, taut::analysis::Branches branches = taut::analysis::Branches::catenary) {
-  TransientOptions options;
+  TransientOptions options = lasting(1, 1e-5, 500);
   options.branches = branches;  // of ropes with weight
-  options.duration = 1;
-  options.output_step = 0.002;
-  options.tolerance = 1e-5;
-  options.start = taut::analysis::Start::assembled;
   return transient(m, options);
 }
 

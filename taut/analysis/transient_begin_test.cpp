@@ -94,12 +94,7 @@ TEST(TransientBegin, WhatHungAndIsStraightNowComesBackFromItsRounds) {
 TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {
   model::Model m;
   m.bodies.push_back(body("load", {2, 0, -9}, 100, "xz"));
-  model::Node winch = anchor("winch", origin);
-  winch.radius = 0.2;
-  winch.drum = 0;
-  m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 9.2, 0, EA));
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.2;
+  m.reevings.push_back(reeve("rope", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 9.2, 0, EA));
   m.drums[0].layer = 3;
   m.drums[0].length_on_drum = 40;
   const auto drum = [&](const DynamicState& start) { return build(m, start, {}).values.drums.at(0); };

@@ -147,14 +147,10 @@ TEST(TransientBuild, LinesAreFlatWhereTheirRoundsStayParallel) {
 TEST(TransientBuild, ADrumHasOneSpinForAllItsRopes) {
   model::Model m;
   m.bodies = {body("left", {-3, 0, -8}, 100, "z"), body("right", {3, 0, -8}, 100, "z")};
-  model::Node drum = anchor("winch", origin);
-  drum.radius = 0.25;
-  drum.drum = 0;
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.25;
+  // its path runs out to the right over the top: where the drum turns left it comes in
+  const model::Node drum = add_drum(m, "winch", origin, 0.25, 1);
   m.drums[0].inertia = 6;
   model::Node other = drum;
-  drum.side = 1;    // its path runs out to the right over the top: where the drum turns left it comes in
   other.side = -1;  // this one's path ends there, from the right over the top: the same
   m.reevings = {reeve("a", {drum, anchor_on("right", 1)}, 8.6, 0, 1e6),
                 reeve("b", {anchor_on("right", 1), other}, 8.6, 0, 1e6)};

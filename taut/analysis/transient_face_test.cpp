@@ -6,6 +6,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Points on faces: stiction, sliding, bouncing, edges, turning faces.
 namespace taut_test::transient_face_test {
@@ -18,16 +19,6 @@ using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
 constexpr double g = 9.81;
-
-TransientOptions lasting(double duration, double tolerance) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / 100;
-  options.tolerance = tolerance;
-  options.most_steps = 300000;
-  options.start = Start::assembled;
-  return options;
-}
 
 model::FaceContact pad(const std::string& name, int body, const Vector3& at, int face) {
   model::FaceContact c;
@@ -71,7 +62,7 @@ model::Model block(double slope, double about_z) {
 TEST(TransientFace, SticksBelowTheFrictionAngle) {
   const double slope = std::atan(0.15);  // below atan(0.155), where sliding would go on for ever
   for (const double turned : {0.0, 0.7}) {
-    TransientOptions options = lasting(10, 1e-6);
+    TransientOptions options = lasting(10, 1e-6, 100);
     const TransientResult r = transient(block(slope, turned), options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     const auto& settled = r.frames[10];
@@ -93,7 +84,7 @@ TEST(TransientFace, SticksBelowTheFrictionAngle) {
 TEST(TransientFace, SlidesAboveTheFrictionAngle) {
   const double slope = std::atan(0.16);
   for (const double turned : {0.0, 0.7}) {
-    const TransientResult r = transient(block(slope, turned), lasting(4, 1e-6));
+    const TransientResult r = transient(block(slope, turned), lasting(4, 1e-6, 100));
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     const auto& last = r.frames.back();
     const double a = g * (std::sin(slope) - 0.15 * std::cos(slope));
@@ -149,7 +140,7 @@ TEST(TransientFace, BouncesAsTheSpringAndItsDamperDo) {
                   {"v", model::Quantity::vz, taut::si::m_per_s, 0, -1, origin}};
     const double v = std::sqrt(2 * g * 0.2);
     const Bounce one = bounce(100, 1e6, damping, v);
-    const TransientResult r = transient(m, lasting(0.35, 1e-7));
+    const TransientResult r = transient(m, lasting(0.35, 1e-7, 100));
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.extremes[0].max, one.peak, 2e-3 * one.peak);
     EXPECT_NEAR(r.extremes[1].max, one.up, 2e-3 * one.up);
@@ -171,7 +162,7 @@ TEST(TransientFace, FallsOverTheEdge) {
   m.bodies[0].position.z() = -100 * g / 1e8;  // at rest on it
   taut::analysis::DynamicState start;
   start.bodies.push_back({m.bodies[0].position, Matrix3::Identity(), {2, 0, 0}, origin});
-  TransientOptions options = lasting(0.8, 1e-6);
+  TransientOptions options = lasting(0.8, 1e-6, 100);
   options.from = start;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -191,7 +182,7 @@ TEST(TransientFace, SlidesOnATiltingPlate) {
   m.bodies.push_back(plate);
   m.faces[0].body = 1;
   for (auto& c : m.contacts) c.kinetic_friction = c.static_friction = 0.15;
-  const TransientResult r = transient(m, lasting(20, 1e-5));
+  const TransientResult r = transient(m, lasting(20, 1e-5, 100));
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   // one pad after the other lets go; when the last one does, the block slides
   double angle = 0;
@@ -208,7 +199,7 @@ TEST(TransientFace, SlidesOnATiltingPlate) {
 /// Friction holds where it is described: the start is an equilibrium, and nothing moves from there.
 TEST(TransientFace, SettlesWhereItSticks) {
   const double slope = 0.12;
-  TransientOptions options = lasting(1, 1e-6);
+  TransientOptions options = lasting(1, 1e-6, 100);
   options.start = Start::settled;
   const TransientResult r = transient(block(slope, 0.4), options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -227,8 +218,8 @@ TEST(TransientFace, SettlesWhereItSticks) {
 /// A run in two parts is the run in one: the state keeps the strain of what sticks.
 TEST(TransientFace, GoesOnFromAState) {
   const model::Model m = block(0.12, 0.4);
-  const TransientResult whole = transient(m, lasting(2, 1e-6)), half = transient(m, lasting(1, 1e-6));
-  TransientOptions options = lasting(1, 1e-6);
+  const TransientResult whole = transient(m, lasting(2, 1e-6, 100)), half = transient(m, lasting(1, 1e-6, 100));
+  TransientOptions options = lasting(1, 1e-6, 100);
   options.from = half.state;
   const TransientResult rest = transient(m, options);
   ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;

@@ -6,6 +6,7 @@
 #include "taut/analysis/equilibrium.hpp"
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Faults met in other programs, one test each: none of them may be here.
 namespace taut_test::transient_faults {
@@ -17,21 +18,6 @@ using taut::analysis::Start;
 using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
-
-TransientOptions lasting(double duration, double step) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / 50;
-  options.step = step;
-  options.start = Start::assembled;
-  return options;
-}
-
-model::Signal smooth(double to, double over) {
-  model::Signal signal;
-  signal.law = model::Moves{0, {{0, to, over, true}}};
-  return signal;
-}
 
 /// A mass on a rope from above, and a longer one to the floor that is slack.
 model::Model between_two_ropes() {
@@ -47,7 +33,7 @@ TEST(TransientFaults, RestIsNotFoundWithRopesThatPush) {
   const model::Model m = between_two_ropes();
   const auto rest = taut::analysis::equilibrium(m);
   ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
-  TransientOptions options = lasting(0.5, 0);
+  TransientOptions options = in_steps(0.5, 0, 50);
   options.start = Start::settled;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -64,7 +50,7 @@ TEST(TransientFaults, AStiffRopeIsSolvedByNewtonNotByAFixedPoint) {
   m.bodies = {body("light", {0, 0, -5}, 1, "z"), body("heavy", {0, 0, -10}, 1000, "z")};
   m.reevings.push_back(reeve("stiff", {anchor("top", {0, 0, 0}), anchor_on("light", 0)}, 5, 0, 1e9));
   m.reevings.push_back(reeve("soft", {anchor_on("light", 0), anchor_on("heavy", 1)}, 5, 0, 1e6));
-  TransientOptions options = lasting(2, 0.02);
+  TransientOptions options = in_steps(2, 0.02, 50);
   options.rho = 0;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -82,7 +68,7 @@ TEST(TransientFaults, TheSlowMotionKeepsItsPeriodBesideAStiffRope) {
   m.reevings.push_back(reeve("stiff", {anchor("top", {0, 0, 0}), anchor_on("light", 0)}, 5, 0, 1e9));
   m.reevings.push_back(reeve("soft", {anchor_on("light", 0), anchor_on("heavy", 1)}, 5, 0, 1e6));
   const double stiffness = 1 / (5 / 1e9 + 5 / 1e6), omega = std::sqrt(stiffness / 1000);
-  TransientOptions options = lasting(2 * pi / omega * 4, 2 * pi / omega / 200);
+  TransientOptions options = in_steps(2 * pi / omega * 4, 2 * pi / omega / 200, 50);
   options.output_step = options.duration;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -98,7 +84,7 @@ TEST(TransientFaults, ADamperNeverPushesInASlackRope) {
   m.bodies.push_back(body("mass", {0, 0, -10}, 100, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("mass", 0)}, 9.9, 0, 1e5));
   m.reevings[0].damping_time = 0.2;
-  TransientOptions options = lasting(2, 0);
+  TransientOptions options = in_steps(2, 0, 50);
   options.output_step = 1e-3;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -124,7 +110,7 @@ TEST(TransientFaults, EveryPieceOfARopeTellsItsForce) {
   m.reevings[0].segments = 4;
   m.reevings[0].given = model::Given::tension_at_start;
   m.reevings[0].value = 4905;
-  TransientOptions options = lasting(0.2, 0);
+  TransientOptions options = in_steps(0.2, 0, 50);
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   for (const auto& frame : r.frames) {
@@ -151,7 +137,7 @@ TEST(TransientFaults, WrapsGoBeyondOneTurn) {
   m.reevings.push_back(
       reeve("rope", {anchor_on("left", 0), capstan, anchor_on("right", 1)}, 40 + 0.2 * 5 * pi - 0.02, 0, 1e7));
   m.reevings[0].damping_time = 0.01;
-  TransientOptions options = lasting(1, 0);
+  TransientOptions options = in_steps(1, 0, 50);
   options.tolerance = 1e-5;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -172,7 +158,7 @@ TEST(TransientFaults, SlipGetsBetterWithTheStep) {
       reeve("rope", {anchor_on("left", 0), round, anchor_on("right", 1)}, 40 + 0.2 * pi - 0.02, 0, 1e6));
   m.reevings[0].damping_time = 0.02;
   const auto fallen = [&](double step) {
-    const TransientResult r = transient(m, lasting(0.5, step));
+    const TransientResult r = transient(m, in_steps(0.5, step, 50));
     EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
     return r.frames.back().bodies[1].position.z();
   };
@@ -196,8 +182,8 @@ TEST(TransientFaults, AWinchTightensTheWholeRope) {
                              0, 0, 1e6));
   m.reevings[1].given = model::Given::tension_at_start;
   m.reevings[1].value = 100;
-  m.tensioners.push_back({1, true, smooth(-0.1, 0.5)});
-  const TransientResult r = transient(m, lasting(1, 1e-2));
+  m.tensioners.push_back({1, true, smooth_move(0, -0.1, 0, 0.5)});
+  const TransientResult r = transient(m, in_steps(1, 1e-2, 50));
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   double l = 0;
   for (int k = 1; k <= 4; ++k) l += r.frames.back().branches[static_cast<std::size_t>(k)].stretched;
@@ -213,17 +199,11 @@ TEST(TransientFaults, TheUnstretchedLengthIsKeptUpToDate) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.25, 0, -12}, 300, "z"));
-  model::Node winch = anchor("winch", {0, 0, 0});
-  winch.radius = 0.25;
-  winch.side = 1;
-  winch.drum = 0;
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.25;
-  m.drums[0].drive.kind = model::DriveKind::speed;
-  m.drums[0].drive.signal = smooth(0.8, 0.5);
+  const model::Node winch = add_drum(m, "winch", origin, 0.25);
+  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.8, 0, 0.5)};
   m.drums[0].length_on_drum = 10;
   m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 12, 0, 1e6));
-  TransientOptions options = lasting(3, 0);
+  TransientOptions options = in_steps(3, 0, 50);
   options.tolerance = 1e-6;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;

@@ -5,6 +5,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// What must not change: the order of the method, momentum, the frame, a second run.
 namespace taut_test::transient_invariance {
@@ -17,15 +18,6 @@ using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
-TransientOptions fixed(double duration, double step) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / 10;
-  options.step = step;
-  options.start = Start::assembled;
-  return options;
-}
-
 /// A mass on a spring-like rope that swings and stretches.
 model::Model pendulum() {
   model::Model m;
@@ -36,7 +28,7 @@ model::Model pendulum() {
 }
 
 Vector3 place_after(const model::Model& m, double step) {
-  return transient(m, fixed(0.5, step)).frames.back().bodies[0].position;
+  return transient(m, in_steps(0.5, step)).frames.back().bodies[0].position;
 }
 
 TEST(TransientInvariance, SecondOrderOnAPendulum) {
@@ -74,7 +66,7 @@ TEST(TransientInvariance, MomentumOfAFreeSystem) {
   start.bodies[1].spin = {0.3, -0.2, 0.7};
   start.ropes.resize(1);
   start.ropes[0].length = {8.9};
-  TransientOptions options = fixed(2, 5e-4);
+  TransientOptions options = in_steps(2, 5e-4);
   options.from = start;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -113,7 +105,7 @@ TEST(TransientInvariance, TheSameInEveryFrameAndInEveryRun) {
   m.reevings[1].nodes[1].inertia = 0.5;
   for (model::Reeving& rope : m.reevings) rope.damping_ratio = 0.05;
   const auto run = [](const model::Model& machine) {
-    TransientOptions options = fixed(0.5, 1e-3);
+    TransientOptions options = in_steps(0.5, 1e-3);
     options.step = 0;
     options.tolerance = 1e-5;
     options.start = Start::settled;
@@ -138,7 +130,7 @@ TEST(TransientInvariance, TheSameInEveryFrameAndInEveryRun) {
 
 TEST(TransientInvariance, GoesOnFromItsState) {
   const model::Model m = pendulum();
-  TransientOptions options = fixed(1, 1e-4);
+  TransientOptions options = in_steps(1, 1e-4);
   const TransientResult whole = transient(m, options);
   options.duration = 0.5;
   const TransientResult first = transient(m, options);
@@ -163,7 +155,7 @@ TEST(TransientInvariance, GoesOnToTheLastBit) {
     rope.weight = 20;
   }
   for (const auto method : {taut::analysis::TimeMethod::implicit, taut::analysis::TimeMethod::verlet}) {
-    TransientOptions options = fixed(0.4, 2e-4);
+    TransientOptions options = in_steps(0.4, 2e-4);
     options.output_step = 0.05;
     options.method = method;
     const TransientResult whole = transient(m, options);
@@ -183,7 +175,7 @@ TEST(TransientInvariance, GoesOnToTheLastBit) {
 
 TEST(TransientInvariance, HalfTheToleranceGivesTheSame) {
   const model::Model m = pendulum();
-  TransientOptions options = fixed(2, 0);
+  TransientOptions options = in_steps(2, 0);
   options.tolerance = 1e-4;
   const TransientResult one = transient(m, options);
   options.tolerance = 0.5e-4;

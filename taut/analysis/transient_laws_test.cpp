@@ -6,6 +6,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Laws of contacts, drums and breaks against closed forms and other integrations; of the explicit scheme in
 /// transient_verlet_test.cpp.
@@ -19,16 +20,6 @@ using taut::analysis::TimeMethod;
 using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
-
-TransientOptions lasting(double duration, double tolerance) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration;
-  options.tolerance = tolerance;
-  options.most_steps = 300000;
-  options.start = Start::assembled;
-  return options;
-}
 
 /// Two masses over one round. The tensions settle by the rope's damping; then both move with one acceleration.
 model::Model two_masses(const model::Node& round, double left, double right) {
@@ -189,26 +180,18 @@ TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
 TEST(TransientLaws, DrumTakesInByTheLayer) {
   model::Model m;
   m.gravity = 9.81;
-  m.bodies.push_back(body("load", {0.2, 0, -10}, 1000, "z"));
-  model::Node drum = anchor("winch", {0, 0, 0});
-  drum.radius = 0.21;
-  drum.drum = 0;
-  drum.side = 1;
-  m.bodies[0].position.x() = 0.21;
-  m.reevings.push_back(reeve("hoist", {drum, anchor_on("load", 0)}, 10, 0, 1e6));
+  m.bodies.push_back(body("load", {0.21, 0, -10}, 1000, "z"));
+  m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.21), anchor_on("load", 0)}, 10, 0, 1e6));
   m.reevings[0].damping_time = 0.02;
   m.reevings[0].diameter = 0.02;
-  model::Drum winch;
-  winch.name = "winch";
-  winch.core_radius = 0.2;
+  model::Drum& winch = m.drums[0];
+  winch.core_radius = 0.2;  // the rope's middle lies a radius of its own farther out
   winch.automatic_layers = true;
   winch.width = 0.1;
   winch.pitch = 0.024;
   winch.layer_height = 0.017;
   winch.length_on_drum = 5;
-  winch.drive.kind = model::DriveKind::speed;
-  winch.drive.signal.law = model::Moves{0, {{0, 0.5, 1, true}}};
-  m.drums.push_back(winch);
+  winch.drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 1)};
   TransientOptions options = lasting(8, 1e-4);
   options.start = Start::settled;
   const TransientResult r = transient(m, options);
@@ -233,24 +216,15 @@ TEST(TransientLaws, TheLedgerClosesWithAHeavyRopeOnADrum) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {3, 0, -20}, 100, "xz"));
-  model::Node winch = anchor("winch", {0, 0, 2});
-  winch.radius = 0.25;
-  winch.drum = 0;
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.25;
-  m.drums[0].drive.kind = model::DriveKind::speed;
-  model::Signal up;
-  up.law = model::Moves{0, {{0, 2, 1, true}}};
-  m.drums[0].drive.signal = up;
+  const model::Node winch = add_drum(m, "winch", {0, 0, 2}, 0.25);
+  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 2, 0, 1)};
   m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 0, 40, 1e7));
   m.reevings.push_back(reeve("guide", {anchor("pin", {8, 0, 3}), anchor_on("load", 0)}, 0, 15, 1e7));
   for (model::Reeving& rope : m.reevings) {
     rope.given = model::Given::tension_at_start;
     rope.value = 1000;
   }
-  model::Signal out;
-  out.law = model::Moves{0, {{0, 0.5, 2, true}}};
-  m.tensioners.push_back({1, true, out});
+  m.tensioners.push_back({1, true, smooth_move(0, 0.5, 0, 2)});
   TransientOptions options = lasting(4, 1e-7);
   options.step = 2e-4;
   const TransientResult r = transient(m, options);
@@ -285,11 +259,7 @@ TEST(TransientLaws, SwingingLoadWindsOnALockedDrum) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {4, 0, -3}, 500, "xz"));
-  model::Node drum = anchor("winch", {0, 0, 0});
-  drum.radius = 0.5;
-  drum.drum = 0;
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.5;
+  model::Node drum = add_drum(m, "winch", origin, 0.5);
   for (const int side : {1, -1}) {
     drum.side = side;
     m.reevings = {reeve("rope", {drum, anchor_on("load", 0)}, 5, 0, 1e8)};

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/analysis/boom_machine_test.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Motions without inertia, starts in sliding friction: against closed forms.
 namespace taut_test::transient_quasi_static_test {
@@ -20,19 +21,8 @@ using taut::analysis::TransientResult;
 
 constexpr double degree = std::numbers::pi / 180, g = 10;
 
-TransientOptions slowly(double duration, int steps, Start start = Start::settled) {
-  TransientOptions o;
-  o.quasi_static = true;
-  o.duration = duration;
-  o.output_step = duration / steps;
-  o.tolerance = 1e-8;
-  o.start = start;
-  return o;
-}
-
 TransientResult run(const model::Model& m, const TransientOptions& o) {
-  TransientResult r = transient(m, o);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+  TransientResult r = run_to_end(m, o);
   const auto& energy = r.frames.back().energy;  // what a step leaves is of the third order of its ways
   EXPECT_LE(std::abs(energy.residual), 5e-4 * energy.turnover);
   if (o.quasi_static) {
@@ -59,20 +49,10 @@ model::Model drawn_block(double f0, double f_inf, double turns) {
   model::Model m;
   m.gravity = g;
   m.bodies.push_back(body("block", origin, 500, "xz"));
-  model::Face floor;
-  floor.name = "floor";
-  floor.from = {-5, 0, 0};
-  floor.to = {5, 0, 0};
-  m.faces.push_back(floor);
-  model::FaceContact sole;
-  sole.name = "sole";
-  sole.body = 0;
-  sole.stiffness = sole.tangential_stiffness = 1e9;
+  model::FaceContact& sole = add_floor(m, 0, 5, 1e9, f_inf);
   sole.damping = sole.tangential_damping = 1e5;
   sole.static_friction = f0;
-  sole.kinetic_friction = f_inf;
   sole.stribeck_speed = 1e-4;
-  m.contacts.push_back(sole);
   m.reevings.push_back(reeve("rope", {anchor_on("block", 0), anchor("end", {20, 0, 0})}, 20, 0, 2e6));
   m.reevings[0].damping_time = 0.02;
   model::Tensioner end;
@@ -115,21 +95,12 @@ model::Model hoist(double eta, const model::Signal& speed) {
   model::Model m;
   m.gravity = g;
   m.bodies.push_back(body("load", {2, 0, -10}, 300, "z"));
+  const model::Node drum = add_drum(m, "drum", {-8, 0, 0}, 0.15);
+  m.drums[0].drive = {model::DriveKind::speed, speed};
   m.reevings.push_back(
-      reeve("rope", {anchor("drum", {-8, 0, 0}), sheave("top", {1.8, 0, 0}, 0.2, 1, eta), anchor_on("load", 0)}, 3000,
-            0, 2e6));
+      reeve("rope", {drum, sheave("top", {1.8, 0, 0}, 0.2, 1, eta), anchor_on("load", 0)}, 3000, 0, 2e6));
   m.reevings[0].given = model::Given::tension_at_end;
   m.reevings[0].damping_time = 0.01;
-  model::Drum drum;
-  drum.name = "drum";
-  drum.core_radius = 0.15;
-  drum.drive.kind = model::DriveKind::speed;
-  drum.drive.signal = speed;
-  m.drums.push_back(drum);
-  model::Node& at_drum = m.reevings[0].nodes[0];
-  at_drum.drum = 0;
-  at_drum.radius = 0.15;
-  at_drum.side = 1;
   return m;
 }
 

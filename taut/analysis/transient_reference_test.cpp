@@ -19,13 +19,9 @@ using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
-TransientOptions lasting(double duration, TimeMethod method, double tolerance = 1e-6) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / 10;
-  options.tolerance = tolerance;
+TransientOptions by(TimeMethod method, double duration) {
+  TransientOptions options = lasting(duration, 1e-6, 10);
   options.method = method;
-  options.start = Start::assembled;
   return options;
 }
 
@@ -34,10 +30,7 @@ model::Model hoist(bool heavy) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("block", {0, 0, -10}, 3000, "z"));
-  model::Node drum = anchor("winch", {-10, 0, -8});
-  drum.radius = 0.2;
-  drum.drum = 0;
-  std::vector<model::Node> nodes{drum};
+  std::vector<model::Node> nodes{add_drum(m, "winch", {-10, 0, -8}, 0.2)};
   for (int i = 0; i < 4; ++i) {
     nodes.push_back(i % 2 == 0 ? sheave("head", {0, 0, 0}, 0.2, 1, 0.96) : sheave("block", {0, 0, 0}, 0.2, 1, 0.96, 0));
     if (!heavy) continue;
@@ -47,15 +40,13 @@ model::Model hoist(bool heavy) {
   nodes.push_back(anchor("becket", {-0.2, 0, 0}));
   m.reevings.push_back(reeve("hoist", nodes, 54.68, heavy ? 12 : 0, 1e7));
   m.reevings[0].damping_time = 1e-3;
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.2;
   m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.6, 0.1, 0.4)};
   return m;
 }
 
 TEST(TransientReference, TheFastSchemeHoistsATackleAsItDoes) {
   for (const bool heavy : {false, true}) {
-    TransientOptions options = lasting(0.8, TimeMethod::reference);
+    TransientOptions options = by(TimeMethod::reference, 0.8);
     options.start = Start::settled;
     const TransientResult exact = run_to_end(hoist(heavy), options);
     options.method = TimeMethod::implicit;
@@ -89,8 +80,8 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
   m.reevings[0].damping_time = 5e-3;
   m.motors.resize(1);
   m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, 5, 0, 0.5)};
-  const TransientResult exact = run_to_end(m, lasting(2.2, TimeMethod::reference)),
-                        fast = run_to_end(m, lasting(2.2, TimeMethod::implicit));
+  const TransientResult exact = run_to_end(m, by(TimeMethod::reference, 2.2)),
+                        fast = run_to_end(m, by(TimeMethod::implicit, 2.2));
   bool slipped = false;
   for (std::size_t f = 0; f < exact.frames.size(); ++f) {
     const auto &a = exact.frames[f].contacts[0], &b = fast.frames[f].contacts[0];
@@ -107,7 +98,7 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
 TEST(TransientReference, WhatItCannotDoIsTold) {
   model::Model m = hoist(false);
   m.drums[0].automatic_layers = true;
-  EXPECT_NE(transient(m, lasting(0.1, TimeMethod::reference)).outcome.message.find("not in the reference"),
+  EXPECT_NE(transient(m, by(TimeMethod::reference, 0.1)).outcome.message.find("not in the reference"),
             std::string::npos);
 }
 

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Forces along a running rope: against hand-written equations of one unknown, against the closed form of a belt, and
 /// against the same machine without them.
@@ -35,26 +36,6 @@ model::Node load_on(model::Model& m, const std::string& name, double share, doub
   return node;
 }
 
-TransientOptions lasting(double duration, double tolerance, int outputs = 1) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / outputs;
-  options.tolerance = tolerance;
-  options.start = Start::assembled;
-  return options;
-}
-
-TransientResult run(const model::Model& m, const TransientOptions& options) {
-  TransientResult r = transient(m, options);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  return r;
-}
-
-model::Signal smooth(double from, double to, double start, double over) {
-  model::Signal s;
-  s.law = model::Moves{from, {{start, to, over, true}}};
-  return s;
-}
 double smoothed(double x) { return x <= 0 ? 0 : x >= 1 ? 1 : x * x * x * (10 - 15 * x + 6 * x * x); }
 
 /// A mass on a rope 10 m long below a fixed point, with a force along the rope 3 m (share 0.3) below that point.
@@ -80,34 +61,17 @@ double tension_below(double l, double L, double d, double F, double EA) {
   return T;
 }
 
-/// z downwards and its rate after `duration`, from rest at l = 10 m.
-std::array<double, 2> runge_kutta(double duration, const std::function<double(double, double)>& a) {
-  constexpr int steps = 4000;
-  const double h = duration / steps;
-  double x = 10, v = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double t = i * h;
-    const double k1 = a(t, x), l1 = v;
-    const double k2 = a(t + h / 2, x + h / 2 * l1), l2 = v + h / 2 * k1;
-    const double k3 = a(t + h / 2, x + h / 2 * l2), l3 = v + h / 2 * k2;
-    const double k4 = a(t + h, x + h * l3), l4 = v + h * k3;
-    x += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
-    v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return {x, v};
-}
-
 /// The rope passes the place, which keeps its distance from the fixed point: not its share of the rope.
 TEST(TransientRopeLoad, AForceOfItsOwnDirectionPullsAMassDown) {
   const double EA = 4e4, L = 10 / (1 + 200 * g / EA);
   const auto force = [](double t) { return 900 * smoothed(t / 0.3); };
-  const auto [z, v] =
-      runge_kutta(0.6, [&](double t, double l) { return g - tension_below(l, L, 3, force(t), EA) / 200; });
+  const auto [z, v] = runge_kutta(
+      10, 0, 0.6, [&](double t, double l, double) { return g - tension_below(l, L, 3, force(t), EA) / 200; });
   for (const bool swapped : {false, true}) {
     model::Model m = hanging(0, swapped);
-    m.reevings[0].nodes[1].load.signal = smooth(0, 900, 0, 0.3);
+    m.reevings[0].nodes[1].load.signal = smooth_move(0, 900, 0, 0.3);
     m.reevings[0].nodes[1].load.sense = swapped ? -1 : 1;
-    const TransientResult r = run(m, lasting(0.6, 1e-7));
+    const TransientResult r = run_to_end(m, lasting(0.6, 1e-7));
     const auto& last = r.frames.back();
     EXPECT_NEAR(last.bodies[0].position.z(), -z, 1e-7);
     EXPECT_NEAR(last.bodies[0].velocity.z(), -v, 1e-6);
@@ -129,7 +93,7 @@ TEST(TransientRopeLoad, FrictionOfAGivenSizeSlidesAndHolds) {
   m.reevings[0].value = L;
   m.reevings[0].nodes[1].load.by_motion = true;
   m.reevings[0].nodes[1].load.sense = -1;
-  const TransientResult r = run(m, lasting(2, 1e-6));
+  const TransientResult r = run_to_end(m, lasting(2, 1e-6));
   // upper part L_1, lower part L - L_1; both have the same strain at the start
   double L_1 = d / 10 * L, l = 10, v = 0;
   const double h = 2e-6;
@@ -201,7 +165,7 @@ model::Model saw(const Saw& of) {
     rope.nodes.back().load.part = 0.6 / of.parts;
   }
   m.motors.resize(1);
-  m.motors[0].drive = {model::DriveKind::speed, smooth(0, of.speed, 0, 1)};
+  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, of.speed, 0, 1)};
   return m;
 }
 
@@ -211,7 +175,7 @@ TEST(TransientRopeLoad, ASawRunsWithTheTensionsOfItsTakeUp) {
   for (const double share : {0.2, 0.5, 0.9}) {
     Saw of;
     of.share = share;
-    const TransientResult r = run(saw(of), lasting(4, 1e-5));
+    const TransientResult r = run_to_end(saw(of), lasting(4, 1e-5));
     const auto& drive = r.frames.back().contacts[0];
     const double lambda = 1 + drive.T_out / 6.5e6;
     const double c = of.per_metre * std::pow(of.speed, 2) / lambda;
@@ -226,13 +190,13 @@ TEST(TransientRopeLoad, ASawRunsWithTheTensionsOfItsTakeUp) {
 }
 
 TEST(TransientRopeLoad, MirroredAndTheOtherWayRoundIsTheSame) {
-  const TransientResult one = run(saw({}), lasting(1.5, 1e-5));
+  const TransientResult one = run_to_end(saw({}), lasting(1.5, 1e-5));
   for (const bool left : {true, false}) {
     for (const bool mirrored : {true, false}) {
       Saw of;
       of.left = left;
       of.mirrored = mirrored;
-      const TransientResult r = run(saw(of), lasting(1.5, 1e-5));
+      const TransientResult r = run_to_end(saw(of), lasting(1.5, 1e-5));
       EXPECT_NEAR(r.frames.back().contacts[0].T_in, one.frames.back().contacts[0].T_in, 1);
       EXPECT_NEAR(r.ropes[0].T.max, one.ropes[0].T.max, 1);
     }
@@ -244,7 +208,7 @@ TEST(TransientRopeLoad, ARateAddsUp) {
   Saw of;
   of.parts = 5;
   of.per_metre = 0;
-  const TransientResult r = run(saw(of), lasting(3, 1e-5));
+  const TransientResult r = run_to_end(saw(of), lasting(3, 1e-5));
   const auto& drive = r.frames.back().contacts[0];
   EXPECT_NEAR(drive.T_in - drive.T_out, of.force, 3e-3 * of.force);  // per unstretched metre
   EXPECT_NEAR(2 * drive.T_out, of.pull, 1e-3 * of.pull);
@@ -287,7 +251,7 @@ TEST(TransientRopeLoad, TooMuchForTheGripStopsTheRope) {
   Saw of;
   of.force = 20e3;
   of.per_metre = 0;
-  const TransientResult r = run(saw(of), lasting(2, 1e-4));
+  const TransientResult r = run_to_end(saw(of), lasting(2, 1e-4));
   const auto& drive = r.frames.back().contacts[0];
   EXPECT_NEAR(drive.T_in / drive.T_out, std::exp(0.35 * pi), 1e-4);
   EXPECT_LT(drive.slip, -0.9 * of.speed);
@@ -306,7 +270,8 @@ TEST(TransientRopeLoad, NoForceIsNoLoad) {
     m.reevings.push_back(reeve("rope", nodes, 10.0099, 8, 2e5));
     return m;
   };
-  const TransientResult with = run(machine(true), lasting(1, 1e-7)), without = run(machine(false), lasting(1, 1e-7));
+  const TransientResult with = run_to_end(machine(true), lasting(1, 1e-7)),
+                        without = run_to_end(machine(false), lasting(1, 1e-7));
   EXPECT_LT((with.frames.back().bodies[0].position - without.frames.back().bodies[0].position).norm(), 2e-5);
   const auto& energy = with.frames.back().energy;
   EXPECT_LT(std::abs(energy.residual), 1e-6 * energy.turnover);
@@ -316,14 +281,14 @@ TEST(TransientRopeLoad, GoesOnFromItsStateAndAgreesWithTheReference) {
   Saw of;
   of.speed = 4;
   const model::Model m = saw(of);
-  const TransientResult whole = run(m, lasting(1, 1e-6));
+  const TransientResult whole = run_to_end(m, lasting(1, 1e-6));
   TransientOptions options = lasting(0.6, 1e-6);
-  options.from = run(m, options).state;
+  options.from = run_to_end(m, options).state;
   options.duration = 0.4;
-  const auto &a = whole.frames.back(), second = run(m, options).frames.back();
+  const auto &a = whole.frames.back(), second = run_to_end(m, options).frames.back();
   options = lasting(1, 1e-6);
   options.method = TimeMethod::reference;
-  const auto reference = run(m, options).frames.back();
+  const auto reference = run_to_end(m, options).frames.back();
   for (const auto& other : {second, reference}) {
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_NEAR(other.contacts[i].T_in, a.contacts[i].T_in, 1e-2) << i;

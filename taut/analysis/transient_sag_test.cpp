@@ -31,11 +31,9 @@ using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
 TransientOptions hanging_for(double duration, double tolerance = 1e-6, int outputs = 10) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / outputs;
-  options.tolerance = tolerance;
+  TransientOptions options = lasting(duration, tolerance, outputs);
   options.branches = Branches::catenary;
+  options.start = Start::settled;
   return options;
 }
 
@@ -52,16 +50,8 @@ model::Model two_legs(double mass, double slack, double weight = 15, double EA =
 /// A carriage that rolls on a skyline over two saddles without loss; a drum with a core of 0.4 m hauls its mainline.
 model::Model hauled(double speed, double from = 0.0, double over = 1.0) {
   model::Model m = with_carriage(false, 0, 2000);
-  model::Drum winch;
-  winch.name = "winch";
-  winch.core_radius = 0.4;
-  winch.drive.kind = model::DriveKind::speed;
-  winch.drive.signal = smooth_move(0, speed, from, over);
-  m.drums.push_back(winch);
-  model::Node drum = anchor("winch", {302, 0, 82});
-  drum.radius = 0.4;
-  drum.side = -1;
-  drum.drum = 0;
+  const model::Node drum = add_drum(m, "winch", {302, 0, 82}, 0.4, -1);
+  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, speed, from, over)};
   m.reevings.push_back(reeve("mainline", {drum, anchor_on("car", 0)}, 158, 5, 5e6));
   m.carriages[0].mainline = 1;
   return m;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/analysis/machines_test.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 namespace taut_test::transient_rows {
 namespace {
@@ -13,15 +14,6 @@ using taut::analysis::DynamicState;
 using taut::analysis::Start;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
-
-TransientOptions lasting(double duration, double tolerance) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration;
-  options.tolerance = tolerance;
-  options.start = Start::assembled;
-  return options;
-}
 
 /// Two masses over a sheave with inertia, each leg in equilibrium at the start.
 model::Model atwood() {

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// Machines in motion against witnesses that know nothing of the engine: closed forms, and equations of motion of one
 /// unknown written by hand and integrated by Runge and Kutta.
@@ -21,40 +22,6 @@ using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
 constexpr double g = 9.81;
-
-TransientResult run(const model::Model& m, double duration, double tolerance, int outputs = 1) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / outputs;
-  options.tolerance = tolerance;
-  options.start = Start::assembled;
-  TransientResult r = transient(m, options);
-  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  return r;
-}
-
-/// Place and speed of x'' = a(t, x, x') after `duration`.
-std::array<double, 2> runge_kutta(double x, double v, double duration,
-                                  const std::function<double(double, double, double)>& a) {
-  constexpr int steps = 4000;
-  const double h = duration / steps;
-  for (int i = 0; i < steps; ++i) {
-    const double t = i * h;
-    const double k1 = a(t, x, v), l1 = v;
-    const double k2 = a(t + h / 2, x + h / 2 * l1, v + h / 2 * k1), l2 = v + h / 2 * k1;
-    const double k3 = a(t + h / 2, x + h / 2 * l2, v + h / 2 * k2), l3 = v + h / 2 * k2;
-    const double k4 = a(t + h, x + h * l3, v + h * k3), l4 = v + h * k3;
-    x += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
-    v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  return {x, v};
-}
-
-model::Signal smooth(double to, double start, double over) {
-  model::Signal s;
-  s.law = model::Moves{0, {{start, to, over, true}}};
-  return s;
-}
 
 /// Two masses on a rope of 4 kg/m over a sheave; each leg is a chain.
 struct HeavyRope {
@@ -74,7 +41,7 @@ model::Model heavy_rope(const HeavyRope& of, model::Node round, int segments) {
 
 /// How far the right mass has sunk after a second.
 double sunk(const model::Model& m) {
-  const TransientResult r = run(m, 1, 1e-5);
+  const TransientResult r = run_to_end(m, lasting(1, 1e-5));
   return m.bodies[1].position.z() - r.frames.back().bodies[1].position.z();
 }
 
@@ -194,9 +161,9 @@ TEST(TransientWitness, BeltCreepsByItsStretch) {
   m.reevings[0].value = (10 + 2 * pi * R) / (1 + 1500 / EA);
   m.reevings[0].damping_time = 5e-3;
   m.motors.resize(2);
-  m.motors[0].drive = {model::DriveKind::speed, smooth(speed, 0, 1)};
-  m.motors[1].drive = {model::DriveKind::torque, smooth(-torque, 1, 1)};
-  const TransientResult r = run(m, 6, 1e-5);
+  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, speed, 0, 1)};
+  m.motors[1].drive = {model::DriveKind::torque, smooth_move(0, -torque, 1, 1)};
+  const TransientResult r = run_to_end(m, lasting(6, 1e-5));
   const auto& last = r.frames.back();
   const double T1 = last.contacts[0].T_in, T2 = last.contacts[0].T_out;
   EXPECT_NEAR(T1 - T2, torque / R, 1e-3 * torque / R);
@@ -219,7 +186,7 @@ TEST(TransientWitness, CrossedSheaves) {
   m.reevings[0].given = model::Given::tension_at_start;
   m.reevings[0].value = light * g;
   m.reevings[0].damping_time = 5e-3;
-  const TransientResult r = run(m, 1, 1e-6);
+  const TransientResult r = run_to_end(m, lasting(1, 1e-6));
   const double a = g * (heavy - light) / (heavy + light + 2 * J / (R * R));
   const auto& last = r.frames.back();
   EXPECT_NEAR(last.bodies[0].acceleration.z(), a, 1e-3 * a);
@@ -237,8 +204,8 @@ TEST(TransientWitness, SheaveOnABodyThatMovesAndTurns) {
     model::Model m;
     m.gravity = g;
     m.bodies = {body("arm", {0, 0, 0}, 50, ""), body("a", {-R, 0, -8}, 100, "z"), body("b", {R, 0, -8}, 100, "z")};
-    m.bodies[0].driven.push_back({Vector3::UnitZ(), Vector3::Zero(), smooth(rise, 0.2, 2)});
-    m.bodies[0].driven.push_back({Vector3::Zero(), Vector3::UnitY(), smooth(angle, 0.2, 2)});
+    m.bodies[0].driven.push_back({Vector3::UnitZ(), Vector3::Zero(), smooth_move(0, rise, 0.2, 2)});
+    m.bodies[0].driven.push_back({Vector3::Zero(), Vector3::UnitY(), smooth_move(0, angle, 0.2, 2)});
     model::Node wheel = sheave("wheel", {0, 0, 0}, R, 1, held ? 0 : 1, 0);
     wheel.law.friction = 3;
     if (!held) wheel.inertia = 1e-3;  // turns on its axle: the body turns under it
@@ -246,7 +213,7 @@ TEST(TransientWitness, SheaveOnABodyThatMovesAndTurns) {
     m.reevings[0].given = model::Given::tension_at_start;
     m.reevings[0].value = 100 * g;
     m.reevings[0].damping_time = 5e-3;
-    const TransientResult r = run(m, 4, 1e-5);
+    const TransientResult r = run_to_end(m, lasting(4, 1e-5));
     const auto& last = r.frames.back();
     const double turned = held ? angle * R : 0;  // right-handed about y takes the left side up
     EXPECT_NEAR(last.bodies[1].position.z(), -8 + rise + turned, 5e-3) << held;
@@ -263,17 +230,11 @@ TEST(TransientWitness, PendulumOnADrum) {
   const Vector3 t(std::sin(phi0), 0, -std::cos(phi0)), n(std::cos(phi0), 0, std::sin(phi0));
   const double l = l0 + R * phi0;
   m.bodies.push_back(body("load", R * n + l * t, 300, "xz"));
-  model::Node drum = anchor("drum", {0, 0, 0});
-  drum.radius = R;
-  drum.drum = 0;
-  drum.side = 1;
-  m.drums.resize(1);
-  m.drums[0].core_radius = R;
-  m.reevings.push_back(reeve("rope", {drum, anchor_on("load", 0)}, 1, 0, EA));
+  m.reevings.push_back(reeve("rope", {add_drum(m, "drum", origin, R), anchor_on("load", 0)}, 1, 0, EA));
   m.reevings[0].given = model::Given::tension_at_start;
   m.reevings[0].value = 300 * g * std::cos(phi0);
   m.reevings[0].damping_time = 1e-4;
-  const TransientResult r = run(m, 3, 1e-5);
+  const TransientResult r = run_to_end(m, lasting(3, 1e-5));
   const auto [phi, rate] = runge_kutta(
       phi0, 0, 3, [&](double, double x, double v) { return -(R * v * v + g * std::sin(x)) / (l0 + R * x); });
   const Vector3 end(R * std::cos(phi) + (l0 + R * phi) * std::sin(phi), 0,
@@ -292,7 +253,7 @@ TEST(TransientWitness, CarriageFallsIntoASlackRope) {
     m.reevings = {
         reeve("skyline", {anchor("head", head), over("car", origin, 0), anchor("tail", tail)}, 203, weight, 26e6)};
     m.reevings[0].damping_time = 0.01;
-    const TransientResult r = run(m, 6, 1e-4, 60);
+    const TransientResult r = run_to_end(m, lasting(6, 1e-4, 60));
     for (const auto& frame : r.frames) {
       const Vector3& at = frame.bodies[0].position;
       const double path = (at - head).norm() + (at - tail).norm();
