@@ -83,7 +83,7 @@ TEST(BeamTables, ForcesOnItsEndsAddUpToItsWeight) {
   std::vector<Vector3> on(one.m.bodies.size() + 1, Vector3::Zero());
   Vector3 outside = Vector3::Zero();
   act_beams(
-      one.system(), one.c, [&](int body, const Vector3& F) { on.at(static_cast<std::size_t>(body + 1)) += F; },
+      one.system(), one.c, [&](int body, const Vector3& F) { on.at(static_cast<std::size_t>(body) + 1) += F; },
       outside);
   EXPECT_LT((outside - Vector3(0, 0, -1100 * h)).norm(), 1e-9);
   EXPECT_LT((on[0] - Vector3(4e3, -3e3, -90e3)).norm(), 1e-9);                   // the ground

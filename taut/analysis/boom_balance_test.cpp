@@ -15,7 +15,6 @@ namespace {
 
 using taut::analysis::Slid;
 using taut::analysis::Start;
-using taut::analysis::transient;
 using taut::analysis::TransientFrame;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;

@@ -13,7 +13,6 @@ namespace taut_test::boom_motion_test {
 namespace {
 
 using taut::analysis::Start;
-using taut::analysis::transient;
 using taut::analysis::TransientFrame;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;

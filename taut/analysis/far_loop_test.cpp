@@ -1,5 +1,6 @@
 #include "taut/analysis/far_loop.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -125,7 +125,7 @@ class Model {
         x[static_cast<std::size_t>(n)][k] = Outer(v, d);
       }
     }
-    const Outer E = energy_of<Outer>(p, x);
+    const auto E = energy_of<Outer>(p, x);
     for (int a = 0; a < 3 * corners; ++a) {
       const int row = dof(p, a);
       if (row < 0) continue;

@@ -14,7 +14,6 @@ using taut::analysis::pretension;
 using taut::analysis::PretensionOptions;
 using taut::analysis::PretensionResult;
 using taut::analysis::Pull;
-using taut::analysis::Start;
 
 constexpr int extension = 0, retraction = 1;
 
@@ -71,6 +70,7 @@ TEST(Pretension, TensionersPulledInTurn) {
   for (const Order& order : {Order{{extension, retraction}, {{0.635, 0}, {0.635, 2.54}, {1.905, 2.54}, {1.905, 5.08}}},
                              Order{{retraction, extension}, {{0, 1.27}, {1.27, 1.27}, {1.27, 3.81}, {2.54, 3.81}}}}) {
     std::vector<Pull> pulls;
+    pulls.reserve(4);
     for (std::size_t i = 0; i < 4; ++i) pulls.push_back(until_it_moves(order.pulled[i % 2], out, 2e-8));
     PretensionOptions options;
     const PretensionResult r = pretension(boom_with_slack_ropes(1270), pulls, options);
@@ -94,6 +94,7 @@ TEST(Pretension, TheLimitOfSlidingHoldsInAYieldingBoom) {
   b.S10 = b.S20 = 1e3;
   const auto out = place_of(boom_bodies::s3, boom_bodies::s2);
   std::vector<Pull> pulls;
+  pulls.reserve(6);
   for (int i = 0; i < 6; ++i) pulls.push_back(until_it_moves(i % 2, out, 1e-4));
   const PretensionResult r = pretension(boom_machine(b), pulls);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;

@@ -4,6 +4,7 @@
 
 #include "taut/analysis/machines_test.hpp"
 #include "taut/analysis/transient_run.hpp"
+#include "taut/analysis/transient_runs_test.hpp"
 
 /// What the control makes of steps set by hand: errors against the trapezoidal rule's own on polynomials, and how the
 /// bound of them grows in runs of very many steps.
@@ -181,6 +182,33 @@ TEST(TransientControl, AResolvingStepIsByTheFastestSwing) {
   EXPECT_NEAR(resolving_step(of.run), 0.05, 1e-12);  // where nothing swings: by the duration
   of.options.tolerance = 1;
   EXPECT_NEAR(resolving_step(of.run), 0.1, 1e-12);
+}
+
+/// A mass between two ropes shakes 160 times in a second, undamped: its steps are of one size for 150 000 of them, and
+/// then grow to eight times that; every swing is still resolved, so that it shakes as much as at first.
+TEST(TransientControl, ALongShakingRunGrowsCoarserAndKeepsItsSwing) {
+  model::Model m;
+  m.gravity = 0;
+  m.bodies.push_back(taut_test::body("mass", {0.002, 0, 0}, 2, "x"));
+  for (const double end : {-1.0, 1.0}) {
+    m.reevings.push_back(
+        taut_test::reeve("rope", {taut_test::anchor("a", {end, 0, 0}), taut_test::anchor_on("mass", 0)}, 0.99, 0, 1e6));
+  }
+  m.observed.push_back({"x", model::Quantity::x, si::m, 0, -1, Vector3::Zero()});
+  const auto run = [&](double duration) { return taut_test::run_to_end(m, taut_test::lasting(duration, 1e-6, 500)); };
+  const TransientResult usual = run(0.14), longer = run(0.6), longest = run(0.75);
+  EXPECT_LT(usual.steps, 150'000);
+  EXPECT_TRUE(usual.events.empty());
+  ASSERT_EQ(longest.events.size(), 1U);
+  EXPECT_EQ(longest.events[0].what, "coarser");
+  ASSERT_GT(longer.steps, 220'000);
+  const double mean = 0.14 / static_cast<double>(usual.steps);
+  EXPECT_NEAR(longest.events[0].t, 150'001 * mean, 1e-2 * longest.events[0].t);
+  EXPECT_NEAR(0.15 / static_cast<double>(longest.steps - longer.steps) / mean, 8, 0.5);
+  double largest = 0;
+  for (const double x : longest.observed[0]) largest = std::max(largest, std::abs(x));
+  EXPECT_NEAR(largest, 0.002, 2e-6);
+  EXPECT_LT(std::abs(longest.frames.back().energy.residual), 1e-6 * longest.frames.back().energy.turnover);
 }
 
 TEST(TransientControl, WhatIsKeptIsTheStepBefore) {

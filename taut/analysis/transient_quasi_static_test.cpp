@@ -308,7 +308,7 @@ TEST(QuasiStatic, SteadySlidingOfTheBoomKeepsItsForces) {
   b.travel = 4;
   std::vector<BoomState> at_end;
   for (const double step : {0.1, 0.05, 0.02}) {
-    TransientOptions o = slowly(5, static_cast<int>(5 / step), Start::sliding);
+    TransientOptions o = slowly(5.0, static_cast<int>(5 / step), Start::sliding);
     o.slid = {Slid{false, 0, step == 0.02 ? 0.2 : 0.1}};
     at_end.push_back(boom_state(b, run(boom_machine(b), o).frames.back()));
   }
