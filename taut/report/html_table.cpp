@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "taut/report/symbol.hpp"
@@ -17,12 +19,22 @@ bool is_number_column(const Table& t, std::size_t k) {
                      [&](const auto& row) { return k < row.size() && std::holds_alternative<double>(row[k]); });
 }
 
-/// Which rows to show: all, or the first ones and the last few with a gap.
+/// Whether each row begins with words of its own: a list, not a series.
+bool is_list(const Table& t) {
+  std::set<std::string_view> names;
+  return std::all_of(t.rows.begin(), t.rows.end(), [&](const auto& row) {
+    const auto* words = row.empty() ? nullptr : std::get_if<std::string>(&row[0]);
+    return words != nullptr && !words->empty() && names.insert(*words).second;
+  });
+}
+
+/// Which rows to show: all, or of a long series the first ones and the last few with a gap.
 std::vector<std::size_t> shown_rows(const Table& t) {
   constexpr std::size_t last = 10;
   std::vector<std::size_t> all;
+  const bool whole = t.rows.size() <= most_rows || is_list(t);
   for (std::size_t i = 0; i < t.rows.size(); ++i) {
-    if (t.rows.size() <= most_rows || i < most_rows - last || i + last >= t.rows.size()) all.push_back(i);
+    if (whole || i < most_rows - last || i + last >= t.rows.size()) all.push_back(i);
   }
   return all;
 }
@@ -34,9 +46,26 @@ bool rows_have_units(const Table& t) {
   return std::any_of(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.name == "unit"; });
 }
 
+/// What the rows of a long list are parts of, by row: of "row 4, 52 deg: S1" beside "row 4, 52 deg: S2" what stands
+/// before the colon, where rows beside each other share it. Empty: of nothing, or the list is short.
+std::vector<std::string> parts_of_list(const Table& t) {
+  std::vector<std::string> parts(t.rows.size());
+  if (t.rows.size() <= most_rows || !is_list(t)) return parts;
+  const auto before_colon = [&](std::size_t i) {
+    const auto& words = std::get<std::string>(t.rows[i][0]);
+    const auto colon = words.rfind(": ");
+    return colon == std::string::npos ? std::string() : words.substr(0, colon);
+  };
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    const std::string part = before_colon(i);
+    if (!part.empty() && part == before_colon(i + 1)) parts[i] = parts[i + 1] = part;
+  }
+  return parts;
+}
+
 /// Cells of one column, in the order of `rows`.
 std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::vector<std::size_t>& rows,
-                                      const Display& display) {
+                                      const std::vector<std::string>& parts, const Display& display) {
   const ShownUnit u = shown_unit(t.columns[k].unit, display);
   std::vector<double> numbers;
   for (const std::size_t i : rows) {
@@ -51,7 +80,9 @@ std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::
   for (std::size_t n = 0; n < rows.size(); ++n) {
     const auto& row = t.rows[rows[n]];
     const auto* words = k < row.size() ? std::get_if<std::string>(&row[k]) : nullptr;
-    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num") : cell(prose_html(*words)));
+    const std::string& part = parts[rows[n]];
+    const std::size_t said = k == 0 && !part.empty() ? part.size() + 2 : 0;  // by the heading of its part
+    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num") : cell(prose_html(words->substr(said))));
   }
   return cells;
 }
@@ -142,6 +173,7 @@ std::vector<std::vector<std::size_t>> parts_of(const Table& t) {
 
 std::string part_html(const Table& t, const std::vector<std::size_t>& part, const std::vector<std::size_t>& rows,
                       const std::string& caption, const Display& display) {
+  const std::vector<std::string> above = parts_of_list(t);
   std::string head;
   std::vector<std::vector<std::string>> columns;
   for (const std::size_t k : part) {
@@ -149,13 +181,17 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
     const std::string name = to_html(label_runs(heading(t.columns[k].name)));
     head += fmt::format("<th{}>{}{}</th>", is_number_column(t, k) ? " class=\"num\"" : "", name,
                         unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(unit)));
-    columns.push_back(column_cells(t, k, rows, display));
+    columns.push_back(column_cells(t, k, rows, above, display));
   }
   std::string body;
   for (std::size_t n = 0; n < rows.size(); ++n) {
     if (n > 0 && rows[n] != rows[n - 1] + 1) {
       body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", part.size(),
                           t.rows.size() - rows.size());
+    }
+    if (!above[rows[n]].empty() && (n == 0 || above[rows[n]] != above[rows[n - 1]])) {
+      body +=
+          fmt::format("<tr class=\"part\"><th colspan=\"{}\">{}</th></tr>\n", part.size(), prose_html(above[rows[n]]));
     }
     body += "<tr>";
     for (const auto& column : columns) body += column[n];

@@ -71,6 +71,27 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
   EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
 }
 
+/// Rows that each begin with a name are a list: all of them are shown, below what they are parts of.
+TEST(HtmlTable, ALongListIsShownWholeAndASeriesIsNot) {
+  Table list{"compared", "Compared", {{"what", si::one}, {"taut", si::one}}, {}}, series = list;
+  for (std::size_t i = 0; i < 2 * most_rows; ++i) {
+    list.rows.push_back({fmt::format("row {}: S{}", i / 3, i % 3), static_cast<double>(i)});
+    series.rows.push_back({std::string("step"), static_cast<double>(i)});
+  }
+  list.rows.push_back({std::string("alone: Fh"), 7.0});
+  const std::string html = table_html(list, {});
+  EXPECT_EQ(times(html, "<td>S0</td>"), 2 * most_rows / 3);
+  EXPECT_EQ(times(html, "class=\"part\""), 2 * most_rows / 3);
+  EXPECT_EQ(times(html, ">row 17</th>"), 1U);
+  EXPECT_EQ(times(html, "<td>alone: Fh</td>"), 1U);
+  EXPECT_EQ(times(html, "left out"), 0U);
+  EXPECT_EQ(times(table_html(series, {}), "<td>step</td>"), most_rows);
+  EXPECT_EQ(times(table_html(series, {}), "left out"), 1U);
+  list.rows.resize(most_rows);  // short enough without headings
+  EXPECT_EQ(times(table_html(list, {}), "class=\"part\""), 0U);
+  EXPECT_EQ(times(table_html(list, {}), "<td>row 3: S1</td>"), 1U);
+}
+
 TEST(HtmlTable, LongNamesAndWordsTakeFewerColumnsToAPage) {
   Table t = wide(6);
   for (Column& c : t.columns) c.name = "analyses.payload.limits.mainline." + c.name;
