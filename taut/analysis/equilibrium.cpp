@@ -311,21 +311,19 @@ void add_band(const model::Model& model, const EquilibriumOptions& options, Equi
       result.band = false;
       continue;
     }
+    const auto widen = [](double& low, double& high, double T) {
+      low = std::min(low, T);
+      high = std::max(high, T);
+    };
     for (std::size_t k = 0; k < result.spans.size(); ++k) {
       SpanResult& span = result.spans[k];
-      const SpanResult& o = other.spans[k];
-      span.T_from_min = std::min(span.T_from_min, o.T_from);
-      span.T_from_max = std::max(span.T_from_max, o.T_from);
-      span.T_to_min = std::min(span.T_to_min, o.T_to);
-      span.T_to_max = std::max(span.T_to_max, o.T_to);
+      widen(span.T_from_min, span.T_from_max, other.spans[k].T_from);
+      widen(span.T_to_min, span.T_to_max, other.spans[k].T_to);
     }
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
       ContactResult& contact = result.contacts[k];
-      const ContactResult& o = other.contacts[k];
-      contact.T_in_min = std::min(contact.T_in_min, o.T_in);
-      contact.T_in_max = std::max(contact.T_in_max, o.T_in);
-      contact.T_out_min = std::min(contact.T_out_min, o.T_out);
-      contact.T_out_max = std::max(contact.T_out_max, o.T_out);
+      widen(contact.T_in_min, contact.T_in_max, other.contacts[k].T_in);
+      widen(contact.T_out_min, contact.T_out_max, other.contacts[k].T_out);
     }
     for (std::size_t r = 0; r < result.ropes.size(); ++r) {
       RopeResult& rope = result.ropes[r];

@@ -35,6 +35,16 @@ std::vector<WayPart> parts_of(const model::Model& model, const Way& way) {
   return parts;
 }
 
+analysis::LoadPathOptions path_over(const Way& way, const WayPart& part) {
+  analysis::LoadPathOptions options;
+  options.carriage = way.carriage;
+  options.from = way.x(part.first);
+  options.to = way.x(part.last);
+  options.along = way.along;
+  options.steps = std::max(1, part.last - part.first);
+  return options;
+}
+
 Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints) {
   if (along.size() == 2 && std::hypot(along[0], along[1]) > 0) return Vector3(along[0], along[1], 0).normalized();
   complaints.push_back({path, "a horizontal direction [x, y] is expected, not zero"});

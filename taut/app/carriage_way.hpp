@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/analysis/load_path.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/model/model.hpp"
 
@@ -30,6 +31,9 @@ struct WayPart {
 
 /// A way span by span, in the order of its positions.
 std::vector<WayPart> parts_of(const model::Model& model, const Way& way);
+
+/// A load path over the positions of a part; of a single position it has two, both there.
+analysis::LoadPathOptions path_over(const Way& way, const WayPart& part);
 
 /// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
 Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints);

@@ -126,12 +126,7 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
       continue;
     }
     std::vector<Complaint> told_before;
-    analysis::LoadPathOptions options;
-    options.carriage = run.carriage;
-    options.from = phase.way.x(part.first);
-    options.to = phase.way.x(part.last);
-    options.along = phase.way.along;
-    options.steps = std::max(1, part.last - part.first);
+    analysis::LoadPathOptions options = path_over(phase.way, part);
     options.equilibrium = options_of(phase.request.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.go_on = [&](double x) { return watch.go_on_at(x); };

@@ -166,12 +166,7 @@ class Combination {
         on_support_ = true;
         continue;
       }
-      analysis::LoadPathOptions options;
-      options.carriage = run_.carriage;
-      options.from = run_.way.x(part.first);
-      options.to = run_.way.x(part.last);
-      options.along = run_.way.along;
-      options.steps = std::max(1, part.last - part.first);
+      analysis::LoadPathOptions options = path_over(run_.way, part);
       options.equilibrium = options_for(motion, part.model);
       options.go_on = [&](double x) { return watch_.go_on_at(x); };
       auto path = analysis::load_path(part.model, options);

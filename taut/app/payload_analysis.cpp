@@ -192,12 +192,7 @@ Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
       continue;
     }
     std::vector<Complaint> told_before;
-    analysis::LoadPathOptions options;
-    options.carriage = run.way.carriage;
-    options.from = run.way.x(part.first);
-    options.to = run.way.x(part.last);
-    options.steps = std::max(1, part.last - part.first);
-    options.along = run.way.along;
+    analysis::LoadPathOptions options = path_over(run.way, part);
     options.equilibrium = options_of(run.motion, part.model, {}, told_before);
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = analysis::payload_path(part.model, run.limits, options);

@@ -82,6 +82,18 @@ bool newton(const F& f, std::array<double, N>& z) {
   return size(r) < 1e-9;
 }
 
+/// Forces of a loop from its spans: lower ones at A and B, upper ones at A and B.
+inline void tell(const LoopCase& c, const Catenary& l1, const Catenary& l2, const Catenary& u3, const Catenary& u4,
+                 LoopForces& out) {
+  out.P_v = u4.H * u4.left - u3.H * u3.right;
+  out.P_b = out.P_v + c.m * (u3.H - u4.H);
+  out.T_uA = u3.T_left();
+  out.T_uB = u4.T_right();
+  out.T_lA = l1.T_left();
+  out.T_lB = l2.T_right();
+  out.T_lLB = l2.T_left();
+}
+
 /// Start: horizontal tensions of the lower branch left and right of the carriage, of the upper branch left and right.
 inline LoopForces solve_loop(const LoopCase& c, std::array<double, 4> H) {
   const double y = c.m * c.x - c.f;
@@ -104,13 +116,7 @@ inline LoopForces solve_loop(const LoopCase& c, std::array<double, 4> H) {
   LoopForces out;
   out.converged = newton<4>(residual, z);
   const auto [l1, l2, u3, u4] = state(z);
-  out.P_v = u4.H * u4.left - u3.H * u3.right;
-  out.P_b = out.P_v + c.m * (u3.H - u4.H);
-  out.T_uA = u3.T_left();
-  out.T_uB = u4.T_right();
-  out.T_lA = l1.T_left();
-  out.T_lB = l2.T_right();
-  out.T_lLB = l2.T_left();
+  tell(c, l1, l2, u3, u4, out);
   return out;
 }
 
@@ -141,13 +147,7 @@ inline LoopForces solve_two_sections(const LoopCase& c, std::array<double, 5> H,
   LoopForces out;
   out.converged = newton<6>(residual, z);
   const auto [l1, l12, l2, u3, u4] = state(z);
-  out.P_v = u4.H * u4.left - u3.H * u3.right;
-  out.P_b = out.P_v + c.m * (u3.H - u4.H);
-  out.T_uA = u3.T_left();
-  out.T_uB = u4.T_right();
-  out.T_lA = l1.T_left();
-  out.T_lB = l2.T_right();
-  out.T_lLB = l2.T_left();
+  tell(c, l1, l2, u3, u4, out);
   out.y2 = z[5];
   return out;
 }
