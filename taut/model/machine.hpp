@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/gravity.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/model/beam_keys.hpp"
 #include "taut/model/measure_keys.hpp"
@@ -241,7 +242,7 @@ struct Terrain {
 namespace taut::model {
 
 struct Machine {
-  double gravity = 9.80665;           ///< m/s2
+  double gravity = standard_gravity;  ///< m/s2
   std::optional<double> temperature;  ///< K
   std::vector<description::Point> points;
   std::vector<description::Rope> ropes;

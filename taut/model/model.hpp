@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/base/gravity.hpp"
 #include "taut/math/vector.hpp"
 #include "taut/model/beam.hpp"
 #include "taut/model/motion.hpp"
@@ -154,7 +155,7 @@ struct GroundPoint {
 };
 
 struct Model {
-  double gravity = 9.80665;  ///< m/s^2, along -z
+  double gravity = standard_gravity;  ///< m/s^2, along -z
   std::vector<Body> bodies;
   std::vector<Load> loads;
   std::vector<Reeving> reevings;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/gravity.hpp"
 #include "taut/structure/column.hpp"
 #include "taut/structure/mast.hpp"
 
@@ -41,7 +42,7 @@ struct ColumnMast {
   double top_stiffness = 0;  ///< of guys, both ways, N/m; infinite: the top does not move
   bool own_weight = false;   ///< each piece's mass times gravity, with `weight_factor`
   double weight_factor = 1;
-  double gravity = 9.80665;
+  double gravity = standard_gravity;
   double E = 210e9;
   PartialFactors gamma;
   std::optional<Curve> curve;

@@ -17,7 +17,7 @@ Peaks peaks_with(const Input& in, double q_b, double q_T) {
 }
 
 bool passes(const Input& in, const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
-  const Peaks peaks = peaks_with(in, b.mass_per_length * gravity, t.mass_per_length * gravity);
+  const Peaks peaks = peaks_with(in, b.mass_per_length * standard_gravity, t.mass_per_length * standard_gravity);
   const double n = *in.safety_factor;
   return peaks.return_rope.tension > 0 && b.breaking_force >= n * peaks.return_rope.tension &&
          t.breaking_force >= n * peaks.traction_rope.tension;

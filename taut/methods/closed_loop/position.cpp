@@ -17,7 +17,7 @@
 namespace taut::closed_loop {
 namespace {
 
-constexpr double tonne_force = 1000 * gravity;
+constexpr double tonne_force = 1000 * standard_gravity;
 /// Limits of the paper's formulas off midspan and on slopes, and how much too low a printed tension may be unremarked.
 constexpr double local_slope_limit = 0.2;
 constexpr double slope_limit = 10 * degree;
@@ -316,13 +316,13 @@ Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
   }
   if (in.return_rope) {
     ropes.return_rope = known_rope(*in.return_rope);
-    ropes.q_b = ropes.return_rope->mass_per_length * gravity;
+    ropes.q_b = ropes.return_rope->mass_per_length * standard_gravity;
   } else {
     ropes.q_b = *in.return_weight;
   }
   if (in.traction_rope) {
     ropes.traction_rope = known_rope(*in.traction_rope);
-    ropes.q_T = ropes.traction_rope->mass_per_length * gravity;
+    ropes.q_T = ropes.traction_rope->mass_per_length * standard_gravity;
   } else {
     ropes.q_T = *in.traction_weight;
   }

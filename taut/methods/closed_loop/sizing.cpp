@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -99,29 +100,30 @@ Peaks larger(const Peaks& a, const Peaks& b) {
   return {higher(a.return_rope, b.return_rope), higher(a.traction_rope, b.traction_rope)};
 }
 
-Peaks peaks_of(const Output& out) {
-  if (!std::isfinite(out.T_lA_exact)) return closed_form_peaks_of(out);
+namespace {
+
+/// Tensions of the return rope, upper branch at A, at the carriage, at B, lower branch at B, at the carriage; of the
+/// traction rope at A and at the carriage.
+Peaks peaks_at(double x, const std::array<double, 5>& of_return, const std::array<double, 2>& of_traction) {
+  constexpr std::array on_return = {"upper branch at A", "upper branch at the carriage", "upper branch at B",
+                                    "lower branch at B", "lower branch at the carriage"};
+  constexpr std::array on_traction = {"lower branch at A", "lower branch at the carriage"};
   Peaks p;
-  raise(p.return_rope, out.T_uA_exact, out.x, "upper branch at A");
-  raise(p.return_rope, out.T_U_exact, out.x, "upper branch at the carriage");
-  raise(p.return_rope, out.T_uB_exact, out.x, "upper branch at B");
-  raise(p.return_rope, out.T_lB_exact, out.x, "lower branch at B");
-  raise(p.return_rope, out.T_lLB_exact, out.x, "lower branch at the carriage");
-  raise(p.traction_rope, out.T_lA_exact, out.x, "lower branch at A");
-  raise(p.traction_rope, out.T_lLA_exact, out.x, "lower branch at the carriage");
+  for (std::size_t i = 0; i < of_return.size(); ++i) raise(p.return_rope, of_return[i], x, on_return[i]);
+  for (std::size_t i = 0; i < of_traction.size(); ++i) raise(p.traction_rope, of_traction[i], x, on_traction[i]);
   return p;
 }
 
+}  // namespace
+
+Peaks peaks_of(const Output& out) {
+  if (!std::isfinite(out.T_lA_exact)) return closed_form_peaks_of(out);
+  return peaks_at(out.x, {out.T_uA_exact, out.T_U_exact, out.T_uB_exact, out.T_lB_exact, out.T_lLB_exact},
+                  {out.T_lA_exact, out.T_lLA_exact});
+}
+
 Peaks closed_form_peaks_of(const Output& out) {
-  Peaks p;
-  raise(p.return_rope, out.T_uA, out.x, "upper branch at A");
-  raise(p.return_rope, out.T_U, out.x, "upper branch at the carriage");
-  raise(p.return_rope, out.T_uB, out.x, "upper branch at B");
-  raise(p.return_rope, out.T_lB, out.x, "lower branch at B");
-  raise(p.return_rope, out.T_lLB, out.x, "lower branch at the carriage");
-  raise(p.traction_rope, out.T_lA, out.x, "lower branch at A");
-  raise(p.traction_rope, out.T_lLA, out.x, "lower branch at the carriage");
-  return p;
+  return peaks_at(out.x, {out.T_uA, out.T_U, out.T_uB, out.T_lB, out.T_lLB}, {out.T_lA, out.T_lLA});
 }
 
 namespace {
@@ -146,7 +148,7 @@ Candidates stronger_than(double force, const Candidates& all) {
 }
 
 Ropes pair_of(const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
-  return {b.mass_per_length * gravity, t.mass_per_length * gravity, b, t};
+  return {b.mass_per_length * standard_gravity, t.mass_per_length * standard_gravity, b, t};
 }
 
 /// One trial: which of the two ropes are strong enough.

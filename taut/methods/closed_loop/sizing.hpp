@@ -4,13 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/gravity.hpp"
 #include "taut/catalogue/rope.hpp"
 #include "taut/methods/closed_loop/paper.hpp"
 
 namespace taut::closed_loop {
-
-/// Standard gravity, m/s2: turns a catalogue's mass per metre into a weight.
-inline constexpr double gravity = 9.80665;
 
 /// The metallic areas (8), (10) and their corrected forms, m2, for the load at midspan and the sag c.f there.
 /// Infeasible: at that sag no rope carries its own weight with the safety factor, or the upper branch takes no load.

@@ -98,8 +98,8 @@ bool pass(const Input& in, const catalogue::RopeRow& b, const catalogue::RopeRow
     Input one = in;
     one.choose_ropes.reset();
     one.position = {x};
-    one.return_weight = b.mass_per_length * gravity;
-    one.traction_weight = t.mass_per_length * gravity;
+    one.return_weight = b.mass_per_length * standard_gravity;
+    one.traction_weight = t.mass_per_length * standard_gravity;
     Output o;
     if (!solve(one, o).ok()) continue;
     const Peaks p = peaks_of(o);
