@@ -16,9 +16,7 @@ namespace taut_test::transient_rope_load_test {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Start;
 using taut::analysis::TimeMethod;
-using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 

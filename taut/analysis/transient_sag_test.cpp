@@ -26,7 +26,6 @@ using taut::analysis::EquilibriumOptions;
 using taut::analysis::EquilibriumResult;
 using taut::analysis::Start;
 using taut::analysis::TimeMethod;
-using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 

@@ -40,6 +40,7 @@ std::vector<std::size_t> shown_rows(const Table& t) {
 }
 
 constexpr int own_digits = 5;
+constexpr std::size_t most_of_quantity = 12;  ///< characters of a number with its unit, which stay in one line
 
 /// Whether a column says the unit of its row's numbers.
 bool rows_have_units(const Table& t) {
@@ -82,7 +83,10 @@ std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::
     const auto* words = k < row.size() ? std::get_if<std::string>(&row[k]) : nullptr;
     const std::string& part = parts[rows[n]];
     const std::size_t said = k == 0 && !part.empty() ? part.size() + 2 : 0;  // by the heading of its part
-    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num") : cell(prose_html(words->substr(said))));
+    const bool quantity = words != nullptr && !part.empty() && words->size() <= most_of_quantity &&
+                          words->find_first_of("0123456789") <= 1;  // behind a sign
+    cells.push_back(words == nullptr ? cell(escape(shown[n]), "num")
+                                     : cell(prose_html(words->substr(said)), quantity ? "short" : ""));
   }
   return cells;
 }
@@ -189,9 +193,10 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
       body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", part.size(),
                           t.rows.size() - rows.size());
     }
-    if (!above[rows[n]].empty() && (n == 0 || above[rows[n]] != above[rows[n - 1]])) {
-      body +=
-          fmt::format("<tr class=\"part\"><th colspan=\"{}\">{}</th></tr>\n", part.size(), prose_html(above[rows[n]]));
+    if (const std::string& now = above[rows[n]]; n > 0 ? now != above[rows[n - 1]] : !now.empty()) {
+      body += now.empty() ? "</tbody><tbody>\n"
+                          : fmt::format("</tbody><tbody class=\"part\">\n<tr><th colspan=\"{}\">{}</th></tr>\n",
+                                        part.size(), prose_html(now));
     }
     body += "<tr>";
     for (const auto& column : columns) body += column[n];

@@ -83,6 +83,7 @@ TEST(HtmlTable, ALongListIsShownWholeAndASeriesIsNot) {
   EXPECT_EQ(times(html, "<td>S0</td>"), 2 * most_rows / 3);
   EXPECT_EQ(times(html, "class=\"part\""), 2 * most_rows / 3);
   EXPECT_EQ(times(html, ">row 17</th>"), 1U);
+  EXPECT_EQ(times(html, "<tbody"), times(html, "</tbody"));
   EXPECT_EQ(times(html, "<td>alone: Fh</td>"), 1U);
   EXPECT_EQ(times(html, "left out"), 0U);
   EXPECT_EQ(times(table_html(series, {}), "<td>step</td>"), most_rows);
