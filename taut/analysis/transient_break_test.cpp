@@ -8,9 +8,7 @@ namespace taut_test::transient_break {
 namespace {
 
 using taut::analysis::EnergyLedger;
-using taut::analysis::Start;
 using taut::analysis::TransientFrame;
-using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
 model::Event break_at(double t, double over, int part = -1) {
@@ -22,15 +20,6 @@ model::Event break_at(double t, double over, int part = -1) {
   event.index = 0;
   event.part = part;
   return event;
-}
-
-TransientOptions until(double end) {
-  TransientOptions o;
-  o.duration = end;
-  o.output_step = end / 100;
-  o.tolerance = 1e-4;
-  o.start = Start::assembled;
-  return o;
 }
 
 /// A mass of 100 kg on a rope over two points, 3 m beside each other, 5 m above it; its other end is held 2 m below.
@@ -59,7 +48,7 @@ double time_of(const TransientResult& r, const std::string& what, const std::str
 TEST(TransientBreak, DeadEndRunsOffWhenItsRopeIsUsedUp) {
   model::Model m = over_two_points(0);
   m.events.push_back(break_at(0, 0, 2));
-  const TransientResult r = run_to_end(m, until(1.2));
+  const TransientResult r = run_to_end(m, lasting(1.2, 1e-4, 100));
   const double stretch = 1 + 981 / 1e6, g = 9.81;
   EXPECT_NEAR(time_of(r, "run_off", "right"), std::sqrt(2 * (2 / stretch + 8 * (1 / stretch - 1)) / g), 2e-4);
   EXPECT_NEAR(time_of(r, "run_off", "left"), std::sqrt(2 * (5 / stretch + 5 * (1 / stretch - 1)) / g), 2e-4);
@@ -78,7 +67,7 @@ TEST(TransientBreak, DeadEndRunsOffWhenItsRopeIsUsedUp) {
 TEST(TransientBreak, WeightOfDeadEndsClosesTheBooks) {
   model::Model m = over_two_points(20);
   m.events.push_back(break_at(0.05, 0, 2));
-  const TransientResult r = run_to_end(m, until(1.3));
+  const TransientResult r = run_to_end(m, lasting(1.3, 1e-4, 100));
   EXPECT_GT(time_of(r, "run_off", "left"), 0);
   for (const TransientFrame& frame : r.frames) {
     EXPECT_NEAR(frame.energy.residual, 0, 1e-3 * frame.energy.turnover + 1e-6) << frame.t;
@@ -90,7 +79,7 @@ TEST(TransientBreak, WeightOfDeadEndsClosesTheBooks) {
 TEST(TransientBreak, StrainEnergyGoesWithTheStiffness) {
   model::Model m = over_two_points(0);
   m.events.push_back(break_at(0.1, 0.01, 2));
-  const TransientResult r = run_to_end(m, until(0.2));
+  const TransientResult r = run_to_end(m, lasting(0.2, 1e-4, 100));
   const double strain = r.frames.front().energy.elastic;
   EXPECT_NEAR(strain, 981.0 * 981 / 1e6 / 2 * 10 / (1 + 981e-6), 1e-6);
   const EnergyLedger& end = r.frames.back().energy;
@@ -103,7 +92,7 @@ TEST(TransientBreak, StrainEnergyGoesWithTheStiffness) {
 TEST(TransientBreak, BrokenRopeDoesNotHoldAgain) {
   model::Model m = over_two_points(0);
   m.events = {break_at(0.1, 0), break_at(0.3, 0.05), break_at(0.4, 0.05, 1)};
-  const TransientResult r = run_to_end(m, until(0.5));
+  const TransientResult r = run_to_end(m, lasting(0.5, 1e-4, 100));
   std::vector<double> broke;
   for (const auto& event : r.events) {
     if (event.what == "break") broke.push_back(event.t);

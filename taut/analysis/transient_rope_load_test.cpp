@@ -16,6 +16,7 @@ namespace taut_test::transient_rope_load_test {
 namespace {
 
 using std::numbers::pi;
+using taut::analysis::Start;
 using taut::analysis::TimeMethod;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
@@ -228,7 +229,7 @@ TEST(TransientRopeLoad, DrivenAtOnceEitherWayRound) {
       m.reevings[0].nodes[1].law.efficiency = 0.98;
       TransientOptions options = lasting(3, 1e-4);
       options.start = Start::settled;
-      const TransientResult r = run(m, options);
+      const TransientResult r = run_to_end(m, options);
       const auto& last = r.frames.back();
       const auto& drive = last.contacts[0];
       const double drawn = speed > 0 ? drive.T_in : drive.T_out, slack = drive.T_in + drive.T_out - drawn;

@@ -14,9 +14,8 @@ using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
 
-TransientOptions lasting(double duration) {
-  TransientOptions options;
-  options.duration = options.output_step = duration;
+TransientOptions by_verlet(double duration) {
+  TransientOptions options = lasting(duration, 1e-6);
   options.method = TimeMethod::verlet;
   options.start = Start::settled;
   return options;
@@ -31,7 +30,7 @@ TEST(TransientVerlet, StepsAreEqualBetweenTheLinesWrittenDown) {
   m.reevings[0].mass = 1;
   m.reevings[0].segments = 20;
   m.tensioners.push_back({0, true, smooth_move(0, -1e-3, 0, 1e-3)});
-  TransientOptions options = lasting(0.4);
+  TransientOptions options = by_verlet(0.4);
   options.start = Start::assembled;
   for (const double lines : {3.8e-4, 4e-4, 4.2e-4}) {
     options.output_step = lines;
@@ -55,7 +54,7 @@ TEST(TransientVerlet, StaysStableWhereBranchesGetShort) {
   m.drums.resize(1);
   m.drums[0].core_radius = 0.2;
   m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 0.5)};
-  TransientOptions options = lasting(18.2);
+  TransientOptions options = by_verlet(18.2);
   options.output_step = 0.1;
   const TransientResult r = run_to_end(m, options);
   const double strain = 500 * 9.81 / 5e6, taken = 0.5 * (18.2 - 0.25);
@@ -74,7 +73,7 @@ TEST(TransientVerlet, SheavesWithInertiaGainNoEnergy) {
   m.gravity = 9.81;
   for (model::Node& node : m.reevings[0].nodes) node.inertia = node.radius > 0 ? 0.4 : 0;
   m.tensioners.push_back({0, true, smooth_move(0, -0.3, 0, 0.5)});
-  TransientOptions options = lasting(1);
+  TransientOptions options = by_verlet(1);
   options.output_step = 0.1;
   const TransientResult r = run_to_end(m, options);
   const auto& energy = r.frames.back().energy;
