@@ -238,7 +238,7 @@ class Builder {
           m().spins.push_back(spin);
         }
         contact.spin = known;
-      } else if (node.motor >= 0 || (node.inertia > 0 && node.law.efficiency > 0)) {
+      } else if (node.motor >= 0 || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
         contact.spin = count(m().spins.size());
         spin.axis = along * node.axis;
         spin.inertia = node.inertia;

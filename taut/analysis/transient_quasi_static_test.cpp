@@ -319,5 +319,28 @@ TEST(QuasiStatic, SteadySlidingOfTheBoomKeepsItsForces) {
   }
 }
 
+/// A boom is luffed with a hook below its tip's sheave, which has inertia and may slip: so slowly that it is as a light
+/// one. The rope neither runs off nor does the sheave, and the ledger closes.
+TEST(QuasiStatic, HeavySheavesOnMovingBodiesAreAsLightOnes) {
+  const auto luffed = [](double inertia, double efficiency) {
+    model::Model m;
+    m.gravity = g;
+    m.bodies = {body("boom", {0, 0, 0}, 0, ""), body("hook", {19.2, 0, -2}, 800, "xyz")};
+    m.bodies[0].driven.push_back({Vector3::Zero(), Vector3::UnitY(), smooth_move(0, -0.7, 0, 18)});
+    model::Node tip = sheave("tip", {18.8, 0, 6.8}, 0.4, 1, efficiency, 0);
+    tip.law.friction = 0.2;
+    tip.inertia = inertia;
+    m.reevings.push_back(
+        reeve("hoist", {anchor_on("boom", 0, {1.5, 0, 1.6}), tip, anchor_on("hook", 1)}, 27.6, 0, 5e8));
+    return run(m, slowly(20, 40)).frames.back();
+  };
+  for (const double efficiency : {1.0, 0.95}) {
+    const auto heavy = luffed(0.5, efficiency), light = luffed(0, efficiency);
+    EXPECT_EQ(heavy.bodies[1].position, light.bodies[1].position);
+    EXPECT_NEAR(heavy.branches[1].T_to, 800 * g, 1e-3);
+    EXPECT_LT(std::abs(heavy.contacts[0].angle), 1);
+  }
+}
+
 }  // namespace
 }  // namespace taut_test::transient_quasi_static_test
