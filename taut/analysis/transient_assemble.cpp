@@ -148,7 +148,7 @@ struct Slopes {
 
 Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const LineValues& now,
                  const std::vector<ContactValues>& now_contacts, const std::array<LineColumn, 14>& columns,
-                 LineTangent& tangent) {
+                 const std::array<double, 2>& askew, LineTangent& tangent) {
   Slopes d;
   const double square = s.reach * s.reach, lambda = 1 + now.e, share = line.share;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
@@ -162,7 +162,8 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
     }
     const double e = (square * share * c.l - lambda * d.L[at(k)]) / now.L;
     const bool second = k >= line.freedoms[0];
-    const double apart = s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart);
+    double apart = s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart);
+    apart += s.reach * (askew[0] * now.radius[0] * c.angle[0] - askew[1] * now.radius[1] * c.angle[1]);
     tangent.e[at(k)] = e;
     d.T[at(k)] = now.T_e * e + now.T_rate * share * apart / now.L;
   }
@@ -217,7 +218,9 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
   LineTangent& tangent = w.tangents[i];
   line_columns(line, m.bodies, values_now.bodies, now, w.columns);
   line.part ? add_part(line, now, w) : add_pull(line, now, w);
-  const Slopes d = slopes_of(s, before, line, now, values_now.contacts, w.columns, tangent);
+  const bool matters = line.damping > 0 && !s.at_rest;
+  const std::array<double, 2> askew = matters ? askew_of(line, values_now.bodies, now) : std::array<double, 2>{};
+  const Slopes d = slopes_of(s, before, line, now, values_now.contacts, w.columns, askew, tangent);
   end_slopes(s, line, now, w.columns, d, tangent);
   if (line.part) {
     add_part_slopes(m, s, line, now, tangent, d.L, w);

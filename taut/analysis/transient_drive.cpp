@@ -13,6 +13,8 @@ std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Va
   if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
   const model::Drive& drive = v.drive(spin);
   if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
+  // gives its tension to the rope, whatever the drum asks beside it: the rope goes by, and the drum does not count
+  if (drive.kind == model::DriveKind::pull && spin.drum >= 0) return Turning{};
   if (drive.kind != model::DriveKind::speed) return std::nullopt;
   const model::SignalValue speed = model::at(drive.signal, t);
   const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);

@@ -58,6 +58,21 @@ void break_rope(Run& run, Values& v, const model::Event& event) {
   note(run, v.t, "break", line_name(run, run.m.lines[at(line)]), {{"T", v.lines[at(line)].T}});
 }
 
+/// A drum that has pulled its rope goes on with a torque: it turns as its rope goes, and its drive has seen to that.
+void turn_with_rope(Run& run, Values& v, int drum) {
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    if (contact.drum != drum) continue;
+    const Spin& spin = run.m.spins[at(contact.spin)];
+    if (spin.contacts.front().first != static_cast<int>(i) || spin.inertia <= 0) continue;
+    const double omega = contact.sense * v.contacts[i].flow * v.contacts[i].lambda / working_radius(run.m, contact, v);
+    v.nu[at(spin.column)] = v.spins[at(contact.spin)].omega = omega;
+    const double given = spin.inertia * omega * omega / 2;
+    run.ledger.supplied += given;
+    run.ledger.now.kinetic += given;
+  }
+}
+
 bool apply_event(Run& run, Values& v, const model::Event& event) {
   switch (event.kind) {
     case model::EventKind::breaks:
@@ -74,7 +89,9 @@ bool apply_event(Run& run, Values& v, const model::Event& event) {
     }
     case model::EventKind::drive: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
+      const bool lets_go = drives[at(event.index)].kind == model::DriveKind::pull && !event.of_motor;
       drives[at(event.index)] = event.drive;
+      if (lets_go && event.drive.kind == model::DriveKind::torque) turn_with_rope(run, v, event.index);
       note(run, v.t, "drive", event.words);
       break;
     }

@@ -13,15 +13,18 @@ constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is foun
 
 }  // namespace
 
-bool used_up(const Run& run, std::size_t i) {
-  const LineValues& line = run.before.lines[i];
-  if (line.gone > 0) return !(line.L > no_rope * run.L_first[i]);
-  return line.L <= run_off_share * line.l && run.L_first[i] > 0;
-}
-
 void mark_run_off(Run& run, std::size_t i) {
   run.L_first[i] = 0;
   run.before.lines[i].L = run_off_rest * run.before.lines[i].l;
+}
+
+bool used_up(Run& run, std::size_t i) {
+  const LineValues& line = run.before.lines[i];
+  if (line.gone > 0) return !(line.L > no_rope * run.L_first[i]);
+  if (line.L > run_off_share * line.l) return false;
+  const bool once_more = run.L_first[i] == 0;
+  if (once_more) mark_run_off(run, i);  // its drum goes to and fro
+  return !once_more;
 }
 
 namespace {

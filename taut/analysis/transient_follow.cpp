@@ -278,7 +278,8 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
       if (m.tensioner[k].first == static_cast<int>(i)) flows += now.tension_rate[k];
     }
     set_apart(line, now.bodies, is);
-    is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows) / is.L;
+    const double askew = line.damping > 0 && !sagging ? askew_rate(line, now.bodies, is) : 0;
+    is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows + askew) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
     if (is.gone == 0) is.e_rate = 0;
     if (sagging) now.sags[at(line.sag)].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;

@@ -61,6 +61,17 @@ rope::Round round_of(const Line& line, const std::vector<Motion3>& bodies, const
   return round;
 }
 
+rope::TangentLine tangent_of(const LineValues& now) {
+  rope::TangentLine line;
+  line.from = now.touch[0];
+  line.to = now.touch[1];
+  line.direction = now.t;
+  line.length = now.l;
+  line.angle_from = now.skew_angle[0];
+  line.angle_to = now.skew_angle[1];
+  return line;
+}
+
 bool place_skew(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now) {
   const auto found = rope::tangent_line(round_of(line, bodies, now, 0), round_of(line, bodies, now, 1),
                                         std::pair{before.skew_angle[0], before.skew_angle[1]});
@@ -110,6 +121,43 @@ bool place_line(const Line& line, const std::vector<Motion3>& bodies, const Line
   return true;
 }
 
+std::array<double, 2> askew_of(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now) {
+  constexpr double hardly = 1e-6;
+  std::array<double, 2> askew{0, 0};
+  for (std::size_t e = 0; e < 2 && line.kind != LineKind::points && !line.part; ++e) {
+    if (now.radius[e] == 0 || line.contact[e] < 0) continue;
+    const double s = now.t.dot(to_ground(bodies, line.body[e], line.axis[e]));
+    if (std::abs(s) > hardly) askew[e] = s * s / (1 + std::sqrt(std::max(0.0, 1 - s * s)));
+  }
+  return askew;
+}
+
+double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now) {
+  const std::array<double, 2> askew = askew_of(line, bodies, now);
+  if (askew[0] == 0 && askew[1] == 0) return 0;
+  Eigen::Matrix<double, 12, 1> move = Eigen::Matrix<double, 12, 1>::Zero();
+  for (const int e : {0, 1}) {
+    if (line.body[at(e)] < 0) continue;
+    const Motion3& body = bodies[at(line.body[at(e)])];
+    move.segment<3>(6 * e) = body.v + body.w.cross(now.centre[at(e)] - body.x);
+    move.segment<3>(6 * e + 3) = body.w;
+  }
+  std::array<double, 2> turns{0, 0};
+  if (line.kind == LineKind::skew) {
+    const rope::LineRates rates =
+        rope::line_rates(round_of(line, bodies, now, 0), round_of(line, bodies, now, 1), tangent_of(now));
+    turns = {line.side[0] * rates.angle_from.dot(move), line.side[1] * rates.angle_to.dot(move)};
+  } else {
+    const Vector3 apart = move.segment<3>(6) - move.segment<3>(0);
+    const double turn = now.axis.cross(now.flat).dot(apart) / now.flat_l;
+    for (const int e : {0, 1}) {
+      const double sign = signed_radius(line, now, e, bodies) < 0 ? -1 : 1;
+      turns[at(e)] = sign * (turn - move.segment<3>(6 * e + 3).dot(now.axis));
+    }
+  }
+  return askew[0] * now.radius[0] * turns[0] - askew[1] * now.radius[1] * turns[1];
+}
+
 void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                      const LineValues& now, std::array<LineColumn, 14>& columns) {
   std::size_t k = 0;
@@ -129,14 +177,7 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
   rope::LineRates rates;
   if (line.kind == LineKind::planar) S = {signed_radius(line, now, 0, bodies), signed_radius(line, now, 1, bodies)};
   if (line.kind == LineKind::skew) {
-    rope::TangentLine as_is;
-    as_is.from = now.touch[0];
-    as_is.to = now.touch[1];
-    as_is.direction = now.t;
-    as_is.length = now.l;
-    as_is.angle_from = now.skew_angle[0];
-    as_is.angle_to = now.skew_angle[1];
-    rates = rope::line_rates(round_of(line, bodies, now, 0), round_of(line, bodies, now, 1), as_is);
+    rates = rope::line_rates(round_of(line, bodies, now, 0), round_of(line, bodies, now, 1), tangent_of(now));
   }
   std::size_t k = 0;
   for (std::size_t end = 0; end < 2; ++end) {

@@ -66,6 +66,12 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
 void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
                      const LineValues& now, std::array<LineColumn, 14>& columns);
 
+/// 1 - cos of the angle at which a line leaves the plane of its round at each end where the round lays it on and off.
+std::array<double, 2> askew_of(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now);
+/// What the turning of such a line adds to L e', m/s: the rope on a round grows by R phi', the free rope falls short by
+/// cos d of that.
+double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now);
+
 /// a b, summed in one order whatever the compiler makes of it: in the inner loops of chains and tackles.
 inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -40,17 +40,18 @@ double laid_on(const Line& line, const Values& before, const Values& now, std::s
   return (end == 0 ? 1 : -1) * in_plane * a.radius[end] * (b.angle[end] - a.angle[end]);
 }
 
-/// Of a straight line: its strain energy is convex in length and unstretched length, so the tension of the end gives
-/// less than the energy falls by; its direction turns over the step; its weight and its height change together.
+/// Of a straight line: its strain energy is convex in length and unstretched length, so the tension of the end takes
+/// more than the energy grows by, also on the way from slack to taut; its direction turns over the step; its weight and
+/// its height change together.
 double taken_by_line(const Mechanism& m, std::size_t i, const Values& before, const Values& now) {
   const Line& line = m.lines[i];
   const LineValues &a = before.lines[i], &b = now.lines[i];
-  const auto strain_energy = [&](const LineValues& v) {
-    const double e = std::max(0.0, length_of(line, v.l) / v.L - 1);
-    return line.stiffness * b.gone * e * e * v.L / 2;
-  };
-  const double T = elastic_tension(line, b), dl = length_of(line, b.l) - length_of(line, a.l), dL = b.L - a.L;
-  const double stretched = T * (dl - dL * (1 + b.e / 2)) - (strain_energy(b) - strain_energy(a));
+  const double e_a = length_of(line, a.l) / a.L - 1, e_b = length_of(line, b.l) / b.L - 1;
+  const double taut_a = std::max(0.0, e_a), taut_b = std::max(0.0, e_b), elastic = elastic_tension(line, b);
+  const double dl = length_of(line, b.l) - length_of(line, a.l), dL = b.L - a.L;
+  const double grown = line.stiffness * b.gone / 2 * (taut_b * taut_b * b.L - taut_a * taut_a * a.L);
+  const double damped = line.damping > 0 ? (b.T - elastic) * b.L * (taut_b - taut_a) : 0;  // has its own entry
+  const double stretched = b.gone > 0 ? b.T * a.L * (e_b - e_a) + elastic * e_b / 2 * dL - grown - damped : 0;
   double apart = 0;
   for (const std::size_t end : {0U, 1U}) {
     if (line.body[end] < 0) continue;

@@ -116,7 +116,7 @@ double largest_tension(const Run& run);
 /// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
 /// Whether no rope is left of line `i`.
-bool used_up(const Run& run, std::size_t i);
+bool used_up(Run& run, std::size_t i);
 /// Of a dead end: then nothing is left of it for good.
 void mark_run_off(Run& run, std::size_t i);
 /// Why the run can't go on at t.
