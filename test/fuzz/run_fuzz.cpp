@@ -1,4 +1,7 @@
-// Any text as a deck, all the way: what can be read is calculated with the real methods and written as JSON.
+// Any text as a deck, all the way: what can be read is calculated with the real methods and written as JSON. Designs
+// and motions are interrupted after a moment: what does not end then is a bug (libFuzzer's time limit), slow ones are
+// not.
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,7 +14,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   // no file is opened: an include would make the outcome depend on the disk
   if (text.find("include") != std::string_view::npos || text.find("file") != std::string_view::npos) return 0;
-  const taut::Result r = taut::app::run({std::string(text), "deck.yaml", {}});
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = Clock::now() + std::chrono::seconds(1);
+  const auto progress = [until](const taut::app::Progress&) { return Clock::now() < until; };
+  const taut::Result r = taut::app::run({std::string(text), "deck.yaml", {}, progress});
   if (r.status == taut::Status::bad_deck && r.errors.empty()) std::abort();
   if (r.status != taut::Status::ok && r.message.empty()) std::abort();
   if (taut::io::to_json(r).empty()) std::abort();
