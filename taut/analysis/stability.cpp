@@ -127,6 +127,7 @@ Eigen::MatrixXd unknowns_by(const System& s, const Configuration& c, const Evalu
                             const std::vector<BranchColumns>& columns, const Coordinates& all) {
   const auto n = static_cast<Eigen::Index>(all.rows.size());
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(s.layout.size, n);
+  if (n == 0) return Z;  // nothing moves, and a matrix without columns has no rows to take
   for (Eigen::Index j = 0; j < n; ++j) {
     const auto [plus, minus] = all.unknown[static_cast<std::size_t>(j)];
     Z(plus, j) = 1;
