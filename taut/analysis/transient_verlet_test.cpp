@@ -46,13 +46,7 @@ TEST(TransientVerlet, StaysStableWhereBranchesGetShort) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.2, 0, -10}, 500, "z"));
-  model::Node drum = anchor("winch", {0, 0, 0});
-  drum.radius = 0.2;
-  drum.drum = 0;
-  drum.side = 1;
-  m.reevings.push_back(reeve("hoist", {drum, anchor_on("load", 0)}, 10, 0, 5e6));
-  m.drums.resize(1);
-  m.drums[0].core_radius = 0.2;
+  m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 10, 0, 5e6));
   m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 0.5)};
   TransientOptions options = by_verlet(18.2);
   options.output_step = 0.1;

@@ -16,7 +16,6 @@ namespace taut_test::transient_witness {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Start;
 using taut::analysis::transient;
 using taut::analysis::TransientOptions;
 using taut::analysis::TransientResult;
