@@ -32,6 +32,10 @@ void place_inside(const model::Model& model, const EquilibriumResult& found, Dyn
                                              ? Vector3(span.start + rope::point_at(span.shape, length))
                                              : Vector3(span.start + (span.end - span.start) * s / segments);
     }
+    const auto to = static_cast<std::size_t>(span.to);
+    if (segments > 1 && model.reevings[r].nodes[to].kind == model::NodeKind::load) {
+      start.ropes[r].inside[next[r]++] = span.end;
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_rope_load.hpp"
 
@@ -292,6 +293,7 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
       assemble_line(m, s, before, i, now, w);
     }
   }
+  if (!m.chain_loads.empty()) assemble_chain_loads(m, s, now, w);
   assemble_contacts(m, s, before, now, w);
   assemble_couples(m, s, now, w);
 }

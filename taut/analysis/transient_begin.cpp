@@ -8,6 +8,7 @@
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/system.hpp"
 #include "taut/analysis/transient_build.hpp"
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_rope_load.hpp"
 #include "taut/base/expects.hpp"
@@ -157,7 +158,7 @@ void classify(Mechanism& m) {
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
   const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),
                                   [](const model::Body& body) { return !body.driven.empty(); });
-  m.simple = m.contacts.empty() && m.couples.empty() && m.tensioner.empty() && !driven &&
+  m.simple = m.contacts.empty() && m.chain_loads.empty() && m.couples.empty() && m.tensioner.empty() && !driven &&
              std::all_of(m.lines.begin(), m.lines.end(), plain) && std::all_of(m.bodies.begin(), m.bodies.end(), still);
   m.lossless =
       m.simple && std::all_of(m.lines.begin(), m.lines.end(), [](const Line& line) { return line.damping == 0; });
@@ -230,6 +231,7 @@ void fill_values(const DynamicState& start, Built& built) {
     v.tensioned[k] = model::at(model.tensioners[k].change, v.t).value;
   place_lines(start, built);
   if (m.rope_loads) place_rope_loads(m, v);
+  place_chain_loads(start, m, v);
   fill_contacts(start, built);
   fill_drums(start, built);
   fill_couples(start, m, v);

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/bend.hpp"
 #include "taut/analysis/system.hpp"
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_rope_load.hpp"
 #include "taut/base/expects.hpp"
@@ -16,6 +17,8 @@ namespace taut::analysis::dynamics {
 namespace {
 
 int count(std::size_t n) { return static_cast<int>(n); }
+
+bool is_load(const model::Reeving& rope, int node) { return rope.nodes[at(node)].kind == model::NodeKind::load; }
 
 /// A direction square to the axis.
 Vector3 normal_to(const Vector3& axis) { return axis.unitOrthogonal(); }
@@ -31,6 +34,7 @@ class Builder {
     add_bodies();
     for (int r = 0; r < count(model_.reevings.size()); ++r) add_rope(r);
     add_contacts();
+    add_chain_loads(m(), options_.method);
     add_spins();
     add_lumps();
     number();
@@ -120,12 +124,12 @@ class Builder {
       for (int s = 0; s < pieces; ++s) {
         Line line = whole;
         if (pieces > 1) line.segment = s;
-        if (s > 0) {
+        if (s > 0 || (pieces > 1 && is_load(rope, k))) {  // a chain runs through its loads
           line.body[0] = m().inside.back().back();
           line.place[0].setZero();
           line.radius[0] = 0;
         }
-        if (s + 1 < pieces) {
+        if (s + 1 < pieces || (pieces > 1 && is_load(rope, (k + 1) % nodes))) {
           m().inside.back().push_back(add_inner_node());
           line.body[1] = m().inside.back().back();
           line.place[1].setZero();
@@ -207,6 +211,7 @@ class Builder {
         const model::Node& node = rope.nodes[at(k)];
         const bool end = !rope.closed && (k == 0 || k == nodes - 1);
         if (node.kind == model::NodeKind::clamp || (end && node.drum < 0)) continue;
+        if (rope.segments > 1 && node.kind == model::NodeKind::load) continue;
         const int out = end && k > 0 ? -1 : first + k * per_branch;
         const int in = end && k == 0 ? -1 : first + (k > 0 ? k * per_branch : lines) - 1;
         add_contact(r, k, in, out);

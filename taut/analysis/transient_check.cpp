@@ -45,18 +45,8 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
                                   model.motors[at(spin.motor)].name));
   }
   for (const model::Reeving& rope : model.reevings) {
-    const bool loaded = std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                                    [](const model::Node& node) { return node.kind == model::NodeKind::load; });
-    if (loaded && rope.segments > 1) {
-      return infeasible(fmt::format(
-          "a force acts along the rope '{}', which is in 'segments': their joints are fixed to the rope, the force is "
-          "not, and no joint can run through the place where it acts and holds the rope; leave 'segments' out: the "
-          "force then has a straight rope of one tension on either side",
-          rope.name));
-    }
-    if (std::isinf(rope.stiffness)) {
-      return infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));
-    }
+    if (!std::isinf(rope.stiffness)) continue;
+    return infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_rope_load.hpp"
 #include "taut/analysis/transient_values.hpp"
@@ -341,6 +342,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     if (m.contacts[i].mass != 0) steady_flow(m, s, before, i, now);
   }
   for (std::size_t i = 0; i < lines; ++i) strain_rate(m, s, before, i, now);
+  if (!m.chain_loads.empty()) follow_chain_loads(m, s, before, now);
   follow_couples(m, s, before, now);
   return true;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_run.hpp"
 #include "taut/math/fixed_angles.hpp"
@@ -181,6 +182,12 @@ double observe_rope(const Run& run, const Values& v, const model::Observable& wh
 }
 
 double observe_sheave(const Run& run, const Values& v, const model::Observable& what) {
+  for (std::size_t k = 0; k < run.m.chain_loads.size(); ++k) {
+    const Contact& load = run.m.chain_loads[k].as;
+    if (load.reeving != what.index || load.node != what.part) continue;
+    const TransientFrame::Contact c = chain_load_frame(run.m, v, k);
+    return what.quantity == Quantity::T_in ? c.T_in : what.quantity == Quantity::T_out ? c.T_out : c.slip;
+  }
   const int i = contact_at(run.m, what.index, what.part);
   if (i < 0 || run.m.contacts[at(i)].in < 0 || run.m.contacts[at(i)].out < 0) return 0;
   const TransientFrame::Contact c = contact_of(run.m, v, at(i));
@@ -278,6 +285,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (m.contacts[i].in >= 0 && m.contacts[i].out >= 0) f.contacts.push_back(contact_of(m, v, i));
   }
+  for (std::size_t i = 0; i < m.chain_loads.size(); ++i) f.contacts.push_back(chain_load_frame(m, v, i));
   f.drums.resize(m.model->drums.size());
   f.motors.resize(m.model->motors.size());
   for (std::size_t i = 0; i < m.spins.size(); ++i) {

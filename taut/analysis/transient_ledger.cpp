@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_chain_load.hpp"
 #include "taut/analysis/transient_couple.hpp"
 #include "taut/analysis/transient_rope_load.hpp"
 
@@ -276,6 +277,9 @@ void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledge
   const CoupleWork work = work_of_couples(m, before, now);
   ledger.faces += work.lost;
   ledger.supplied += work.supplied;
+  const ChainLoadWork along = work_of_chain_loads(m, before, now);
+  ledger.slipped += along.lost;
+  ledger.supplied += along.supplied;
 }
 
 /// The ways of a step as if they had taken a second: for the mean of the powers at its start and at its end.

@@ -141,6 +141,15 @@ struct Couple {
   std::vector<int> places;        ///< of the local matrix, row by row, in the values of the solver
 };
 
+/// A force along a rope in segments: it acts at the place follows l + more of the chain, whose length is l.
+struct ChainLoad {
+  Contact as;              ///< its node, body, copies and load_length; no contact of the mechanism
+  std::vector<int> lines;  ///< of the chain, along the path
+  int count = 0;           ///< how many
+  double follows = 0, more = 0;
+  double bristle = 1;  ///< stiffness of its bristle, of a segment's
+};
+
 /// How a contact is in the step.
 enum class Grip : std::int8_t {
   stuck,
@@ -159,6 +168,7 @@ struct Mechanism {
   std::vector<std::pair<int, int>> first_line;  ///< by reeving: first line and count
   std::vector<std::vector<int>> inside;         ///< by reeving: bodies that are inner nodes
   std::vector<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
+  std::vector<ChainLoad> chain_loads;           ///< along ropes in segments
   std::vector<Couple> couples;                  ///< contacts of the model on faces, then its actuators
   std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
   std::vector<int> body_places;

@@ -106,6 +106,12 @@ void walk_values(W& w, Values& v) {
     for (double* one : {&s.angle, &s.omega, &s.alpha, &s.bearing, &s.capacity, &s.torque, &s.speed}) w.number(*one);
     w.whole(s.turns);
   }
+  for (ChainLoadValues& load : v.chain_loads) {
+    for (double* one : {&load.share, &load.force, &load.speed, &load.bristle, &load.stiffness}) w.number(*one);
+    w.all(load.on_end);
+    w.whole(load.line);
+    w.whole(load.holds);
+  }
   walk_couples(w, v);
 }
 
@@ -127,9 +133,10 @@ void walk_run(W& w, Run& run) {
     w.number(line.ahead_more);
     w.number(line.more);
   }
+  for (ChainLoad& load : run.m.chain_loads) w.number(load.more);
 }
 
-constexpr double layout = 2;  ///< of the list: another one is not understood
+constexpr double layout = 3;  ///< of the list: another one is not understood
 
 /// What the numbers belong to: how many they are, the method, its damping, the kinds of steps.
 std::vector<double> head_of(Run& run) {

@@ -369,9 +369,9 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
 }
 
 Outcome reference_refuses(const Mechanism& m) {
-  if (!m.model->contacts.empty() || !m.model->actuators.empty()) {
+  if (!m.chain_loads.empty()) return infeasible("the reference has no forces along ropes in 'segments'");
+  if (!m.model->contacts.empty() || !m.model->actuators.empty())
     return infeasible("the reference does without contacts on faces and actuators; take 'method: implicit'");
-  }
   for (const Body& body : m.bodies) {
     int turns = body.driven ? 1 : 0;
     for (int f = 0; f < body.count; ++f) turns += body.about[at(f)] != Vector3::Zero() ? 1 : 0;
@@ -388,8 +388,8 @@ Outcome reference_refuses(const Mechanism& m) {
     }
   }
   for (const model::Drum& drum : m.model->drums) {
-    if (!drum.automatic_layers) continue;
-    return infeasible(fmt::format("the drum '{}' changes its layers: not in the reference", drum.name));
+    if (drum.automatic_layers)
+      return infeasible(fmt::format("the drum '{}' changes its layers: not in the reference", drum.name));
   }
   if (std::ranges::any_of(m.model->events, [](const model::Event& e) { return e.when.has_value(); })) {
     return infeasible("the reference has no events by condition: give them times");

@@ -42,6 +42,7 @@ void measure_loaded_spans(Mechanism& m, const DynamicState& start) {
   for (Contact& contact : m.contacts) {
     if (contact.load) contact.load_length = loaded_span(m, contact, start);
   }
+  for (ChainLoad& load : m.chain_loads) load.as.load_length = loaded_span(m, load.as, start);
 }
 
 RopeLoadStep rope_load(const Mechanism& m, const Contact& contact, double when, double flow, bool lossless) {
@@ -71,6 +72,7 @@ int line_end(const model::Reeving& rope, int node, std::size_t end) {
 }
 
 void set_part(const Mechanism& m, const model::Reeving& rope, Line& line) {
+  if (rope.segments > 1) return;
   const model::Node &from = rope.nodes[at(line.from)], &to = rope.nodes[at(line.to)];
   line.at_load = {from.kind == model::NodeKind::load, to.kind == model::NodeKind::load};
   line.part = line.at_load[0] || line.at_load[1];

@@ -79,6 +79,7 @@ DynamicState state_from(const model::Model& model, const model::State& state) {
       rope.leaves.push_back(known ? state.branches[r][k].leaves : Vector3(Vector3::Zero()));
       rope.arrives.push_back(known ? state.branches[r][k].arrives : Vector3(Vector3::Zero()));
       add_inside(state, from, to, segments, rope);
+      if (segments > 1 && to.kind == model::NodeKind::load) rope.inside.push_back(model::in_ground(state, to.at));
     }
     rope.whole.assign(rope.length.size(), 1);
     rope.inside_velocity.assign(rope.inside.size(), Vector3::Zero());

@@ -66,6 +66,19 @@ struct ActuatorValues {
   Vector3 apart = Vector3::Zero();  ///< velocity of `to` seen from `from`, m/s
 };
 
+/// A force along a rope in segments at one time.
+struct ChainLoadValues {
+  int line = 0;                               ///< the segment that encloses its place
+  double share = 0;                           ///< of that segment, before the place
+  double force = 0;                           ///< on the rope, along its path, N
+  double speed = 0;                           ///< of the rope, seen from the place, m/s
+  double bristle = 0;                         ///< how far the rope has gone on since it stuck, m
+  double stiffness = 0;                       ///< of the bristle while it sticks, else 0, N/m
+  bool holds = true;                          ///< friction
+  std::array<double, 2> on_end{0, 0};         ///< what the ends of the segment get along it, N
+  std::array<bool, 2> bounded{false, false};  ///< a round there gets less: its rope is slack
+};
+
 struct DrumValues {
   double content = 0;  ///< unstretched rope on it, m
   int layer = 1;
@@ -84,6 +97,7 @@ struct Values {
   std::vector<ContactValues> contacts;
   std::vector<SpinValues> spins;
   std::vector<DrumValues> drums;
+  std::vector<ChainLoadValues> chain_loads;
   std::vector<FaceValues> faces;                ///< by contact of the model
   std::vector<ActuatorValues> actuators;        ///< by actuator of the model
   std::vector<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s

@@ -76,13 +76,6 @@ void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) 
     if (!loads[i].tangential && !loads[i].rate) {
       complaints.push_back({place, "in motion a force along a rope needs its amount: 'tangential' or 'rate'"});
     }
-    const auto rope = std::find_if(p.model.reevings.begin(), p.model.reevings.end(),
-                                   [&](const model::Reeving& one) { return one.name == loads[i].rope; });
-    if (rope == p.model.reevings.end() || rope->segments <= 1) continue;
-    complaints.push_back({place, fmt::format("the rope '{}' is in 'segments': in motion the force along it stays "
-                                             "where it is and the rope runs through it, but no joint of two segments "
-                                             "can; leave 'segments' out",
-                                             loads[i].rope)});
   }
   for (std::size_t i = 0; i < p.deck.machine.take_up.size(); ++i) {
     const auto& given = p.deck.machine.take_up[i];

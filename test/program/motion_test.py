@@ -170,6 +170,30 @@ class Motion(unittest.TestCase):
                     self.assertAlmostEqual(values["slide.x_end"]["value"], 419.6, delta=1)
                     self.assertLess(abs(values["car.vx_end"]["value"]), 1e-3)
 
+    def test_a_force_along_a_rope_in_segments(self):
+        deck = SLIPPING.replace("METHOD", "implicit").replace("tail: {body: slide, at: [0 m, 0 m, 0 m]", "tail: {at: [9 m, 0 m, 0 m]")
+        deck = deck[:deck.index("  bodies:")] + """  points: {top: [0 m, 0 m, 0 m]}
+  bodies: {load: {mass: 200 kg, at: [0 m, 0 m, -10 m], free: [x, z]}}
+  reevings: [{name: line, rope: belt, path: [{anchor: top}, {anchor: load}], length: 9.9 m, segments: 1}]
+  rope_loads: [{name: brake, rope: line, between: [top, load], tangential: 300 N, position: 0.4, direction: along_path}]
+  observe: [load.z, brake.T_in, brake.T_out, brake.speed]
+analyses:
+  - transient: {duration: 0.5 s, output_step: 50 ms, start: START}
+"""
+        for start in ("settled", "assembled"):
+            ends = []
+            for segments in (1, 8):
+                with tempfile.TemporaryDirectory() as folder:
+                    values = self.run_to(folder, f"machine.reevings[0].segments={segments}",
+                                         deck=deck.replace("START", start))["values"]
+                    ends.append(values["load.z_end"]["value"])
+                    if segments > 1:
+                        self.assertLess(abs(values["energy_residual"]["value"]), 1e-6)
+                    self.assertAlmostEqual(values["brake.T_in_end"]["value"] - values["brake.T_out_end"]["value"], 300,
+                                           delta=1e-3)
+            # a force that is there at once makes waves in the chain
+            self.assertAlmostEqual(ends[0], ends[1], delta=1e-6 if start == "settled" else 0.02)
+
     def test_what_measures_relate_to_and_events_of_the_last_moment_go_on(self):
         deck = HOIST.replace("observe: [", "measures: {gone: {of: load.z, since: 0.4 s, relative: difference}}\n  observe: [gone, ")
         for event in ("at: 0.9 s", "when: load.vz > 0.4 m/s"):
