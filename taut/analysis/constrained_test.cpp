@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace taut::analysis::constrained_test {
 
@@ -14,7 +15,7 @@ using X = std::vector<double>;
 // Two bars and their load: the least volume 2 sqrt(2) x0 + x1 of the symmetric three-bar truss with its three stresses
 // within limits (Rozvany; sigma = P = 20): x0 = 0.78868, x1 = 0.40825, volume 2.63896 for P/sigma = 1.
 Point three_bars(const X& x) {
-  const double r2 = std::sqrt(2.0);
+  const double r2 = std::numbers::sqrt2;
   const double d = r2 * x[0] * x[0] + 2 * x[0] * x[1];
   return ConstrainedPoint{2 * r2 * x[0] + x[1], {(r2 * x[0] + x[1]) / d - 1, x[1] / d - 1, 1 / (x[0] + r2 * x[1]) - 1}};
 }

@@ -15,7 +15,7 @@ using namespace taut;
 using namespace taut_test;
 
 /// A load on the first rope, before the node `before`.
-void add_load(model::Model& m, int before, model::RopeLoad load) {
+void add_load(model::Model& m, int before, const model::RopeLoad& load) {
   const auto b = static_cast<int>(m.bodies.size());
   const auto& nodes = m.reevings[0].nodes;
   const Vector3 &from = nodes.front().at.at, &to = nodes.back().at.at;

@@ -101,6 +101,7 @@ TEST(Sizing, measured_agrees_with_counting_on_200_random_cases) {
       t.measured = static_cast<double>(random() % 20);
     }
     std::vector<std::size_t> counts;
+    counts.reserve(lists.size());
     for (const auto& list : lists) counts.push_back(list.size());
     const auto answer = least_measured(counts, [&](const Choice& c) {
       return trials[static_cast<std::size_t>(std::find(all.begin(), all.end(), c) - all.begin())];
