@@ -242,6 +242,8 @@ class Builder {
           spin.drum = node.drum;
           m().spins.push_back(spin);
         }
+        // wound the other way than the first one, it is let out where that is taken in
+        if ((contact.sense * along * node.axis).dot(m().spins[at(known)].axis) < 0) contact.sense = -contact.sense;
         contact.spin = known;
       } else if (node.motor >= 0 || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
         contact.spin = count(m().spins.size());

@@ -126,6 +126,24 @@ analyses:
 """
 
 
+ON_BOTH_SIDES = """taut: 1
+title: Two ropes on one drum
+machine:
+  gravity: 9.81 m/s^2
+  bodies:
+    a: {mass: 300 kg, at: [-0.3 m, 0 m, -8 m], free: [z]}
+    b: {mass: 200 kg, at: [PLACE 0.3 m, 0 m, -8 m], free: [z]}
+  drums: {dr: {at: [0 m, 0 m, 0 m], core_diameter: 600 mm, inertia: 15 kg m^2, drive: {brake: open}}}
+  ropes: {q: {mass: 0 kg/m, stiffness: 50 MN, damping_time: 1 ms}}
+  reevings:
+    - {name: ra, rope: q, path: [{drum: dr, side: left}, {anchor: a}], length: 8 m}
+    - {name: rb, rope: q, path: PATH, length: 8 m}
+  observe: [a.vz, b.vz, dr.speed]
+analyses:
+  - transient: {duration: 1 s, output_step: 0.1 s, start: assembled}
+"""
+
+
 class Laws(unittest.TestCase):
     def run_deck(self, deck, expected=0):
         with tempfile.TemporaryDirectory() as folder:
@@ -233,6 +251,18 @@ class Laws(unittest.TestCase):
                               timeout=100, check=False)
         self.assertIn(done.returncode, (0, 4), done.stderr)
         self.assertIn("damping_6", json.loads(done.stdout)["values"])
+
+    def test_ropes_on_both_sides_of_a_drum(self):
+        for place, path, b in (("", "[{drum: dr, side: right}, {anchor: b}]", -1),
+                               ("", "[{anchor: b}, {drum: dr, side: left}]", -1),  # the other way along its path
+                               ("-", "[{drum: dr, side: left}, {anchor: b}]", 1)):
+            r = self.run_deck(ON_BOTH_SIDES.replace("PLACE ", place).replace("PATH", path))
+            speed = -(300 + b * 200) * 9.81 / (500 + 15 / 0.3**2)
+            last = r["rows"][-1]
+            self.assertAlmostEqual(last["a.vz"], speed, delta=1e-3)
+            self.assertAlmostEqual(last["b.vz"], b * speed, delta=1e-3)
+            self.assertAlmostEqual(last["dr.speed"], speed, delta=1e-3)
+            self.assertLess(abs(r["values"]["energy_residual"]["value"]), 1e-6)
 
     def test_a_clamped_carriage_is_where_its_rope_is_clamped(self):
         one = self.run_deck(CLAMPED.replace("  bodies: {}\n", ""))["rows"]
