@@ -126,7 +126,7 @@ TEST(ChecksWorked, guys_and_anchors) {
       "  guys: {guy: {safety_factor: 3, dynamic_factor: 1.5}}\n"
       "  anchors: {left: {strength: 20 kN, safety_factor: 2, dynamic_factor: 1.5, as_strong_as_rope: true, uplift: 8 "
       "kN, angle: 50 deg, tree_diameter: 25 cm}, right: {}}\n"));
-  const double pull = 10e3 / std::sqrt(2.0);
+  const double pull = 10e3 / std::numbers::sqrt2;
   EXPECT_NEAR(check_of(r, "a.guy_safety").value, 40e3 / (1.5 * pull), 1e-3);
   EXPECT_NEAR(check_of(r, "left.anchor_strength").value, 20e3 / (1.5 * pull), 1e-3);
   EXPECT_NEAR(check_of(r, "left.anchor_uplift").value, 7500, 1);
