@@ -43,22 +43,21 @@ TransientResult run(unsigned seed, long most_steps) {
 }
 
 /// 500 machines by chance, 2 s each or 1200 steps (TAUT_RANDOM_STEPS: as many): no number that is none, no rope that
-/// pushes or has no length, no hang; those that can't go on say why, and when. Nineteen of twenty that end close their
-/// books to a hundredth of what is turned over; none ends with a tenth of it gained.
+/// pushes or has no length, no hang; those that can't go on say why, and when. All that end close their books to a
+/// hundredth of what is turned over, and none gains that much on its way, wherever it ends.
 TEST(TransientRandom, MachinesByChance) {
   const char* const given = std::getenv("TAUT_RANDOM_STEPS");
   const long most_steps = given != nullptr ? std::atol(given) : 1200;
-  int ended = 0, open = 0, gained = 0;
+  int ended = 0;
   for (unsigned seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     const TransientResult r = run(seed, most_steps);
     for (const TransientFrame& frame : r.frames) ASSERT_TRUE(finite(frame)) << frame.t;
-    if (largest_gain(r) > 0.01) ++gained;
+    EXPECT_LT(largest_gain(r), 0.01);
     if (r.outcome.ok()) {
       EXPECT_NEAR(r.t_end, 2, 1e-12);
       const EnergyLedger& end = r.frames.back().energy;
-      EXPECT_LT(end.residual, 0.1 * end.turnover + 1e-6);
-      if (std::abs(end.residual) > 0.01 * end.turnover + 1e-6) ++open;
+      EXPECT_NEAR(end.residual, 0, 0.01 * end.turnover + 1e-6);
       ++ended;
       continue;
     }
@@ -67,8 +66,6 @@ TEST(TransientRandom, MachinesByChance) {
   }
   RecordProperty("ended", ended);
   EXPECT_GE(ended, 120);
-  EXPECT_LE(open, ended / 20);
-  EXPECT_LE(gained, 4);
 }
 
 /// Machines that once had no answer: drums without inertia on slack ropes with weight, ropes broken between a drum and
@@ -80,6 +77,27 @@ TEST(TransientRandom, OnceWithoutAnswer) {
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.t_end, 2, 1e-12);
     EXPECT_LT(std::abs(r.frames.back().energy.residual), 0.01 * r.frames.back().energy.turnover);
+  }
+}
+
+/// What dampers, grooves, bearings, breaks and the scheme have taken; the weight of slack rope and flanges may give.
+double lost(const EnergyLedger& e) { return e.damped + e.slipped + e.bearings + e.broken + e.contacts + e.numerical; }
+
+/// Machines whose books once did not close, or by losses that gave: dead ends shorter than their branch (155, 381),
+/// that gave more rope than they had (15, 33, 38, 269), or went to and fro on a drum (425); breaks in two steps (463);
+/// a rope that broke again and held (56); drums that pulled and turned by themselves (55, 172, 252).
+TEST(TransientRandom, BooksThatDidNotClose) {
+  for (const unsigned seed : {15U, 33U, 38U, 55U, 56U, 155U, 172U, 252U, 269U, 381U, 425U, 463U}) {
+    SCOPED_TRACE(seed);
+    const TransientResult r = run(seed, 20'000);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    double before = 0;
+    for (const TransientFrame& frame : r.frames) {
+      const double whole = frame.energy.turnover + 1e-4;
+      EXPECT_NEAR(frame.energy.residual, 0, 0.01 * whole) << frame.t;
+      EXPECT_GT(lost(frame.energy) - before, -0.01 * whole) << frame.t;
+      before = lost(frame.energy);
+    }
   }
 }
 
