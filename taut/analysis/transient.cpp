@@ -52,13 +52,23 @@ model::Model with_loads_at_rest(model::Model model) {
   return model;
 }
 
+/// Whether a rope whose tension is given hangs in a deep loop that weighs so much: the second root of its catenary. A
+/// level one has the least tension at its ends where it is 1.258 times as long as its span, and is deep beyond.
+bool hangs_in_loops(const model::Model& model, const EquilibriumResult& found) {
+  constexpr double longest_shallow = 1.258;
+  return std::any_of(found.spans.begin(), found.spans.end(), [&](const SpanResult& span) {
+    const bool by_tension = model.reevings[static_cast<std::size_t>(span.reeving)].given != model::Given::length;
+    return by_tension && span.unstretched > longest_shallow * (span.end - span.start).norm();
+  });
+}
+
 /// The equilibrium of catenaries as a start, else the machine as described.
 DynamicState near_equilibrium(const model::Model& model) {
   if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  if (!found.outcome.ok()) return assembled(model);
+  if (!found.outcome.ok() || hangs_in_loops(model, found)) return assembled(model);
   model::Model by_length = model;
   for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;
   DynamicState start = state_from(by_length, found.state);

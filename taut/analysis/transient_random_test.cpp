@@ -116,5 +116,12 @@ TEST(TransientRandom, BlocksThatTumble) {
   }
 }
 
+/// A rope with weight and a given tension begins as tight as that, not as a deep loop that weighs as much at its ends.
+TEST(TransientRandom, SettledRopesDoNotBeginInLoops) {
+  const TransientResult r = run(178, 100);
+  ASSERT_FALSE(r.frames.empty());
+  for (const auto& branch : r.frames.front().branches) EXPECT_LT(branch.unstretched, 1.258 * branch.stretched);
+}
+
 }  // namespace
 }  // namespace taut_test::transient_random
