@@ -46,16 +46,40 @@ void note_impatience(Run& run) {
 
 void book_step(Run& run, bool rough) { add_step(run.m, run.before, run.now, run.ledger, rough); }
 
-bool gains(const Run& run) {
-  constexpr double free_of = 1e-3;  ///< of what is turned over: no gain
+double floor_of(const Run& run) { return run.floor * impatience(run); }
+
+namespace {
+
+/// What the books lack after the step, J, and before it.
+std::pair<double, double> residuals(const Run& run, double& turnover) {
   Ledger ledger = run.ledger;
-  const double open = told(ledger).residual;
+  const double before = told(ledger).residual;
   add_step(run.m, run.before, run.now, ledger);
-  const double now = told(ledger).residual;
-  return now > open && now > free_of * ledger.turnover;
+  turnover = ledger.turnover;
+  return {before, told(ledger).residual};
 }
 
-double floor_of(const Run& run) { return run.floor * impatience(run); }
+}  // namespace
+
+bool gains(const Run& run) {
+  constexpr double free_of = 1e-3;  ///< of what is turned over: no gain
+  double turnover = 0;
+  const auto [before, now] = residuals(run, turnover);
+  return now > before && now > free_of * turnover;
+}
+
+bool snatches_too_far(const Run& run) {
+  constexpr double share = 1e-3;
+  if (run.m.lossless || run.scheme.h / 2 <= floor_of(run)) return false;  // shorter ones are Euler's
+  bool snatches = false;
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    snatches = snatches || (run.before.lines[i].T <= 0) != (run.now.lines[i].T <= 0);
+  }
+  if (!snatches) return false;
+  double turnover = 0;
+  const auto [before, now] = residuals(run, turnover);
+  return std::abs(now - before) > share * turnover;
+}
 
 double resolving_step(const Run& run) {
   const double fastest = std::max(highest_frequency(run.m, run.before), 1 / run.options.duration);

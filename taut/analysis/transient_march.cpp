@@ -18,15 +18,14 @@ constexpr double growth = 2;
 // A step that is much longer than the last one stirs up the ropes' fast motions and errs by more than its length says.
 // Where one has been taken back, steps near the limit grow a little at a time for a while.
 constexpr double careful_growth = 1.1, far_below = 0.05, much_longer = 1.2;
-constexpr int careful_steps = 64;
+constexpr int careful_steps = 64, steps_between_asking = 32;
 constexpr double at_once = 1e-10;         ///< of the duration: how exactly the moment of a condition is found
 constexpr double at_once_of_step = 1e-6;  ///< the same of a given step, whatever the duration
 constexpr double shorter_at_kinks = 4;    ///< than a step that resolves the fastest motion
 constexpr double least_resolved = 1e-3;   ///< of the floor: below it rounding is more than what changes
 constexpr int most_rough = 64;            ///< Euler steps before the usual ones are tried again
 constexpr double longest_rough = 4;       ///< their size, of the floor
-constexpr int steps_between_asking = 32;
-constexpr long steps_at_once = 1000;  ///< of Verlet, between two looks at interrupts
+constexpr long steps_at_once = 1000;      ///< of Verlet, between two looks at interrupts
 
 /// Without consistent accelerations, where no common answer was found at an unchanged time: the first steps, very
 /// short, find them.
@@ -231,7 +230,8 @@ StepEnd advance(Run& run, double limit) {
       if (!try_shorter(run, h, tries)) return end;
       continue;
     }
-    if (h > shortest && comes_true(run, run.now)) {  // halve the way to the moment
+    const bool passes_by = h > shortest && comes_true(run, run.now);
+    if (passes_by || (!given && !tries.rough && snatches_too_far(run))) {  // halve the way to the moment
       run.h = h / 2;
       ++run.result.rejected;
       continue;

@@ -107,6 +107,9 @@ void note_impatience(Run& run);
 void book_step(Run& run, bool rough);
 /// Whether the step adds to an energy that the books can't explain.
 bool gains(const Run& run);
+/// Whether a line gets slack or taut in the step and its books do not close, by more than a thousandth of what is
+/// turned over; not where a step of half the size would be one of implicit Euler.
+bool snatches_too_far(const Run& run);
 /// Where a law changes no step need be shorter, s.
 double floor_of(const Run& run);
 /// A step that resolves the fastest motion, s.

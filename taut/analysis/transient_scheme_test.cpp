@@ -28,7 +28,8 @@ double at_one(Scheme s, double a, int steps, double change) {
     now.q[0] = w.q_star[0] / (1 - s.reach * a);
     now.nu[0] = a * now.q[0];
     now.rate[0] = a * now.nu[0];
-    EXPECT_NEAR(now.nu[0], w.nu_star[0] + s.reach * now.rate[0], 1e-8 * (1 + a * a * s.h));  // the rates are integrated alike
+    EXPECT_NEAR(now.nu[0], w.nu_star[0] + s.reach * now.rate[0],
+                1e-8 * (1 + a * a * s.h));  // the rates are integrated alike
     end_step(m, s, before, now, w);
     std::swap(before, now);
   }

@@ -8,7 +8,9 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
+import tempfile
 import unittest
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
@@ -271,6 +273,16 @@ class Boom(unittest.TestCase):
         code, result = run("slip_17_load", *[x for s in still for x in ("--set", s)])
         self.assertEqual(code, 0, result["message"])
         self.assertAlmostEqual(math.degrees(value(result, "slip_angle")), 15.5, delta=0.2)
+
+    def test_sheaves_at_their_very_limit_take_no_small_steps(self):
+        # before it moves, row 8 rests where every rope is about to slide: rounding alone says which ones stick
+        def steps(output):
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([PROGRAM, "run", "--quiet", str(DECKS / "row8.yaml"), "-o", folder, "--set",
+                                f"analyses[0].transient.output_step={output} ms"], timeout=200, check=True)
+                return int(re.search(r"(\d+) steps from", (pathlib.Path(folder) / "report.md").read_text())[1])
+
+        self.assertLess(steps(10), 1.5 * steps(50))
 
     def test_lifts_overshoot_as_the_reference(self):
         # the tackle has the stiffness of all its falls; peaks of the reference, kN
