@@ -136,11 +136,12 @@ double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const Li
   const std::array<double, 2> askew = askew_of(line, bodies, now);
   if (askew[0] == 0 && askew[1] == 0) return 0;
   Eigen::Matrix<double, 12, 1> move = Eigen::Matrix<double, 12, 1>::Zero();
-  for (const int e : {0, 1}) {
-    if (line.body[at(e)] < 0) continue;
-    const Motion3& body = bodies[at(line.body[at(e)])];
-    move.segment<3>(6 * e) = body.v + body.w.cross(now.centre[at(e)] - body.x);
-    move.segment<3>(6 * e + 3) = body.w;
+  for (const std::size_t e : {0U, 1U}) {
+    if (line.body[e] < 0) continue;
+    const Motion3& body = bodies[at(line.body[e])];
+    const auto first = static_cast<Eigen::Index>(6 * e);
+    move.segment<3>(first) = body.v + body.w.cross(now.centre[e] - body.x);
+    move.segment<3>(first + 3) = body.w;
   }
   std::array<double, 2> turns{0, 0};
   if (line.kind == LineKind::skew) {

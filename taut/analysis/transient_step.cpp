@@ -191,8 +191,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (!std::isfinite(change)) return StepEnd::not_converged;
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
-    // where tensions stay the same whether a contact sticks or slides, it is at its very limit
-    const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;
+    const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;  // it sticks or slides: tensions are the same
     if (i > 0 && taken.retreats == 0 && (!changed || at_its_limit) && !begins) {
       const double floor = rounding_of_tensions(m, s, newton.passes);
       const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
