@@ -86,7 +86,10 @@ constexpr double most_hung = 0.9;  ///< of its tension, that an end of a line be
 /// What of `hangs`, half a line's weight along it, its tension T carries at its ends, N: a line that goes slack has no
 /// tension there; and as both ends stay tighter the tighter it is, a drum or a round that gives an end its tension
 /// always gives the line one.
-inline double hung_at_ends(double hangs, double T) { return std::clamp(hangs, -most_hung * T, most_hung * T); }
+inline double hung_at_ends(double hangs, double T) {
+  const double most = most_hung * std::max(0.0, T);  // dampers without bounds may push within an iteration
+  return std::clamp(hangs, -most, most);
+}
 
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).
 inline void pull(const Line& line, double damping, LineValues& now) {

@@ -89,7 +89,7 @@ double lost(const EnergyLedger& e) { return e.damped + e.slipped + e.bearings + 
 TEST(TransientRandom, BooksThatDidNotClose) {
   for (const unsigned seed : {15U, 33U, 38U, 55U, 56U, 155U, 172U, 252U, 269U, 381U, 425U, 463U, 471U}) {
     SCOPED_TRACE(seed);
-    const TransientResult r = run(seed, 20'000);
+    const TransientResult r = run(seed, 120'000);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     double before = 0;
     for (const TransientFrame& frame : r.frames) {
