@@ -50,21 +50,23 @@ double floor_of(const Run& run) { return run.floor * impatience(run); }
 
 namespace {
 
-/// What the books lack after the step, J, and before it.
-std::pair<double, double> residuals(const Run& run, double& turnover) {
+/// What the books lack before and after the step, and what is turned over then, J.
+struct Books {
+  double before, now, turnover;
+};
+
+Books books_over_step(const Run& run) {
   Ledger ledger = run.ledger;
   const double before = told(ledger).residual;
   add_step(run.m, run.before, run.now, ledger);
-  turnover = ledger.turnover;
-  return {before, told(ledger).residual};
+  return {before, told(ledger).residual, ledger.turnover};
 }
 
 }  // namespace
 
 bool gains(const Run& run) {
   constexpr double free_of = 1e-3;  ///< of what is turned over: no gain
-  double turnover = 0;
-  const auto [before, now] = residuals(run, turnover);
+  const auto [before, now, turnover] = books_over_step(run);
   return now > before && now > free_of * turnover;
 }
 
@@ -76,8 +78,7 @@ bool snatches_too_far(const Run& run) {
     snatches = snatches || (run.before.lines[i].T <= 0) != (run.now.lines[i].T <= 0);
   }
   if (!snatches) return false;
-  double turnover = 0;
-  const auto [before, now] = residuals(run, turnover);
+  const auto [before, now, turnover] = books_over_step(run);
   return std::abs(now - before) > share * turnover;
 }
 

@@ -46,6 +46,7 @@ TEST(TransientLine, ItsTensionIsBoundedByTwiceItsStretch) {
 TEST(TransientLine, BothEndsGrowWithItsTension) {
   for (const double half : {400.0, -400.0}) {
     EXPECT_EQ(hung_at_ends(half, 0), 0);
+    EXPECT_EQ(hung_at_ends(half, -100), 0);  // a damper that pushes within an iteration bears none
     EXPECT_NEAR(hung_at_ends(half, 100), std::copysign(90, half), 1e-12);
     EXPECT_EQ(hung_at_ends(half, 400 / 0.9 + 1), half);
     double upper = 0, lower = 0;
