@@ -33,7 +33,7 @@ input:
 
 
 def taut(*args, stdin=""):
-    return subprocess.run([PROGRAM, *args], input=stdin, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run([PROGRAM, *args], input=stdin, capture_output=True, text=True, check=False)
 
 
 def result(*args, stdin=""):
