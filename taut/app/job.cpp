@@ -70,6 +70,7 @@ Result run(const Job& job) {
   r.method = p.deck->is_machine ? "machine" : p.deck->method;
   r.display = p.deck->display.units();
   r.deck_hash = hash_of(job, *p.deck);
+  r.overrides = job.set;
   return r;
 }
 

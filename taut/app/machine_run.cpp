@@ -220,6 +220,15 @@ void append(Result& from, Result& to) {
   append(from.attachments, to.attachments);
   append(from.assumptions, to.assumptions);
   append(from.warnings, to.warnings);
+  append(from.unsafe, to.unsafe);
+  append(from.missing, to.missing);
+  append(from.unmade, to.unmade);
+  append(from.unjudged, to.unjudged);
+  append(from.exempt, to.exempt);
+  append(from.left_out, to.left_out);
+  append(from.beside, to.beside);
+  to.preface += from.preface;
+  if (to.headline.empty()) to.headline = from.headline;
 }
 
 /// `checks_only`: without what nothing but a report needs.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "taut/calc/method.hpp"
+#include "taut/calc/verdict.hpp"
 
 namespace taut {
 namespace {
@@ -113,7 +114,7 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
 
 Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
                  std::string trust) {
-  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust), {}};
+  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust), {}, true, {}, false};
   c.utilisation = sense == Sense::at_most ? value / limit : limit / value;
   c.passes = sense == Sense::at_most ? value <= limit : value >= limit;
   return c;
@@ -122,8 +123,6 @@ Check make_check(std::string name, double value, Sense sense, double limit, cons
 std::vector<Check> grouped(std::vector<Check> checks) {
   const bool parts = std::any_of(checks.begin(), checks.end(), [](const Check& c) { return !c.part.empty(); });
   if (!parts) return checks;
-  // NaN is worse than any number
-  const auto severity = [](const Check& c) { return std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation; };
   std::map<std::string, double> worst;
   for (const Check& c : checks) {
     const auto known = worst.try_emplace(c.part, severity(c)).first;
@@ -146,14 +145,6 @@ const Value* Result::find_value(const std::string& name) const {
 const Table* Result::find_table(const std::string& name) const {
   const auto at = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == name; });
   return at == tables.end() ? nullptr : &*at;
-}
-
-int exit_code(const Result& r) {
-  if (r.status == Status::bad_deck) return 2;
-  if (r.interrupted) return 130;
-  if (r.status != Status::ok) return 3;
-  const bool all_pass = std::all_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.passes; });
-  return all_pass ? 0 : 4;
 }
 
 std::vector<Value> values_of(const Description& d, const void* output) {

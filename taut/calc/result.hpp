@@ -39,9 +39,12 @@ struct Check {
   Sense sense = Sense::at_most;
   double utilisation = 0;
   bool passes = false;
-  std::string rule;   ///< the rule and its source in words
-  std::string trust;  ///< "verified", "derived", "UNVERIFIED: ...", "user": of the limit
-  std::string part;   ///< of the machine, "skyline": the report groups by it; empty: the machine as a whole
+  std::string rule;    ///< the rule and its source in words
+  std::string trust;   ///< "verified", "derived", "UNVERIFIED: ...", "user": of the limit
+  std::string part;    ///< of the machine, "skyline": the report groups by it; empty: the machine as a whole
+  bool limits = true;  ///< false: breaking, yield, ground. Such a check can only fail; a part needs a limit beside it
+  std::string where = {};  ///< the state in which it is worst, "load path, in, x = 12 m"; empty: the rule says it
+  bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
 };
 /// Groups of checks by part, and in each the worst first; the groups by their worst check. Without any part: as it was.
 std::vector<Check> grouped(std::vector<Check> checks);
@@ -121,6 +124,16 @@ struct Comparison {
   double exact = 0;
   std::string build_by;  ///< "corrected: ..." which to use and why
   bool printed_unsafe = false;
+  bool corrected_decides = true;  ///< false: what is chosen or answered follows the printed value
+};
+
+/// States of an analysis that have no answer.
+struct MissingStates {
+  std::string analysis;  ///< "load path"
+  int missing = 0;
+  int places = 0;      ///< asked for, the missing ones among them
+  std::string first;   ///< "x = 12 m"
+  std::string reason;  ///< of the first one
 };
 
 /// Everything a report needs, and nothing else does: SI throughout.
@@ -143,18 +156,32 @@ struct Result {
   std::vector<Attachment> attachments;
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
+  std::vector<std::string> unsafe;     ///< those of the warnings that make an answer unsafe: see warn_unsafe
+  std::vector<MissingStates> missing;  ///< by analysis
+  std::vector<std::string> unmade;     ///< checks that were asked for and have no number, one sentence each
+  std::vector<std::string> unjudged;   ///< parts in the verdict's scope without a limit
+  std::vector<std::string> exempt;     ///< parts that the deck takes out of the verdict
+  std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
+  std::vector<std::string> beside;     ///< parts that the verdict does not speak of: anchors, sheaves, carriages
+  std::string preface;                 ///< before the verdict's sentence: "The deck breaks the skyline at 2 s"
+  std::string headline;                ///< the key answer where it is no utilisation: "Carries 2.96 t, least at ..."
   Diagnostics errors;
   bool interrupted = false;  ///< from outside; what is there was computed before, and `message` says up to when
   std::string deck_name;
   std::string deck_hash;
+  std::vector<std::string> overrides;          ///< "input.span=200 m": what was set over the deck
   std::map<std::string, std::string> display;  ///< kind of quantity -> unit, as the deck asks
 
   const Value* find_value(const std::string& name) const;
   const Table* find_table(const std::string& name) const;
 };
 
-/// 0 computed, 2 bad deck, 3 physics or solver says no, 4 a check fails, 130 interrupted.
-int exit_code(const Result& r);
+/// 0 computed; 2 bad deck; 3 no answer; 4 fails or not judged (of class `unasked` only with `strict`); 130 interrupted.
+/// It follows the verdict (verdict.hpp).
+int exit_code(const Result& r, bool strict = false);
+
+/// A warning of class unsafe, of 160 characters at most where it can be: the answer no longer passes without warnings.
+void warn_unsafe(Result& r, std::string sentence);
 
 /// The numbers of an output struct that were computed (not NaN), in the order of its description.
 std::vector<Value> values_of(const Description& d, const void* output);

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "taut/calc/result.hpp"
+
+namespace taut {
+
+/// What a person reads first. In the order of precedence: the first kind that applies is the verdict.
+enum class VerdictKind { fails, no_answer, not_judged, passes_with_warnings, passes };
+
+struct Verdict {
+  VerdictKind kind = VerdictKind::not_judged;
+  std::string verdict_class;  ///< of not_judged: "unmade", "unverified" or "unasked"; else empty
+  std::string reason;         ///< one sentence that names the worst thing
+};
+
+/// The verdict of a result; none of a deck with mistakes.
+///
+/// - fails: a check fails, a limit or a fact (breaking force, yield, ground).
+/// - no_answer: the result's status is not ok.
+/// - not_judged: `unmade` (a check that was asked for has no number, or states are missing), `unverified` (a check was
+///   refused because its limit is unverified), `unasked` (a part in scope has no limit, or nothing is checked).
+/// - passes_with_warnings: everything passes, but an unsafe warning stands, an unverified limit decides (utilisation of
+///   0.5 or more), or an answer follows a published value that is unsafe.
+/// - passes: all of it.
+std::optional<Verdict> verdict_of(const Result& r);
+
+/// "fails", "no_answer", "not_judged", "passes_with_warnings", "passes": as in result.json.
+std::string_view to_text(VerdictKind kind);
+
+/// "Passes, with warnings": for people.
+std::string_view headline(VerdictKind kind);
+
+/// True when the limit's trust says that nobody has compared it with its source.
+bool is_unverified(std::string_view trust);
+
+/// An unverified limit that decides: its utilisation is 0.5 or more.
+bool decides(const Check& c);
+
+/// Of a check that passes or fails; a number that is not there is worse than any.
+double severity(const Check& c);
+
+}  // namespace taut
