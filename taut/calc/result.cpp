@@ -147,6 +147,11 @@ const Table* Result::find_table(const std::string& name) const {
   return at == tables.end() ? nullptr : &*at;
 }
 
+void warn_unsafe(Result& r, std::string sentence) {
+  r.unsafe.push_back(sentence);
+  r.warnings.push_back(std::move(sentence));
+}
+
 std::vector<Value> values_of(const Description& d, const void* output) {
   std::vector<Value> all;
   for (const Field& f : d.fields) {
