@@ -211,7 +211,8 @@ tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& ro
   }
   const auto no = close(rope, from, to, free, near, b);
   if (!no) return b;
-  if (!round || rope.weight == 0 || !to.centre.allFinite() || !from.centre.allFinite()) return tl::unexpected(*no);
+  const bool finite = to.centre.allFinite() && from.centre.allFinite();
+  if (!round || rope.weight == 0 || !(rope.length > 0) || !finite) return tl::unexpected(*no);
   const auto at = branch_force(rope, from, to, free);
   if (!at) return tl::unexpected(*no);
   const Vector3 half = rope.weight * at->length / 2 * up();

@@ -13,6 +13,7 @@
 #include "taut/analysis/hanging.hpp"
 #include "taut/analysis/lift.hpp"
 #include "taut/analysis/newton.hpp"
+#include "taut/analysis/past_stop.hpp"
 #include "taut/analysis/reasons.hpp"
 #include "taut/analysis/roll.hpp"
 #include "taut/analysis/running.hpp"
@@ -20,6 +21,7 @@
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
+#include "taut/model/without_rope.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -271,24 +273,25 @@ void roll(const model::Model& model, const EquilibriumOptions& options, const Fl
   if (!away.empty()) s.outcome = infeasible(away);
 }
 
-/// Whether a carriage prescribed by its mainline stands where the mainline would have to push: found out by a hold
-/// along the track in the mainline's place. Empty where that is not the reason.
-std::string pushes(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
+/// Why a carriage prescribed by its mainline has no answer there, found out by a hold along the track in the mainline's
+/// place: a carriage lies past a stop of its rope, or the mainline would have to push. Empty for other reasons.
+std::string without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
   if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
   const model::Reeving& mainline = model.reevings[at(carriage.mainline)];
-  model::Model without = model;
+  auto rest = model::without_rope(model, carriage.mainline);
+  if (!rest) return {};
+  model::Model& without = *rest;
   Flow flow_without = flow;
-  without.reevings.erase(without.reevings.begin() + carriage.mainline);
   flow_without.erase(flow_without.begin() + carriage.mainline);
-  model::Carriage& rolls = without.carriages[at(options.prescribed->carriage)];
-  rolls.mainline = rolls.haulback = -1;
-  rolls.reeving -= carriage.reeving > carriage.mainline ? 1 : 0;
+  without.carriages[at(options.prescribed->carriage)].haulback = -1;
   const model::State start = model::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
-  const Vector3 hold = s.c.hold * track({without, s.layout, 0}, s.e);
+  const System system{without, s.layout, 0};
+  if (std::string past = past_stop(system, s.c); !past.empty()) return past;
+  const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[at(carriage.body)].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
@@ -345,11 +348,16 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
   if (!s.outcome.ok()) {
-    const std::string why = pushes(model, options, flow);
+    std::string why = section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
+    if (why.empty()) why = without_mainline(model, options, flow);
     if (!why.empty()) result.outcome = taut::infeasible(why);
     return result;
   }
   const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  if (const std::string past = past_stop(system, s.c); !past.empty()) {
+    result.outcome = taut::infeasible(past);
+    return result;
+  }
   fill_tables(system, s.c, s.e, result.state, result);
   result.outcome = check_beams(system, s.c, result.beams);
   return result;

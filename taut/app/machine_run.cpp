@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "taut/app/absurd.hpp"
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/checks.hpp"
@@ -239,6 +240,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   r.method_title = "Machine";
   if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
   if (!checks_only) r.assumptions = assumptions_of(deck);
+  if (!checks_only) r.warnings = absurd_machine(deck, run.model);
   note_failure(r, install_guys(deck.machine, run.model), "installation");
   if (r.status != Status::ok) return r;
   for (EquilibriumRun& one : run.equilibria) {
@@ -284,6 +286,9 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     add_scenes(run, r);
   }
   append(more, r);
+  if (!checks_only) {
+    for (std::string& words : absurd_answers(answers_of(run))) r.warnings.push_back(std::move(words));
+  }
   add_checks(deck, run, r);
   return r;
 }

@@ -14,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "taut/io/yaml_brackets.hpp"
 #include "taut/io/yaml_words.hpp"
 
 namespace taut::io {
@@ -285,6 +286,22 @@ class Builder : public YAML::EventHandler {
   std::size_t text_size_ = 0;
 };
 
+/// What to say of a mistake that the scanner met at `offset`: it may have begun long before, with a bracket or a quote
+/// that is not closed; what was told of the text behind that is not meant.
+Stop scanner_stop(Document& document, std::string_view text, std::size_t offset, const std::string& message,
+                  const Builder& builder) {
+  if (message == YAML::ErrorMsg::EOF_IN_SCALAR)
+    return Stop{yaml_mistake(document.source, builder.open_quote(offset), message)};
+  auto begun = unclosed_bracket(text);
+  if (!begun || begun->offset > offset) begun = long_quote_before(text, offset);
+  if (!begun) return Stop{yaml_mistake(document.source, offset, message)};
+  Diagnostic mistake = at({document.source, begun->offset, 1}, begun->words);
+  const auto behind = [&](const Diagnostic& d) { return d.place.line >= mistake.place.line; };
+  document.mistakes.erase(std::remove_if(document.mistakes.begin(), document.mistakes.end(), behind),
+                          document.mistakes.end());
+  return Stop{std::move(mistake)};
+}
+
 /// Reads the first document and makes sure that there is no second.
 void read_events(Document& document, std::string_view text) {
   MeteredText meter(document.source, text);
@@ -296,8 +313,7 @@ void read_events(Document& document, std::string_view text) {
     }
   } catch (const YAML::Exception& e) {
     const std::size_t offset = e.mark.pos < 0 ? 0 : static_cast<std::size_t>(e.mark.pos);
-    const bool unclosed = e.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
-    throw Stop{yaml_mistake(document.source, unclosed ? builder.open_quote(offset) : offset, e.msg)};
+    throw scanner_stop(document, text, offset, e.msg, builder);
   }
 }
 

@@ -17,6 +17,7 @@
 #include "taut/model/links.hpp"
 #include "taut/model/motion_links.hpp"
 #include "taut/model/path.hpp"
+#include "taut/model/room.hpp"
 #include "taut/model/rope_loads.hpp"
 #include "taut/model/rope_of.hpp"
 #include "taut/model/signals_of.hpp"
@@ -220,20 +221,15 @@ class Compiler {
       std::vector<Vector3> places;
       places.reserve(stops.size());
       for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
-      check_distances(r, places);
-      if (!complaints_.empty()) continue;
-      set_sides(stops, places, model_.reevings[r].closed);
+      const bool is_guy = r >= machine_.reevings.size();
+      const bool closed = model_.reevings[r].closed;
+      const std::string path =
+          is_guy ? fmt::format("guys.{}", model_.reevings[r].name) : fmt::format("reevings[{}].path", r);
+      if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
+      set_sides(stops, places, closed);
+      check_room(model_, stops, closed, path, complaints_);
       set_clamps(stops, places, model_.reevings[r]);
       for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
-    }
-  }
-
-  void check_distances(std::size_t r, const std::vector<Vector3>& places) {
-    for (std::size_t k = 1; k < places.size(); ++k) {
-      if ((places[k] - places[k - 1]).norm() > 0) continue;
-      complain(r < machine_.reevings.size() ? fmt::format("reevings[{}].path", r)
-                                            : fmt::format("guys.{}", model_.reevings[r].name),
-               fmt::format("'{}' and '{}' are at the same place", stops_[r][k - 1].node.name, stops_[r][k].node.name));
     }
   }
 

@@ -1,0 +1,225 @@
+#include "taut/app/absurd.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "taut/model/state.hpp"
+#include "taut/rope/tangent.hpp"
+
+namespace taut::app {
+namespace {
+
+bool in_a_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// Whether a text holds a name as a word of its own: "car" in "car.z".
+bool mentions(std::string_view text, std::string_view name) {
+  for (std::size_t i = text.find(name); i != std::string_view::npos; i = text.find(name, i + 1)) {
+    const std::size_t end = i + name.size();
+    if ((i == 0 || !in_a_name(text[i - 1])) && (end == text.size() || !in_a_name(text[end]))) return true;
+  }
+  return false;
+}
+
+/// Every text of a deck that may name a part of the machine, and where it stands.
+class Mentions {
+ public:
+  explicit Mentions(const MachineDeck& deck) : given_(given_of(MachineDeck::describe(), &deck)) {}
+
+  /// `list`: where the part is described itself.
+  bool of(std::string_view list, const std::string& name) const {
+    const std::string own = fmt::format("machine.{}.{}.", list, name);
+    return std::any_of(given_.begin(), given_.end(), [&](const Given& one) {
+      if (one.key.compare(0, own.size(), own) == 0) return false;
+      return mentions(one.text, name) || (one.key.compare(0, 8, "machine.") != 0 && mentions(one.key, name));
+    });
+  }
+
+ private:
+  std::vector<Given> given_;
+};
+
+template <class Parts>
+void add_unused(const Mentions& all, const char* list, const char* kind, const char* what, const Parts& parts,
+                std::vector<std::string>& warnings) {
+  for (const auto& part : parts) {
+    if (all.of(list, part.name)) continue;
+    warnings.push_back(fmt::format("{} '{}' {}: name it where it belongs, or take it away", kind, part.name, what));
+  }
+}
+
+using NodePlaces = std::vector<const model::Node*>;
+
+bool rests(const model::Model& model, const model::Node& node) {
+  if (node.at.body == model::ground) return true;
+  const model::Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
+  return body.free.empty() && body.driven.empty();
+}
+
+bool on_carriage(const model::Model& model, const model::Node& node) {
+  return std::any_of(model.carriages.begin(), model.carriages.end(),
+                     [&](const model::Carriage& car) { return car.body == node.at.body; });
+}
+
+/// The nodes of a rope but those that run along it.
+NodePlaces stops_of_rope(const model::Model& model, const model::Reeving& rope) {
+  NodePlaces stops;
+  for (const model::Node& node : rope.nodes) {
+    const bool end = &node == &rope.nodes.front() || &node == &rope.nodes.back();
+    const bool runs = node.kind == model::NodeKind::load || (on_carriage(model, node) && !end);
+    if (!runs) stops.push_back(&node);
+  }
+  return stops;
+}
+
+rope::Round round_of(const model::State& state, const model::Node& node) {
+  const Vector3 centre = model::in_ground(state, node.at);
+  if (node.radius == 0) return rope::point(centre);
+  const bool moves = node.at.body != model::ground;
+  const Vector3 axis =
+      moves ? Vector3(state.bodies[static_cast<std::size_t>(node.at.body)].orientation * node.axis) : node.axis;
+  return rope::sheave(centre, axis, node.radius, node.side);
+}
+
+/// The straight way of a rope with ends, arcs counted, m; empty where it depends on the answer.
+std::optional<double> straight_way(const model::Model& model, const model::State& state, const model::Reeving& rope) {
+  const NodePlaces stops = stops_of_rope(model, rope);
+  if (!std::all_of(stops.begin(), stops.end(), [&](const model::Node* node) { return rests(model, *node); })) return {};
+  double way = 0;
+  std::optional<rope::TangentLine> last;
+  for (std::size_t k = 1; k < stops.size(); ++k) {
+    const auto line = rope::tangent_line(round_of(state, *stops[k - 1]), round_of(state, *stops[k]));
+    if (!line) return {};
+    way += line->length;
+    if (last) {
+      double wrap = rope::wrap_angle(stops[k - 1]->side, last->angle_to, line->angle_from);
+      if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // as in a state's beginning
+      way += stops[k - 1]->radius * (wrap + 2 * std::numbers::pi * stops[k - 1]->turns);
+    }
+    last = *line;
+  }
+  return way;
+}
+
+void add_short_ropes(const model::Model& model, std::vector<std::string>& warnings) {
+  const model::State state = model::initial_state(model);
+  for (const model::Reeving& rope : model.reevings) {
+    if (rope.closed || rope.given != model::Given::length || std::isinf(rope.stiffness)) continue;
+    const auto way = straight_way(model, state, rope);
+    const double length = rope.value * (1 + rope.thermal_strain);
+    if (!way || !(length < *way)) continue;
+    warnings.push_back(
+        fmt::format("rope '{}' is shorter than its way: {:.6g} m of rope for {:.6g} m from '{}' to '{}'; it has to "
+                    "stretch by {:.3g} %, which takes {:.4g} kN",
+                    rope.name, length, *way, rope.nodes.front().name, rope.nodes.back().name, 100 * (*way / length - 1),
+                    rope.stiffness * (*way / length - 1) / 1e3));
+  }
+}
+
+/// A rope that lies in the plane z = 0 without a round that lies there too.
+bool lies_flat(const model::Model& model, const model::State& state, const model::Reeving& rope) {
+  std::vector<double> y;
+  for (const model::Node* node : stops_of_rope(model, rope)) {
+    if (node->radius > 0 && std::abs(round_of(state, *node).axis.z()) > M_SQRT1_2) return false;
+    if (!rests(model, *node)) continue;
+    const Vector3 place = model::in_ground(state, node->at);
+    if (place.z() != 0) return false;
+    y.push_back(place.y());
+  }
+  return y.size() >= 2 && std::any_of(y.begin(), y.end(), [&](double one) { return one != y.front(); });
+}
+
+void add_flat_ropes(const model::Model& model, std::vector<std::string>& warnings) {
+  if (model.gravity == 0) return;
+  const model::State state = model::initial_state(model);
+  std::string names;
+  for (const model::Reeving& rope : model.reevings) {
+    if (lies_flat(model, state, rope)) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", rope.name);
+  }
+  if (names.empty()) return;
+  warnings.push_back(fmt::format("z is 0 everywhere and y is used along {}: z is up, weights pull along -z", names));
+}
+
+/// A span, from one stop of a rope to the next one.
+struct DeepSag {
+  double share = 0.5;  ///< sag/span
+  double sag = 0, span = 0;
+  std::string rope, from, to, state;
+};
+
+void note(DeepSag& worst, double sag, double span, const model::Reeving& rope, const model::Node& from,
+          const model::Node& to, const std::string& state) {
+  if (!(span > 0) || !(sag > worst.share * span)) return;
+  worst = {sag / span, sag, span, rope.name, from.name, to.name, state};
+}
+
+void note_spans(const Answer& answer, DeepSag& worst) {
+  for (const analysis::SpanResult& span : answer.result->spans) {
+    const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
+    note(worst, span.sag, span.chord, rope, rope.nodes[static_cast<std::size_t>(span.from)],
+         rope.nodes[static_cast<std::size_t>(span.to)], answer.words);
+  }
+}
+
+/// Carriages below the line between the stops of their rope.
+void note_carriages(const Answer& answer, DeepSag& worst) {
+  const model::State& state = answer.result->state;
+  for (const model::Carriage& car : answer.model->carriages) {
+    const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(car.reeving)];
+    const int count = static_cast<int>(rope.nodes.size());
+    const auto next = [&](int step) -> const model::Node* {
+      for (int k = 1; k < count; ++k) {
+        const int n = car.node + k * step;
+        if (!rope.closed && (n < 0 || n >= count)) return nullptr;
+        const model::Node& node = rope.nodes[static_cast<std::size_t>((n + count) % count)];
+        if (!on_carriage(*answer.model, node)) return rests(*answer.model, node) ? &node : nullptr;
+      }
+      return nullptr;
+    };
+    const model::Node *before = next(-1), *after = next(1);
+    if (before == nullptr || after == nullptr) continue;
+    const Vector3 from = model::in_ground(state, before->at), chord = model::in_ground(state, after->at) - from;
+    const Vector3 place = state.bodies[static_cast<std::size_t>(car.body)].position - from;
+    const double level = chord.head<2>().norm();
+    if (!(level > 0)) continue;
+    const double part = place.head<2>().dot(chord.head<2>()) / (level * level);
+    note(worst, part * chord.z() - place.z(), chord.norm(), rope, *before, *after, answer.words);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> absurd_machine(const MachineDeck& deck, const model::Model& model) {
+  std::vector<std::string> warnings;
+  const Mentions all(deck);
+  const model::Machine& m = deck.machine;
+  add_unused(all, "sheaves", "sheave", "touches no rope", m.sheaves, warnings);
+  add_unused(all, "supports", "support", "touches no rope", m.supports, warnings);
+  add_unused(all, "drums", "drum", "has no rope", m.drums, warnings);
+  add_unused(all, "points", "point", "is used by nothing", m.points, warnings);
+  add_unused(all, "ropes", "rope", "is on no path", m.ropes, warnings);
+  add_unused(all, "bodies", "body", "is used by nothing", m.bodies, warnings);
+  add_short_ropes(model, warnings);
+  add_flat_ropes(model, warnings);
+  return warnings;
+}
+
+std::vector<std::string> absurd_answers(const std::vector<Answer>& answers) {
+  DeepSag worst;
+  for (const Answer& answer : answers) {
+    note_spans(answer, worst);
+    note_carriages(answer, worst);
+  }
+  if (worst.rope.empty()) return {};
+  return {
+      fmt::format("rope '{}' sags by {:.4g} m between '{}' and '{}', {:.4g} m apart ({}): more than half the span; "
+                  "is its length, or its tension, meant so?",
+                  worst.rope, worst.sag, worst.from, worst.to, worst.span, worst.state)};
+}
+
+}  // namespace taut::app

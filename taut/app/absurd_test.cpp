@@ -1,0 +1,140 @@
+#include "taut/app/absurd.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "taut/app/job.hpp"
+
+namespace taut::app::absurd_test {
+
+/// A single span with a clamped load, with more parts and another way between its ends.
+struct Line {
+  std::string head = "[0 m, 0 m, 18 m]", tail = "[250 m, 0 m, 120 m]";
+  std::string length = "272 m";
+  std::string points, more;
+};
+
+std::string deck_of(const Line& line) {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{head: {}, tail: {}{}}}
+  ropes: {{skyline: {{mass: 1.8 kg/m, stiffness: 26.6 MN}}{}
+  carriages: {{car: {{mass: 220 kg, rides: skyline, hold: clamped}}}}
+  reevings: [{{rope: skyline, path: [{{anchor: head}}, {{through: car}}, {{anchor: tail}}], length: {}}}]
+  loads: [{{at: car, mass: 1 t}}]
+analyses: [{{equilibrium: {{carriage: car, x: 125 m}}}}]
+)",
+                     line.head, line.tail, line.points, line.more.empty() ? "}" : line.more, line.length);
+}
+
+/// The warnings, one a line.
+std::string warned(const std::string& deck) {
+  const Result r = run(Job{deck, "deck.yaml", {}});
+  EXPECT_EQ(to_text(r.errors), "") << deck;
+  std::string all;
+  for (const std::string& one : r.warnings) all += one + "\n";
+  return all;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Absurd, AnOrdinaryLineHasNothing) { EXPECT_EQ(warned(deck_of({})), ""); }
+
+TEST(Absurd, PartsThatNothingUses) {
+  Line line;
+  line.points = ", spare: [1 m, 0 m, 1 m]";
+  line.more =
+      ", hoist: {mass: 1 kg/m, stiffness: 5 MN}}\n"
+      "  bodies: {crate: {mass: 5 kg, at: [0 m, 0 m, 0 m]}, frame: {at: [9 m, 0 m, 0 m]}}\n"
+      "  sheaves: {block: {at: [10 m, 0 m, 5 m], diameter: 400 mm}}\n"
+      "  supports: {jack: {body: frame, at: [10 m, 0 m, 5 m], friction: 0.1}}\n"
+      "  drums: {winch: {at: [0 m, 0 m, 1 m], core_diameter: 400 mm}}";
+  const std::string told = warned(deck_of(line));
+  for (const char* part :
+       {"sheave 'block' touches no rope", "support 'jack' touches no rope", "drum 'winch' has no rope",
+        "point 'spare' is used by nothing", "rope 'hoist' is on no path", "body 'crate' is used by nothing"}) {
+    EXPECT_TRUE(has(told, part)) << part << "\n" << told;
+  }
+  EXPECT_FALSE(has(told, "'frame'")) << "the support stands on it\n" << told;
+}
+
+TEST(Absurd, WhatIsObservedIsUsed) {
+  Line line;
+  line.points = ", spare: [1 m, 0 m, 1 m]";
+  line.more = "}\n  observe: [spare.x]";
+  EXPECT_FALSE(has(warned(deck_of(line)), "'spare'"));
+}
+
+TEST(Absurd, ARopeShorterThanItsWay) {
+  Line line;
+  line.length = "250 m";
+  EXPECT_TRUE(has(warned(deck_of(line)), "rope 'skyline' is shorter than its way: 250 m of rope for 270.007 m"))
+      << warned(deck_of(line));
+  line.length = "270.01 m";
+  EXPECT_FALSE(has(warned(deck_of(line)), "shorter")) << warned(deck_of(line));
+}
+
+TEST(Absurd, TheWayOverASheaveCountsItsArc) {
+  const auto over = [](double length) {
+    return fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 0 m], b: [2 m, 0 m, 0 m]}}
+  ropes: {{line: {{mass: 1 kg/m, stiffness: 10 MN}}}}
+  sheaves: {{top: {{at: [1 m, 0 m, 10 m], diameter: 2 m}}}}
+  reevings: [{{rope: line, path: [{{anchor: a}}, {{over: top}}, {{anchor: b}}], length: {} m}}]
+)",
+                       length);
+  };
+  // 10 m up, half the circle, 10 m down
+  EXPECT_TRUE(has(warned(over(23.14)), "23.14 m of rope for 23.1416 m")) << warned(over(23.14));
+  EXPECT_EQ(warned(over(23.15)), "");
+}
+
+TEST(Absurd, TheWayOfAnEndlessRopeOrOfAHookIsNotKnown) {
+  const std::string hook = R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 10 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 10 MN}}
+  bodies: {hook: {mass: 100 kg, at: [0 m, 0 m, 1 m], free: [x, z]}}
+  reevings: [{rope: line, path: [{anchor: a}, {anchor: hook}], length: 5 m}]
+)";
+  EXPECT_EQ(warned(hook), "");
+}
+
+TEST(Absurd, ZIsUp) {
+  Line line;
+  line.head = "[0 m, 18 m, 0 m]";
+  line.tail = "[250 m, 120 m, 0 m]";
+  EXPECT_TRUE(has(warned(deck_of(line)), "z is 0 everywhere and y is used along 'skyline'"));
+  line.tail = "[250 m, 120 m, 1 m]";
+  EXPECT_FALSE(has(warned(deck_of(line)), "z is 0"));
+  line.head = "[0 m, 0 m, 0 m]";
+  line.tail = "[270 m, 0 m, 0 m]";
+  EXPECT_FALSE(has(warned(deck_of(line)), "z is 0")) << "level, and y not used";
+}
+
+TEST(Absurd, ARopeThatLiesFlatOnItsSheaves) {
+  const std::string flat = R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 0 m], b: [9 m, 8 m, 0 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 10 MN}}
+  sheaves: {corner: {at: [9 m, 0 m, 0 m], diameter: 300 mm, axis: [0, 0, 1]}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: corner, side: right}, {anchor: b}], length: 18 m}]
+)";
+  EXPECT_EQ(warned(flat), "");
+}
+
+TEST(Absurd, ASagOfMoreThanHalfTheSpan) {
+  Line line;
+  line.tail = "[250 m, 0 m, 18 m]";
+  line.length = "500 m";
+  const std::string told = warned(deck_of(line));
+  EXPECT_TRUE(has(told, "rope 'skyline' sags by 21") && has(told, "between 'head' and 'tail', 250 m apart")) << told;
+  line.length = "300 m";
+  EXPECT_FALSE(has(warned(deck_of(line)), "sags")) << warned(deck_of(line));
+}
+
+}  // namespace taut::app::absurd_test

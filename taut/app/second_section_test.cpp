@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "taut/app/job.hpp"
+
+namespace taut::app::second_section_test {
+
+/// A running skyline with a carriage in two sections, 3 m apart on the return rope.
+std::string two_sections(const std::string& tail, const std::string& analysis) {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{winch: [0 m, 0 m, 20 m]}}
+  ropes:
+    traction: {{mass: 1.5 kg/m, stiffness: 24 MN}}
+    return: {{mass: 1 kg/m, stiffness: 16 MN}}
+  sheaves: {{tail: {{at: [{}, 0 m, 20 m], diameter: 400 mm, efficiency: 0.9}}}}
+  carriages:
+    first: {{mass: 90 kg, rides: return, hold: rolling, mainline: traction}}
+    second: {{mass: 40 kg, rides: return, hold: clamped, length_before: 3 m}}
+  reevings:
+    - {{rope: traction, path: [{{anchor: winch}}, {{anchor: first}}], length: 100 m}}
+    - {{rope: return, path: [{{anchor: first}}, {{through: second}}, {{over: tail}}, {{through: first}}, {{anchor: winch}}],
+       tension_at_end: 62 kN, haul: to_start}}
+  loads: [{{at: second, force: [14.7 kN, 0 kN, -25.5 kN]}}]
+analyses:
+  - {}
+)",
+                     tail, analysis);
+}
+
+/// A running skyline: the rope that carries the carriage comes back to it over the tail block.
+std::string running_skyline(double x) {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{tower: [0 m, 0 m, 12 m], winch: [-3 m, 0 m, 1 m]}}
+  ropes:
+    haulback: {{mass: 0.8 kg/m, stiffness: 9.8 MN}}
+    mainline: {{mass: 0.6 kg/m, stiffness: 7.2 MN}}
+  sheaves:
+    tower_sheave: {{at: [0 m, 0 m, 13 m], diameter: 300 mm}}
+    tail_block: {{at: [200 m, 0 m, 40 m], diameter: 300 mm}}
+  carriages:
+    car: {{mass: 250 kg, rides: haulback, hold: rolling, mainline: mainline, at: [100 m, 0 m, 22 m]}}
+  reevings:
+    - {{rope: haulback, path: [{{anchor: winch}}, {{over: tower_sheave}}, {{through: car}}, {{over: tail_block}}, {{anchor: car}}],
+       tension_at_start: 25 kN}}
+    - {{rope: mainline, path: [{{anchor: tower}}, {{anchor: car}}], length: 102 m}}
+  loads: [{{at: car, mass: 900 kg}}]
+analyses: [{{equilibrium: {{carriage: car, x: {} m}}}}]
+)",
+                     x);
+}
+
+std::string told(const std::string& deck) {
+  const Result r = run(Job{deck, "deck.yaml", {}});
+  return fmt::format("{}: {}{}", r.status == Status::ok ? "ok" : "no", r.message, to_text(r.errors));
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(SecondSection, NoPlaceOfItIsPastTheSheave) {
+  const auto path = [](const char* to, int steps) {
+    return told(two_sections(
+        "200 m", fmt::format("load_path: {{carriage: first, from: 30 m, to: {}, steps: {}, motion: in}}", to, steps)));
+  };
+  EXPECT_TRUE(has(path("190 m", 8), "ok"));
+  const std::string words = path("198 m", 70);
+  EXPECT_TRUE(has(words, "no: ") && has(words, "'second'") && has(words, "past 'tail'")) << words;
+}
+
+TEST(SecondSection, ACarriageOutsideItsRopeIsRefusedByName) {
+  for (const char* analysis :
+       {"equilibrium: {carriage: first, x: 100 m, z: 10 m}", "equilibrium: {carriage: first, x: 100 m}",
+        "load_path: {carriage: first, from: 20 m, to: 40 m, steps: 2}"}) {
+    const std::string words = told(two_sections("-200 m", analysis));
+    EXPECT_TRUE(has(words, "no: ") && has(words, "'first'") && has(words, "'winch'")) << words;
+  }
+}
+
+TEST(SecondSection, ACarriagePastTheNextSheaveIsRefusedByName) {
+  EXPECT_TRUE(has(told(running_skyline(199)), "ok")) << told(running_skyline(199));
+  const std::string words = told(running_skyline(201));
+  EXPECT_TRUE(has(words, "carriage 'car' would lie 1 m past 'tail_block', the next stop of its rope 'haulback'"))
+      << words;
+}
+
+}  // namespace taut::app::second_section_test
