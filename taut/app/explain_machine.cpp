@@ -40,7 +40,8 @@ constexpr const char* equilibrium_tables[][2] = {
     {"drums", "layer, radius, wraps, rope on it, capacity, pull, torque"},
     {"beams", "along each beam: place, axial force, shear, moment, stress, deflection"},
     {"beam_ends", "largest values of each beam, force and moment at its base, critical force"},
-    {"closure", "what stays open: lengths, forces, the balance of all"}};
+    {"closure", "what stays open: lengths, forces, the balance of all"},
+    {"masts", "with checks of masts: the worst section by each route"}};
 
 constexpr const char* path_tables[][2] = {
     {"load_path", "for each position of the carriage: its place, clearance, tensions of every rope and contact"}};
