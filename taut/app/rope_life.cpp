@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
@@ -23,11 +23,12 @@ std::string doubt(const catalogue::RuleRow& row) {
 /// "1.278; 0.029; 6.241; -1.613".
 std::array<double, 4> numbers_of(const std::string& text) {
   std::array<double, 4> all{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
+  std::string_view rest = text;
   for (double& x : all) {
-    while (at != end && (*at == ' ' || *at == ';')) ++at;
-    at = std::from_chars(at, end, x).ptr;
+    rest.remove_prefix(std::min(rest.find_first_not_of(" ;"), rest.size()));
+    const NumberAtFront number = number_at_front(rest);
+    x = number.value;
+    rest.remove_prefix(number.length);
   }
   return all;
 }

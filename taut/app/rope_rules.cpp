@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
@@ -19,6 +21,13 @@ using catalogue::RuleRow;
 using rope::Limit;
 
 constexpr double freezing = 273.15;  // K
+
+/// The number that ends the row's id: "temperature.steel.200".
+double degrees_of(const RuleRow& row) {
+  const auto degrees = parse_double(std::string_view(row.id).substr(row.id.rfind('.') + 1));
+  expects(degrees.has_value(), "a rule of temperatures whose id does not end in degrees");
+  return *degrees;
+}
 
 std::string trust_of(const RuleRow& row) {
   if (row.trust != catalogue::Trust::unverified) return std::string(catalogue::to_text(row.trust));
@@ -227,7 +236,7 @@ class RopeRuleReader {
     rules_.temperature = request_.temperature;
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
-      const double upto = std::stod(row.id.substr(row.id.rfind('.') + 1)) + freezing;
+      const double upto = degrees_of(row) + freezing;
       rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
@@ -235,7 +244,7 @@ class RopeRuleReader {
     if (!request_.termination) return;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != *request_.termination) continue;
-      const double upto = std::stod(row.id.substr(row.id.rfind('.') + 1)) + freezing;
+      const double upto = degrees_of(row) + freezing;
       rules_.hottest_end = Limit{upto, words_of(row), trust_of(row)};
     }
   }

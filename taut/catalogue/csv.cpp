@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/lookup.hpp"
 
@@ -240,14 +240,11 @@ std::string CsvReader::unique(std::string_view column) {
 
 std::optional<double> CsvReader::number(std::string_view column, bool zero_allowed) {
   const std::string& cell_text = text(column);
-  double value = 0.0;
-  const char* const end = cell_text.data() + cell_text.size();
-  const auto [stop, error] = std::from_chars(cell_text.data(), end, value);
-  if (error == std::errc::result_out_of_range) {
+  const NumberAtFront read = number_at_front(cell_text);
+  const double value = read.value;
+  if (!read.in_range) {
     fail(column, fmt::format("{}: {} is out of range", column, in_quotes(cell_text)));
-  } else if (error == std::errc() && stop == end && !std::isfinite(value)) {
-    fail(column, fmt::format("{}: {} is not a finite number", column, in_quotes(cell_text)));
-  } else if (error != std::errc() || stop != end) {
+  } else if (read.length == 0 || read.length != cell_text.size()) {
     const bool comma = cell_text.find(',') != std::string::npos;
     fail(column, fmt::format("{}: {} is not a number{}", column, in_quotes(cell_text),
                              comma ? "; write a decimal point, not a comma" : ""));

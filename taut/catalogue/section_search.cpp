@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <tuple>
+
+#include "taut/base/number.hpp"
 
 namespace taut::catalogue {
 namespace {
@@ -33,12 +34,10 @@ std::optional<SectionName> parse_section_name(std::string_view normal) {
     normal.remove_prefix(2);
   }
   while (true) {
-    double size = 0.0;
-    const auto [stop, error] =
-        std::from_chars(normal.data(), normal.data() + normal.size(), size, std::chars_format::fixed);
-    if (error != std::errc() || !std::isfinite(size)) return std::nullopt;
-    out.sizes.push_back(size / 1e3);
-    normal.remove_prefix(static_cast<std::size_t>(stop - normal.data()));
+    const NumberAtFront size = number_at_front(normal);
+    if (size.length == 0 || !size.in_range) return std::nullopt;
+    out.sizes.push_back(size.value / 1e3);
+    normal.remove_prefix(size.length);
     if (!normal.starts_with('x')) break;
     normal.remove_prefix(1);
   }
