@@ -44,7 +44,8 @@ expect(base taut/base/a.cpp "#include \"test/paths.hpp\"" "only tests see test/"
 # Parts of others behind one layer.
 expect(io taut/io/a.cpp "#include <yaml-cpp/yaml.h>" passes)
 expect(calc taut/calc/a.cpp "#include <yaml-cpp/yaml.h>" "<yaml-cpp/yaml.h>: stays behind io")
-expect(calc taut/calc/a.cpp "#include <udunits2.h>" "<udunits2.h>: stays behind units")
+expect(units taut/units/a.cpp "#include <udunits2.h>" "<udunits2.h>: stays behind tests")
+expect(units taut/units/a_test.cpp "#include <udunits2.h>" passes)
 expect(methods taut/methods/boom/a.cpp "#include <nlohmann/json.hpp>" "<nlohmann/json.hpp>: stays behind")
 expect(app taut/app/a.cpp "#include <CLI/CLI.hpp>" "<CLI/CLI.hpp>: stays behind cli")
 # A layer nobody has placed yet.

@@ -32,7 +32,7 @@ set(may_python ${may_cli})
 # Tests are free of this second rule, not of the first.
 set(fenced_headers
   "^yaml-cpp/ io"
-  "^udunits2?\\.h$ units"
+  "^udunits2?\\.h$ tests"
   "^nlohmann/ io app cli"
   "^kainjow/ report"
   "^CLI/ cli"

@@ -1,19 +1,15 @@
 #include "taut/units/parse.hpp"
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <mutex>
-#include <optional>
 
-#include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/units/factor.hpp"
 #include "taut/units/names.hpp"
 
 namespace taut {
@@ -28,49 +24,10 @@ Failure fail(std::string message, std::size_t offset = 0, std::size_t width = 1)
 
 constexpr std::size_t longest_quantity = 100;
 
-struct UnitFree {
-  void operator()(ut_unit* u) const { ut_free(u); }
-};
-struct SystemFree {
-  void operator()(ut_system* s) const { ut_free_system(s); }
-};
-using UnitPtr = std::unique_ptr<ut_unit, UnitFree>;
-
-/// Factor and offset from a UDUNITS expression to a coherent SI expression.
-struct Conversion {
-  double offset = 0;
-  double factor = 1;
-};
-
-/// UDUNITS is not thread-safe and reads its database from disk: one system, opened at the first unit, behind a lock.
-Conversion convert(const std::string& from, const std::string& to) {
-  static std::mutex lock;
-  const std::lock_guard guard(lock);
-  static const std::unique_ptr<ut_system, SystemFree> system = [] {
-    ut_set_error_message_handler(ut_ignore);
-    return std::unique_ptr<ut_system, SystemFree>(ut_read_xml(nullptr));
-  }();
-  expects(system != nullptr, "the UDUNITS-2 database is missing: install libudunits2-data");
-  const UnitPtr source(ut_parse(system.get(), from.c_str(), UT_UTF8));
-  const UnitPtr target(ut_parse(system.get(), to.c_str(), UT_UTF8));
-  expects(source != nullptr && target != nullptr, "UDUNITS does not know " + from);
-  cv_converter* converter = ut_get_converter(source.get(), target.get());
-  expects(converter != nullptr, "the unit list and UDUNITS disagree on " + from);
-  const double at_zero = cv_convert_double(converter, 0.0);
-  const double at_one = cv_convert_double(converter, 1.0);
-  cv_free(converter);
-  return {at_zero, at_one - at_zero};
-}
-
-/// One factor of a unit expression: a name of the list with its exponent.
-struct Factor {
-  const NameRow* row = nullptr;
-  int exponent = 1;
-};
-
 struct Expression {
-  std::vector<Factor> factors;
+  std::vector<UnitPower> factors;
   Dimension dimension;
+  int angles = 0;  ///< the power of the angle in it
   bool is_angle = false;
 };
 
@@ -182,12 +139,12 @@ class ExpressionReader {
     return 1;
   }
 
-  tl::expected<Factor, UnitError> read_factor(bool divide) {
+  tl::expected<UnitPower, UnitError> read_factor(bool divide) {
     const std::size_t from = at_;
     if (divide && at_ == from && take("1")) return fail("nothing to divide by", offset_ + from, 1);
     if (!divide && text_.substr(at_, 2) == "1/") {  // "1/s"
       ++at_;
-      return Factor{nullptr, 0};
+      return UnitPower{nullptr, 0};
     }
     const std::string_view name = read_name();
     if (name.empty()) {
@@ -198,13 +155,14 @@ class ExpressionReader {
     if (row == nullptr) return fail(unknown_unit(name), offset_ + from, name.size());
     const auto exponent = read_exponent();
     if (!exponent) return tl::unexpected(exponent.error());
-    return Factor{row, divide ? -*exponent : *exponent};
+    return UnitPower{row, divide ? -*exponent : *exponent};
   }
 
-  static void add(Expression& e, const Factor& f) {
+  static void add(Expression& e, const UnitPower& f) {
     if (f.row == nullptr) return;
     e.factors.push_back(f);
     e.dimension = e.dimension * power(f.row->dimension, f.exponent);
+    if (f.row->is_angle) e.angles += f.exponent;
     e.is_angle = e.is_angle || f.row->is_angle;
   }
 
@@ -213,18 +171,9 @@ class ExpressionReader {
   std::size_t at_ = 0;
 };
 
-std::string udunits_text(const Expression& e) {
-  std::string text;
-  for (const Factor& f : e.factors) {
-    if (!text.empty()) text += '.';
-    text += fmt::format("({})^{}", f.row->udunits, f.exponent);
-  }
-  return text;
-}
-
-std::string udunits_text(Dimension d) {
-  return fmt::format("(kg)^{}.(m)^{}.(s)^{}.(K)^{}", d.mass / whole_exponent, d.length / whole_exponent,
-                     d.time / whole_exponent, d.temperature / whole_exponent);
+/// What 0 of this unit is in the SI unit: only a temperature alone counts from elsewhere.
+double zero_of(const Expression& e) {
+  return e.factors.size() == 1 && e.factors[0].exponent == 1 ? e.factors[0].row->scale.zero : 0;
 }
 
 /// What a person may write for this unit: "12 kN", "30 deg".
@@ -242,8 +191,9 @@ std::string kind_of(const Expression& e) {
 
 bool fits(const Expression& e, const Unit& target) {
   if (e.dimension != target.dimension) return false;
+  if (target.is_angle) return e.angles == 1;
   // an angle's unit counts only where an angle, or a speed of turning, is asked for
-  return e.is_angle == target.is_angle || (e.is_angle && !is_plain_number(e.dimension));
+  return !e.is_angle || !is_plain_number(e.dimension);
 }
 
 bool is_percent(const Expression& e) { return e.factors.size() == 1 && e.factors[0].row->name == "%"; }
@@ -257,7 +207,7 @@ tl::expected<Expression, UnitError> read_unit(std::string_view unit, std::size_t
   auto e = ExpressionReader(unit, offset).read();
   if (!e) return e;
   const bool percent =
-      std::any_of(e->factors.begin(), e->factors.end(), [](const Factor& f) { return f.row->name == "%"; });
+      std::any_of(e->factors.begin(), e->factors.end(), [](const UnitPower& f) { return f.row->name == "%"; });
   if (percent && !is_percent(*e)) return fail("'%' stands alone", offset, unit.size());
   const bool percent_fits = is_percent(*e) && is_plain_number(target.dimension);
   if (percent_fits || fits(*e, target)) return e;
@@ -291,15 +241,11 @@ tl::expected<Split, UnitError> split_number(std::string_view text) {
   }
   if (from < text.size() && (text[from] == '+' || (from == 1 && text[from] == '-'))) return fail("two signs", from, 1);
   Split s;
-  const char* first = text.data() + from;
-  const char* last = text.data() + text.size();
-  const auto [end, code] = std::from_chars(first, last, s.number);
-  const auto used = static_cast<std::size_t>(end - first);
-  if (code == std::errc::result_out_of_range) {
-    return fail("a number that is too large or too small to hold", 0, from + used);
-  }
-  if (code != std::errc{}) return fail(fmt::format("'{}' does not begin with a number", text), 0, text.size());
-  if (!std::isfinite(s.number)) return fail("a finite number is expected", 0, from + used);
+  const NumberAtFront number = number_at_front(text.substr(from));
+  const std::size_t used = number.length;
+  if (used == 0) return fail(fmt::format("'{}' does not begin with a number", text), 0, text.size());
+  if (!number.in_range) return fail("a number that is too large or too small to hold", 0, from + used);
+  s.number = number.value;
   s.unit_from = from + used;
   if (s.unit_from < text.size() && text[s.unit_from] == ',') {
     return fail("a comma in a number: write a decimal point, and no signs between thousands", s.unit_from, 1);
@@ -321,9 +267,8 @@ tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& t
   if (unit == target.symbol && !target.is_angle) return 1.0;
   const auto e = read_unit(unit, 0, target);
   if (!e) return tl::unexpected(e.error());
-  const Conversion c = convert(udunits_text(*e), target.is_angle ? "radian" : udunits_text(target.dimension));
-  if (c.offset != 0) return fail("a unit with an offset can't be used here; write 'K'", 0, unit.size());
-  return c.factor;
+  if (zero_of(*e) != 0) return fail("a unit with an offset can't be used here; write 'K'", 0, unit.size());
+  return factor_of(e->factors);
 }
 
 tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite) {
@@ -346,8 +291,7 @@ tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit
   if (!e) return tl::unexpected(e.error());
   if (s->infinite) return s->number;
   if (is_percent(*e)) return target.is_angle ? std::atan(s->number / 100.0) : s->number / 100.0;
-  const Conversion c = convert(udunits_text(*e), target.is_angle ? "radian" : udunits_text(target.dimension));
-  const double value = c.factor * s->number + c.offset;
+  const double value = factor_of(e->factors) * s->number + zero_of(*e);
   if (!std::isfinite(value)) return fail("a number that is too large to hold in SI units", 0, text.size());
   return value;
 }

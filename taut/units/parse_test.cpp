@@ -93,7 +93,7 @@ TEST(ParseNumber, TakesWholeTextOnly) {
     EXPECT_FALSE(parse_number(bad)) << bad;
 }
 
-TEST(UnitNames, EveryNameIsKnownToUdunitsWithTheDimensionOfOurList) {
+TEST(UnitNames, EveryNameIsReadAsAQuantityOfItsKind) {
   for (const NameRow& row : name_rows()) {
     const Unit unit{row.dimension, "?", row.name, row.is_angle, row.kind};
     EXPECT_TRUE(parse_quantity("1 " + std::string(row.name), unit).has_value()) << row.name;
