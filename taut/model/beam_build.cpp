@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -80,7 +81,7 @@ Axis axis_of(const Model& m, const StraightBeam& b) {
     const Vector3 towards = a.chord.transpose() * sense;
     a.bow.towards = towards.head<2>().normalized();
     a.bow.angle = std::numbers::pi * b.bow;
-    a.bow.length = way.norm() / std::cyl_bessel_j(0.0, std::abs(a.bow.angle));
+    a.bow.length = way.norm() / boost::math::cyl_bessel_j(0, std::abs(a.bow.angle));
   }
   return a;
 }

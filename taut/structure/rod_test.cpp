@@ -113,7 +113,7 @@ TEST(Rod, UnloadedBowIsAHalfWaveOnItsChord) {
     std::vector<RodState> all;
     const RodState end = along(p, start, &all);
     EXPECT_NEAR(end.place.head<2>().norm(), 0, 1e-9);
-    EXPECT_NEAR(end.place.z(), p.bow.length * std::cyl_bessel_j(0, p.bow.angle), 1e-9);
+    EXPECT_NEAR(end.place.z(), p.bow.length * ::j0(p.bow.angle), 1e-9);
     const Vector3& middle = all[all.size() / 2 - 1].place;
     const double e = share * p.bow.length;
     EXPECT_NEAR(middle.x(), 0.6 * e, 1e-4 * e);
