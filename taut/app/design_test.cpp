@@ -61,7 +61,8 @@ TEST(Design, agrees_with_brute_force_on_200_random_cases) {
   const char* const classes[][2] = {
       {"6x7", "FC"}, {"6x19", "FC"}, {"6x19", "IWRC"}, {"6x36", "IWRC"}, {"8x36", "IWRC"}};
   int found = 0;
-  for (int i = 0; i < 200; ++i) {
+  const int cases = taut_test::watched ? 25 : 200;
+  for (int i = 0; i < cases; ++i) {
     const double span = between(80, 400);
     const double load = between(500, 4000);
     const double sag = span * between(0.03, 0.08);
@@ -91,7 +92,7 @@ TEST(Design, agrees_with_brute_force_on_200_random_cases) {
     EXPECT_EQ(exit_code(r), 0) << i << r.message << to_text(r.errors);
     EXPECT_EQ(text_cell(table_of(r, "design"), 0, "designation"), first->id) << i;
   }
-  EXPECT_GT(found, 25);  // enough of the cases have an answer
+  EXPECT_GT(found, cases / 8);  // enough of the cases have an answer
 }
 
 TEST(Design, tells_its_neighbours_and_what_governs) {
