@@ -92,6 +92,35 @@ TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
   EXPECT_NEAR(height(0, 100), z_at(50) - 3, 1e-9);
 }
 
+TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
+  model::Model m;
+  m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
+  m.reevings.push_back(reeve("guy", {anchor("c", {0, 0, 10}), anchor("d", {-30, 40, 0})}, 51, 15, 1e9));
+  const EquilibriumResult e = equilibrium(m);
+  ASSERT_TRUE(e.outcome.ok());
+  const auto expect_gap = [](const TerrainGap& gap, double before, double after) {
+    EXPECT_NEAR(gap.before, before, 1e-9);
+    EXPECT_NEAR(gap.after, after, 1e-9);
+    EXPECT_NEAR(gap.missing(), before + after, 1e-9);
+  };
+  expect_gap(terrain_gap(m, e.spans, 0), 100, 0);
+  m.terrain = {{20, 0}, {70, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 20, 30);
+  expect_gap(terrain_gap(m, e), 50, 30);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 90, 25}), 0, 20);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 80, 90}), 0, 10);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 200, 300}), 0, 0);
+  expect_gap(terrain_gap(m, 15, 5), 10, 0);
+  m.terrain = {{0, 0}, {100, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 0, 0);
+  // the terrain's x runs the other way, from the middle
+  m.terrain_from = {50, 0, 0};
+  m.terrain_along = -Vector3::UnitX();
+  m.terrain = {{-40, 0}, {50, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 10, 0);
+  expect_gap(terrain_gap(m, e), 10, 30);
+}
+
 TEST(Limits, EachIsReachedByItsPayload) {
   model::Model m = with_carriage(true, 0.1, 200);
   m.terrain = {{0, 0}, {300, 60}};

@@ -119,6 +119,29 @@ class ClearanceSearch {
   RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
 };
 
+/// What the terrain's x of a rope runs over.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  bool empty() const { return !(low <= high); }
+  void take(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// The part of a span in a window. A rope lies over its chord in plan.
+void take_extent(const model::Model& model, const SpanResult& span, const RopeWindow& window, Extent& extent) {
+  const double length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+  const auto [low, high] = std::minmax(window.from, window.to);
+  const Under across{window.along.dot(span.start), window.along.dot(span.shape.along)};
+  const Part part = Part{0, length}.within(across, low, high);
+  if (part.empty()) return;
+  const double from = terrain_x(model, span.start), rate = model.terrain_along.dot(span.shape.along);
+  extent.take(from + rate * part.first);
+  extent.take(from + rate * part.last);
+}
+
 RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
   const bool second = std::isfinite(b.height) && !(a.height <= b.height);
   return second ? b : a;
@@ -145,6 +168,30 @@ RopeClearance rope_clearance(const model::Model& model, const std::vector<SpanRe
     if (span.reeving == reeving) least = lower(least, ClearanceSearch(model, span).least(window));
   }
   return least;
+}
+
+TerrainGap terrain_gap(const model::Model& model, double from, double to) {
+  const auto [low, high] = std::minmax(from, to);
+  if (model.terrain.empty()) return {high - low, 0};
+  const double rounding = near * std::max({1.0, high - low, std::abs(low), std::abs(high)});
+  const auto part = [&](double length) { return length > rounding ? length : 0; };
+  const double first = model.terrain.front().x, last = model.terrain.back().x;
+  return {part(std::min(high, first) - low), part(high - std::max(low, last))};
+}
+
+TerrainGap terrain_gap(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+                       const RopeWindow& window) {
+  Extent extent;
+  for (const SpanResult& span : spans) {
+    if (span.reeving == reeving) take_extent(model, span, window, extent);
+  }
+  return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
+}
+
+TerrainGap terrain_gap(const model::Model& model, const EquilibriumResult& result) {
+  Extent extent;
+  for (const SpanResult& span : result.spans) take_extent(model, span, {}, extent);
+  return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
 }
 
 }  // namespace taut::analysis

@@ -35,4 +35,23 @@ struct RopeWindow {
 RopeClearance rope_clearance(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
                              const RopeWindow& window);
 
+/// The parts of a plan extent that the terrain does not reach, m along the terrain: before its first and behind its
+/// last point. Both 0: the terrain covers the extent.
+struct TerrainGap {
+  double before = 0, after = 0;
+  double missing() const { return before + after; }
+};
+
+/// Of an extent between two places, in the terrain's x (model::terrain_x), either order. Without terrain all of it is
+/// missing before. A gap within rounding of the extent counts as none.
+TerrainGap terrain_gap(const model::Model& model, double from, double to);
+
+/// Of one rope within a window, in plan, from the first to the last place of it there; none where no part of the rope
+/// is in the window.
+TerrainGap terrain_gap(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+                       const RopeWindow& window = {});
+
+/// Of all ropes of a machine in one state.
+TerrainGap terrain_gap(const model::Model& model, const EquilibriumResult& result);
+
 }  // namespace taut::analysis
