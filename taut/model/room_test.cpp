@@ -55,6 +55,15 @@ TEST(Room, AnEndlessRopeComesBackToItsDriveFromElsewhere) {
   EXPECT_EQ(complaints_of(m), "reevings[0].path: 'tail' and 'drive' are at the same place\n");
 }
 
+TEST(Room, ATackleTellsAPairOnce) {
+  Machine m = tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")});
+  m.bodies[0].at = m.sheaves[0].at;
+  const std::string told = complaints_of(m);
+  const std::string same = "are at the same place";
+  EXPECT_NE(told.find(same), std::string::npos) << told;
+  EXPECT_EQ(told.find(same), told.rfind(same)) << told;
+}
+
 TEST(Room, CirclesInsideEachOther) {
   Machine m = loop();
   m.sheaves[2].at = {0.1, 0, 1};  // radii 0.2 m and 0.35 m, turned the same way
