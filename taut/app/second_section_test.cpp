@@ -87,4 +87,35 @@ TEST(SecondSection, ACarriagePastTheNextSheaveIsRefusedByName) {
       << words;
 }
 
+/// An endless haul rope whose guide stands where its drive is: neighbours only when the carriage is elsewhere.
+TEST(SecondSection, SheavesAtOnePlaceThatBecomeNeighboursAreRefusedByName) {
+  const auto haul = [](const char* guide, int x) {
+    return fmt::format(R"(taut: 1
+machine:
+  points: {{valley: [0 m, 0 m, 14 m], top: [420 m, 0 m, 122 m]}}
+  ropes:
+    track: {{mass: 2 kg/m, stiffness: 29 MN}}
+    haul: {{mass: 0.4 kg/m, stiffness: 5 MN}}
+  bodies: {{slide: {{mass: 250 kg, at: [420 m, 0 m, 119 m], guide: [1, 0, 0]}}}}
+  supports: {{shoe: {{at: [190 m, 0 m, 66 m], diameter: 6 m, friction: 0.12}}}}
+  sheaves:
+    drive: {{at: [0 m, 0 m, 10 m], diameter: 800 mm, friction: 0.3, motor: {{}}}}
+    guide: {{at: {}, diameter: 250 mm, efficiency: 0.98, uplift: lift}}
+    return: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 800 mm, efficiency: 0.96}}
+  carriages:
+    car: {{mass: 260 kg, rides: track, hold: fixed_to, fixed_to: haul, rollers: 2, wheelbase: 0.9 m, height: 0.6 m}}
+  reevings:
+    - {{rope: track, path: [{{anchor: valley}}, {{through: car}}, {{over: shoe}}, {{anchor: top}}], length: 437.5 m}}
+    - {{rope: haul, path: [{{over: drive}}, {{through: car}}, {{over: guide, side: right}}, {{over: return}}], closed: true, length: 869 m}}
+  take_up: [{{body: slide, weight: 3.4 t, along: [1, 0, 0]}}]
+  loads: [{{at: car, mass: 900 kg}}]
+analyses: [{{equilibrium: {{motion: in, carriage: car, x: {} m}}}}]
+)",
+                       guide, x);
+  };
+  EXPECT_TRUE(has(told(haul("[190 m, 0 m, 62 m]", 300)), "ok")) << told(haul("[190 m, 0 m, 62 m]", 300));
+  const std::string words = told(haul("[0 m, 0 m, 10 m]", 300));
+  EXPECT_TRUE(has(words, "no: ") && has(words, "'drive'") && has(words, "'guide'") && has(words, "0 m apart")) << words;
+}
+
 }  // namespace taut::app::second_section_test
