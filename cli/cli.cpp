@@ -23,6 +23,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_option("--set", options->set, "put a value over the deck's, as in --set 'input.span=200 m'")->take_all();
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
@@ -117,8 +118,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("taut ") + std::string(version));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 computed; 1 our fault; 2 usage or deck; 3 physics or solver says no;\n"
-      "4 computed, and a check fails; 5 a file can't be read or written; 130 interrupted.");
+      "Exit codes: 0 computed; 1 our fault; 2 usage or deck; 3 no answer: physics or solver says no;\n"
+      "4 fails, or is not judged; 5 a file can't be read or written; 130 interrupted.");
   std::function<int()> action;
   add_run(app, action);
   add_check(app, action);

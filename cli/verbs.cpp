@@ -77,7 +77,7 @@ Result calculated(app::Job& job, const RunOptions& options, Result (*how)(const 
 
 /// Shows and writes what was found; the exit code.
 int tell(const Result& result, const RunOptions& options) {
-  int code = exit_code(result);
+  int code = exit_code(result, options.strict);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
   if (options.json) {
     code = print(io::to_json(result, options.folder.empty() ? io::SeriesFiles::none : io::SeriesFiles::named), code);
@@ -124,7 +124,7 @@ int export_as(const std::string& format, const RunOptions& options) {
   }
   if (written->empty()) fmt::print(stderr, "taut: there is nothing in space to write\n");
   if (!options.quiet && !written->empty()) fmt::print(stderr, "{} files, open {}\n", written->size(), written->back());
-  return exit_code(result);
+  return exit_code(result, options.strict);
 }
 
 int check(const RunOptions& options) {

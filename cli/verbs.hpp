@@ -22,6 +22,7 @@ struct RunOptions {
   std::vector<std::string> set;
   bool json = false;
   bool quiet = false;
+  bool strict = false;  ///< a part without a limit is no success
 };
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.

@@ -60,6 +60,7 @@ const Description& PayloadRequest::describe() {
   static const Description d =
       Describe<PayloadRequest>()
           .field(&PayloadRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PayloadRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&PayloadRequest::carriage, "carriage", "the carriage that carries the payload")
           .required()
           .field(&PayloadRequest::from, "from", "x", si::m, "first place of the carriage")
@@ -151,6 +152,7 @@ const Description& InstallationRequest::describe() {
   static const Description d =
       Describe<InstallationRequest>()
           .field(&InstallationRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&InstallationRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&InstallationRequest::reeving, "reeving",
                  "the rope that is put up empty: without its carriages, and "
                  "without what hangs on them")
@@ -200,6 +202,7 @@ const Description& CycleRequest::describe() {
   static const Description d =
       Describe<CycleRequest>()
           .field(&CycleRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&CycleRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&CycleRequest::carriage, "carriage", "the carriage that is moved")
           .required()
           .field(&CycleRequest::from, "from", "x", si::m, "first place of the carriage in the first phase")
@@ -228,6 +231,7 @@ const Description& EnvelopeRequest::describe() {
   static const Description d =
       Describe<EnvelopeRequest>()
           .field(&EnvelopeRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EnvelopeRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&EnvelopeRequest::carriage, "carriage",
                  "the carriage that is moved; without it the machine as it stands")
           .field(&EnvelopeRequest::from, "from", "x", si::m, "first place of the carriage")
@@ -258,6 +262,7 @@ const Description& SweepRequest::describe() {
   static const Description d =
       Describe<SweepRequest>()
           .field(&SweepRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&SweepRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&SweepRequest::parameter, "parameter",
                  "a number of the machine by its path in the deck: 'loads[0].mass', 'reevings.skyline.length', "
                  "'temperature', 'points.head[2]', 'loads[0].force.angle'")

@@ -40,6 +40,7 @@ struct PayloadRequest {
   std::vector<MotionRequest> motion;
   LimitsRequest limits;
   double most = 100e3;  ///< kg
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -77,6 +78,7 @@ struct InstallationRequest {
   std::optional<double> from, to;    ///< K
   std::optional<int> steps;
   std::optional<InstallationGivenRequest> given;
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -97,6 +99,7 @@ struct CycleRequest {
   std::vector<double> along = {1, 0};  ///< direction of from and to
   std::optional<double> speed;
   std::vector<PhaseRequest> phases;
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -110,6 +113,7 @@ struct EnvelopeRequest {
   std::vector<double> loads;           ///< kg
   std::vector<std::string> motions;
   std::vector<double> temperatures;  ///< K
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -122,6 +126,7 @@ struct SweepRequest {
   std::optional<std::string> carriage;
   std::optional<double> x;
   std::vector<double> along = {1, 0};  ///< direction of x
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 

@@ -166,7 +166,8 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   bool told = false;
   for (const AnchorStates& s : anchors) {
     if (s.force == 0) {
-      r.warnings.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
+      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
+      r.warnings.push_back(r.unmade.back());
       continue;
     }
     if (!told) r.assumptions.emplace_back(fastening);

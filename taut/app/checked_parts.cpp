@@ -6,7 +6,8 @@
 
 namespace taut::app {
 
-CheckedParts::CheckedParts(const MachineDeck& given, const model::Model& model) : deck(&given), ropes(given, model) {
+CheckedParts::CheckedParts(const MachineDeck& given, const model::Model& model)
+    : deck(&given), judge(given, model), ropes(given, model) {
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
   anchors = anchor_states(given.checks->anchors);
@@ -16,6 +17,8 @@ CheckedParts::CheckedParts(const MachineDeck& given, const model::Model& model) 
 
 void CheckedParts::take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
                         const std::string& analysis) {
+  if (!judged) return;
+  judge.take(model, state, words);
   ropes.take(model, state, words);
   if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
   const CheckState seen = state_of(model, state, words, analysis);
@@ -27,13 +30,14 @@ void CheckedParts::take(const model::Model& model, const analysis::EquilibriumRe
 
 void CheckedParts::take_answers(const MachineRun& run) {
   for (const EquilibriumRun& one : run.equilibria) {
-    if (!one.result.outcome.ok()) continue;
+    if (!one.result.outcome.ok() || !one.judged) continue;
     const std::string name = analysis_name(one.ending, "equilibrium");
     const std::string words =
         one.ending.empty() ? one.words : fmt::format("{}, {}", analysis_words(one.ending, "equilibrium"), one.words);
     take(one.model, one.result, words, name);
   }
   for (const LoadPathRun& one : run.paths) {
+    if (!one.judged) continue;
     for (const LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
@@ -47,6 +51,9 @@ void CheckedParts::take_answers(const MachineRun& run) {
 
 void CheckedParts::take_empty(const model::Model& model, const analysis::EquilibriumResult& state,
                               const std::string& line, const std::string& words) {
+  if (!judged) return;
+  judge.take_ropes(model, state, words);
+  ropes.take_tensions(model, state, words);
   const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
                                  [&](const model::Reeving& one) { return one.name == line; });
   if (lines.empty() || rope == model.reevings.end()) return;
@@ -62,6 +69,8 @@ void CheckedParts::take_empty(const model::Model& model, const analysis::Equilib
 
 void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
                         const std::string& analysis) {
+  if (!judged) return;
+  judge.take(model, motion, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const analysis::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e.T_static, e.T.max, e.T.t_max, words);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/app/guy_checks.hpp"
+#include "taut/app/judge.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/app/machine_masts.hpp"
 #include "taut/app/machine_run.hpp"
@@ -10,8 +11,8 @@
 
 namespace taut::app {
 
-/// What the checks of a deck keep of every state that is a load case: equilibria, load paths, envelopes, cycles and
-/// motions. The places of a sweep and the limits of a payload are none. The deck outlives it.
+/// What verdict and checks keep of every state of every judged analysis: all positions, sweep values, temperatures,
+/// times. The deck outlives it.
 struct CheckedParts {
   CheckedParts(const MachineDeck& given, const model::Model& model);
 
@@ -20,7 +21,7 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
-  /// A line as it is put up, empty, in a model without what hangs on it: for its bends, angles and clearance alone.
+  /// A line as it is put up, empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
   void take_empty(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& line,
                   const std::string& words);
   /// A motion: tensions at all its steps, forces and places at its output steps.
@@ -28,6 +29,8 @@ struct CheckedParts {
             const std::string& analysis);
 
   const MachineDeck* deck = nullptr;
+  bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
+  Judge judge;
   RopeUses ropes;
   std::vector<GuyStates> guys;
   std::vector<AnchorStates> anchors;

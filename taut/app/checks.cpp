@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "taut/app/checked_parts.hpp"
-#include "taut/report/verdict.hpp"
+#include "taut/calc/verdict.hpp"
 
 namespace taut::app {
 namespace {
@@ -37,41 +37,32 @@ void confirm(const std::vector<std::string>& confirmed, Result& r) {
     for (Check& c : r.checks) {
       const bool named = c.rule.find(text) != std::string::npos || c.name.find(text) != std::string::npos;
       met |= named;
-      if (named && report::is_unverified(c.trust)) c.trust = fmt::format("user: confirmed in the deck ('{}')", text);
+      if (named && is_unverified(c.trust)) c.trust = fmt::format("user: confirmed in the deck ('{}')", text);
     }
     if (!met) r.warnings.push_back(fmt::format("'confirmed': no check has '{}' in its name or rule", text));
   }
 }
 
 /// A check on an unverified number has no limit that this deck accepts.
-int refuse_unverified(Result& r) {
-  int refused = 0;
+void refuse_unverified(Result& r) {
   for (Check& c : r.checks) {
-    if (!report::is_unverified(c.trust)) continue;
-    ++refused;
-    c.rule =
-        fmt::format("refused, as it rests on an unverified number ({:.6g} {}): {}", c.limit, c.unit.symbol, c.rule);
+    if (!is_unverified(c.trust)) continue;
+    c.rule = fmt::format(
+        "refused ('refuse_unverified'), as it rests on an unverified number ({:.6g} {}): compare it with the source "
+        "named, then give it in the deck as your own or name the source under 'confirmed', or choose a rule that is "
+        "verified; {}",
+        c.limit, c.unit.symbol, c.rule);
     c.limit = c.utilisation = std::numeric_limits<double>::quiet_NaN();
     c.passes = false;
+    c.refused = true;
   }
-  return refused;
 }
 
 }  // namespace
 
 void finish_checks(const ChecksRequest& request, Result& r) {
   confirm(request.confirmed, r);
-  if (request.refuse_unverified) {
-    if (const int refused = refuse_unverified(r); refused > 0) {
-      const std::string words = fmt::format(
-          "{} check{} refused ('refuse_unverified'): compare {} with the source named, then give {} in the deck as "
-          "your "
-          "own or name the source under 'confirmed', or choose a rule that is verified",
-          refused, refused == 1 ? " is" : "s are", refused == 1 ? "its number" : "their numbers",
-          refused == 1 ? "it" : "them");
-      r.message += r.message.empty() ? words : "; " + words;
-    }
-  }
+  if (request.refuse_unverified) refuse_unverified(r);
   r.checks = grouped(std::move(r.checks));
 }
 
@@ -87,18 +78,20 @@ std::vector<Complaint> check_complaints(const MachineDeck& deck, const model::Mo
 }
 
 void add_checks(const MachineDeck& deck, const MachineRun& run, Result& r) {
-  if (!deck.checks || r.status != Status::ok || !run.checked) return;
   const CheckedParts& seen = *run.checked;
-  add_rope_checks(*deck.checks, deck, run.model, seen.ropes.all(), r);
-  add_machine_masts(seen.masts, deck, run.model, r);
-  add_guy_checks(seen.guys, deck, run.model, r);
-  add_anchor_checks(seen.anchors, r);
-  add_line_checks(seen.lines, run.model, r);
+  if (deck.checks) {
+    add_rope_checks(*deck.checks, deck, run.model, seen.ropes.all(), r);
+    add_machine_masts(seen.masts, deck, run.model, r);
+    add_guy_checks(seen.guys, deck, run.model, r);
+    add_anchor_checks(seen.anchors, r);
+    add_line_checks(seen.lines, run.model, r);
+  }
   const std::vector<std::string> parts = parts_of(run.model);
   for (Check& c : r.checks) {
     if (c.part.empty()) c.part = part_of(c.name, parts);
   }
-  finish_checks(*deck.checks, r);
+  finish_checks(deck.checks.value_or(ChecksRequest{}), r);
+  seen.judge.add_scope(r);
 }
 
 }  // namespace taut::app

@@ -16,7 +16,7 @@ namespace taut::app {
 std::vector<Complaint> check_complaints(const MachineDeck& deck, const model::Model& model);
 
 /// Adds the checks that a machine's deck asks for; then all checks of the result stand in groups by part, the worst
-/// first, and what rests on unverified numbers is refused where the deck says so. Nothing without a block `checks:`.
+/// first, what rests on unverified numbers is refused where the deck says so, and the verdict's scope is known.
 void add_checks(const MachineDeck& deck, const MachineRun& run, Result& r);
 
 /// The last step of both wings: groups, and the refusal.

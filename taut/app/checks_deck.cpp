@@ -16,6 +16,9 @@ const Description& ChecksRequest::describe() {
               &ChecksRequest::confirmed, "confirmed",
               "what you have compared with its source, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
               "contains it are no longer unverified, but rest on your word")
+          .field(
+              &ChecksRequest::exempt, "exempt",
+              "parts that the verdict leaves out, by the name of a reeving, guy, beam or carriage; page 1 names them")
           .field(&ChecksRequest::refuse_unverified, "refuse_unverified",
                  "a check that rests on an unverified number does not pass");
   return d;

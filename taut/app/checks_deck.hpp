@@ -17,6 +17,7 @@ struct ChecksRequest {
   std::vector<AnchorCheckRequest> anchors;
   std::vector<LineCheckRequest> lines;
   std::vector<std::string> confirmed;  ///< rules that the user has compared with their sources
+  std::vector<std::string> exempt;     ///< parts that the verdict does not speak of
   bool refuse_unverified = false;      ///< a check on an unverified limit does not pass
   static const Description& describe();
 };

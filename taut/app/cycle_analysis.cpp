@@ -141,10 +141,8 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
         continue;
       }
       p.z = point.z;
-      if (machine.checked) {
-        machine.checked->take(part.model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x),
-                              analysis_name(run.ending, "cycle"));
-      }
+      machine.checked->take(part.model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x),
+                            analysis_name(run.ending, "cycle"));
       for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }
   }

@@ -12,8 +12,9 @@
 /// What the checks of a result say to a search.
 namespace taut::app {
 
-/// The check that decides: of those that fail the worst, else the one nearest to its limit.
-analysis::SizingTrial trial_of(const Result& r);
+/// The check that decides: of those that fail the worst, else the one nearest to its limit. What has a check that was
+/// asked for and not made, a missing state, or a chosen part (in `list_of`) without a limit does not pass.
+analysis::SizingTrial trial_of(const Result& r, const std::map<std::string, std::size_t>& list_of = {});
 
 /// Takes the checks of these names out of a result, those of a load case ("no slip [full]") too.
 void disregard(const std::vector<std::string>& names, Result& r);

@@ -108,7 +108,7 @@ class Searching {
     trial.ended = !go_on();
     if (trial.ended) return trial;
     const DesignRun one = run(place, Depth::quick);
-    trial = trial_of(one.result);
+    trial = trial_of(one.result, task_.list_of);
     trial.measured = measure(one, trial);
     trial.ended = found_.ended;
     record_.take(place.choice, one.result);
@@ -227,7 +227,7 @@ class Searching {
         point.over = constraints.nothing();
         return point;
       }
-      SizingCandidate here{start.choice, 0, trial_of(one.result)};
+      SizingCandidate here{start.choice, 0, trial_of(one.result, task_.list_of)};
       here.cost = measured_ ? measure(one, here.trial) : cost_of(place);
       point.value = here.cost;
       point.over = constraints.of(one.result);

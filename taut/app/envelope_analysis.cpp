@@ -212,7 +212,7 @@ class Combination {
     add_anchors(envelope_, m, e, where);
     add_bodies(envelope_, m, e, where);
     const std::string all = whole_words(words, where);
-    if (machine_.checked) machine_.checked->take(m, e, all, analysis_name(run_.ending, "envelope"));
+    machine_.checked->take(m, e, all, analysis_name(run_.ending, "envelope"));
     for (std::size_t i = 0; i < e.ropes.size(); ++i) {
       keep(fmt::format("rope {}", i), e.ropes[i].T_max, all, m, e);
     }

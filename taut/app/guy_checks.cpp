@@ -174,7 +174,8 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const MachineDeck& deck,
     if (one.T_max > 0) {
       check_safety(one, rope.name, strength, r);
     } else {
-      r.warnings.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
+      r.unmade.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
+      r.warnings.push_back(r.unmade.back());
     }
     if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
       add_part_check(rope.name, "slackness", one.T_least, Sense::at_least, one.T_slack, si::N,

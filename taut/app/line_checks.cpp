@@ -102,8 +102,9 @@ void check_clearance(const LineStates& line, Result& r) {
   RuleLimit limit = rule_limit("layout.ground_clearance", true);
   if (request.least_clearance) limit = {*request.least_clearance, "the deck's own", "user"};
   if (std::isnan(line.clearance.value)) {
-    r.warnings.push_back(fmt::format(
+    r.unmade.push_back(fmt::format(
         "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
+    r.warnings.push_back(r.unmade.back());
     return;
   }
   add_part_check(request.name, "clearance", line.clearance.value, Sense::at_least, limit.value, si::m,

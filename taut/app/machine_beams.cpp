@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
@@ -79,27 +80,16 @@ Table ends(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-/// The largest (or least) of something over all answers, and the analysis that has it.
-struct Worst {
-  double value = none;
-  std::string when;
-  const BeamResult* beam = nullptr;
-};
-template <class Of>
-Worst worst(const MachineRun& run, std::size_t beam, Of&& of, bool least = false) {
-  Worst w;
-  for (const Answer& a : answers_of(run)) {
-    const BeamResult& b = a.result->beams[beam];
-    const double value = of(b);
-    if (std::isnan(value) || (!std::isnan(w.value) && (least ? value >= w.value : value <= w.value))) continue;
-    w.value = value;
-    w.when = a.words;
-  }
-  return w;
+/// Yield and buckling can only fail: a beam that passes them has no limit yet.
+void add_fact(const std::string& beam, const std::string& where, Check check, Result& r) {
+  check.part = beam;
+  check.limits = false;
+  check.where = where;
+  r.checks.push_back(std::move(check));
 }
 
-void check_stress(const model::description::Beam& given, double stress, Result& r) {
-  if (!given.steel || std::isnan(stress)) return;
+void check_stress(const model::description::Beam& given, const WorstOf& stress, Result& r) {
+  if (!given.steel || std::isnan(stress.value)) return;
   const auto steel = catalogue::find_steel(*given.steel);
   if (!steel) return;
   double yield = catalogue::yield(*steel);
@@ -115,47 +105,46 @@ void check_stress(const model::description::Beam& given, double stress, Result& 
   const bool unverified = steel->trust == catalogue::Trust::unverified;
   const std::string trust =
       unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
-  r.checks.push_back(make_check(
-      given.name + ".stress_max", stress, Sense::at_most, yield, si::Pa,
-      fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1", full_name(*steel), where),
-      trust));
+  add_fact(given.name, stress.when,
+           make_check(given.name + ".stress_max", stress.value, Sense::at_most, yield, si::Pa,
+                      fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
+                                  full_name(*steel), where),
+                      trust),
+           r);
 }
 
-void check_buckling(const model::description::Beam& given, const Worst& factor, Result& r) {
+void check_buckling(const model::description::Beam& given, const WorstOf& factor, Result& r) {
   if (std::isnan(factor.value)) return;
   if (given.order == model::description::Order::first) {
-    r.checks.push_back(make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, first_order_factor, si::one,
-                                  "critical over present axial force, for an analysis of first order: EN 1993-1-1, "
-                                  "5.2.1 (3)",
-                                  "verified"));
+    add_fact(given.name, factor.when,
+             make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, first_order_factor, si::one,
+                        "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
+                        "verified"),
+             r);
     return;
   }
-  r.checks.push_back(make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, 1, si::one,
-                                "critical over present axial force, in the state found (bending of second order is in "
-                                "the stress already)",
-                                "derived"));
+  add_fact(given.name, factor.when,
+           make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, 1, si::one,
+                      "critical over present axial force, in the state found (bending of second order is in the stress "
+                      "already)",
+                      "derived"),
+           r);
 }
 
-void add_worst(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
-  const auto add = [&](const char* key, const Worst& w, const Unit& unit, const char* words) {
+void add_worst(const model::description::Beam& given, const BeamWorst& worst, Result& r) {
+  const auto add = [&](const char* key, const WorstOf& w, const Unit& unit, const char* words) {
     if (std::isnan(w.value)) return;
     const std::string name = fmt::format("{}.{}", given.name, key);
     r.values.push_back({name, w.value, unit, name, fmt::format("{} of {} ({})", words, given.name, w.when), {}});
   };
-  const Worst stress = worst(run, i, [](const BeamResult& b) { return b.points[b.most_stressed].stress; });
-  const Worst factor = worst(
-      run, i, [](const BeamResult& b) { return std::isfinite(b.critical_factor) ? b.critical_factor : none; }, true);
-  add("M_max", worst(run, i, [](const BeamResult& b) { return b.points[b.most_bent].M; }), si::N_m,
-      "largest bending moment");
-  add("N_max", worst(run, i, [](const BeamResult& b) { return std::abs(b.points[b.most_pressed].N); }), si::N,
-      "largest axial force, pulled or pressed,");
-  add("stress_max", stress, si::Pa, "largest |N|/A + M/W");
-  add("top_displacement", worst(run, i, [](const BeamResult& b) { return b.top_displacement; }), si::m.in("mm"),
-      "displacement of the far end");
-  add("N_cr", worst(run, i, critical_force, true), si::N, "least critical axial force");
-  add("alpha_cr", factor, si::one, "critical over present axial force");
-  check_stress(given, stress.value, r);
-  check_buckling(given, factor, r);
+  add("M_max", worst.M, si::N_m, "largest bending moment");
+  add("N_max", worst.N, si::N, "largest axial force, pulled or pressed,");
+  add("stress_max", worst.stress, si::Pa, "largest |N|/A + M/W");
+  add("top_displacement", worst.top_displacement, si::m.in("mm"), "displacement of the far end");
+  add("N_cr", worst.N_cr, si::N, "least critical axial force");
+  add("alpha_cr", worst.alpha_cr, si::one, "critical over present axial force");
+  check_stress(given, worst.stress, r);
+  check_buckling(given, worst.alpha_cr, r);
 }
 
 void add_base(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
@@ -222,7 +211,7 @@ void add_beam_values(const MachineDeck& deck, const MachineRun& run, Result& r) 
     const auto given = std::find_if(deck.machine.beams.begin(), deck.machine.beams.end(),
                                     [&](const auto& one) { return one.name == run.model.beams[i].name; });
     if (given == deck.machine.beams.end()) continue;
-    add_worst(*given, run, i, r);
+    add_worst(*given, run.checked->judge.beams()[i], r);
     add_base(*given, run, i, r);
     warn_of_sense(*given, run, i, r);
     if (!given->section) continue;

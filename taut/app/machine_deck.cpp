@@ -6,6 +6,7 @@ const Description& EquilibriumRequest::describe() {
   static const Description d =
       Describe<EquilibriumRequest>()
           .field(&EquilibriumRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EquilibriumRequest::judge, "judge", "false: its states do not count for the verdict")
           .named_records(&EquilibriumRequest::motion, "motion",
                          "hoist, lower, in, out, at_rest, or a sign for each sheave by name: 1 along the path, -1 "
                          "against it, 0 at rest")
@@ -29,6 +30,7 @@ const Description& LoadPathRequest::describe() {
   static const Description d =
       Describe<LoadPathRequest>()
           .field(&LoadPathRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&LoadPathRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&LoadPathRequest::carriage, "carriage", "the carriage that is moved")
           .required()
           .field(&LoadPathRequest::from, "from", "x", si::m, "first place of the carriage")

@@ -66,20 +66,14 @@ class Requests {
       const std::string path = fmt::format("analyses[{}]", i);
       if (all[i].equilibrium) add(run, *all[i].equilibrium, path + ".equilibrium");
       if (all[i].load_path) add(run, *all[i].load_path, path + ".load_path");
-      if (all[i].payload) run.more.push_back(prepare_payload(*all[i].payload, path + ".payload", names_));
-      if (all[i].installation) {
-        run.more.push_back(prepare_installation(*all[i].installation, path + ".installation", names_));
-      }
-      if (all[i].cycle) run.more.push_back(prepare_cycle(*all[i].cycle, path + ".cycle", names_));
-      if (all[i].envelope) run.more.push_back(prepare_envelope(*all[i].envelope, path + ".envelope", names_));
-      if (all[i].sweep) run.more.push_back(prepare_sweep(*all[i].sweep, path + ".sweep", names_));
-      if (all[i].transient) {
-        run.more.push_back(prepare_transient(*all[i].transient, path + ".transient", names_));
-      }
-      if (all[i].pretension) {
-        run.more.push_back(prepare_pretension(*all[i].pretension, path + ".pretension", names_));
-      }
-      if (all[i].modes) run.more.push_back(prepare_modes(*all[i].modes, path + ".modes", names_));
+      add(run, prepare_payload, all[i].payload, path + ".payload");
+      add(run, prepare_installation, all[i].installation, path + ".installation");
+      add(run, prepare_cycle, all[i].cycle, path + ".cycle");
+      add(run, prepare_envelope, all[i].envelope, path + ".envelope");
+      add(run, prepare_sweep, all[i].sweep, path + ".sweep");
+      add(run, prepare_transient, all[i].transient, path + ".transient");
+      add(run, prepare_pretension, all[i].pretension, path + ".pretension");
+      add(run, prepare_modes, all[i].modes, path + ".modes");
     }
     check_clamps(run);
     return run;
@@ -88,8 +82,35 @@ class Requests {
   std::vector<Complaint> complaints;
 
  private:
+  /// Whether the states of an analysis count; a choice of a design must stand in all of them.
+  bool judged(bool asked, const std::string& path) {
+    if (!asked && deck_.design) {
+      complaints.push_back({path + ".judge", "a design is judged in every state: leave 'judge: false' away"});
+    }
+    return asked;
+  }
+
+  template <class Request>
+  void add(MachineRun& run, Analysis (*prepare)(const Request&, const std::string&, Preparation&),
+           const std::optional<Request>& request, const std::string& path) {
+    if (!request) return;
+    Analysis analysis = prepare(*request, path, names_);
+    if (judged(request->judge, path)) {
+      run.more.push_back(std::move(analysis));
+      return;
+    }
+    const std::string name = request->name.value_or(path.substr(path.rfind('.') + 1));
+    run.more.push_back([analysis = std::move(analysis), name](MachineRun& machine, Result& r) {
+      machine.checked->judged = false;
+      analysis(machine, r);
+      machine.checked->judged = true;
+      r.left_out.push_back(name);
+    });
+  }
+
   void add(MachineRun& run, const EquilibriumRequest& request, const std::string& path) {
     EquilibriumRun one;
+    one.judged = judged(request.judge, path);
     one.ending = ending_of(names_, "equilibrium", request.name, path);
     one.words = app::words_of(request.motion);
     one.motion = request.motion;
@@ -108,6 +129,7 @@ class Requests {
 
   void add(MachineRun& run, const LoadPathRequest& request, const std::string& path) {
     LoadPathRun one;
+    one.judged = judged(request.judge, path);
     one.ending = ending_of(names_, "load_path", request.name, path);
     one.words = app::words_of(request.motion);
     one.motion = request.motion;
@@ -260,9 +282,13 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     }
     watch.note(r);
   }
-  if (deck.checks) {
-    run.checked = std::make_shared<CheckedParts>(deck, run.model);
-    run.checked->take_answers(run);
+  run.checked = std::make_shared<CheckedParts>(deck, run.model);
+  run.checked->take_answers(run);
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "equilibrium"));
+  }
+  for (const LoadPathRun& one : run.paths) {
+    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "load path"));
   }
   // what they find comes behind the tables and values of the states that they leave
   Result more;
@@ -277,6 +303,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   r.interrupted = r.interrupted || more.interrupted;
   add_tables(run, r);
   add_beam_tables(run, r);
+  run.checked->judge.add_values(r);
   add_values(run, r);
   add_beam_values(deck, run, r);
   if (!checks_only) {

@@ -22,6 +22,7 @@ struct EquilibriumRun {
   std::optional<analysis::Condition> given;
   model::Model model;
   analysis::EquilibriumResult result;
+  bool judged = true;
 };
 
 /// The positions of a load path within one span.
@@ -39,6 +40,7 @@ struct LoadPathRun {
   int steps = 1;
   std::optional<analysis::Condition> given;
   std::vector<LoadPathPart> parts;  ///< in the order of the positions
+  bool judged = true;
 };
 
 struct MachineRun;
@@ -62,7 +64,7 @@ struct MachineRun {
   std::vector<LoadPathRun> paths;
   std::vector<Analysis> more;  ///< in the deck's order
   std::vector<OtherAnswer> others;
-  std::shared_ptr<CheckedParts> checked;          ///< where checks want it: is shown every state that is a load case
+  std::shared_ptr<CheckedParts> checked;          ///< is shown every state that is judged
   std::function<bool(const Progress&)> progress;  ///< as in a Job
 };
 

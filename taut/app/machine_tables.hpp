@@ -16,9 +16,8 @@ void add_tables(const MachineRun& run, Result& r);
 std::vector<Column> load_path_columns(const model::Model& all);
 std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, const analysis::LoadPathPoint& point);
 
-/// The worst cases over all analyses: T_max, and for each rope NAME.T_max and, its breaking force known,
-/// NAME.safety_factor with a check; clearance_min; of the first equilibrium the places of free bodies and the
-/// unstretched lengths. Warnings of supports that are pulled upwards and ropes that hang loose.
+/// Of the first equilibrium the places of free bodies and the unstretched lengths; of each one the tensions at the
+/// ropes' ends; drives. The worst cases over all states are the judge's.
 void add_values(const MachineRun& run, Result& r);
 
 /// Of one equilibrium, where the machine has them: rope_loads, drives, drums.

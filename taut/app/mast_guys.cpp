@@ -88,8 +88,9 @@ void add_plate_checks(const MastCheckRequest& request, const MachineDeck& deck, 
   }
   if (!request.plate->guy_strength || guys.number == 0) return;
   if (guys.weakest == 0) {
-    r.warnings.push_back(
+    r.unmade.push_back(
         fmt::format("{}: the breaking force of a guy is not known: 'plate.guy_strength' is not checked", request.name));
+    r.warnings.push_back(r.unmade.back());
     return;
   }
   add_part_check(request.name, "guy_strength_by_plate", guys.weakest, Sense::at_least, *request.plate->guy_strength,

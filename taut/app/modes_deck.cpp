@@ -8,6 +8,7 @@ const Description& ModesRequest::describe() {
   static const Description d =
       Describe<ModesRequest>()
           .field(&ModesRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&ModesRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&ModesRequest::count, "count", "n", si::one, "how many, the lowest first")
           .at_least(1)
           .at_most(400)

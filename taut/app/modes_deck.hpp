@@ -15,6 +15,7 @@ struct ModesRequest {
   double damping_ratio = 0;
   bool rope_mass = true;
   TransientRequest::Branches branches = TransientRequest::Branches::straight;
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/payload.hpp"
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
@@ -15,6 +16,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/math/index.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 namespace {
@@ -316,19 +318,25 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
       note_failure(r, one.point.payload.outcome, where);
       continue;
     }
+    machine.checked->take(*one.model, one.point.payload.at, where, analysis_name(run.ending, "payload"));
     if (!one.point.payload.outcome.ok()) nothing[one.point.payload.governing].push_back(one.point.x);
     if (least == nullptr || one.point.payload.mass < least->point.payload.mass) least = &one;
   }
   for (const auto& [limit, places] : nothing) {
     const auto [low, high] = std::minmax_element(places.begin(), places.end());
-    r.warnings.push_back(
-        fmt::format("payload: nothing can be carried at {} position{} {}: too much without any payload already: {}; "
-                    "raise the line, "
-                    "give it more rope or a stronger one",
-                    places.size(), places.size() == 1 ? "" : "s",
-                    places.size() == 1 ? fmt::format("x = {:.6g} m", *low)
-                                       : fmt::format("between x = {:.6g} m and {:.6g} m", *low, *high),
-                    limit));
+    const std::string span = places.size() == 1 ? fmt::format("at x = {:.6g} m", *low)
+                                                : fmt::format("from x = {:.6g} m to {:.6g} m", *low, *high);
+    const std::string words = fmt::format(
+        "nothing can be carried {} ({} place{}): without any payload the limit is exceeded already: {}; raise the "
+        "line, give it more rope or a stronger one",
+        span, places.size(), places.size() == 1 ? "" : "s", limit);
+    r.warnings.push_back("payload: " + words);
+    if (!machine.checked->judged) continue;
+    Check c = make_check("payload_min" + run.ending, 0, Sense::at_least, 0, si::kg.in("t"), words, "user");
+    c.utilisation = none;
+    c.passes = false;
+    c.part = machine.model.carriages[at(run.way.carriage)].name;
+    r.checks.push_back(std::move(c));
   }
   if (least == nullptr) return;
   const analysis::Payload& worst = least->point.payload;
@@ -338,6 +346,10 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
                       "m_min",
                       fmt::format("least payload ({}); governs: {}", run.words, worst.governing),
                       {}});
+  if (r.headline.empty()) {
+    r.headline = fmt::format("carries {} or more, least at x = {:.6g} m; governed by {}",
+                             Display().quantity(worst.mass, si::kg.in("t")), least->point.x, worst.governing);
+  }
   r.values.push_back({"payload_min_x" + run.ending, least->point.x, si::m, "x", "where the payload is least", {}});
   r.tables.push_back(table_of(machine.model, run, all));
   add_rules(machine.model, run, all, r);

@@ -55,6 +55,7 @@ const Description& PretensionRequest::describe() {
   static const Description d =
       Describe<PretensionRequest>()
           .field(&PretensionRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PretensionRequest::judge, "judge", "false: its states do not count for the verdict")
           .record(&PretensionRequest::pull, "pull", "ropes pulled tight, one after the other")
           .record(&PretensionRequest::least, "least", "lengths of ropes for which none gets too slack under any loads")
           .exactly_one({"pull", "least"})

@@ -45,6 +45,7 @@ struct PretensionRequest {
   double longest = 0.5;  ///< m
   double tolerance = 1e-9;
   Start start = Start::settled;
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 

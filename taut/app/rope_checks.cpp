@@ -78,7 +78,8 @@ void complain_of_ropes(const ChecksRequest& request, const MachineDeck& deck, co
 void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   rope::RopeChecks found = rope::check_rope(use, rules);
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
-  std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.warnings));
+  r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
+  std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
   if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
     const std::string name = use.name + ".dynamic_safety_factor";
     const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;

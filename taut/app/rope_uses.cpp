@@ -102,6 +102,17 @@ void RopeUses::take(const model::Model& model, const analysis::EquilibriumResult
   take_ends(model, state);
 }
 
+void RopeUses::take_tensions(const model::Model& model, const analysis::EquilibriumResult& state,
+                             const std::string& words) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const auto own =
+        std::find_if(uses_.begin(), uses_.end(), [&](const auto& use) { return use.name == model.reevings[i].name; });
+    if (own == uses_.end() || state.ropes[i].T_max <= own->tension) continue;
+    own->tension = state.ropes[i].T_max;
+    own->where = words;
+  }
+}
+
 void RopeUses::take_motion(int reeving, double at_rest, double peak, double when, const std::string& words) {
   rope::RopeUse& use = uses_[at(reeving)];
   if (at_rest > use.tension) {

@@ -18,6 +18,8 @@ class RopeUses {
 
   /// `words`: which state it is, "load path, in, x = 130 m".
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  /// Of a model that has some of the ropes, known by their names: their largest tensions alone.
+  void take_tensions(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
   /// Of a calculated motion: the largest tension of the rope at rest before it (0: not known), and its peak, N, at the
   /// time `when`, s.
   void take_motion(int reeving, double at_rest, double peak, double when, const std::string& words);

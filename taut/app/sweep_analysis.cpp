@@ -6,6 +6,7 @@
 
 #include "taut/analysis/continuation.hpp"
 #include "taut/app/carriage_way.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
@@ -195,6 +196,11 @@ void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep
                       {}});
   if (!words.empty()) r.warnings.push_back(fmt::format("the sweep {}", words));
   if (s.points.size() > 1) add_plots(run, m, s, r);
+  for (const auto& point : s.points) {
+    const std::string at =
+        fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
+    machine.checked->take(point.model, point.at, at, analysis_name(run.ending, "sweep"));
+  }
   const analysis::SweepPoint& first = s.points.front();
   machine.others.push_back(
       {fmt::format("{} = {}, {}", run.parameter, Display().quantity(first.value, run.unit), run.words), first.model,

@@ -34,6 +34,7 @@ const Description& TransientRequest::describe() {
   static const Description d =
       Describe<TransientRequest>()
           .field(&TransientRequest::name, "name", "ending of its tables' and files' names, when a deck has several")
+          .field(&TransientRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&TransientRequest::duration, "duration", "t", si::s,
                  "how long, from the start or from where it goes on")
           .above(0)

@@ -45,6 +45,7 @@ struct TransientRequest {
   std::optional<std::string> restart;  ///< file with such a state, looked for beside the deck
   std::optional<HoistFactor> hoist_factor;
   std::string state;  ///< text of that file, read before
+  bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 

@@ -282,9 +282,7 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
     one.model = machine.model;
     solve(one, machine.progress);
     add_transient(one, r);
-    if (machine.checked) {
-      machine.checked->take(one.model, one.result, words_of(one), analysis_name(one.ending, "transient"));
-    }
+    machine.checked->take(one.model, one.result, words_of(one), analysis_name(one.ending, "transient"));
   };
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "taut/base/version.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/io/table.hpp"
 
 namespace taut::io {
@@ -120,6 +121,10 @@ std::string to_json(const Result& r, SeriesFiles files) {
   j["method"] = r.method;
   j["status"] = to_text(r.status);
   j["message"] = r.message;
+  const auto verdict = verdict_of(r);
+  j["verdict"] = verdict ? Json(to_text(verdict->kind)) : Json(nullptr);
+  j["verdict_class"] = verdict && !verdict->verdict_class.empty() ? Json(verdict->verdict_class) : Json(nullptr);
+  j["verdict_reason"] = verdict ? Json(verdict->reason) : Json(nullptr);
   j["values"] = values(r.values);
   j["tables"] = tables(r);
   j["checks"] = checks(r.checks);

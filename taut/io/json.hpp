@@ -8,11 +8,12 @@ namespace taut::io {
 /// Whether the series of a result were written as files beside it.
 enum class SeriesFiles { none, named };
 
-/// The result as one JSON object in the shape of result format 1, SI throughout, with a line end behind it. Numbers
+/// The result as one JSON object in the shape of result format 2, SI throughout, with a line end behind it. Numbers
 /// read back bit by bit; one that is not finite is null. Keys stand in the order of the contract:
-///   taut {version, format}, title, method, status, message, values {NAME: {value, unit, symbol, label, source}},
-///   tables {NAME: {columns [{name, unit}], rows}} with `comparison` (printed, corrected, exact) among them,
-///   checks, steps (those with a symbol), series {NAME: {columns, file}}, warnings, errors.
+///   taut {version, format}, title, method, status, message, verdict, verdict_class, verdict_reason, values {NAME:
+///   {value, unit, symbol, label, source}}, tables {NAME: {columns [{name, unit}], rows}} with `comparison` (printed,
+///   corrected, exact) among them, checks, steps (those with a symbol), series {NAME: {columns, file}}, warnings,
+///   errors.
 /// A series is a plot; `file` is "NAME.csv", or null with SeriesFiles::none.
 std::string to_json(const Result& r, SeriesFiles files = SeriesFiles::none);
 

@@ -157,7 +157,8 @@ struct Reeving {
   std::optional<double> tension_at_end;
   int copies = 1;
   Haul haul = Haul::automatic;
-  int segments = 1;  ///< of each free part, in motion
+  int segments = 1;        ///< of each free part, in motion
+  bool may_slack = false;  ///< it is meant to go slack: no unsafe warning
   static const Description& describe();
 };
 

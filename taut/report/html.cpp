@@ -19,7 +19,19 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-std::string_view mood_class(Mood m) { return m == Mood::good ? "good" : m == Mood::bad ? "bad" : "neutral"; }
+std::string_view mood_class(Mood m) {
+  switch (m) {
+    case Mood::good:
+      return "good";
+    case Mood::warning:
+      return "warning";
+    case Mood::bad:
+      return "bad";
+    case Mood::neutral:
+      break;
+  }
+  return "neutral";
+}
 
 mustache::data section_list(const Result& r) {
   mustache::data list{mustache::data::type::list};
@@ -51,14 +63,16 @@ std::string packed(std::string_view css) {
 std::string to_html(const Result& r) {
   const std::string title =
       clean(r.title.empty() ? (r.method_title.empty() ? "Calculation" : r.method_title) : r.title);
-  const Verdict v = verdict(r);
+  const Banner v = banner(r);
   mustache::data page;
   page.set("title", title);
   page.set("method", r.method_title.empty() || r.title.empty() ? clean(r.method) : clean(r.method_title));
   page.set("source", clean(r.source));
   page.set("mood", std::string(mood_class(v.mood)));
   page.set("headline", clean(v.headline));
+  page.set("icon", v.icon);
   page.set("detail", clean(v.detail));
+  page.set("scope", clean(v.scope));
   page.set("sections", section_list(r));
   page.set("version", std::string(version));
   page.set("deck", clean(r.deck_name));

@@ -200,12 +200,13 @@ std::string tables(const Result& r) {
 }  // namespace
 
 std::string to_markdown(const Result& r) {
-  const Verdict v = verdict(r);
+  const Banner v = banner(r);
   const std::string title = r.title.empty() ? r.method_title : r.title;
   std::string out = fmt::format("# {}\n\n", safe(title.empty() ? "Calculation" : title));
   if (!r.title.empty() && !r.method_title.empty()) out += safe(r.method_title) + "\n\n";
   if (!r.source.empty()) out += fmt::format("Source: {}\n\n", safe(r.source));
   out += fmt::format("**{}**{}{}\n", safe(v.headline), v.detail.empty() ? "" : ": ", safe(v.detail));
+  if (!v.scope.empty()) out += fmt::format("\n{}\n", safe(v.scope));
   out += section("Mistakes in the deck", errors(r));
   out += section("Warnings", list(r.warnings));
   out += section("Drawings", figures(r, false));

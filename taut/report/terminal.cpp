@@ -42,7 +42,8 @@ std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& right
 
 std::string painted(const std::string& text, Mood mood, const TerminalOptions& o) {
   if (!o.colour || mood == Mood::neutral) return text;
-  return fmt::format("\x1b[{}m{}\x1b[0m", mood == Mood::good ? "1;32" : "1;31", text);
+  const char* colour = mood == Mood::good ? "1;32" : mood == Mood::warning ? "1;33" : "1;31";
+  return fmt::format("\x1b[{}m{}\x1b[0m", colour, text);
 }
 
 std::string hanging(const std::string& first, const std::string& text, int width) {
@@ -57,12 +58,17 @@ std::string hanging(const std::string& first, const std::string& text, int width
 }
 
 std::string head(const Result& r, const TerminalOptions& o) {
-  const Verdict v = verdict(r);
   std::string out = hanging("", r.title.empty() ? r.method_title : r.title, o.width);
   if (!r.source.empty()) out += hanging("  ", r.source, o.width);
-  out += painted(v.headline, v.mood, o) + "\n";
-  if (!v.detail.empty()) out += hanging("  ", v.detail, o.width);
   return out;
+}
+
+/// The last line: the verdict and its sentence.
+std::string verdict_line(const Result& r, const TerminalOptions& o) {
+  const Banner v = banner(r);
+  std::string out = "\n";
+  if (!v.scope.empty()) out += hanging("", v.scope, o.width);
+  return out + painted(v.headline, v.mood, o) + ": " + clean(v.detail) + "\n";
 }
 
 std::string words(const std::string& text) { return shortened(clean(text), longest_words); }
@@ -191,7 +197,7 @@ std::string to_terminal(const Result& r, const TerminalOptions& o) {
   out += comparison_lines(r);
   out += value_lines(r);
   out += tables(r, o);
-  return out;
+  return out + verdict_line(r, o);
 }
 
 }  // namespace taut::report

@@ -10,7 +10,7 @@ struct TerminalOptions {
   int width = 100;      ///< columns; words wrap, numbers never do
 };
 
-/// The short answer for a terminal: verdict, warnings, checks, published against corrected, values in display units,
+/// The short answer for a terminal: warnings, checks, published against corrected, values in display units,
 /// in aligned columns. Plain text; control characters of the deck never reach the terminal. Ends with a line break.
 std::string to_terminal(const Result& r, const TerminalOptions& options = {});
 

@@ -2,62 +2,60 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <vector>
-
 #include "taut/report/quantity.hpp"
 
 namespace taut::report {
 namespace {
 
-std::string plural(std::size_t n, std::string_view word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
-
-/// NaN is worse than any number.
-double severity(const Check& c) { return std::isnan(c.utilisation) ? INFINITY : c.utilisation; }
-
-std::string named(const Check& c) {
-  return fmt::format("{} (utilisation {})", c.name, utilisation_text(c.utilisation));
-}
-
-std::string unverified_words(const Result& r) {
-  const auto n = std::count_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return is_unverified(c.trust); });
-  if (n == 0) return {};
-  return fmt::format("{} on an unverified limit.", n == 1 ? "1 check rests" : fmt::format("{} checks rest", n));
-}
-
-Verdict failing(const Result& r, std::vector<Check> failed) {
-  std::stable_sort(failed.begin(), failed.end(), [](auto& a, auto& b) { return severity(a) > severity(b); });
-  constexpr std::size_t most = 3;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(most, failed.size()); ++i) {
-    if (i > 0) names += ", ";
-    names += named(failed[i]);
+Mood mood_of(VerdictKind kind) {
+  switch (kind) {
+    case VerdictKind::fails:
+    case VerdictKind::no_answer:
+      return Mood::bad;
+    case VerdictKind::not_judged:
+      return Mood::neutral;
+    case VerdictKind::passes_with_warnings:
+      return Mood::warning;
+    case VerdictKind::passes:
+      break;
   }
-  if (failed.size() > most) names += fmt::format(" and {} more", failed.size() - most);
-  return {Mood::bad, fmt::format("Fails {} of {}", failed.size(), plural(r.checks.size(), "check")), names + "."};
+  return Mood::good;
 }
 
-Verdict computed(const Result& r) {
-  if (r.checks.empty()) return {Mood::neutral, "Computed", "Nothing is checked against a limit here."};
-  std::vector<Check> failed;
-  std::copy_if(r.checks.begin(), r.checks.end(), std::back_inserter(failed), [](const Check& c) { return !c.passes; });
-  if (!failed.empty()) return failing(r, std::move(failed));
-  const auto top =
-      std::max_element(r.checks.begin(), r.checks.end(), [](auto& a, auto& b) { return severity(a) < severity(b); });
-  if (r.checks.size() == 1) return {Mood::good, "Passes its check", named(*top) + "."};
-  return {Mood::good, fmt::format("Passes all {} checks", r.checks.size()),
-          fmt::format("Closest to its limit: {}.", named(*top))};
+const char* icon_of(Mood mood) {
+  switch (mood) {
+    case Mood::good:
+      return "\u2713";
+    case Mood::warning:
+      return "!";
+    case Mood::bad:
+      return "\u2715";
+    case Mood::neutral:
+      break;
+  }
+  return "?";
+}
+
+std::string scope_of(const Result& r) {
+  std::string text;
+  if (!r.exempt.empty()) text = fmt::format("Exempt by the deck: {}.", fmt::join(r.exempt, ", "));
+  if (!r.beside.empty()) {
+    text += fmt::format("{}Not part of the verdict: {}.", text.empty() ? "" : " ", fmt::join(r.beside, "; "));
+  }
+  return text;
 }
 
 }  // namespace
 
-bool is_unverified(std::string_view trust) {
-  constexpr std::string_view word = "unverified";
-  return trust.size() >= word.size() && std::equal(word.begin(), word.end(), trust.begin(), [](char a, char b) {
-           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-         });
+Banner banner(const Result& r) {
+  const auto verdict = verdict_of(r);
+  if (!verdict) {
+    const std::string count =
+        r.errors.size() > 1 ? fmt::format("The deck has {} mistakes", r.errors.size()) : "The deck has a mistake";
+    return {Mood::bad, icon_of(Mood::bad), count, r.message, {}};
+  }
+  const Mood mood = mood_of(verdict->kind);
+  return {mood, icon_of(mood), std::string(headline(verdict->kind)), verdict->reason, scope_of(r)};
 }
 
 std::string utilisation_text(double u) {
@@ -65,27 +63,6 @@ std::string utilisation_text(double u) {
   return number_plain(u, 3);
 }
 
-std::string_view outcome_text(const Check& c) { return c.passes ? "passes" : "fails"; }
-
-Verdict verdict(const Result& r) {
-  switch (r.status) {
-    case Status::infeasible:
-      return {Mood::bad, "Not feasible", r.message};
-    case Status::not_converged:
-      return {Mood::bad, "No solution found", r.message};
-    case Status::bad_deck:
-      return {Mood::bad,
-              r.errors.empty() ? "The deck has a mistake"
-                               : fmt::format("The deck has {}", plural(r.errors.size(), "mistake")),
-              r.message};
-    case Status::ok:
-      break;
-  }
-  Verdict v = computed(r);
-  const std::string more = unverified_words(r);
-  if (!more.empty()) v.detail += (v.detail.empty() ? "" : " ") + more;
-  if (!r.message.empty()) v.detail += (v.detail.empty() ? "" : " ") + r.message;
-  return v;
-}
+std::string_view outcome_text(const Check& c) { return c.refused ? "refused" : c.passes ? "passes" : "fails"; }
 
 }  // namespace taut::report

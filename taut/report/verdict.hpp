@@ -2,30 +2,29 @@
 #include <string>
 #include <string_view>
 
-#include "taut/calc/result.hpp"
+#include "taut/calc/verdict.hpp"
 
 namespace taut::report {
 
-/// How the answer is meant at a glance.
-enum class Mood { good, bad, neutral };
+/// How the verdict is meant at a glance: green, amber, red, grey.
+enum class Mood { good, warning, bad, neutral };
 
-struct Verdict {
+/// The verdict as a person reads it.
+struct Banner {
   Mood mood = Mood::neutral;
-  std::string headline;  ///< "Passes all 4 checks", "Fails 1 of 4 checks", "Not feasible", ...
-  std::string detail;    ///< which check, or the message; may be empty
+  std::string icon;      ///< one character beside the colour
+  std::string headline;  ///< "Passes, with warnings", "The deck has 2 mistakes"
+  std::string detail;    ///< the verdict's sentence
+  std::string scope;     ///< what it leaves out, in words; may be empty
 };
 
-/// One line that says whether to build it: which check fails or governs, why there is no answer, and how many limits
-/// are unverified.
-Verdict verdict(const Result& r);
-
-/// True when the limit's trust says that nobody has checked it against its source.
-bool is_unverified(std::string_view trust);
+/// The verdict of a result; of a deck with mistakes their number.
+Banner banner(const Result& r);
 
 /// "0.87"; three significant digits, "< 0.001" for next to nothing.
 std::string utilisation_text(double utilisation);
 
-/// "passes" or "fails".
+/// "passes", "fails" or "refused".
 std::string_view outcome_text(const Check& c);
 
 }  // namespace taut::report

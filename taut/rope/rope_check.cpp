@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "taut/rope/strength.hpp"
@@ -14,6 +16,13 @@ namespace {
 std::string kilonewton(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
 
 double ratio_of(const Bend& bend, const RopeUse& use) { return bend.diameter / use.rope.diameter; }
+
+/// Whether a check holds the rope's tension against its strength; the others (D/d, grooves, drums) can only fail.
+bool limits_strength(std::string_view key) {
+  constexpr std::array<std::string_view, 5> all = {"safety_factor", "on_sheave", "resistance", "dynamic_safety_factor",
+                                                   "elastic_limit"};
+  return std::any_of(all.begin(), all.end(), [&](std::string_view one) { return key.starts_with(one); });
+}
 
 /// What one rope's checks are made of.
 class RopeChecker {
@@ -55,6 +64,7 @@ class RopeChecker {
     Check c =
         make_check(fmt::format("{}.{}", use_.name, key), value, sense, limit, unit, std::move(rule), std::move(trust));
     c.part = use_.name;
+    c.limits = limits_strength(key);
     out_.checks.push_back(std::move(c));
   }
   /// The same, of which only the worst place stays.
