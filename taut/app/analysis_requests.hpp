@@ -40,7 +40,7 @@ struct PayloadRequest {
   std::vector<MotionRequest> motion;
   LimitsRequest limits;
   double most = 100e3;  ///< kg
-  bool judge = true;  ///< false: its states do not count for the verdict
+  bool judge = true;    ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -113,7 +113,7 @@ struct EnvelopeRequest {
   std::vector<double> loads;           ///< kg
   std::vector<std::string> motions;
   std::vector<double> temperatures;  ///< K
-  bool judge = true;  ///< false: its states do not count for the verdict
+  bool judge = true;                 ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 
@@ -126,7 +126,7 @@ struct SweepRequest {
   std::optional<std::string> carriage;
   std::optional<double> x;
   std::vector<double> along = {1, 0};  ///< direction of x
-  bool judge = true;  ///< false: its states do not count for the verdict
+  bool judge = true;                   ///< false: its states do not count for the verdict
   static const Description& describe();
 };
 

@@ -117,7 +117,8 @@ TEST(DesignMethod, loop_with_cases_and_sag) {
   EXPECT_EQ(cost_of(10, ", cases: {light: {gathering_force: 5 kN}, heavy: {input.gathering_force: 25 kN}}"), heavy);
   const Result r = run_text(
       loop(200, 10, 20, "return_weight: 20 N/m\n  traction_weight: 15 N/m",
-           "design: {seek: least_tension, of: return, unknowns: {sag: {parameter: sag, from: 6 m, to: 14 m}}}"));
+           "design: {seek: least_tension, of: return, unknowns: {sag: {parameter: sag, from: 6 m, to: 14 m}}}"),
+      {"checks.ropes.return.breaking_force=900 kN", "checks.ropes.traction.breaking_force=900 kN"});
   EXPECT_NEAR(value_of(r, "design_sag"), 14, 0.01) << r.message << to_text(r.errors);
 }
 

@@ -247,6 +247,12 @@ std::string Judge::strength_trust(std::size_t reeving) const {
   return row.trust_text.empty() ? "UNVERIFIED: breaking force of the rope" : "UNVERIFIED: " + row.trust_text;
 }
 
+std::vector<std::string> Judge::strength_trusts() const {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < model_->reevings.size(); ++i) all.push_back(strength_trust(i));
+  return all;
+}
+
 void Judge::add_tensions(Result& r) const {
   double worst = 0;
   std::string where;

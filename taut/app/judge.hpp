@@ -44,6 +44,9 @@ class Judge {
 
   const std::vector<BeamWorst>& beams() const { return beams_; }
 
+  /// By reeving: how far its breaking force may be trusted, "user" where the deck gives it.
+  std::vector<std::string> strength_trusts() const;
+
   /// The values T_max, NAME.T_max, NAME.safety_factor, clearance_min, rope_clearance_min over all states, the checks
   /// that can only fail (breaking force, ground), and the warnings of states.
   void add_values(Result& r) const;

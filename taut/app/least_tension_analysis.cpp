@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "taut/analysis/least_tension.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/math/index.hpp"
 #include "taut/model/compile.hpp"
@@ -78,6 +79,7 @@ void add_least_tension(const LeastTensionRun& run, const analysis::LeastTensionR
     add("T_least", one.T_least, si::N, "least tension over all cases");
   }
   for (std::size_t c = 0; c < result.at.size(); ++c) {
+    machine.checked->take(result.models[c], result.at[c], fmt::format("{}, {}", run.words, run.cases[c]), "pretension");
     machine.others.push_back({fmt::format("{}, {}", run.words, run.cases[c]), result.models[c], result.at[c], false});
   }
 }

@@ -19,6 +19,7 @@
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/merge.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -214,44 +215,6 @@ void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
     if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
   }
-}
-
-template <class T>
-void append(std::vector<T>& from, std::vector<T>& to) {
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
-
-/// What one state has largest is no second value beside that of another.
-void append_values(std::vector<Value>& from, std::vector<Value>& to) {
-  for (Value& v : from) {
-    const auto known = std::find_if(to.begin(), to.end(), [&](const Value& one) { return one.name == v.name; });
-    if (known == to.end()) {
-      to.push_back(std::move(v));
-    } else if (v.value > known->value) {
-      *known = std::move(v);
-    }
-  }
-}
-
-void append(Result& from, Result& to) {
-  append_values(from.values, to.values);
-  append(from.tables, to.tables);
-  append(from.checks, to.checks);
-  append(from.figures, to.figures);
-  append(from.series, to.series);
-  append(from.scenes, to.scenes);
-  append(from.attachments, to.attachments);
-  append(from.assumptions, to.assumptions);
-  append(from.warnings, to.warnings);
-  append(from.unsafe, to.unsafe);
-  append(from.missing, to.missing);
-  append(from.unmade, to.unmade);
-  append(from.unjudged, to.unjudged);
-  append(from.exempt, to.exempt);
-  append(from.left_out, to.left_out);
-  append(from.beside, to.beside);
-  to.preface += from.preface;
-  if (to.headline.empty()) to.headline = from.headline;
 }
 
 /// `checks_only`: without what nothing but a report needs.

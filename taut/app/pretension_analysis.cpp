@@ -5,6 +5,7 @@
 #include <set>
 
 #include "taut/analysis/pretension.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/motion_checks.hpp"
 #include "taut/app/none.hpp"
@@ -247,6 +248,10 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
     r.figures.emplace_back(tensioning_plot(run, machine.model, result));
     r.assumptions.push_back(fmt::format("{}: {}.", pretension_words(run), how_words(run, result)));
     if (result.slowly) add_pretension_scene(run, machine.model, result, r);
+    for (const analysis::PullEnd& end : result.ends) {
+      if (end.at)
+        machine.checked->take(result.model, *end.at, pretension_words(run), analysis_name(run.ending, "pretension"));
+    }
     const analysis::PullEnd& last = result.ends.back();
     if (last.at) machine.others.push_back({pretension_words(run), result.model, *last.at, false});
   };

@@ -79,6 +79,7 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
   rope::RopeChecks found = rope::check_rope(use, rules);
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
+  r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
   if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
     const std::string name = use.name + ".dynamic_safety_factor";

@@ -280,6 +280,7 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
     if (r.interrupted) return;
     TransientRun one = run;
     one.model = machine.model;
+    one.strength_trust = machine.checked->judge.strength_trusts();
     solve(one, machine.progress);
     add_transient(one, r);
     machine.checked->take(one.model, one.result, words_of(one), analysis_name(one.ending, "transient"));

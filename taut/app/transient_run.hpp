@@ -20,6 +20,7 @@ struct TransientRun {
   analysis::TransientOptions options;
   model::Model model;
   analysis::TransientResult result;
+  std::vector<std::string> strength_trust;  ///< by reeving: of its breaking force
 };
 
 /// Puts the text of the file that each `restart` names, beside the deck that names it, into its request; notes those

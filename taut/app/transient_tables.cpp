@@ -163,8 +163,12 @@ void add_ropes(const TransientRun& run, Result& r) {
       where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, branch_words(rope, e.branch), e.T.t_max);
     }
     if (rope.breaking_force > 0) {
-      r.checks.push_back(make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, Sense::at_most,
-                                    rope.breaking_force, si::N, "minimum breaking force of the rope", "user"));
+      Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, Sense::at_most,
+                           rope.breaking_force, si::N, "minimum breaking force of the rope", run.strength_trust[i]);
+      c.part = rope.name;
+      c.limits = false;
+      c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
+      r.checks.push_back(std::move(c));
     }
   }
   r.tables.push_back(std::move(t));

@@ -76,19 +76,6 @@ TEST(Result, GivenListsWhatWasUsedAndMarksDefaults) {
   EXPECT_FALSE(given[3].is_default);
 }
 
-TEST(Result, ExitCodesFollowTheContract) {
-  Result r;
-  EXPECT_EQ(exit_code(r), 0);
-  r.checks.push_back(make_check("c", 3, Sense::at_most, 2, si::one, "r", "t"));
-  EXPECT_EQ(exit_code(r), 4);
-  r.status = Status::infeasible;
-  EXPECT_EQ(exit_code(r), 3);
-  r.status = Status::not_converged;
-  EXPECT_EQ(exit_code(r), 3);
-  r.status = Status::bad_deck;
-  EXPECT_EQ(exit_code(r), 2);
-}
-
 TEST(Result, FindsByName) {
   Result r;
   r.values.push_back({"N", 1, si::N, "N", "", ""});

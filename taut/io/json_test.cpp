@@ -37,9 +37,10 @@ TEST(Json, HasTheShapeOfTheContractInItsOrder) {
   const auto j = nlohmann::ordered_json::parse(to_json(sample(), SeriesFiles::named));
   std::vector<std::string> keys;
   for (const auto& [key, value] : j.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"taut", "title", "method", "status", "message", "values", "tables",
-                                            "checks", "steps", "series", "warnings", "errors"}));
-  EXPECT_EQ(j["taut"].dump(), R"({"version":"0.1.0","format":1})");
+  EXPECT_EQ(keys, (std::vector<std::string>{"taut", "title", "method", "status", "message", "verdict", "verdict_class",
+                                            "verdict_reason", "values", "tables", "checks", "steps", "series",
+                                            "warnings", "errors"}));
+  EXPECT_EQ(j["taut"].dump(), R"({"version":"0.1.0","format":2})");
   EXPECT_EQ(j["status"], "ok");
   EXPECT_EQ(j["values"]["P_s"].dump(),
             R"x({"value":0.3333333333333333,"unit":"N","symbol":"P_s","label":"force of the mast","source":"(4)"})x");

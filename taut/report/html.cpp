@@ -72,7 +72,7 @@ std::string to_html(const Result& r) {
   page.set("headline", clean(v.headline));
   page.set("icon", v.icon);
   page.set("detail", clean(v.detail));
-  page.set("scope", clean(v.scope));
+  if (!v.scope.empty()) page.set("scope", clean(v.scope));
   page.set("sections", section_list(r));
   page.set("version", std::string(version));
   page.set("deck", clean(r.deck_name));

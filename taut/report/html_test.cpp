@@ -64,7 +64,7 @@ TEST(Html, SaysWhatItCutsFromALongTable) {
 
 TEST(Html, IsCompleteForEveryStatusAndForNothing) {
   Result r;
-  EXPECT_TRUE(report::to_html(r).find("Computed") != std::string::npos);
+  EXPECT_TRUE(report::to_html(r).find("Not judged") != std::string::npos);
   r.status = Status::infeasible;
   r.message = "no grip: raise the wrap angle";
   EXPECT_NE(report::to_html(r).find("no grip: raise the wrap angle"), std::string::npos);

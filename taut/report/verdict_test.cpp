@@ -9,51 +9,41 @@ namespace verdict_test {
 using namespace taut;
 using namespace taut::report;
 
-Check check(const std::string& name, double value, const std::string& trust = "verified") {
-  return make_check(name, value, Sense::at_most, 1, si::one, "rule", trust);
-}
-
-TEST(Verdict, NamesTheWorstFailingCheckFirst) {
+Result with_check(double value) {
   Result r;
-  r.checks = {check("a", 0.5), check("b", 1.1), check("c", 2), check("d", std::nan(""))};
-  const Verdict v = verdict(r);
-  EXPECT_EQ(v.mood, Mood::bad);
-  EXPECT_EQ(v.headline, "Fails 3 of 4 checks");
-  EXPECT_LT(v.detail.find("d ("), v.detail.find("c ("));
-  EXPECT_LT(v.detail.find("c ("), v.detail.find("b ("));
-  EXPECT_EQ(v.detail.find("a ("), std::string::npos);
+  r.checks = {make_check("a", value, Sense::at_most, 1, si::one, "rule", "verified")};
+  return r;
 }
 
-TEST(Verdict, NamesTheClosestWhenAllPass) {
+TEST(Banner, ColourWordAndSentenceFollowTheVerdict) {
+  EXPECT_EQ(banner(with_check(0.5)).mood, Mood::good);
+  EXPECT_EQ(banner(with_check(0.5)).headline, "Passes");
+  EXPECT_EQ(banner(with_check(2)).mood, Mood::bad);
+  EXPECT_EQ(banner(with_check(2)).headline, "Fails");
+  EXPECT_EQ(banner(Result{}).mood, Mood::neutral) << "nothing is checked";
+  EXPECT_EQ(banner(Result{}).headline, "Not judged");
+  Result doubtful = with_check(0.5);
+  warn_unsafe(doubtful, "the haulback is slack");
+  EXPECT_EQ(banner(doubtful).mood, Mood::warning);
+  EXPECT_NE(banner(doubtful).detail.find("haulback"), std::string::npos);
+}
+
+TEST(Banner, ADeckWithMistakesHasNoVerdict) {
   Result r;
-  r.checks = {check("a", 0.5), check("b", 0.9)};
-  EXPECT_EQ(verdict(r).mood, Mood::good);
-  EXPECT_EQ(verdict(r).detail, "Closest to its limit: b (utilisation 0.9).");
-  r.checks.pop_back();
-  EXPECT_EQ(verdict(r).headline, "Passes its check");
+  r.status = Status::bad_deck;
+  r.errors.resize(2);
+  EXPECT_EQ(banner(r).headline, "The deck has 2 mistakes");
 }
 
-TEST(Verdict, SaysWhenALimitIsUnverified) {
-  Result r;
-  r.checks = {check("a", 0.5, "UNVERIFIED: second hand")};
-  EXPECT_NE(verdict(r).detail.find("unverified limit"), std::string::npos);
-  EXPECT_TRUE(is_unverified("unverified"));
-  EXPECT_FALSE(is_unverified("verified"));
-  EXPECT_FALSE(is_unverified(""));
+TEST(Banner, SaysWhatTheVerdictLeavesOut) {
+  Result r = with_check(0.5);
+  r.exempt = {"drop"};
+  r.beside = {"anchors head, tail"};
+  EXPECT_NE(banner(r).scope.find("drop"), std::string::npos);
+  EXPECT_NE(banner(r).scope.find("anchors head, tail"), std::string::npos);
 }
 
-TEST(Verdict, OtherEndsCarryTheirMessage) {
-  Result r;
-  EXPECT_EQ(verdict(r).headline, "Computed");
-  r.message = "slack rope: raise the pretension";
-  for (const Status s : {Status::infeasible, Status::not_converged, Status::bad_deck}) {
-    r.status = s;
-    EXPECT_EQ(verdict(r).mood, Mood::bad);
-    EXPECT_NE(verdict(r).detail.find("slack rope"), std::string::npos);
-  }
-}
-
-TEST(Verdict, Utilisation) {
+TEST(Banner, Utilisation) {
   EXPECT_EQ(utilisation_text(0.8234), "0.823");
   EXPECT_EQ(utilisation_text(1e-5), "< 0.001");
   EXPECT_EQ(utilisation_text(0), "0");

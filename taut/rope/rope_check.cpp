@@ -221,7 +221,9 @@ class RopeChecker {
     const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
                                   [](const Bend& bend) { return bend.kind != BendKind::saddle; });
     if (rules_.runs && bent && rules_.sheave_ratios.empty() && rules_.drum_ratios.empty()) {
-      leave_out("D/d", "no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'");
+      out_.remarks.push_back(fmt::format(
+          "{}: D/d is not checked: no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'",
+          use_.name));
     }
     check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
     check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");

@@ -46,10 +46,11 @@ struct RopeRules {
 };
 
 /// The checks of one rope, each with its value, limit, rule and trust; `part` is the rope's name. A check of which the
-/// rope's data are not known (no diameter, no breaking force) is left out and told in `left_out`.
+/// rope's data are not known (no diameter, no breaking force) is left out, and `left_out` names it.
 struct RopeChecks {
   std::vector<Check> checks;
-  std::vector<std::string> left_out;
+  std::vector<std::string> left_out;  ///< asked for, and not made
+  std::vector<std::string> remarks;   ///< nobody asked, and a designer would expect it
 };
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules);
 

@@ -50,7 +50,7 @@ class Contract(unittest.TestCase):
             self.assertIn(code, (0, 4), deck.name)
             self.assertLessEqual(RESULT_KEYS, set(r), deck.name)
             self.assertEqual(r["status"], "ok")
-            self.assertEqual(r["taut"]["format"], 1)
+            self.assertEqual(r["taut"]["format"], 2)
             for name, value in r["values"].items():
                 self.assertLessEqual(VALUE_KEYS, set(value), name)
                 self.assertTrue(math.isfinite(value["value"]), name)

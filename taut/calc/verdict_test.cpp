@@ -1,0 +1,121 @@
+#include "taut/calc/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace taut::verdict_test {
+
+Check check(const std::string& name, double value, const std::string& trust = "verified") {
+  return make_check(name, value, Sense::at_most, 1, si::one, "rule of " + name, trust);
+}
+
+VerdictKind kind_of(const Result& r) { return verdict_of(r)->kind; }
+
+/// Passes all.
+Result good() {
+  Result r;
+  r.checks = {check("a", 0.4), check("b", 0.9)};
+  return r;
+}
+
+TEST(VerdictOf, TheFirstRowThatAppliesWins) {
+  Result r = good();
+  EXPECT_EQ(kind_of(r), VerdictKind::passes);
+  warn_unsafe(r, "slack");
+  EXPECT_EQ(kind_of(r), VerdictKind::passes_with_warnings);
+  r.unjudged = {"haulback"};
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unasked");
+  r.unmade = {"skyline: its strength is not checked"};
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+  r.status = Status::infeasible;
+  r.message = "no equilibrium";
+  EXPECT_EQ(kind_of(r), VerdictKind::no_answer);
+  r.checks.push_back(check("c", 1.2));
+  EXPECT_EQ(kind_of(r), VerdictKind::fails);
+  r.status = Status::bad_deck;
+  EXPECT_FALSE(verdict_of(r));
+}
+
+TEST(VerdictOf, TheWorstFailureIsNamedFirstAndNoNumberIsWorst) {
+  Result r = good();
+  r.checks.push_back(check("c", 2));
+  r.checks.push_back(check("d", 3));
+  EXPECT_EQ(verdict_of(r)->reason.find("d "), 0U);
+  EXPECT_NE(verdict_of(r)->reason.find("fails too: c"), std::string::npos);
+  r.checks.push_back(check("e", std::nan("")));
+  EXPECT_EQ(verdict_of(r)->reason.find("e "), 0U);
+}
+
+TEST(VerdictOf, FactsAloneAreNoLimit) {
+  Result r;
+  r.checks = {check("skyline.T_max", 0.2)};
+  r.checks.front().limits = false;
+  EXPECT_EQ(kind_of(r), VerdictKind::not_judged);
+  EXPECT_EQ(exit_code(r), 0);
+  EXPECT_EQ(exit_code(r, true), 4) << "strict";
+  r.checks.front() = check("skyline.T_max", 1.2);
+  r.checks.front().limits = false;
+  EXPECT_EQ(kind_of(r), VerdictKind::fails) << "they can fail";
+}
+
+TEST(VerdictOf, AnUnverifiedLimitDecidesFromHalfOn) {
+  Result r;
+  r.checks = {check("a", 0.49, "UNVERIFIED: recalled")};
+  EXPECT_EQ(kind_of(r), VerdictKind::passes);
+  r.checks = {check("a", 0.5, "UNVERIFIED: recalled")};
+  EXPECT_EQ(kind_of(r), VerdictKind::passes_with_warnings);
+  r.checks.front().refused = true;
+  r.checks.front().passes = false;
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unverified");
+  EXPECT_EQ(exit_code(r), 4);
+}
+
+TEST(VerdictOf, MissingStatesAreNotJudged) {
+  Result r = good();
+  r.missing = {{"load path", 3, 96, "x = 12 m", "the rope does not reach"}};
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+  EXPECT_NE(verdict_of(r)->reason.find("3 of 96 places, first x = 12 m"), std::string::npos);
+}
+
+TEST(VerdictOf, APublishedValueThatDecidesAndIsUnsafeIsAWarning) {
+  Result r = good();
+  r.comparisons.push_back({"tension", "T", si::N, 1, 2, 2, "corrected", true});
+  EXPECT_EQ(kind_of(r), VerdictKind::passes) << "the corrected one decides";
+  r.comparisons.back().corrected_decides = false;
+  EXPECT_EQ(kind_of(r), VerdictKind::passes_with_warnings);
+}
+
+TEST(VerdictOf, SaysWhatTheDeckBreaksAndLeavesOut) {
+  Result r = good();
+  r.preface = "The deck breaks the skyline at 2 s";
+  r.left_out = {"sweep"};
+  EXPECT_EQ(verdict_of(r)->reason.find("The deck breaks the skyline at 2 s; "), 0U);
+  EXPECT_NE(verdict_of(r)->reason.find("'judge: false': sweep"), std::string::npos);
+}
+
+TEST(VerdictOf, ExitCodes) {
+  Result r = good();
+  EXPECT_EQ(exit_code(r), 0);
+  r.interrupted = true;
+  EXPECT_EQ(exit_code(r), 130);
+  r = good();
+  r.checks.push_back(check("c", 2));
+  EXPECT_EQ(exit_code(r), 4);
+  r = good();
+  r.status = Status::not_converged;
+  EXPECT_EQ(exit_code(r), 3);
+  r.checks.push_back(check("c", 2));
+  EXPECT_EQ(exit_code(r), 4) << "what fails says more than what is missing";
+  r.status = Status::bad_deck;
+  EXPECT_EQ(exit_code(r), 2);
+}
+
+TEST(IsUnverified, ByTheFirstWord) {
+  EXPECT_TRUE(is_unverified("unverified"));
+  EXPECT_TRUE(is_unverified("UNVERIFIED: second hand"));
+  EXPECT_FALSE(is_unverified("verified"));
+  EXPECT_FALSE(is_unverified(""));
+}
+
+}  // namespace taut::verdict_test
