@@ -1,7 +1,7 @@
 # cmake -DROOT=<source tree> -P check_lengths.cmake
-# A source file over 400 lines is two things in one file: split it before it is merged.
+# A source file over 600 lines is thought over again, not cut in two.
 cmake_minimum_required(VERSION 3.25)
-set(limit 400)
+set(limit 600)
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/taut/*.hpp ${ROOT}/taut/*.cpp ${ROOT}/cli/*.hpp ${ROOT}/cli/*.cpp)
 set(errors)
 foreach(file IN LISTS files)
@@ -14,5 +14,5 @@ foreach(file IN LISTS files)
 endforeach()
 if(errors)
   list(JOIN errors "\n  " text)
-  message(FATAL_ERROR "Over ${limit} lines; split:\n  ${text}")
+  message(FATAL_ERROR "Over ${limit} lines; think the noun over:\n  ${text}")
 endif()

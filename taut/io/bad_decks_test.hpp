@@ -119,7 +119,6 @@ inline void add_wrong_values(std::vector<std::string>& decks) {
                             "!length 200 m",
                             "&l 200 m",
                             "*l",
-                            "200 м",
                             "２００ m",
                             "200\\u00a0m",
                             "\"200\\0 m\"",
