@@ -75,6 +75,9 @@ struct MethodDeck {
     Result r = way.run(in);
     if (way.complete != nullptr) way.complete(in, r);
     if (blocks.checks) add_method_checks(*blocks.checks, ropes(&r), r);
+    std::erase_if(r.unjudged, [&](const std::string& part) {
+      return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
+    });
     return r;
   }
 

@@ -20,7 +20,7 @@ UNASKED = ("not_judged", "unasked", 0)
 
 # deck: verdict, words of its reason
 VERDICTS = {
-    "boom_ropes.yaml": (PASSES, ""),
+    "boom_ropes.yaml": (UNASKED, "extension, retraction"),  # the paper names no ropes
     "closed_loop.yaml": (PASSES, "return rope"),
     "friction_drive.yaml": (FAILS, "no slip"),  # the published tension; the deck says so
     "mast_section.yaml": (PASSES, "CHS 610x20"),
@@ -90,6 +90,17 @@ class ExampleVerdicts(unittest.TestCase):
         for name in QUICK_BOOM[:1] if FEWER else QUICK_BOOM:
             with self.subTest(name):
                 self.check(f"{BOOM}/{name}", UNASKED, "limit")
+
+    def test_the_ropes_of_the_boom_are_judged_once_they_have_limits(self):
+        deck = (EXAMPLES / "boom_ropes.yaml").read_text()
+        ropes = {"extension": 1.5, "retraction": 1.5}
+        for limited in (["extension"], ["extension", "retraction"]):
+            checks = "checks:\n  ropes:\n" + "".join(
+                f"    {name}: {{breaking_force: 400 kN, safety_factor: {ropes[name]}}}\n" for name in limited)
+            got = subprocess.run([PROGRAM, "run", "-", "--json", "--quiet"], input=deck + checks, capture_output=True, text=True)
+            result = json.loads(got.stdout)
+            self.assertEqual(got.returncode, 0, result["message"])
+            self.assertEqual(result["verdict_class"], "unasked" if len(limited) == 1 else None, result["verdict_reason"])
 
 
 if __name__ == "__main__":
