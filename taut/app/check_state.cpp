@@ -109,6 +109,14 @@ CheckState state_of(const model::Model& model, const analysis::TransientResult& 
   return all;
 }
 
+std::string gap_words(const std::string& what, const analysis::TerrainGap& gap) {
+  return fmt::format(
+      "{}: its clearance is not judged on {:.4g} m, where there is no terrain ({:.4g} m before its first place, {:.4g} "
+      "m "
+      "behind its last one): give the ground under all of it",
+      what, gap.missing(), gap.before, gap.after);
+}
+
 std::string analysis_name(const std::string& ending, const char* kind) {
   return is_numbered(ending) ? std::string(kind) : ending.substr(1);
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/analysis/equilibrium.hpp"
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/analysis/transient.hpp"
 #include "taut/model/model.hpp"
 
@@ -45,6 +46,9 @@ CheckState state_of(const model::Model& model, const analysis::EquilibriumResult
 /// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
 CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
                     std::string words, std::string analysis);
+
+/// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
+std::string gap_words(const std::string& what, const analysis::TerrainGap& gap);
 
 /// The name of an analysis by the ending of its tables: "_drop" is "drop"; "" and "_2" have no name of their own, but
 /// `kind`.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/analysis/rope_clearance.hpp"
 #include "taut/app/check_state.hpp"
 #include "taut/app/guy_checks_deck.hpp"
 #include "taut/app/machine_deck.hpp"
@@ -61,6 +62,7 @@ struct LineStates {
   int reeving = 0;
   LineExtreme tail_angle, off_line;  ///< rad
   LineExtreme clearance;             ///< over the ground, at rest, m
+  analysis::TerrainGap gap;          ///< of the line in plan, the largest over all states
   struct Bend {
     std::string support;
     LineExtreme most, least;  ///< rad; negative: lifted by so much

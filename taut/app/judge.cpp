@@ -331,17 +331,6 @@ void Judge::add_values(Result& r) const {
   r.preface = preface_;
 }
 
-std::vector<std::string> Judge::limited_by_payload() const {
-  std::vector<std::string> names;
-  for (const AnalysisRequest& one : deck_->analyses) {
-    if (!one.payload) continue;
-    for (const RopeLimitRequest& limit : one.payload->limits.named) {
-      if (limit.tension || limit.safety_factor || limit.rule) names.push_back(limit.name);
-    }
-  }
-  return names;
-}
-
 void Judge::add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const {
   const bool limited =
       std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
@@ -355,8 +344,9 @@ void Judge::add_scope(Result& r) const {
   std::erase_if(r.checks, [&](const Check& c) {
     return !c.part.empty() && std::find(r.exempt.begin(), r.exempt.end(), c.part) != r.exempt.end();
   });
-  const std::vector<std::string> by_payload = limited_by_payload();
-  if (!by_payload.empty()) {
+  const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
+                                   [](const auto& one) { return one.payload.has_value(); });
+  if (payload) {
     // A state of a payload lies on its own limit, to the tolerance of its search.
     for (Check& c : r.checks) {
       if (c.passes || c.refused || !(std::abs(c.utilisation - 1) <= on_own_limit)) continue;
@@ -369,7 +359,6 @@ void Judge::add_scope(Result& r) const {
   for (const auto& [name, rope] : ropes_) largest = std::max(largest, rope.T);
   for (const auto& [name, rope] : ropes_) {
     if (!rope.carries || (rope.seen && rope.T <= of_largest * largest)) continue;
-    if (std::find(by_payload.begin(), by_payload.end(), name) != by_payload.end()) continue;
     add_scope_of(name, r, r.unjudged);
   }
   for (const model::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);

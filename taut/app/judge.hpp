@@ -85,7 +85,6 @@ class Judge {
   void take_places(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
-  std::vector<std::string> limited_by_payload() const;
   void add_tensions(Result& r) const;
   void add_heights(Result& r) const;
   void add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const;

@@ -88,6 +88,8 @@ void take_bends(const CheckState& state, LineStates& line) {
 
 void take_clearance(const CheckState& state, LineStates& line) {
   if (state.rest == nullptr) return;
+  const analysis::TerrainGap gap = analysis::terrain_gap(*state.model, state.rest->spans, line.reeving);
+  if (gap.missing() > line.gap.missing()) line.gap = gap;
   for (const analysis::SpanResult& span : state.rest->spans) {
     if (span.reeving != line.reeving) continue;
     const analysis::RopeClearance found = analysis::rope_clearance(*state.model, span);
@@ -106,6 +108,10 @@ void check_clearance(const LineStates& line, Result& r) {
         "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
     r.warnings.push_back(r.unmade.back());
     return;
+  }
+  if (line.gap.missing() > 0) {
+    r.unmade.push_back(gap_words(request.name, line.gap));
+    r.warnings.push_back(r.unmade.back());
   }
   add_part_check(request.name, "clearance", line.clearance.value, Sense::at_least, limit.value, si::m,
                  fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust,

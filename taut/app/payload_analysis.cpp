@@ -290,19 +290,61 @@ Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& 
   return p;
 }
 
-/// Each rope that names a rule, at its largest tension over all positions.
-void add_rules(const model::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
-  for (const RopeRule& rule : run.rules) {
-    const model::Reeving& rope = model.reevings[at(rule.reeving)];
+/// Each rope with a limit of its tension, at its largest tension over all positions: against its rule, else against the
+/// limit itself.
+void add_limits(const model::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
+  const auto add = [&](std::size_t reeving, double limit, std::string words, std::string trust) {
     double T = 0;
     for (const PayloadPosition& one : all.positions) {
-      if (answered(one)) T = std::max(T, one.point.payload.at.ropes[at(rule.reeving)].T_max);
+      if (answered(one)) T = std::max(T, one.point.payload.at.ropes[reeving].T_max);
     }
-    const std::string words = fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rule.row->id,
-                                          rule.row->field, rule.row->item, rule.factor, rule.row->source);
-    r.checks.push_back(make_check(fmt::format("{}.payload_T_max{}", rope.name, run.ending), T, Sense::at_most,
-                                  rope.breaking_force / rule.factor, si::N, words, rule.row->trust_text));
+    const std::string& name = model.reevings[reeving].name;
+    r.checks.push_back(make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, Sense::at_most, limit, si::N,
+                                  std::move(words), std::move(trust)));
+    r.checks.back().part = name;
+  };
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const auto rule =
+        std::find_if(run.rules.begin(), run.rules.end(), [&](const RopeRule& one) { return at(one.reeving) == i; });
+    if (rule != run.rules.end()) {
+      add(i, model.reevings[i].breaking_force / rule->factor,
+          fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rule->row->id, rule->row->field,
+                      rule->row->item, rule->factor, rule->row->source),
+          rule->row->trust_text);
+    } else if (std::isfinite(run.limits.tension[i])) {
+      add(i, run.limits.tension[i], "limit of the payload: the load is the largest one within it", "user");
+    }
   }
+}
+
+/// Where a clearance is asked and the terrain does not reach the carriage or the rope.
+void add_gaps(const model::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
+  const auto worse = [](analysis::TerrainGap& worst, const analysis::TerrainGap& gap) {
+    if (gap.missing() > worst.missing()) worst = gap;
+  };
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::vector<analysis::TerrainGap> ropes(model.reevings.size());
+  for (const PayloadPosition& one : all.positions) {
+    if (!answered(one)) continue;
+    const auto& state = one.point.payload.at;
+    const Vector3& place = state.state.bodies[at(one.model->carriages[at(run.way.carriage)].body)].position;
+    low = std::min(low, terrain_x(model, place));
+    high = std::max(high, terrain_x(model, place));
+    for (std::size_t i = 0; i < ropes.size(); ++i) {
+      if (!std::isfinite(run.limits.rope_clearance[i])) continue;
+      worse(ropes[i], analysis::terrain_gap(*one.model, state.spans, static_cast<int>(i), run.limits.rope_between));
+    }
+  }
+  const auto tell = [&](const std::string& what, const analysis::TerrainGap& gap) {
+    if (!(gap.missing() > 0)) return;
+    r.unmade.push_back(gap_words(what, gap));
+    r.warnings.push_back(r.unmade.back());
+  };
+  if (std::isfinite(run.limits.clearance) && low <= high) {
+    tell(model.carriages[at(run.way.carriage)].name, analysis::terrain_gap(model, low, high));
+  }
+  for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
 }
 
 void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Result& r) {
@@ -352,7 +394,8 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
   }
   r.values.push_back({"payload_min_x" + run.ending, least->point.x, si::m, "x", "where the payload is least", {}});
   r.tables.push_back(table_of(machine.model, run, all));
-  add_rules(machine.model, run, all, r);
+  add_limits(machine.model, run, all, r);
+  if (machine.checked->judged) add_gaps(machine.model, run, all, r);
   Plot plot = payload_plot(run, all);
   plot.marks.push_back({least->point.x, worst.mass, "least", false});
   if (all.positions.size() > 1) {

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "taut/app/machine_decks_test.hpp"
+#include "taut/calc/verdict.hpp"
+
+/// Verdicts of whole decks: docs/guide/verdict.md.
+namespace taut::verdict_deck_test {
+
+using taut_test::run_text;
+
+/// A clamped load on a line of 250 m; `more` follows the machine's parts.
+std::string line(const std::string& rope, double length, const std::string& more, double mass = 1000) {
+  return fmt::format(R"(taut: 1
+machine:
+  temperature: 15 degC
+  points: {{head: [0 m, 0 m, 18 m], tail: [250 m, 0 m, 120 m]}}
+  ropes: {{skyline: {}}}
+  carriages: {{car: {{mass: 220 kg, rides: skyline, hold: clamped}}}}
+  reevings: [{{rope: skyline, path: [{{anchor: head}}, {{through: car}}, {{anchor: tail}}], length: {} m}}]
+  loads: [{{at: car, mass: {} kg}}]
+{})",
+                     rope, length, mass, more);
+}
+
+constexpr const char* strong = "{mass: 1.6 kg/m, stiffness: 26.6 MN, breaking_force: 279 kN}";
+constexpr const char* middle = "analyses: [equilibrium: {carriage: car, x: 125 m}]\n";
+constexpr const char* factor = "checks: {ropes: {skyline: {safety_factor: 3}}}\n";
+
+struct Wanted {
+  std::string deck, kind, verdict_class, reason;
+  int exit = 0;
+};
+
+TEST(VerdictDeck, EveryStateCountsAndAskedMeansMade) {
+  const std::string sweep =
+      "analyses: [sweep: {parameter: \"loads[0].mass\", from: 0 t, to: 40 t, steps: 8, carriage: car, x: 125 m}]\n";
+  const std::string put_up =
+      "analyses: [installation: {reeving: skyline, temperatures: [-20 degC, 15 degC], given: {tension: 300 kN, at: "
+      "end}}]\n";
+  const std::vector<Wanted> all = {
+      {line(strong, 272, middle), "not_judged", "unasked", "skyline", 0},
+      {line(strong, 272, std::string(middle) + factor), "passes", "", "safety_factor", 0},
+      {line(strong, 272, sweep), "fails", "", "loads[0].mass = 40", 4},
+      {line(strong, 272, sweep + factor), "fails", "", "sweep", 4},
+      {line(strong, 272, put_up), "fails", "", "installation", 4},
+      {line(strong, 250, middle), "fails", "", "the rope is 250 m long and its ends are 270.007 m apart", 4},
+      {line("{mass: 1.6 kg/m, stiffness: 26.6 MN}", 272, std::string(middle) + factor), "not_judged", "unmade",
+       "breaking force is not known", 4},
+      {line(strong, 272, "  terrain: {x: [0 m, 125 m, 250 m], z: [15 m, 90 m, 15 m]}\n" + std::string(middle)), "fails",
+       "", "below the ground", 4},
+      {line(strong, 272, std::string(middle) + "checks: {exempt: [skyline]}\n"), "not_judged", "unasked", "", 0},
+  };
+  for (const Wanted& one : all) {
+    const Result r = run_text(one.deck);
+    ASSERT_TRUE(verdict_of(r)) << to_text(r.errors) << one.deck;
+    const Verdict v = *verdict_of(r);
+    EXPECT_EQ(to_text(v.kind), one.kind) << v.reason << "\n" << one.deck;
+    EXPECT_EQ(v.verdict_class, one.verdict_class) << v.reason;
+    EXPECT_NE(v.reason.find(one.reason), std::string::npos) << v.reason;
+    EXPECT_EQ(exit_code(r), one.exit) << v.reason;
+  }
+}
+
+TEST(VerdictDeck, WhatAnAnalysisLeavesOutIsSaid) {
+  const std::string sweep =
+      "analyses:\n  - equilibrium: {carriage: car, x: 125 m}\n  - sweep: {parameter: \"loads[0].mass\", from: 0 t, to: "
+      "40 t, steps: 4, carriage: car, x: 125 m, judge: false}\n";
+  const Result r = run_text(line(strong, 272, sweep + factor));
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "passes") << verdict_of(r)->reason << to_text(r.errors);
+  EXPECT_NE(verdict_of(r)->reason.find("'judge: false': sweep"), std::string::npos) << verdict_of(r)->reason;
+  const Result design = run_text(line("{}", 272,
+                                      sweep + factor +
+                                          "design: {ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa, "
+                                          "modulus: 100 GPa}}}\n"));
+  EXPECT_EQ(exit_code(design), 2) << "a design is judged in every state";
+}
+
+TEST(VerdictDeck, ADesignNeverPicksWhatNobodyJudges) {
+  const std::string choose =
+      "design: {ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 100 GPa}}}\n";
+  const Result none = run_text(line("{}", 272, middle + ("checks: {refuse_unverified: false}\n" + choose)));
+  ASSERT_TRUE(verdict_of(none)) << to_text(none.errors);
+  EXPECT_EQ(to_text(verdict_of(none)->kind), "no_answer") << verdict_of(none)->reason;
+  EXPECT_NE(verdict_of(none)->reason.find("no limit"), std::string::npos) << verdict_of(none)->reason;
+  const Result some = run_text(line("{}", 272, std::string(middle) + factor + choose));
+  EXPECT_EQ(exit_code(some), 0) << verdict_of(some)->reason << to_text(some.errors);
+}
+
+TEST(VerdictDeck, ABreakOfTheDeckIsNoFailureByItself) {
+  const Result r = run_text(
+      line(strong, 272,
+           "  events: [{at: 0.2 s, break: skyline}]\nanalyses: [transient: {duration: 0.4 s}]\n" + std::string(factor),
+           500),
+      {"machine.carriages.car.length_before=136 m"});
+  ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+  EXPECT_EQ(verdict_of(r)->reason.find("The deck breaks skyline"), 0U) << verdict_of(r)->reason;
+  EXPECT_EQ(exit_code(r), 0) << verdict_of(r)->reason;
+}
+
+TEST(VerdictDeck, TerrainCoversWhatAClearanceIsAskedOf) {
+  const auto with = [](const std::string& x, const std::string& z) {
+    return run_text(line(strong, 272,
+                         "  terrain: {x: " + x + ", z: " + z +
+                             "}\nanalyses: [payload: {carriage: car, from: 60 m, to: " +
+                             "190 m, steps: 4, limits: {skyline: {safety_factor: 3}, clearance: 3 m}}]\n"));
+  };
+  const Result whole = with("[0 m, 250 m]", "[-40 m, -40 m]");
+  EXPECT_EQ(exit_code(whole), 0) << verdict_of(whole)->reason << to_text(whole.errors);
+  EXPECT_NE(verdict_of(whole)->reason.find("carries"), std::string::npos) << "the payload is the headline";
+  const Result half = with("[0 m, 150 m]", "[-40 m, -40 m]");
+  EXPECT_EQ(verdict_of(half)->verdict_class, "unmade") << verdict_of(half)->reason << to_text(half.errors);
+  EXPECT_NE(verdict_of(half)->reason.find("40 m"), std::string::npos) << verdict_of(half)->reason;
+}
+
+}  // namespace taut::verdict_deck_test
