@@ -137,8 +137,8 @@ class Finder {
       const Field* text = f.record->find(key);
       if (text == nullptr || text->kind != FieldKind::text) continue;
       for (const void* one : all) {
-        if (text_of(*text, changeable(one)) == steps_[at]) return in_struct(*f.record, changeable(one), at + 1);
         known.push_back(text_of(*text, changeable(one)));
+        if (const std::size_t count = fits(known.back(), at)) return in_struct(*f.record, changeable(one), at + count);
       }
     }
     return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
@@ -149,18 +149,23 @@ class Finder {
     std::vector<std::string> known;
     for (const auto& [name, one] : named.all()) {
       known.push_back(name);
-      // a name may have dots
-      const auto own = steps_of(name);
-      const bool fits = steps_.size() - at >= own.size() &&
-                        std::equal(own.begin(), own.end(), steps_.begin() + static_cast<std::ptrdiff_t>(at));
-      if (!fits) continue;
-      const std::size_t next = at + own.size();
+      const std::size_t count = fits(name, at);
+      if (count == 0) continue;
+      const std::size_t next = at + count;
       auto* const object = const_cast<void*>(one);
       const Field* alone = f.shorthand.empty() ? nullptr : f.record->find(f.shorthand);
       const bool short_form = alone != nullptr && (next >= steps_.size() || f.record->find(steps_[next]) == nullptr);
       return short_form ? in_field(*alone, object, next) : in_struct(*f.record, object, next);
     }
     return no(at, fmt::format("is not among them{}", did_you_mean(steps_[at], known)));
+  }
+
+  /// How many steps from there on are this name, which may have dots; 0: they are not.
+  std::size_t fits(const std::string& name, std::size_t at) const {
+    const auto own = steps_of(name);
+    const bool same = steps_.size() - at >= own.size() &&
+                      std::equal(own.begin(), own.end(), steps_.begin() + static_cast<std::ptrdiff_t>(at));
+    return same ? own.size() : 0;
   }
 
   std::string path_;

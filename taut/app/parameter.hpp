@@ -16,7 +16,8 @@ struct Parameter {
   std::string path;                 ///< as the deck would write it: "loads[0].mass"
 };
 
-/// The number at a path below the struct: "temperature", "loads[0].mass" or "loads.0.mass", "carriages.car.mass",
+/// The number at a path as `--set` has it, of which 'machine.' may be left away: "temperature", "loads[0].mass" or
+/// "loads.0.mass", "carriages.car.mass",
 /// "reevings.skyline.length" (an entry of a list by its name, its rope or the body it is at), "points.head[2]" or
 /// "points.head.z" (a component; what stands for a field alone may leave its key away), "loads[0].force.angle" (the
 /// direction of a vector in the plane of x and z, from x towards z, its length and y kept). Else what is wrong with it.

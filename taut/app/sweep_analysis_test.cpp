@@ -19,15 +19,12 @@ std::string sweep_of(const std::string& parameter, const std::string& from, cons
 
 TEST(SweepAnalysis, EachValueIsASingleRunAndBackIsTheSame) {
   struct Case {
-    std::string parameter, unit, key;
+    std::string parameter, unit;
     double from, to;
   };
-  for (const Case& c :
-       {Case{"loads[0].mass", "kg", "loads[0].mass", 0, 3000}, Case{"loads.car.mass", "kg", "loads[0].mass", 0, 3000},
-        Case{"reevings.skyline.length", "m", "reevings[0].length", 384, 379},
-        Case{"machine.points.tower.z", "m", "points.tower[2]", 118, 130},
-        Case{"carriages.car.mass", "kg", "carriages.car.mass", 200, 900},
-        Case{"supports.jack1.friction", "", "supports.jack1.friction", 0, 0.3}}) {
+  for (const Case& c : {Case{"loads[0].mass", "kg", 0, 3000}, Case{"loads.car.mass", "kg", 0, 3000},
+                        Case{"reevings.skyline.length", "m", 384, 379}, Case{"machine.points.tower.z", "m", 118, 130},
+                        Case{"carriages.car.mass", "kg", 200, 900}, Case{"supports.jack1.friction", "", 0, 0.3}}) {
     SCOPED_TRACE(c.parameter);
     const auto text = [&](double v) { return fmt::format("{:.17g} {}", v, c.unit); };
     const Result r = run_text(sweep_of(c.parameter, text(c.from), text(c.to), 3));
@@ -41,7 +38,7 @@ TEST(SweepAnalysis, EachValueIsASingleRunAndBackIsTheSame) {
       const double value = c.from + (c.to - c.from) * static_cast<double>(i) / 3;
       EXPECT_NEAR(cell(t, i, "value"), value, 1e-12 * std::abs(value));
       const Result one = run_text(skyline_deck("  - equilibrium: {carriage: car, x: 170 m, motion: in}"),
-                                  {fmt::format("machine.{}={}", c.key, text(value))});
+                                  {fmt::format("{}={}", c.parameter, text(value))});  // the same path
       ASSERT_EQ(one.status, Status::ok) << one.message << to_text(one.errors);
       for (const char* name : {"skyline.T_max", "mainline.T_start", "car.z", "skyline.T_end"}) {
         EXPECT_NEAR(cell(t, i, name) / value_of(one, name), 1, 1e-7) << name;

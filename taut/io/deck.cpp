@@ -166,7 +166,7 @@ std::optional<Deck> read_deck(std::string_view text, const std::string& name, co
   }
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
   resolve_includes(*document, mistakes);
-  for (const std::string& one : set) override_value(*document, one, mistakes);
+  for (const std::string& one : set) override_value(*document, one, deck_keys, mistakes);
   resolve_parameters(*document, mistakes);
   // a deck that is not even a map has told its one mistake
   if (document->root.kind != Node::Kind::map) {

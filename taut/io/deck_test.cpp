@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "taut/io/include.hpp"
+#include "taut/io/override.hpp"
 #include "taut/io/read.hpp"
 #include "taut/io/sample_test.hpp"
 
@@ -104,6 +105,52 @@ TEST(Override, PutsValuesOverThoseOfTheDeck) {
   EXPECT_EQ(t.deck->title, "T");
 }
 
+TEST(Override, FindsWhatASweepsParameterFinds) {
+  const auto document = [](const std::string& set) {
+    Diagnostics mistakes;
+    auto d = parse(
+        "taut: 1\nmachine:\n  points: {head: [0 m, 1 m, 2 m], eye: {body: hook, at: [3 m, 4 m, 5 m]}}\n"
+        "  faces: {s1.low: {body: a}}\n"
+        "  loads: [{at: car, mass: 1 t}, {name: wind, at: mast.top, force: [1 kN, 0 N, 0 N]}]\n"
+        "  reevings: [{rope: skyline, length: 3 m}, {name: main, rope: skyline, length: 4 m}]\n"
+        "analyses: [{transient: {duration: 1 s}}]\n",
+        "deck.yaml");
+    override_value(*d, set, {"taut", "machine", "analyses", "input"}, mistakes);
+    EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
+    return d->root;
+  };
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"loads[0].mass", "machine.loads[0].mass"},
+      {"loads.car.mass", "machine.loads[0].mass"},
+      {"loads[car].mass", "machine.loads[0].mass"},
+      {"loads.wind.force.x", "machine.loads[1].force[0]"},
+      {"loads.mast.top.force[1]", "machine.loads[1].force[1]"},
+      {"reevings.skyline.length", "machine.reevings[0].length"},
+      {"reevings.main.length", "machine.reevings[1].length"},
+      {"points.head.z", "machine.points.head[2]"},
+      {"points.head.at.z", "machine.points.head[2]"},
+      {"points.eye.y", "machine.points.eye.at[1]"},
+      {"points.eye[2]", "machine.points.eye.at[2]"},
+      {"points.eye.at[2]", "machine.points.eye.at[2]"},
+      {"faces.s1.low.body", "machine.faces.s1.low.body"},
+      {"temperature", "machine.temperature"},
+  };
+  for (const auto& [path, place] : rows) {
+    for (const char* begin : {"", "machine."}) {
+      const Node root = document(begin + path + "=7");
+      const Node* machine = root.find("machine");
+      ASSERT_NE(machine, nullptr);
+      const Found found = path.starts_with("faces")
+                              ? Found{&machine->find("faces")->find("s1.low")->find("body")[0], true}
+                              : follow(root, place);
+      ASSERT_TRUE(found.all) << path;
+      EXPECT_EQ(found.node->text, "7") << begin << path;
+    }
+  }
+  const Node root = document("analyses[0].transient.duration=7");
+  EXPECT_EQ(follow(root, "analyses[0].transient.duration").node->text, "7");
+}
+
 TEST(Override, TellsMistakesInItsOwnText) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"input.span=12 kN", "--set:1:15: error: span: 'kN' is a unit of force"},
@@ -115,7 +162,8 @@ TEST(Override, TellsMistakesInItsOwnText) {
       {"input.=3 m", "a key is missing"},
       {"input.span.x=3", "--set:1:12: error: 'x' is asked of a text"},
       {"input.span=", "--set:1:11: error: there is no value"},
-      {"input.cases[x]=3", "--set:1:12: error: an index"},
+      {"input.cases[x]=3", "--set:1:12: error: cases: a list is expected"},
+      {"input.cases[]=3", "--set:1:12: error: an index"},
       {"input.cases[0=3", "an index"},
       {"input.cases[0]x=3", "'.' or '[' is expected"},
       {"input.rope[1]=3", "this is a map, not a list"},
@@ -123,7 +171,8 @@ TEST(Override, TellsMistakesInItsOwnText) {
       {"input.note=&a b", "--set:1:12: error: anchors"},
       {"input.note='open", "--set:1:12: error: a quoted text that is never closed"},
       {"input.note=\x01", "--set:1:12: error: control character"},
-      {std::string(300, 'a') + "=1", "is not a key of a deck"},
+      {std::string(300, 'a') + "=1", "is not a field of closed_loop"},
+      {"inputs.span=1 m", "--set:1:1: error: 'inputs' is not a key of a deck; did you mean 'input'?"},
   };
   for (const auto& [set, expected] : rows) {
     const Told t = read_all(good, {set});
