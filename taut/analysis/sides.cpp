@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -41,15 +42,29 @@ PassingRope passing_rope(const EquilibriumResult& result, const ContactResult& c
   return b;
 }
 
+/// The angle about `axis` from one direction to another, in (-pi, pi].
+double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
+  const Vector3 a = from - axis * axis.dot(from), b = to - axis * axis.dot(to);
+  return std::atan2(axis.dot(a.cross(b)), a.dot(b));
+}
+
 /// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
-double outside(const model::Node& node, const ContactResult& contact, const PassingRope& rope) {
-  const double shorter = std::min(rope.before->chord, rope.after->chord);
-  if (!(shorter > 0)) return 0;
-  const double bend = contact.wrap - 2 * std::numbers::pi * node.turns;
-  const double centre = bend - node.radius / rope.before->chord - node.radius / rope.after->chord;
-  if (centre < -hardly_bent) return -centre;
+double outside(const model::Model& model, const model::State& state, const ContactResult& contact,
+               const PassingRope& rope) {
+  const std::vector<model::Node>& nodes = model.reevings[at(contact.reeving)].nodes;
+  const model::Node& node = nodes[at(contact.node)];
+  const Vector3 centre = model::in_ground(state, node.at);
+  const Vector3 in = centre - model::in_ground(state, nodes[at(rope.before->from)].at);
+  const Vector3 out = model::in_ground(state, nodes[at(rope.after->to)].at) - centre;
+  Vector3 axis = node.side < 0 ? Vector3(-node.axis) : node.axis;
+  if (node.at.body != model::ground) axis = state.bodies[at(node.at.body)].orientation * axis;
+  // the wrap of a rope without radii, with the sag that it has
+  const double wrap = contact.wrap - 2 * std::numbers::pi * node.turns;
+  const double bend = wrap - turn_about(axis, rope.before->end - rope.before->start, in) +
+                      turn_about(axis, rope.after->end - rope.after->start, out);
+  if (bend < -hardly_bent) return -bend;
   if (bend <= std::numbers::pi) return 0;
-  const double width = 2 * node.radius / shorter;
+  const double width = 2 * node.radius / std::min(in.norm(), out.norm());
   return std::sin(bend - std::numbers::pi) > std::max(hardly_bent, width) ? bend - std::numbers::pi : 0;
 }
 
@@ -94,7 +109,7 @@ std::optional<WrongSide> wrong_side(const model::Model& model, const Equilibrium
     if (!node.side_open || contact.state == ContactState::lifted) continue;
     const PassingRope rope = passing_rope(result, contact);
     if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
-    const double by = outside(node, contact, rope);
+    const double by = outside(model, result.state, contact, rope);
     if (by > (worst ? worst->by : 0)) worst = WrongSide{contact.reeving, contact.node, by};
   }
   return worst;

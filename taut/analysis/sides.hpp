@@ -16,14 +16,14 @@ struct WrongSide {
 };
 
 /// The worst one in an answer. The rope takes the inner side of its bend, as its own directions are there: the wrap
-/// less what the sheave's radius adds to it, R/c to either side with the chord c of the free rope, is not negative, and
-/// where the rope comes back it goes round by less than half a turn. A rope that comes back beside itself, nearer than
-/// the sheave is wide, has no inner side.
+/// that it would have if all rounds were points, with the sag that it has, is not negative, and where the rope comes
+/// back it goes round by less than half a turn. A rope that comes back beside itself, nearer than the sheave is wide,
+/// has no inner side.
 std::optional<WrongSide> wrong_side(const model::Model& model, const EquilibriumResult& result);
 
 /// An equilibrium whose open sides follow from the answer and not from the places that the description gives:
 /// `solve` solves a model with its sides, and each sheave that is passed on its outer side takes the other one, the
-/// worst first. Where no side of a sheave is the inner one, within R/c of a rope that runs straight, the side with the
+/// worst first. Where no side of a sheave is the inner one, where the rope runs nearly straight, the side with the
 /// larger wrap stands; infeasible with the sheave's name where both wraps are negative. The state tells the sides.
 EquilibriumResult on_inner_sides(
     const model::Model& model, const std::optional<model::State>& start,
