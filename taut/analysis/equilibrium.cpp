@@ -106,6 +106,10 @@ struct Solved {
   int steps = 0;
 };
 
+System system_of(const model::Model& model, const Layout& layout, const EquilibriumOptions& options) {
+  return {model, layout, options.prescribed ? options.prescribed->x : 0, 1, options.lengths_kept};
+}
+
 /// Whether an answer is one to stay in, and its carriages hang as carriages do.
 Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
   Stability found = stability(system, c, e);
@@ -207,7 +211,10 @@ bool bring_on_losses(System system, const model::State& state, const Equilibrium
     s.steps += it.steps;
     if (!it.converged) return false;
   }
-  s.outcome = fed_ends(system).empty() ? Outcome() : stays(system, s.c, s.e).outcome;
+  s.outcome = {};
+  if (fed_ends(system).empty()) return true;
+  s.outcome = stays(system, s.c, s.e).outcome;
+  if (!s.outcome.ok()) accept_lifted(system, s);
   return s.outcome.ok();
 }
 
@@ -226,7 +233,7 @@ bool bring_on_weight(const model::Model& model, const model::State& state, const
   };
   weigh(lightest);
   if (!weighs_at_all) return false;
-  const System system{light, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(light, s.layout, options);
   if (!find(system, state, options, s).converged || !s.outcome.ok()) return false;
   for (double weighs = lightest, step = lightest; weighs < 1;) {
     weigh(std::min(1.0, weighs + step));
@@ -255,7 +262,7 @@ double least_pull(const model::Model& model, const model::State& state, const Eq
   if (options.prescribed || rope.also) return 0;
   double low = rope.value, high = low;
   Solved s = failed;
-  const System system{pulled, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(pulled, s.layout, options);
   const auto holds = [&](const Solved& found) { return stays(system, found.c, found.e).outcome.ok(); };
   for (int doubling = 0; doubling < most_pull_doublings; ++doubling) {
     rope.value = high = 2 * high;
@@ -297,7 +304,7 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
              const Flow& flow) {
   Solved s;
   s.layout = layout(model, state, options.prescribed, flow);
-  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(model, s.layout, options);
   const Iteration it = find(system, state, options, s);
   // where a tension is given there may be a stable answer beside one that is not
   const bool fed = !fed_ends(system).empty();
@@ -437,7 +444,7 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
     if (!why.empty()) result.outcome = taut::infeasible(why);
     return result;
   }
-  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(model, s.layout, options);
   if (const std::string past = past_stop(system, s.c); !past.empty()) {
     result.outcome = taut::infeasible(past);
     return result;

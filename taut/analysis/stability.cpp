@@ -187,7 +187,7 @@ std::string words(const System& s, const EnergyCurvature::Row& row) {
 }  // namespace
 
 std::optional<EnergyCurvature> energy_curvature(const System& s, const Configuration& c, const Evaluation& e) {
-  const std::vector<FedEnd> fed = fed_ends(s);
+  const std::vector<FedEnd> fed = s.lengths_kept ? std::vector<FedEnd>() : fed_ends(s);
   if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;

@@ -9,9 +9,9 @@ namespace taut::analysis {
 /// a tension is given and, behind them, the freedoms of its bodies; `rows` tells which. From the Jacobian at
 /// an equilibrium: rope that passes contact i leaves the branch before it and is fed into the one behind, and the
 /// energy falls by T_out - T_in; on a round the rope is held at a direction fixed in its body, so that moving the round
-/// does the work of the pulls alone. A rope fed in at its end works against the given tension, which is held. Symmetric
-/// but for the weight of rope on rounds, which the machine leaves out, and for losses: with these it is the stiffness
-/// of the machine as it runs.
+/// does the work of the pulls alone. A rope fed in at its end works against the given tension, which is held (not with
+/// System::lengths_kept). Symmetric but for the weight of rope on rounds, which the machine leaves out, and for losses:
+/// with these it is the stiffness of the machine as it runs.
 struct EnergyCurvature {
   struct Row {
     int freedom = -1;  ///< index in the layout's dofs, or

@@ -58,6 +58,7 @@ DynamicState near_equilibrium(const model::Model& model) {
   if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
+  at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
   if (!found.outcome.ok()) return assembled(model);
   model::Model by_length = model;
@@ -122,6 +123,7 @@ model::Model dynamics::sided_at_rest(const model::Model& model, Start start) {
   if (as_described || !has_open_sides(model)) return model;
   EquilibriumOptions at_rest;
   at_rest.band = false;
+  at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
   return found.outcome.ok() ? model::with_sides(model, found.state) : model;
 }
