@@ -9,6 +9,7 @@
 
 #include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/far_loop.hpp"
+#include "taut/analysis/fed_rope.hpp"
 #include "taut/analysis/first_state.hpp"
 #include "taut/analysis/hanging.hpp"
 #include "taut/analysis/lift.hpp"
@@ -17,6 +18,7 @@
 #include "taut/analysis/reasons.hpp"
 #include "taut/analysis/roll.hpp"
 #include "taut/analysis/running.hpp"
+#include "taut/analysis/sides.hpp"
 #include "taut/analysis/stability.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
@@ -31,7 +33,11 @@ using Flow = std::vector<std::vector<int>>;
 constexpr int relaxing_steps = 400;
 constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
-constexpr int most_changes = 40;  ///< of what touches what
+constexpr int most_changes = 40;        ///< of what touches what
+constexpr double lightest = 1.0 / 256;  ///< share of the weight of a fed rope that its search begins with
+constexpr double least_weight_step = 1e-3;
+constexpr int most_pull_doublings = 5;
+constexpr double pull_precision = 1e-4;
 
 bool has_losses(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {
@@ -100,6 +106,10 @@ struct Solved {
   int steps = 0;
 };
 
+System system_of(const model::Model& model, const Layout& layout, const EquilibriumOptions& options) {
+  return {model, layout, options.prescribed ? options.prescribed->x : 0, 1, options.lengths_kept};
+}
+
 /// Whether an answer is one to stay in, and its carriages hang as carriages do.
 Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
   Stability found = stability(system, c, e);
@@ -144,10 +154,20 @@ Iteration come_to_rest(const System& system, const model::State& state, const Co
   return told;
 }
 
+/// A search for the taut root of a given tension begins on its side.
+void leave_deep_loops(const System& system, Configuration& c) {
+  const std::vector<FedEnd> fed = fed_ends(system);
+  if (fed.empty()) return;
+  Configuration now = c;
+  Evaluation e;
+  if (!evaluate(system, now, e) && deep_link(system, fed, now, e) >= 0) draw_fed_taut(system, fed, c);
+}
+
 /// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
 /// is no other, and said in s.outcome.
 Iteration find(const System& system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
   Configuration start = configuration_of(s.layout, state);
+  leave_deep_loops(system, start);
   s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   if (it.stopped && it.steps == 0) {
@@ -192,7 +212,72 @@ bool bring_on_losses(System system, const model::State& state, const Equilibrium
     if (!it.converged) return false;
   }
   s.outcome = {};
+  if (fed_ends(system).empty()) return true;
+  s.outcome = stays(system, s.c, s.e).outcome;
+  if (!s.outcome.ok()) accept_lifted(system, s);
+  return s.outcome.ok();
+}
+
+/// From fed ropes that weigh next to nothing, and so have one root alone, to their weight by parts. False where the
+/// equilibrium ends on the way.
+bool bring_on_weight(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                     Solved& s) {
+  model::Model light = model;
+  bool weighs_at_all = false;
+  const auto weigh = [&](double share) {
+    for (const FedEnd& end : fed_ends({model, s.layout, 0})) {
+      const double weight = model.reevings[at(end.rope)].weight;
+      light.reevings[at(end.rope)].weight = share * weight;
+      weighs_at_all = weighs_at_all || weight > 0;
+    }
+  };
+  weigh(lightest);
+  if (!weighs_at_all) return false;
+  const System system = system_of(light, s.layout, options);
+  if (!find(system, state, options, s).converged || !s.outcome.ok()) return false;
+  for (double weighs = lightest, step = lightest; weighs < 1;) {
+    weigh(std::min(1.0, weighs + step));
+    Solved next = s;
+    const Iteration it = newton(system, next.c, next.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+    if (!it.converged || !stays(system, next.c, next.e).outcome.ok()) {
+      step /= 4;
+      if (step < least_weight_step * weighs) return false;
+      continue;
+    }
+    s.c = std::move(next.c);
+    s.e = std::move(next.e);
+    weighs += step;
+    step *= 2;
+  }
   return true;
+}
+
+/// The least tension of a fed rope, N, between one that has an answer and the given one, which has none; 0 where none
+/// was found, or not sought: at each place of a load path, and of a rope with two tensions.
+double least_pull(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                  const Solved& failed, int reeving) {
+  model::Model pulled = model;
+  model::Reeving& rope = pulled.reevings[at(reeving)];
+  if (options.prescribed || rope.also) return 0;
+  double low = rope.value, high = low;
+  Solved s = failed;
+  const System system = system_of(pulled, s.layout, options);
+  const auto holds = [&](const Solved& found) { return stays(system, found.c, found.e).outcome.ok(); };
+  for (int doubling = 0; doubling < most_pull_doublings; ++doubling) {
+    rope.value = high = 2 * high;
+    if (find(system, state, options, s).converged && s.outcome.ok()) break;
+    low = high;
+    if (doubling + 1 == most_pull_doublings) return 0;
+  }
+  while (high - low > pull_precision * high) {
+    rope.value = (low + high) / 2;
+    Solved next = s;
+    const bool found = newton(system, next.c, next.e, options.tolerance, options.iterations).converged && holds(next);
+    (found ? high : low) = rope.value;
+    if (found) s = std::move(next);
+  }
+  return high;
 }
 
 Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options, const Flow& flow);
@@ -219,16 +304,22 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
              const Flow& flow) {
   Solved s;
   s.layout = layout(model, state, options.prescribed, flow);
-  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(model, s.layout, options);
   const Iteration it = find(system, state, options, s);
-  if (it.converged) return s;
+  // where a tension is given there may be a stable answer beside one that is not
+  const bool fed = !fed_ends(system).empty();
+  if (it.converged && (s.outcome.ok() || !fed)) return s;
   Solved other = s;
   if (const auto near = stiffened(model, state, options, flow)) {
-    if (find(system, *near, options, other).converged) return other;
+    if (find(system, *near, options, other).converged && (other.outcome.ok() || !fed)) return other;
   }
   const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
   if (flows && bring_on_losses(system, state, options, other)) return other;
+  if (fed && bring_on_weight(model, state, options, other)) return other;
+  if (it.converged) return s;
   s.outcome = reason(system, s.c, s.e, it);
+  const int heavy = too_heavy(system, s.e, it);
+  if (heavy >= 0) s.outcome = too_heavy_outcome(system, heavy, least_pull(model, state, options, s, heavy));
   return s;
 }
 
@@ -353,7 +444,7 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
     if (!why.empty()) result.outcome = taut::infeasible(why);
     return result;
   }
-  const System system{model, s.layout, options.prescribed ? options.prescribed->x : 0};
+  const System system = system_of(model, s.layout, options);
   if (const std::string past = past_stop(system, s.c); !past.empty()) {
     result.outcome = taut::infeasible(past);
     return result;
@@ -370,6 +461,9 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   const Flow flow = flow_of(model, options);
   bool runs = false;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
+  const auto solve_on = [&](const model::Model& on, const std::optional<model::State>& near) {
+    return standing(on, options, flow, near);
+  };
   EquilibriumResult result;
   if (runs) {
     const auto moving = running(model, flow);
@@ -377,10 +471,10 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
       result.outcome = taut::infeasible(moving.error());
       return result;
     }
-    result = standing(*moving, options, flow, start);
+    result = on_inner_sides(*moving, start, solve_on);
     if (result.outcome.ok()) add_centrifugal(model, flow, result);
   } else {
-    result = standing(model, options, flow, start);
+    result = on_inner_sides(model, start, solve_on);
   }
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
   if (result.outcome.ok() && band && has_losses(model)) {
@@ -392,7 +486,7 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
 
 model::Model installed(const model::Model& model, const EquilibriumResult& result) {
   expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
-  model::Model frozen = model;
+  model::Model frozen = model::with_sides(model, result.state);
   for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
     frozen.reevings[r].given = model::Given::length;
     frozen.reevings[r].value = result.ropes[r].unstretched;

@@ -31,6 +31,9 @@ struct EquilibriumOptions {
   /// Flow through single contacts, [reeving][node], +1 along the path, -1 against it, 0 none; empty: by `motion`.
   std::vector<std::vector<int>> flow;
   bool band = true;  ///< at rest: also solve both directions
+  /// Given tensions are those that ropes are put up with: the machine has to stay with the lengths found, not with the
+  /// tensions held.
+  bool lengths_kept = false;
   std::optional<Prescribed> prescribed;
   /// Of every residual: forces by the largest force (not below 4e-15 EA, what rounding leaves), lengths by the longest
   /// span.

@@ -293,7 +293,7 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
 namespace taut::analysis {
 
 ModesResult modes(const model::Model& model, const ModesOptions& options) {
-  model::Model still = dynamics::at_rest(model);
+  model::Model still = dynamics::sided_at_rest(dynamics::at_rest(model), options.start);
   TransientOptions o;
   o.duration = 1;
   o.start = options.start;

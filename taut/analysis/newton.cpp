@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/analysis/beam_piece.hpp"
+#include "taut/analysis/fed_rope.hpp"
 #include "taut/math/dense_lu.hpp"
 
 namespace taut::analysis {
@@ -91,8 +92,8 @@ bool settled(const System& s, const Evaluation& e, double tolerance, double ulps
 
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
 /// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
-/// on the side of its fixed end have lost.
-void add_drag(const System& s, double drag, double ropes, Eigen::MatrixXd& J) {
+/// on the side of its fixed end have lost. A fed rope is paid out while its tension is above the given one.
+void add_drag(const System& s, const std::vector<FedEnd>& fed, double drag, double ropes, Eigen::MatrixXd& J) {
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const auto k = static_cast<Eigen::Index>(i);
@@ -108,6 +109,11 @@ void add_drag(const System& s, double drag, double ropes, Eigen::MatrixXd& J) {
       J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
     }
   }
+  for (const FedEnd& end : fed) {
+    for (int k = end.first; k <= end.last; ++k) {
+      J(end.row, s.layout.links[static_cast<std::size_t>(k)].unknown) -= ropes * drag;
+    }
+  }
 }
 
 }  // namespace
@@ -117,6 +123,7 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   it.stopped = evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
+  const std::vector<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
   Configuration tried = c;
@@ -134,15 +141,16 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
     const Change change = change_of(s, c, e, columns, linear.unscaled(step));
     const double size = step.norm();
     bool accepted = false;
+    it.deep = -1;
     for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
       move(s, c, change, part, tried);
       it.stopped = evaluate(s, tried, there);
       if (it.stopped || !there.residual.allFinite()) continue;
       const double next = linear.solve(there.residual).norm();
-      if (next <= (1 - part / 4) * size || settled(s, there, tolerance)) {
-        accepted = true;
-        break;
-      }
+      if (!(next <= (1 - part / 4) * size) && !settled(s, there, tolerance)) continue;
+      it.deep = deep_link(s, fed, tried, there);
+      accepted = it.deep < 0;
+      if (accepted) break;
     }
     if (!accepted) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
@@ -161,6 +169,7 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
   it.stopped = evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
+  const std::vector<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
   Configuration tried = c;
@@ -173,7 +182,7 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
       return it;
     }
     jacobian(s, c, e, J, columns);
-    add_drag(s, drag, ropes, J);
+    add_drag(s, fed, drag, ropes, J);
     linear.factor(J);
     const Change change = change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
     if (!change.step.allFinite()) return it;
@@ -181,7 +190,8 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
     it.stopped = evaluate(s, tried, there);
     const bool fails = it.stopped || !there.residual.allFinite();
     const double then = fails ? 0 : misfit(s, there).force;
-    if (fails || !(then <= most_growth * now)) {
+    it.deep = fails ? -1 : deep_link(s, fed, tried, there);
+    if (fails || it.deep >= 0 || !(then <= most_growth * now)) {
       drag *= 8;
       if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
       continue;

@@ -38,6 +38,7 @@ PretensionResult pull_at_rest(const model::Model& given, const std::vector<Pull>
   PretensionResult r;
   EquilibriumOptions at_rest;
   at_rest.band = false;
+  at_rest.lengths_kept = true;
   EquilibriumResult found = equilibrium(given, at_rest);
   r.outcome = found.outcome;
   if (!r.outcome.ok()) return r;

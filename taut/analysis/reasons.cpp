@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/analysis/fed_rope.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::analysis {
@@ -101,24 +102,6 @@ int vanished(const System& s, const Configuration& c) {
   return -1;
 }
 
-/// A rope whose given tension its own weight does not allow, in words; empty without one.
-std::string impossible_tension(const System& s, const Evaluation& e) {
-  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
-    const model::Reeving& rope = s.model.reevings[r];
-    const Layout::Rope& l = s.layout.ropes[r];
-    if (rope.given == model::Given::length || l.row == s.layout.coordinate_row) continue;
-    const double open = e.residual[l.row];
-    if (!(open > wide_open * rope.value)) continue;
-    const bool start = rope.given == model::Given::tension_at_start;
-    const model::Node& node = start ? rope.nodes.front() : rope.nodes.back();
-    return fmt::format(
-        "rope '{}' does not come down to {:.6g} N at '{}': its own weight keeps it above (last tried: {:.6g} N); give "
-        "it more tension there, or a length",
-        rope.name, rope.value, node.name, rope.value + open);
-  }
-  return {};
-}
-
 /// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
 std::string drawn_up(const System& s, const Configuration& c) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
@@ -171,6 +154,28 @@ bool hangs_on_given_tension(const System& s, int body) {
 
 }  // namespace
 
+int too_heavy(const System& s, const Evaluation& e, const Iteration& iteration) {
+  if (iteration.deep < 0) return -1;
+  const int rope = s.layout.links[at(iteration.deep)].reeving;
+  for (const FedEnd& end : fed_ends(s)) {
+    if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
+  }
+  return -1;
+}
+
+Outcome too_heavy_outcome(const System& s, int reeving, double least) {
+  for (const FedEnd& end : fed_ends(s)) {
+    if (end.rope != reeving) continue;
+    const model::Reeving& rope = s.model.reevings[at(reeving)];
+    const std::string known = least > 0 ? fmt::format(" (at least {:.4g} N)", least) : std::string();
+    return infeasible(fmt::format(
+        "rope '{}' does not come down to {:.6g} N at '{}': its own weight pulls harder{}, and with more rope harder "
+        "still; give it more tension there, or a length",
+        rope.name, end.tension, (end.at_end ? rope.nodes.back() : rope.nodes.front()).name, known));
+  }
+  return {};
+}
+
 Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
   if (const std::string why = off_the_line(s); !why.empty()) return infeasible(why);
   if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
@@ -178,7 +183,7 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
   const std::string slack = slack_ropes(s, e);
   const Misfit m = misfit(s, e);
   if (worst < 0) {
-    if (const std::string why = impossible_tension(s, e); !why.empty()) return infeasible(why);
+    if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
     return not_converged(
         fmt::format("the ropes did not settle: {:.3g} N and {:.3g} m are open after the last step; are the given "
                     "lengths and tensions possible on these paths?",
@@ -194,7 +199,7 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
                     "mainline, or clamp it",
                     branch_words(s, link)));
   }
-  if (const std::string why = impossible_tension(s, e); !why.empty()) return infeasible(why);
+  if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
   if (const std::string why = drawn_up(s, c); !why.empty()) return infeasible(why);
   if (!slack.empty()) {
     return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",

@@ -8,6 +8,7 @@
 
 #include "taut/analysis/beam_tables.hpp"
 #include "taut/analysis/branch_force.hpp"
+#include "taut/analysis/fed_rope.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::analysis {
@@ -17,14 +18,18 @@ constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
 
-/// Losses, and forces along a rope or torques that follow it: they have no potential.
-bool loses(const System& s) {
+/// Forces along a rope or torques that follow it: they have no potential.
+bool has_followers(const System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
     const model::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
     if (node.kind == model::NodeKind::load || (node.kind == model::NodeKind::drive && t.row >= 0)) return true;
-    if (node.kind == model::NodeKind::drive && s.model.reevings[at(t.reeving)].given == model::Given::torque)
-      return true;
-    const model::ContactLaw& law = node.law;
+    return node.kind == model::NodeKind::drive && s.model.reevings[at(t.reeving)].given == model::Given::torque;
+  });
+}
+
+bool loses(const System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
+    const model::ContactLaw& law = node_of(s, t).law;
     return s.losses > 0 && t.flow != 0 && law.efficiency < 1 && law.friction > 0;
   });
 }
@@ -37,7 +42,7 @@ struct Coordinates {
   std::vector<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
 };
 
-void add_rope(const System& s, const Evaluation& e, int r, Coordinates& all) {
+void add_rope(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed, int r, Coordinates& all) {
   const Layout::Rope& rope = s.layout.ropes[at(r)];
   const model::Reeving& reeving = s.model.reevings[at(r)];
   const auto stretch = [&](double T) { return reeving.copies * (1 + T / reeving.stiffness); };
@@ -47,22 +52,30 @@ void add_rope(const System& s, const Evaluation& e, int r, Coordinates& all) {
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
     const Layout::Turn& turn = s.layout.turns[at(t)];
     if (reeving.nodes[at(turn.node)].kind != model::NodeKind::contact) continue;
-    all.rows.push_back({-1, t});
+    all.rows.push_back({-1, t, -1});
     all.residual.push_back(turn.row);
     all.factor.push_back(stretch(e.branches[at(turn.after)].T_from));
     all.unknown.emplace_back(s.layout.links[at(turn.after)].unknown, s.layout.links[at(turn.before)].unknown);
   }
+  for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
+    const FedEnd& end = fed[at(i)];
+    if (end.rope != r) continue;
+    all.rows.push_back({-1, -1, i});
+    all.residual.push_back(end.row);
+    all.factor.push_back(stretch(end.tension));
+    all.unknown.emplace_back(s.layout.links[at(end.own())].unknown, -1);
+  }
 }
 
-Coordinates coordinates_of(const System& s, const Evaluation& e) {
+Coordinates coordinates_of(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed) {
   Coordinates all;
-  for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, r, all);
+  for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, fed, r, all);
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const Layout::Dof& dof = s.layout.dofs[at(i)];
     const bool kept =
         s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
     if (kept) continue;
-    all.rows.push_back({i, -1});
+    all.rows.push_back({i, -1, -1});
     all.residual.push_back(i);
     all.factor.push_back(1);
     all.unknown.emplace_back(i, -1);
@@ -160,6 +173,12 @@ std::string words(const System& s, const EnergyCurvature::Row& row) {
     return fmt::format("body '{}' {} {} {}", s.model.bodies[at(dof.body)].name, turns ? "turns over" : "moves away",
                        turns ? "about" : "along", where);
   }
+  if (row.fed >= 0) {
+    const FedEnd end = fed_ends(s)[at(row.fed)];
+    const model::Reeving& rope = s.model.reevings[at(end.rope)];
+    return fmt::format("rope '{}' runs in or out at '{}'", rope.name,
+                       (end.at_end ? rope.nodes.back() : rope.nodes.front()).name);
+  }
   const Layout::Turn& t = s.layout.turns[at(row.turn)];
   const model::Reeving& rope = s.model.reevings[at(t.reeving)];
   return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[at(t.node)].name);
@@ -168,11 +187,12 @@ std::string words(const System& s, const EnergyCurvature::Row& row) {
 }  // namespace
 
 std::optional<EnergyCurvature> energy_curvature(const System& s, const Configuration& c, const Evaluation& e) {
-  if (!s.layout.pieces.empty() || loses(s)) return std::nullopt;
+  const std::vector<FedEnd> fed = s.lengths_kept ? std::vector<FedEnd>() : fed_ends(s);
+  if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
   jacobian(s, c, e, J, columns);
-  const Coordinates all = coordinates_of(s, e);
+  const Coordinates all = coordinates_of(s, e, fed);
   EnergyCurvature curvature{all.rows, {}, unknowns_by(s, c, e, columns, all)};
   const auto n = static_cast<Eigen::Index>(all.rows.size());
   const Eigen::MatrixXd slopes = J * curvature.unknowns;
@@ -214,8 +234,38 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
   return std::nullopt;
 }
 
+namespace {
+
+/// The ropes whose tension is held, in words; empty without one.
+std::string of_given_tension(const System& s) {
+  std::string names;
+  for (const FedEnd& end : fed_ends(s)) {
+    const std::string& name = s.model.reevings[at(end.rope)].name;
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+  }
+  return names.empty() ? names : fmt::format(", or give a length instead of the tension of {}", names);
+}
+
+/// A fed rope that is a deep loop, with its name; ok without one.
+Outcome no_deep_loop(const System& s, const Configuration& c, const Evaluation& e) {
+  const std::vector<FedEnd> fed = fed_ends(s);
+  const int deep = deep_link(s, fed, c, e);
+  if (deep < 0) return {};
+  const Layout::Link& link = s.layout.links[at(deep)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  return infeasible(fmt::format(
+      "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
+      "rope pulls harder: it runs out at the least push; give it more tension, or a length",
+      rope.name, c.links[at(deep)].length, rope.nodes[at(link.from)].name, rope.nodes[at(link.to)].name,
+      e.branches[at(deep)].chord.norm()));
+}
+
+}  // namespace
+
 Stability stability(const System& s, const Configuration& c, const Evaluation& e) {
   Stability result;
+  result.outcome = no_deep_loop(s, c, e);
+  if (!result.outcome.ok()) return result;
   if (!s.layout.pieces.empty()) {
     result.outcome = beams_stay(s, c);
     return result;
@@ -242,8 +292,8 @@ Stability stability(const System& s, const Configuration& c, const Evaluation& e
   result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
   result.outcome = infeasible(
       fmt::format("the equilibrium found is not one to stay in: at the least push {}; hold it by another rope, or "
-                  "change lengths or weights",
-                  words(s, row)));
+                  "change lengths or weights{}",
+                  words(s, row), of_given_tension(s)));
   return result;
 }
 

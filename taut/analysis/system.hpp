@@ -37,8 +37,9 @@ struct NoBranch {
 struct System {
   const model::Model& model;
   const Layout& layout;
-  double coordinate = 0;  ///< what the carriage's x is prescribed to be, m
-  double losses = 1;      ///< share of every contact's loss (its logarithm) that counts
+  double coordinate = 0;      ///< what the carriage's x is prescribed to be, m
+  double losses = 1;          ///< share of every contact's loss (its logarithm) that counts
+  bool lengths_kept = false;  ///< as in EquilibriumOptions
 };
 
 /// Fills `e`; a branch without solution stops it.

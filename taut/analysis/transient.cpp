@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/analysis/sides.hpp"
 #include "taut/analysis/transient_damping.hpp"
 #include "taut/analysis/transient_memory.hpp"
 #include "taut/analysis/transient_quasi_static.hpp"
@@ -52,23 +53,14 @@ model::Model with_loads_at_rest(model::Model model) {
   return model;
 }
 
-/// Whether a rope whose tension is given hangs in a deep loop that weighs so much: the second root of its catenary. A
-/// level one has the least tension at its ends where it is 1.258 times as long as its span, and is deep beyond.
-bool hangs_in_loops(const model::Model& model, const EquilibriumResult& found) {
-  constexpr double longest_shallow = 1.258;
-  return std::any_of(found.spans.begin(), found.spans.end(), [&](const SpanResult& span) {
-    const bool by_tension = model.reevings[static_cast<std::size_t>(span.reeving)].given != model::Given::length;
-    return by_tension && span.unstretched > longest_shallow * (span.end - span.start).norm();
-  });
-}
-
 /// The equilibrium of catenaries as a start, else the machine as described.
 DynamicState near_equilibrium(const model::Model& model) {
   if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
+  at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  if (!found.outcome.ok() || hangs_in_loops(model, found)) return assembled(model);
+  if (!found.outcome.ok()) return assembled(model);
   model::Model by_length = model;
   for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;
   DynamicState start = state_from(by_length, found.state);
@@ -126,6 +118,16 @@ void damp(Run& run) {
 
 }  // namespace
 
+model::Model dynamics::sided_at_rest(const model::Model& model, Start start) {
+  const bool as_described = start == Start::assembled || !model.contacts.empty() || !model.actuators.empty();
+  if (as_described || !has_open_sides(model)) return model;
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  at_rest.lengths_kept = true;
+  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
+  return found.outcome.ok() ? model::with_sides(model, found.state) : model;
+}
+
 bool dynamics::open_run(Run& run) {
   const TransientOptions& options = run.options;
   const model::Model& model = run.model;
@@ -156,8 +158,9 @@ bool dynamics::open_run(Run& run) {
   return true;
 }
 
-TransientResult transient(const model::Model& model, const TransientOptions& given) {
+TransientResult transient(const model::Model& described, const TransientOptions& given) {
   expects(given.duration > 0, "a motion lasts");
+  const model::Model model = sided_at_rest(described, given.start);
   TransientOptions options = given;
   if (options.output_step <= 0) options.output_step = options.duration / 1000;
   if (options.method == TimeMethod::reference) options.step = 0;

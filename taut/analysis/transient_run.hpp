@@ -54,6 +54,10 @@ struct Run {
   std::vector<Mean> means{};
 };
 
+/// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
+/// motion begins as described.
+model::Model sided_at_rest(const model::Model& model, Start start);
+
 /// Builds the mechanism where the motion begins, settles it where the options say so, finds the damping. False with an
 /// outcome in the result.
 bool open_run(Run& run);

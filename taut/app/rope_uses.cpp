@@ -141,8 +141,9 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const model::Node& node, int 
 void RopeUses::take_contacts(const model::Model& model, const analysis::EquilibriumResult& state) {
   std::vector<std::map<std::string, int>> met(uses_.size());
   for (const analysis::ContactResult& c : state.contacts) {
-    const model::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    model::Node node = model.reevings[at(c.reeving)].nodes[at(c.node)];
     if (!(node.radius > 0)) continue;
+    if (!state.state.sides.empty()) node.side = state.state.sides[at(c.reeving)][at(c.node)];
     rope::Bend& bend = bend_at(at(c.reeving), node, met[at(c.reeving)][node.name]++);
     if (c.state == analysis::ContactState::lifted) continue;
     bend.tension = std::max(bend.tension, largest(c));

@@ -191,7 +191,8 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
   const Vector3& axis = stop.node.axis;
   const Vector3 in = (at - before).normalized();
   const Vector3 out = (after - at).normalized();
-  if (stop.saddle && std::abs(axis.z()) <= M_SQRT1_2) return upper_side((after - before).normalized(), axis);
+  const bool from_above = stop.saddle || (stop.carriage < 0 && stop.node.support != Vector3::Zero());
+  if (from_above && std::abs(axis.z()) <= M_SQRT1_2) return upper_side((after - before).normalized(), axis);
   const double bend = in.cross(out).dot(axis);
   // a rope that comes back beside itself, nearer than the sheave is wide, does not say which way round it went
   const double width = 2 * stop.node.radius / std::min((at - before).norm(), (after - at).norm());
@@ -323,6 +324,8 @@ void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, boo
       bends[i] = bend_of(stops[i], stops[from], stops[to], places[from], places[i], places[to]);
       node.side = bends[i].side;
       open[i] = bends[i].side == 0;
+      node.side_open = stops[i].carriage < 0 && !stops[i].saddle && node.support == Vector3::Zero() &&
+                       node.radius > 0 && node.kind == NodeKind::contact;
     }
   }
   OpenSides(stops, std::move(bends), std::move(open)).set();

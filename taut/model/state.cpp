@@ -43,6 +43,11 @@ double length_at(const Reeving& reeving, const rope::TangentLine& line, double T
   return line.length * (1 + sag * sag / 24) / (1 + T / reeving.stiffness);
 }
 
+/// A line's length at a tension without sag; see taut_length.
+double without_sag(const Reeving& reeving, const rope::TangentLine& line, double T) {
+  return std::isinf(reeving.stiffness) ? length_at(reeving, line, 2 * T) : line.length / (1 + T / reeving.stiffness);
+}
+
 /// The tension at which they add up to `total`; the logarithm of the tension halved.
 double common_tension(const Reeving& reeving, const std::vector<rope::TangentLine>& lines, double total) {
   double longest = 0;
@@ -61,8 +66,21 @@ double common_tension(const Reeving& reeving, const std::vector<rope::TangentLin
 
 }  // namespace
 
+Model with_sides(Model model, const State& state) {
+  for (std::size_t r = 0; r < std::min(model.reevings.size(), state.sides.size()); ++r) {
+    std::vector<Node>& nodes = model.reevings[r].nodes;
+    if (state.sides[r].size() != nodes.size()) continue;
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].side = state.sides[r][k];
+  }
+  return model;
+}
+
 double straight_length(const State& state, const Node& from, const Node& to) {
   return line_between(state, from, to).length;
+}
+
+double taut_length(const State& state, const Reeving& reeving, const Node& from, const Node& to, double tension) {
+  return without_sag(reeving, line_between(state, from, to), tension);
 }
 
 State initial_state(const Model& model) {
@@ -87,11 +105,14 @@ State initial_state(const Model& model) {
     const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
     const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;
     std::vector<BranchState> branches(count);
+    const bool given_tension = reeving.given == Given::tension_at_start || reeving.given == Given::tension_at_end;
     if (reeving.given == Given::length && reeving.weight > 0 && left > 0) {
       const double T = common_tension(reeving, lines, left);
       double sum = 0;
       for (std::size_t k = 0; k < count; ++k) sum += branches[k].length = length_at(reeving, lines[k], T);
       for (BranchState& branch : branches) branch.length *= left / sum;
+    } else if (given_tension) {
+      for (std::size_t k = 0; k < count; ++k) branches[k].length = without_sag(reeving, lines[k], reeving.value);
     } else {
       for (std::size_t k = 0; k < count; ++k) branches[k].length = scale * lines[k].length;
     }
