@@ -177,6 +177,7 @@ Conditioned equilibrium_under(const model::Model& model, const Condition& condit
   }
   EquilibriumOptions plain = options;
   plain.band = false;
+  plain.held = true;
   plain.tolerance = std::min(options.tolerance, search_tolerance);
   ConditionSearch search(model, condition, plain, start);
   const std::string& name = model.reevings[at(condition.reeving)].name;
@@ -198,7 +199,13 @@ Conditioned equilibrium_under(const model::Model& model, const Condition& condit
     return search.best;
   }
   static_cast<void>(find_root([&](double u) { return search(u); }, between->first, between->second));
-  if (options.band) search.best.result = equilibrium(search.best.model, options, search.best.result.state);
+  EquilibriumOptions found = options;
+  found.held = true;
+  if (options.band) search.best.result = equilibrium(search.best.model, found, search.best.result.state);
+  // where it stands by itself is what was looked for
+  if (!options.held && condition.kind != Kind::free_running && search.best.result.outcome.ok()) {
+    search.best.result.outcome = stands_by_itself(search.best.model, options, search.best.result);
+  }
   return search.best;
 }
 

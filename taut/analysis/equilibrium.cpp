@@ -20,6 +20,7 @@
 #include "taut/analysis/running.hpp"
 #include "taut/analysis/sides.hpp"
 #include "taut/analysis/stability.hpp"
+#include "taut/analysis/stiff_ropes.hpp"
 #include "taut/analysis/tables.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
@@ -34,10 +35,18 @@ constexpr int relaxing_steps = 400;
 constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;        ///< of what touches what
+constexpr double no_force = 1e-9;       ///< of the weight of a carriage and its load: holds nothing
 constexpr double lightest = 1.0 / 256;  ///< share of the weight of a fed rope that its search begins with
 constexpr double least_weight_step = 1e-3;
 constexpr int most_pull_doublings = 5;
 constexpr double pull_precision = 1e-4;
+
+/// The weight of a body and of the loads on it, N.
+double weight_on(const model::Model& model, int body) {
+  double weight = model.bodies[at(body)].mass * model.gravity;
+  for (const model::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
+  return weight;
+}
 
 bool has_losses(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {
@@ -280,28 +289,8 @@ double least_pull(const model::Model& model, const model::State& state, const Eq
   return high;
 }
 
-Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options, const Flow& flow);
-
-/// For ropes that do not stretch: the state of ropes that stretch less and less. Empty where there is none.
-std::optional<model::State> stiffened(model::Model model, model::State state, const EquilibriumOptions& options,
-                                      const Flow& flow) {
-  std::vector<std::size_t> rigid;
-  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-    if (std::isinf(model.reevings[r].stiffness)) rigid.push_back(r);
-  }
-  if (rigid.empty()) return std::nullopt;
-  const double force = layout(model, state, options.prescribed, flow).heaviest;
-  for (const double ratio : {1e3, 1e5, 1e7, 1e9}) {
-    for (const std::size_t r : rigid) model.reevings[r].stiffness = ratio * force;
-    const Solved s = solve(model, state, options, flow);
-    if (!s.outcome.ok()) return std::nullopt;
-    keep(s.layout, s.c, state);
-  }
-  return state;
-}
-
-Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
-             const Flow& flow) {
+Solved solve_by_lengths(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                        const Flow& flow) {
   Solved s;
   s.layout = layout(model, state, options.prescribed, flow);
   const System system = system_of(model, s.layout, options);
@@ -310,9 +299,6 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   const bool fed = !fed_ends(system).empty();
   if (it.converged && (s.outcome.ok() || !fed)) return s;
   Solved other = s;
-  if (const auto near = stiffened(model, state, options, flow)) {
-    if (find(system, *near, options, other).converged && (other.outcome.ok() || !fed)) return other;
-  }
   const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
   if (flows && bring_on_losses(system, state, options, other)) return other;
   if (fed && bring_on_weight(model, state, options, other)) return other;
@@ -321,6 +307,49 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
   const int heavy = too_heavy(system, s.e, it);
   if (heavy >= 0) s.outcome = too_heavy_outcome(system, heavy, least_pull(model, state, options, s, heavy));
   return s;
+}
+
+/// The answer beside `near` with the forces of stiff ropes as unknowns.
+Solved with_forces_from(const model::Model& model, const Solved& near, double softest,
+                        const EquilibriumOptions& options) {
+  const double coordinate = options.prescribed ? options.prescribed->x : 0;
+  StiffAnswer s = with_stiff_ropes(model, {near.outcome, near.layout, near.c, near.e, 0}, coordinate, softest, options);
+  return {s.outcome, std::move(s.layout), std::move(s.c), std::move(s.e), near.steps + s.steps};
+}
+
+/// Of ropes that hardly stretch: by way of softer ones, which also show whether it is an answer to stay in.
+Solved solve_stiff(const model::Model& model, const model::State& state, double force,
+                   const EquilibriumOptions& options, const Flow& flow) {
+  Solved first;
+  for (const std::vector<double>& ratios : {std::vector<double>{1e4, 1e6}, {1e2, 1e3, 1e4, 1e5, 1e6}}) {
+    model::Model before = model;
+    model::State near = state;
+    Solved soft, stiff;
+    for (const double ratio : ratios) {
+      const model::Model softer = softened(model, ratio * force);
+      near = with_stiffness(std::move(near), before, softer);
+      soft = solve_by_lengths(softer, near, options, flow);
+      if (!soft.outcome.ok()) break;
+      stiff = with_forces_from(model, soft, ratio * force, options);
+      if (stiff.outcome.ok()) return stiff;
+      keep(soft.layout, soft.c, near);
+      before = softer;
+    }
+    const bool found = soft.outcome.ok();
+    if (found || first.outcome.ok()) first = found ? std::move(stiff) : std::move(soft);
+    if (found) break;
+  }
+  return first;
+}
+
+Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+             const Flow& flow) {
+  const double force = force_scale(model, layout(model, state, options.prescribed, flow));
+  if (has_stiff_ropes(model, force)) return solve_stiff(model, state, force, options, flow);
+  Solved s = solve_by_lengths(model, state, options, flow);
+  if (!s.outcome.ok() || !is_rough({model, s.layout, 0}, s.e)) return s;
+  Solved fine = with_forces_from(model, s, std::numeric_limits<double>::infinity(), options);
+  return fine.outcome.ok() ? fine : s;
 }
 
 /// Solved with what touches found out.
@@ -365,8 +394,13 @@ void roll(const model::Model& model, const EquilibriumOptions& options, const Fl
 }
 
 /// Why a carriage prescribed by its mainline has no answer there, found out by a hold along the track in the mainline's
-/// place: a carriage lies past a stop of its rope, or the mainline would have to push. Empty for other reasons.
-std::string without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
+/// place: a carriage lies past a stop of its rope, or the mainline would have to push.
+struct WithoutMainline {
+  std::string why;                    ///< empty for other reasons
+  std::optional<model::State> loose;  ///< where no force is needed: the machine with its mainline just slack
+};
+
+WithoutMainline without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
   if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
@@ -381,17 +415,36 @@ std::string without_mainline(const model::Model& model, const EquilibriumOptions
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
   const System system{without, s.layout, 0};
-  if (std::string past = past_stop(system, s.c); !past.empty()) return past;
+  if (std::string past = past_stop(system, s.c); !past.empty()) return {past, std::nullopt};
   const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[at(carriage.body)].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
   const Vector3 pull = model::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
+  if (hold.norm() <= no_force * weight_on(model, carriage.body)) {
+    if (mainline.weight > 0) {
+      return {
+          fmt::format("'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
+                      "there: choose another x",
+                      carriage.name, options.prescribed->x, mainline.name),
+          std::nullopt};
+    }
+    model::State loose = start;
+    keep(s.layout, s.c, loose);
+    const auto n = static_cast<std::ptrdiff_t>(carriage.mainline);
+    std::vector<model::BranchState> own(mainline.nodes.size() - 1);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      own[k].length = model::straight_length(loose, mainline.nodes[k], mainline.nodes[k + 1]);
+    }
+    loose.branches.insert(loose.branches.begin() + n, std::move(own));
+    loose.touched.insert(loose.touched.begin() + n, std::vector<bool>(mainline.nodes.size(), true));
+    return {{}, std::move(loose)};
+  }
   if (hold.dot(pull) > 0) return {};
-  return fmt::format(
-      "'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline can't push: choose "
-      "another x, or pull from the other side",
-      carriage.name, options.prescribed->x, mainline.name, hold.norm());
+  return {fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
+                      "can't push: choose another x, or pull from the other side",
+                      carriage.name, options.prescribed->x, mainline.name, hold.norm()),
+          std::nullopt};
 }
 
 /// The tensions of both directions of motion beside the answer at rest.
@@ -400,6 +453,7 @@ void add_band(const model::Model& model, const EquilibriumOptions& options, Equi
   for (const Motion motion : {Motion::in, Motion::out}) {
     EquilibriumOptions moving = options;
     moving.motion = motion;
+    moving.held = true;  // its friction holds it at rest
     const EquilibriumResult other = equilibrium(held, moving, result.state);
     if (!other.outcome.ok() || other.spans.size() != result.spans.size()) {
       result.band = false;
@@ -436,14 +490,21 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
   result.state = start ? *start : first_state(model, options);
   Solved s = solve_touching(model, result.state, options, flow);
   roll(model, options, flow, result.state, s);
+  if (!s.outcome.ok()) {
+    const std::string why = section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
+    const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why, {}};
+    if (found.loose) {
+      EquilibriumOptions near = options;
+      near.tolerance = std::max(options.tolerance, no_force);
+      result.state = *found.loose;
+      Solved loose = solve_touching(model, result.state, near, flow);
+      if (loose.outcome.ok()) s = std::move(loose);
+    }
+    if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
+  }
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
-  if (!s.outcome.ok()) {
-    std::string why = section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
-    if (why.empty()) why = without_mainline(model, options, flow);
-    if (!why.empty()) result.outcome = taut::infeasible(why);
-    return result;
-  }
+  if (!result.outcome.ok()) return result;
   const System system = system_of(model, s.layout, options);
   if (const std::string past = past_stop(system, s.c); !past.empty()) {
     result.outcome = taut::infeasible(past);
@@ -451,10 +512,26 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
   }
   fill_tables(system, s.c, s.e, result.state, result);
   result.outcome = check_beams(system, s.c, result.beams);
+  if (result.outcome.ok() && !options.held) result.outcome = stands_by_itself(model, options, result);
   return result;
 }
 
 }  // namespace
+
+Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& options,
+                         const EquilibriumResult& result) {
+  if (!options.prescribed) return {};
+  const model::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  double largest = 0;
+  for (const RopeResult& rope : result.ropes) largest = std::max(largest, rope.T_max);
+  const double none = std::max(no_force * weight_on(model, carriage.body), options.tolerance * largest);
+  if (result.hold.norm() <= none) return {};
+  return infeasible(
+      fmt::format("'{}' stays at x = {:.6g} m only by a force of {:.4g} kN along its track, and nothing gives it: give "
+                  "the carriage a mainline, clamp it, choose another x, or say 'held: true' where something else "
+                  "holds it",
+                  carriage.name, options.prescribed->x, result.hold.norm() / 1e3));
+}
 
 EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
                               const std::optional<model::State>& start) {

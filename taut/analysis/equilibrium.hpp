@@ -35,6 +35,9 @@ struct EquilibriumOptions {
   /// tensions held.
   bool lengths_kept = false;
   std::optional<Prescribed> prescribed;
+  /// Whether a force along its track may hold a prescribed carriage that no rope holds. False: there is no equilibrium
+  /// where one is needed, but for 1e-9 of the carriage's weight and load.
+  bool held = true;
   /// Of every residual: forces by the largest force (not below 4e-15 EA, what rounding leaves), lengths by the longest
   /// span.
   double tolerance = 1e-10;
@@ -122,6 +125,9 @@ struct EquilibriumResult {
 /// in, also in the band. docs/theory/equilibrium.md, docs/theory/drives.md.
 EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options = {},
                               const std::optional<model::State>& start = std::nullopt);
+
+/// Not ok where a prescribed carriage stays in its place only by the result's `hold`, as of EquilibriumOptions::held.
+Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& options, const EquilibriumResult& result);
 
 /// The machine with each rope's length frozen as it is in `result`: guys installed by tension, then loaded.
 model::Model installed(const model::Model& model, const EquilibriumResult& result);

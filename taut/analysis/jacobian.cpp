@@ -3,6 +3,7 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/rope_load.hpp"
+#include "taut/analysis/stiff_branch.hpp"
 #include "taut/analysis/system.hpp"
 #include "taut/math/index.hpp"
 
@@ -19,8 +20,9 @@ struct Assembly {
   std::vector<Columns>& columns;
 };
 
+/// `ends` gets how the way from centre to centre follows each column.
 void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r, const BranchEnd& end, bool start,
-                        Columns& columns) {
+                        Columns& columns, BranchWays& ends) {
   const Layout& layout = a.system.layout;
   const int body = start ? columns.from_body : columns.to_body;
   if (body == model::ground) return;
@@ -32,6 +34,7 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
     const Vector3 turn = way.about.cross(arm);
     const Vector3 shift = offset_change(end, start ? b.leaves : b.arrives, way.about.cross(end.axis));
     const Vector3 X = (start ? -1 : 1) * (way.along + turn + shift);
+    ends[at(k)] = X;
     columns.pull_from[at(k)] = r.pull_from_X * X;
     columns.pull_to[at(k)] = r.pull_to_X * X;
     columns.length[at(k)] = r.length_X.dot(X);
@@ -49,12 +52,15 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[at(link_index)];
-  const BranchRates r = rates(rope_of(rope, a.c.links[at(link_index)].length), start, end, b);
+  const bool stiff = link.force >= 0;
+  const BranchRates r = stiff ? stiff_rates(a.system, link_index, a.c, b)
+                              : rates(rope_of(rope, a.c.links[at(link_index)].length), start, end, b);
+  BranchWays ends;
   columns.count = 0;
   columns.from_body = from.at.body;
   columns.to_body = to.at.body;
-  add_columns_of_end(a, b, r, start, true, columns);
-  add_columns_of_end(a, b, r, end, false, columns);
+  add_columns_of_end(a, b, r, start, true, columns, ends);
+  add_columns_of_end(a, b, r, end, false, columns, ends);
   const std::size_t k = at(columns.count++);
   columns.unknown[k] = link.unknown;
   columns.length[k] = r.length_u;
@@ -64,6 +70,7 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   columns.arrives[k] = r.arrives_u;
   columns.arm_from[k] = r.offset_from_u;
   columns.arm_to[k] = r.offset_to_u;
+  if (stiff) add_stiff_columns(a.system, link_index, a.c, b, ends, columns, a.J);
 }
 
 /// Rows of a body's freedoms from a force F with arm and their derivatives.

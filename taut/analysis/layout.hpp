@@ -14,9 +14,12 @@ struct Layout {
     int body = 0;
     model::Freedom way;
   };
-  /// A branch between two touched nodes; its length is unknown `unknown`.
+  /// A branch between two touched nodes; its length is unknown `unknown`. Of a rope that hardly stretches its force is
+  /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); -1: the force follows from the
+  /// length.
   struct Link {
     int reeving = 0, from = 0, to = 0, unknown = 0;
+    int force = -1;
   };
   /// A touched node between two links. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and the
   /// sense along the path of a load's force.
@@ -56,6 +59,7 @@ struct Layout {
   double heaviest = 0;                          ///< largest weight or load, N: a scale
   double length = 0;                            ///< longest span, m: a scale
   double stiffest = 0;                          ///< largest finite EA of a rope, N
+  double loose = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
 };
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.

@@ -68,7 +68,8 @@ Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
       const model::Node& node = rope.nodes[at(n)];
       if (!may_lift(node)) continue;
       const Branch& b = e.branches[k];
-      const auto span = rope::solve_span(rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
+      const auto span = link.force >= 0 ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
+                                        : rope::solve_span(rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
       if (!span) continue;
       const Vector3 start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
       const Vector3 top = end_at(node, c.bodies).centre + node.radius * node.support;

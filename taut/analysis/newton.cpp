@@ -6,7 +6,9 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/fed_rope.hpp"
+#include "taut/analysis/stiff_branch.hpp"
 #include "taut/math/dense_lu.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::analysis {
 namespace {
@@ -17,6 +19,30 @@ constexpr double longest_turn = 0.5;       // rad per step
 constexpr double longest_move = 0.5;       // of the machine's length per step
 constexpr double shortest_branch = 0.4;    // of its length before the step
 constexpr double rounding_strain = 4e-15;  // of EA: what rounded coordinates leave of a balance
+constexpr double most_rounding = 1e-8;     // of the largest force: more of it is no balance
+constexpr double least_free = 1e-6;        // of what no row determines: less is rounding
+constexpr double most_fall = 0.7;          // of a rope's force and weight per step
+constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
+
+/// Calls `f` with each link and unknown of a force.
+template <class F>
+void for_each_force(const System& s, const F& f) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    if (link.force < 0) continue;
+    const int count = force_count(s.model.reevings[at(link.reeving)]);
+    for (int i = 0; i < count; ++i) f(static_cast<int>(k), link.force + i);
+  }
+}
+
+/// The largest change of a force among the unknowns, as a share of the largest force. A slack rope has none.
+double force_change(const System& s, const Evaluation& e, const Eigen::VectorXd& change) {
+  double most = 0;
+  for_each_force(s, [&](int link, int unknown) {
+    if (!e.branches[at(link)].slack) most = std::max(most, std::abs(change[unknown]));
+  });
+  return most > 0 ? most / e.largest_force : 0;
+}
 
 /// The scaled linear system of one point.
 class Linear {
@@ -31,6 +57,13 @@ class Linear {
     }
     if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
     scale_beams(system, columns_);
+  }
+
+  /// Takes the forces that are unknowns in parts of what they are now.
+  void scale_forces(const System& s, const Configuration& c) {
+    for_each_force(s, [&](int link, int unknown) {
+      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[at(link)].norm()});
+    });
   }
 
   void factor(const Eigen::MatrixXd& J) {
@@ -57,6 +90,14 @@ class Linear {
   Eigen::VectorXd unscaled(const Eigen::VectorXd& step) const { return columns_.cwiseProduct(step); }
   bool singular() const { return singular_; }
 
+  /// How much of each unknown is in what no row determines, as a share of its scale; empty where all are.
+  Eigen::VectorXd free() const {
+    const Eigen::Index n = rows_.size();
+    if (!singular_ || orthogonal_.rank() == n) return {};
+    const Eigen::MatrixXd open = orthogonal_.matrixZ().adjoint().rightCols(n - orthogonal_.rank());
+    return (orthogonal_.colsPermutation() * open).rowwise().norm();
+  }
+
  private:
   Eigen::VectorXd columns_, rows_;
   Eigen::MatrixXd scaled_;
@@ -64,6 +105,29 @@ class Linear {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
   bool singular_ = false;
 };
+
+/// A branch whose force no row determines; -1: none.
+int undetermined_branch(const System& s, const Linear& linear) {
+  const Eigen::VectorXd free = linear.free();
+  int worst = -1;
+  double most = least_free;
+  for_each_force(s, [&](int link, int unknown) {
+    if (free.size() == 0 || free[unknown] <= most) return;
+    most = free[unknown];
+    worst = link;
+  });
+  return worst;
+}
+
+/// The part of a step that leaves a rope with weight a share of its pull.
+double longest_fall(const System& s, const Configuration& c, int k, const Eigen::VectorXd& step) {
+  const Layout::Link& link = s.layout.links[at(k)];
+  if (link.force < 0 || s.model.reevings[at(link.reeving)].weight == 0) return 1;
+  const Vector3& force = c.forces[at(k)];
+  const double weight = s.model.reevings[at(link.reeving)].weight * c.links[at(k)].length;
+  const double falls = -force.normalized().dot(step.segment<3>(link.force)), most = most_fall * (force.norm() + weight);
+  return falls > most ? most / falls : 1;
+}
 
 /// The largest part of a step, at most 1, that keeps branches from vanishing and bodies from flying away.
 double longest_part(const System& s, const Configuration& c, const Eigen::VectorXd& step) {
@@ -79,13 +143,14 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
     // a rope whose length follows has a second answer, a loop of kilometres whose weight pulls
     const double most = std::max(c.links[k].length, s.layout.length);
     if (change > most) part = std::min(part, most / change);
+    part = std::min(part, longest_fall(s, c, static_cast<int>(k), step));
   }
   return part;
 }
 
 bool settled(const System& s, const Evaluation& e, double tolerance, double ulps = 1) {
   const Misfit m = misfit(s, e);
-  const double rounding = ulps * rounding_strain * s.layout.stiffest;
+  const double rounding = std::min(ulps * rounding_strain * s.layout.stiffest, most_rounding * e.largest_force);
   return m.force <= std::max(tolerance * e.largest_force, rounding) &&
          std::max(m.length, m.span) <= tolerance * s.layout.length;
 }
@@ -161,6 +226,51 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
     std::swap(e, there);
   }
   it.converged = settled(s, e, tolerance);
+  return it;
+}
+
+Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  Configuration tried = c;
+  Evaluation there;
+  double before = HUGE_VAL;
+  for (; it.steps < most_steps; ++it.steps) {
+    linear.scale_forces(s, c);
+    jacobian(s, c, e, J, columns);
+    linear.factor(J);
+    it.singular = linear.singular();
+    const Eigen::VectorXd step = linear.solve(e.residual);
+    if (!step.allFinite()) return it;
+    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
+    const double open = force_change(s, e, change.step);
+    const bool closed = settled(s, e, tolerance);
+    const bool known = open <= tolerance || (open > before / 2 && open <= forces_settled);
+    if (closed && known) {
+      it.converged = true;
+      it.undetermined = undetermined_branch(s, linear);
+      return it;
+    }
+    before = closed ? open : HUGE_VAL;
+    bool accepted = false;
+    for (double part = longest_part(s, c, change.step); part > least_part && !accepted; part /= 2) {
+      move(s, c, change, part, tried);
+      it.stopped = evaluate(s, tried, there);
+      if (it.stopped || !there.residual.allFinite()) continue;
+      accepted = linear.solve(there.residual).norm() <= (1 - part / 4) * step.norm() || settled(s, there, tolerance);
+    }
+    if (!accepted) {
+      it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
+      it.undetermined = undetermined_branch(s, linear);
+      return it;
+    }
+    std::swap(c, tried);
+    std::swap(e, there);
+  }
   return it;
 }
 

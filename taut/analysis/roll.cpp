@@ -56,6 +56,7 @@ class Roll {
   Roll(const model::Model& model, int carriage, EquilibriumOptions options)
       : model_(model), options_(std::move(options)), car_(model.carriages[at(carriage)]) {
     options_.band = false;
+    options_.held = true;
     options_.prescribed = Prescribed{carriage, 0};
     const Neighbours beside = neighbours(model, car_);
     first_ = beside.first;

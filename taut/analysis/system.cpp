@@ -6,6 +6,7 @@
 
 #include "taut/analysis/beam_piece.hpp"
 #include "taut/analysis/rope_load.hpp"
+#include "taut/analysis/stiff_branch.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::analysis {
@@ -116,6 +117,13 @@ void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
   add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
 
+void keep_shape(const model::Reeving& rope, const Branch& branch, model::BranchState& link) {
+  link.length = branch.length;
+  link.leaves = branch.leaves;
+  link.arrives = branch.arrives;
+  link.force = rope.weight > 0 ? std::optional(branch.span.force) : std::nullopt;
+}
+
 }  // namespace
 
 const model::Node& node_of(const System& s, const Layout::Turn& t) {
@@ -168,14 +176,19 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const Layout::Link& link = s.layout.links[k];
     const model::Reeving& rope = reeving_of(s, link.reeving);
+    if (link.force >= 0) {
+      const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
+      if (!stiff) return NoBranch{static_cast<int>(k), rope::NoCatenary::not_converged};
+      e.branches[k] = *stiff;
+      keep_shape(rope, *stiff, c.links[k]);
+      c.links[k].force = stiff->span.force;
+      continue;
+    }
     auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[at(link.from)], c.bodies),
                                end_at(rope.nodes[at(link.to)], c.bodies), c.links[k]);
     if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
     e.branches[k] = *branch;
-    c.links[k].length = branch->length;
-    c.links[k].leaves = branch->leaves;
-    c.links[k].arrives = branch->arrives;
-    if (rope.weight > 0) c.links[k].force = branch->span.force;
+    keep_shape(rope, *branch, c.links[k]);
   }
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const Layout::Turn& turn = s.layout.turns[t];
@@ -192,11 +205,11 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   return std::nullopt;
 }
 
-Change change_of(const System& /*system*/, const Configuration& c, const Evaluation& e,
+Change change_of(const System& system, const Configuration& c, const Evaluation& e,
                  const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step) {
   Change change{step, std::vector<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (!c.links[k].force) continue;
+    if (!c.links[k].force || system.layout.links[k].force >= 0) continue;
     Vector3 pull = Vector3::Zero();
     double length = 0;
     for (int i = 0; i < columns[k].count; ++i) {
@@ -223,6 +236,11 @@ void move(const System& s, const Configuration& c, const Change& change, double 
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     model::BranchState& link = moved.links[k];
     link.length += part * change.step[s.layout.links[k].unknown];
+    if (const int force = s.layout.links[k].force; force >= 0) {
+      const int count = force_count(reeving_of(s, s.layout.links[k].reeving));
+      moved.forces[k].head(count) += part * change.step.segment(force, count);
+      continue;
+    }
     if (!link.force) continue;
     const rope::CatenaryForce& by = change.force[k];
     // a force that would turn round is no start
@@ -257,7 +275,11 @@ Misfit misfit(const System& s, const Evaluation& e) {
     s.model.reevings[r].given == model::Given::length || place ? length(row) : force(row);
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
-  for (const Branch& b : e.branches) m.span = std::max(m.span, b.closure);
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    m.span = std::max(m.span, e.branches[k].closure);
+    const Layout::Link& link = s.layout.links[k];
+    for (int i = 0; link.force >= 0 && i < force_count(reeving_of(s, link.reeving)); ++i) length(link.force + i);
+  }
   add_beam_misfit(s, e, m.force, m.length);
   return m;
 }

@@ -17,6 +17,8 @@ struct Configuration {
   double hold = 0;                             ///< N along the track
   std::vector<model::PieceState> pieces = {};  ///< by Layout::pieces
   std::vector<double> open_loads = {};         ///< by reeving, N, of those that have one
+  /// By Layout::links, of those whose force is an unknown: in the middle, of a rope without weight its tension as x, N.
+  std::vector<Vector3> forces = {};
 };
 
 /// Everything that follows from a configuration, and how far it is from equilibrium.
@@ -45,9 +47,10 @@ struct System {
 /// Fills `e`; a branch without solution stops it.
 std::optional<NoBranch> evaluate(const System& system, Configuration& c, Evaluation& e);
 
-/// How one branch follows the unknowns that move it: the freedoms of the bodies at its ends, and its length.
+/// How one branch follows the unknowns that move it: the freedoms of the bodies at its ends, its length, and its force
+/// where that is one.
 struct BranchColumns {
-  static constexpr int most = 13;
+  static constexpr int most = 16;
   int count = 0;
   std::array<int, most> unknown{};
   std::array<double, most> length;  ///< free length, m/m

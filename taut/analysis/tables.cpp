@@ -29,7 +29,7 @@ SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e,
   r.start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
   r.end = end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
   r.shape = b.span;
-  if (rope.weight == 0) {
+  if (rope.weight == 0 && link.force < 0) {
     if (const auto straight = rope::solve_span(rope_of(rope, r.unstretched), b.chord)) r.shape = *straight;
   }
   r.stretched = b.slack ? r.unstretched : rope::stretched_length(r.shape);

@@ -78,6 +78,7 @@ const Description& PayloadRequest::describe() {
           .named_records(&PayloadRequest::motion, "motion", "as for an equilibrium; at rest the band counts")
           .shorthand("sense")
           .one_for_all()
+          .field(&PayloadRequest::held, "held", "as for an equilibrium, at every position")
           .record(&PayloadRequest::limits, "limits", "what must not be exceeded")
           .required()
           .field(&PayloadRequest::most, "most", "m", si::kg, "no payload above this is looked for")
@@ -218,6 +219,7 @@ const Description& CycleRequest::describe() {
           .at_least(1)
           .at_most(10000)
           .field(&CycleRequest::along, "along", "", si::one, "as for a load path")
+          .field(&CycleRequest::held, "held", "as for an equilibrium, at every position")
           .field(&CycleRequest::speed, "speed", "v", si::m_per_s,
                  "of the carriage along its way: gives powers and times")
           .above(0)
@@ -244,6 +246,7 @@ const Description& EnvelopeRequest::describe() {
           .at_least(1)
           .at_most(10000)
           .field(&EnvelopeRequest::along, "along", "", si::one, "as for a load path")
+          .field(&EnvelopeRequest::held, "held", "as for an equilibrium, at every position")
           .field(&EnvelopeRequest::load_at, "load_at",
                  "the body or carriage that gets the loads; without it the carriage")
           .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "each of these, beside the machine's own loads")
@@ -281,7 +284,8 @@ const Description& SweepRequest::describe() {
           .field(&SweepRequest::x, "x", "x", si::m, "its place")
           .at_least(-farthest)
           .at_most(farthest)
-          .field(&SweepRequest::along, "along", "", si::one, "as for an equilibrium");
+          .field(&SweepRequest::along, "along", "", si::one, "as for an equilibrium")
+          .field(&SweepRequest::held, "held", "as for an equilibrium");
   return d;
 }
 

@@ -41,6 +41,7 @@ struct PayloadRequest {
   LimitsRequest limits;
   double most = 100e3;  ///< kg
   bool judge = true;    ///< false: its states do not count for the verdict
+  bool held = false;    ///< whatever holds the carriage
   static const Description& describe();
 };
 
@@ -100,6 +101,7 @@ struct CycleRequest {
   std::optional<double> speed;
   std::vector<PhaseRequest> phases;
   bool judge = true;  ///< false: its states do not count for the verdict
+  bool held = false;  ///< whatever holds the carriage
   static const Description& describe();
 };
 
@@ -114,6 +116,7 @@ struct EnvelopeRequest {
   std::vector<std::string> motions;
   std::vector<double> temperatures;  ///< K
   bool judge = true;                 ///< false: its states do not count for the verdict
+  bool held = false;                 ///< whatever holds the carriage
   static const Description& describe();
 };
 
@@ -127,6 +130,7 @@ struct SweepRequest {
   std::optional<double> x;
   std::vector<double> along = {1, 0};  ///< direction of x
   bool judge = true;                   ///< false: its states do not count for the verdict
+  bool held = false;                   ///< whatever holds the carriage
   static const Description& describe();
 };
 

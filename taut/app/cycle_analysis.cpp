@@ -7,6 +7,7 @@
 #include "taut/app/carriage_way.hpp"
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/math/index.hpp"
@@ -31,6 +32,7 @@ struct Phase {
 struct CycleRun {
   std::string ending;
   int carriage = 0;
+  bool held = false;
   std::vector<Phase> phases;
   std::vector<Winch> winches;
 };
@@ -115,7 +117,7 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 
 /// The way of the carriage, part by part; a position on a support is passed over.
 std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
-                                        Watch& watch, Outcome& outcome) {
+                                        Watch& watch, Missing& missing) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<CyclePosition> all;
@@ -129,6 +131,7 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
     analysis::LoadPathOptions options = path_over(phase.way, part);
     options.equilibrium = options_of(phase.request.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
+    options.equilibrium.held = run.held;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto path = analysis::load_path(part.model, options);
     if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
@@ -136,10 +139,8 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
       CyclePosition& p = all.emplace_back();
       p.x = point.x;
       p.known = point.at.outcome.ok();
-      if (!p.known) {
-        if (outcome.ok()) outcome = path.outcome;
-        continue;
-      }
+      missing.take(point.at.outcome, point.x);
+      if (!p.known) continue;
       p.z = point.z;
       machine.checked->take(part.model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x),
                             analysis_name(run.ending, "cycle"));
@@ -192,6 +193,9 @@ Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, cons
   work.pull_mean = way > 0 ? mean / way : work.pull_max;
   return work;
 }
+
+/// What is summed over the way, where parts of the way are missing.
+void forget_sums(Work& work) { work.pull_mean = work.taken = work.energy = work.power_max = none; }
 
 struct PhaseAnswer {
   std::vector<CyclePosition> positions;
@@ -287,25 +291,28 @@ void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Resu
 
 void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   std::vector<PhaseAnswer> answers;
+  bool complete = true;
   int states = 0;
   for (const Phase& phase : run.phases) states += phase.way.steps + 1;
   Watch watch(machine.progress, "cycle" + run.ending, states);
   for (const Phase& phase : run.phases) {
     if (watch.ended()) break;
-    Outcome outcome;
+    Missing missing;
     PhaseAnswer& answer = answers.emplace_back();
-    answer.positions = positions_of(machine, run, phase, watch, outcome);
-    note_failure(r, outcome, fmt::format("cycle, {}", phase.request.name));
+    answer.positions = positions_of(machine, run, phase, watch, missing);
+    missing.note(r, fmt::format("cycle{}, {}", run.ending, phase.request.name), machine.checked->judged);
+    complete = complete && !missing.any();
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
     for (std::size_t w = 0; w < run.winches.size(); ++w) {
       answer.works.push_back(work_of(machine.model, run, w, answer.positions, phase.speed));
+      if (missing.any()) forget_sums(answer.works.back());
     }
   }
   watch.note(r);
   r.tables.push_back(works_table(run, answers));
   r.tables.push_back(positions_table(run, answers));
-  if (r.status != Status::ok) return;  // no sums over what is not there
+  if (r.status != Status::ok || !complete) return;  // no sums over what is not there
   add_values(run, answers, r);
   add_plot(run, answers, r);
 }
@@ -316,6 +323,7 @@ Analysis prepare_cycle(const CycleRequest& request, const std::string& path, Pre
   const auto run = std::make_shared<CycleRun>();
   run->ending = ending_of(p, "cycle", request.name, path);
   run->carriage = carriage_of(p, request.carriage, path + ".carriage");
+  run->held = request.held;
   check_hold(p.model, run->carriage, p.complaints);
   const Vector3 along = direction_of(request.along, path + ".along", p.complaints);
   double from = request.from, to = request.to;

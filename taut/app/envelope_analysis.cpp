@@ -13,6 +13,7 @@
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/app/watch.hpp"
@@ -37,6 +38,7 @@ struct EnvelopeRun {
   int carriage = -1;
   Way way;
   int load_body = -1;
+  bool held = false;
   std::vector<double> loads;
   std::vector<std::string> motions;
   std::vector<double> temperatures;
@@ -146,8 +148,8 @@ void add_bodies(Envelope& envelope, const model::Model& m, const analysis::Equil
 /// All that is asked of one combination.
 class Combination {
  public:
-  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch, Result& r)
-      : machine_(machine), run_(run), envelope_(envelope), watch_(watch), r_(r) {}
+  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch)
+      : machine_(machine), run_(run), envelope_(envelope), watch_(watch) {}
 
   void solve(const Where& where) {
     model::Model model = machine_.model;
@@ -193,18 +195,20 @@ class Combination {
   }
 
   bool on_support() const { return on_support_; }
+  const Missing& missing() const { return missing_; }
   int states() const { return states_; }
 
  private:
-  static analysis::EquilibriumOptions options_for(const std::vector<MotionRequest>& motion, const model::Model& model) {
+  analysis::EquilibriumOptions options_for(const std::vector<MotionRequest>& motion, const model::Model& model) const {
     std::vector<Complaint> told_before;
     analysis::EquilibriumOptions options = options_of(motion, model, {}, told_before);
     options.band = false;
+    options.held = run_.held;
     return options;
   }
 
   void take(const model::Model& m, const analysis::EquilibriumResult& e, const Where& where, const std::string& words) {
-    note_failure(r_, e.outcome, words);
+    missing_.take(e.outcome, whole_words(words, where));
     if (!e.outcome.ok()) return;
     ++states_;
     add_ropes(envelope_, m, e, where);
@@ -244,7 +248,6 @@ class Combination {
   const EnvelopeRun& run_;
   Envelope& envelope_;
   Watch& watch_;
-  Result& r_;
   struct Kept {
     double size = 0;
     OtherAnswer answer;
@@ -252,6 +255,7 @@ class Combination {
   std::map<std::string, Kept> worst_;
   int states_ = 0;
   bool on_support_ = false;
+  Missing missing_;
 };
 
 Table table_of(const EnvelopeRun& run, const Envelope& envelope, const std::string& kind, const Unit& unit) {
@@ -278,13 +282,14 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
   const std::size_t combinations = or_none(run.temperatures).size() * or_none(run.loads).size() * run.motions.size();
   const int states = run.carriage < 0 ? 1 : run.way.steps + 1;
   Watch watch(machine.progress, "envelope" + run.ending, static_cast<int>(combinations) * states);
-  Combination one(machine, run, envelope, watch, r);
+  Combination one(machine, run, envelope, watch);
   for (const double temperature : or_none(run.temperatures)) {
     for (const double load : or_none(run.loads)) {
       for (const std::string& motion : run.motions) one.solve({none, load, motion, temperature});
     }
   }
   watch.note(r);
+  one.missing().note(r, "envelope" + run.ending, machine.checked->judged);
   if (one.on_support()) r.warnings.emplace_back("envelope: positions on a support are left out");
   if (envelope.all.empty()) return;
   r.tables.push_back(table_of(run, envelope, "", si::N));
@@ -338,6 +343,7 @@ Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& pat
   const auto run = std::make_shared<EnvelopeRun>();
   run->ending = ending_of(p, "envelope", request.name, path);
   run->machine = &p.deck.machine;
+  run->held = request.held;
   if (request.carriage) run->carriage = carriage_of(p, *request.carriage, path + ".carriage");
   if (request.carriage) check_hold(p.model, run->carriage, p.complaints);
   const bool all = request.carriage && request.from && request.to;

@@ -7,6 +7,7 @@
 #include "taut/analysis/installation.hpp"
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
+#include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/math/index.hpp"
@@ -233,8 +234,10 @@ void add_plots(const InstallationRun& run, const std::vector<Row>& rows, std::si
        {"as cut at this temperature", [](const auto& i) { return i.cut; }}}));
 }
 
-void add_results(const InstallationRun& run, const std::vector<Row>& rows, Result& r) {
-  for (const Row& row : rows) note_failure(r, row.at.outcome, words_of(row, run));
+void add_results(const InstallationRun& run, const std::vector<Row>& rows, bool judged, Result& r) {
+  Missing missing;
+  for (const Row& row : rows) missing.take(row.at.outcome, words_of(row, run));
+  missing.note(r, "installation" + run.ending, judged);
   const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.at.outcome.ok(); });
   if (first == rows.end()) return;
   const auto value = [&](const char* name, double v, const Unit& unit, const char* words) {
@@ -301,7 +304,7 @@ Analysis prepare_installation(const InstallationRequest& request, const std::str
   }
   return [run](MachineRun& machine, Result& r) {
     const std::vector<Row> rows = solve(machine.model, *run);
-    add_results(*run, rows, r);
+    add_results(*run, rows, machine.checked->judged, r);
     for (const Row& row : rows) {
       if (!row.at.outcome.ok()) continue;
       machine.checked->take_empty(row.at.at.model, row.at.at.result, run->words, words_of(row, *run));

@@ -22,6 +22,9 @@ const Description& EquilibriumRequest::describe() {
           .at_most(1e6)
           .field(&EquilibriumRequest::along, "along", "", si::one,
                  "horizontal direction [x, y] along which its x is measured, from the origin")
+          .field(&EquilibriumRequest::held, "held",
+                 "true: something besides the ropes holds the carriage at x; without it there is no answer where "
+                 "only a force along the track would hold it")
           .record(&EquilibriumRequest::given, "given", "a mode in place of what one rope has given");
   return d;
 }
@@ -49,6 +52,7 @@ const Description& LoadPathRequest::describe() {
           .named_records(&LoadPathRequest::motion, "motion", "as for an equilibrium")
           .shorthand("sense")
           .one_for_all()
+          .field(&LoadPathRequest::held, "held", "as for an equilibrium, at every position")
           .record(&LoadPathRequest::given, "given", "as for an equilibrium, at every position");
   return d;
 }

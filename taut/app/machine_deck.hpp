@@ -24,6 +24,7 @@ struct EquilibriumRequest {
   std::optional<double> x;
   std::optional<double> z;             ///< its height too, instead of the length of the rope it rides on
   std::vector<double> along = {1, 0};  ///< direction of x
+  bool held = false;                   ///< whatever holds the carriage
   std::optional<GivenRequest> given;
   bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();
@@ -37,6 +38,7 @@ struct LoadPathRequest {
   int steps = 96;
   std::vector<double> along = {1, 0};  ///< direction of from and to
   std::vector<MotionRequest> motion;
+  bool held = false;  ///< whatever holds the carriage
   std::optional<GivenRequest> given;
   bool judge = true;  ///< false: its states do not count for the verdict
   static const Description& describe();

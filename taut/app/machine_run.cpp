@@ -20,6 +20,7 @@
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/merge.hpp"
+#include "taut/app/missing.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -116,6 +117,7 @@ class Requests {
     one.words = app::words_of(request.motion);
     one.motion = request.motion;
     options_of(request.motion, model_, path + ".motion", complaints);
+    one.held = request.held;
     one.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names_);
     if (request.z && !request.x) complaints.push_back({path, "'z' needs 'carriage' and 'x'"});
     if (one.prescribed) one.prescribed->z = request.z;
@@ -141,6 +143,7 @@ class Requests {
     one.from = request.from;
     one.to = request.to;
     one.steps = request.steps;
+    one.held = request.held;
     if (request.given) one.given = condition_of(*request.given, one.carriage, path + ".given", names_);
     if (request.from == request.to) complaints.push_back({path + ".to", "is the same place as 'from'"});
     run.paths.push_back(std::move(one));
@@ -175,6 +178,7 @@ void solve(const model::Model& model, EquilibriumRun& one) {
   std::vector<Complaint> told_before;
   analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
   options.prescribed = one.prescribed;
+  options.held = one.held;
   if (one.given) {
     auto found = analysis::equilibrium_under(one.model, *one.given, options);
     one.model = std::move(found.model);
@@ -208,6 +212,7 @@ void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
     options.along = one.along;
     options.equilibrium = options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
+    options.equilibrium.held = one.held;
     options.condition = one.given;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     part.result = analysis::load_path(part.model, options);
@@ -215,6 +220,19 @@ void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
     if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
   }
+}
+
+void note_missing(const LoadPathRun& one, Result& r) {
+  Missing missing;
+  for (const LoadPathPart& part : one.parts) {
+    const auto& first = part.result.points.front();
+    if (part.result.outcome.ok() && !first.at.outcome.ok()) {
+      r.warnings.push_back(fmt::format("load path, x = {:.6g} m: {}: left out", first.x, first.at.outcome.message));
+      continue;
+    }
+    for (const auto& point : part.result.points) missing.take(point.at.outcome, point.x);
+  }
+  missing.note(r, fmt::format("load path{}, {}", one.ending, one.words), one.judged);
 }
 
 /// `checks_only`: without what nothing but a report needs.
@@ -236,13 +254,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     if (r.interrupted) break;
     Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
     solve(run.model, one, watch);
-    for (const LoadPathPart& part : one.parts) {
-      const auto& first = part.result.points.front();
-      if (part.result.outcome.ok() && !first.at.outcome.ok()) {
-        r.warnings.push_back(fmt::format("load path, x = {:.6g} m: {}: left out", first.x, first.at.outcome.message));
-      }
-      note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
-    }
+    note_missing(one, r);
     watch.note(r);
   }
   run.checked = std::make_shared<CheckedParts>(deck, run.model);
@@ -283,7 +295,8 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   return r;
 }
 
-/// A deck whose mistakes are told already, with other numbers than it was read with.
+/// A deck whose mistakes are told already, with other numbers than it was read with. One of which a state is missing
+/// can't be judged: it is no choice.
 Result compute_again(const MachineDeck& deck, bool checks_only, const std::function<bool(const Progress&)>& progress) {
   auto model = model::compile(deck.machine);
   if (!model) {
@@ -293,7 +306,13 @@ Result compute_again(const MachineDeck& deck, bool checks_only, const std::funct
     return r;
   }
   Requests requests(deck, *model);
-  return compute(deck, requests.resolve(), progress, checks_only);
+  Result r = compute(deck, requests.resolve(), progress, checks_only);
+  if (r.status == Status::ok && !r.missing.empty()) {
+    r.status = Status::infeasible;
+    r.message =
+        fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
+  }
+  return r;
 }
 
 /// Whether every part of the machine could be looked up: where a list is called by a wrong name, all its names would be

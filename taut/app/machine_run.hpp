@@ -19,6 +19,7 @@ struct EquilibriumRun {
   std::string words;   ///< "at rest", "hoist"
   std::vector<MotionRequest> motion;
   std::optional<analysis::Prescribed> prescribed;
+  bool held = false;
   std::optional<analysis::Condition> given;
   model::Model model;
   analysis::EquilibriumResult result;
@@ -38,6 +39,7 @@ struct LoadPathRun {
   double from = 0, to = 0;
   Vector3 along = Vector3::UnitX();  ///< along which x is measured
   int steps = 1;
+  bool held = false;
   std::optional<analysis::Condition> given;
   std::vector<LoadPathPart> parts;  ///< in the order of the positions
   bool judged = true;

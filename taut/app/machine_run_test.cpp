@@ -124,7 +124,7 @@ machine:
   carriages: {{car: {{mass: 800 kg, rides: r, hold: {}}}}}
   reevings: [{{rope: r, path: [{{anchor: a}}, {{through: car}}, {{over: jack}}, {{anchor: b}}], length: 203 m}}]
 analyses:
-  - load_path: {{carriage: car, from: 15 m, to: 185 m, steps: 34}}
+  - load_path: {{carriage: car, from: 15 m, to: 185 m, steps: 34, held: true}}
 )",
                                          hold);
     const Result r = run_text(text);

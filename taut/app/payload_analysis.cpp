@@ -11,6 +11,7 @@
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
@@ -38,6 +39,7 @@ struct PayloadRun {
   std::vector<MotionRequest> motion;
   Way way;
   bool one_place = false;
+  bool held = false;
   analysis::PayloadLimits limits;
   std::vector<RopeRule> rules;
 };
@@ -196,6 +198,7 @@ Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
     std::vector<Complaint> told_before;
     analysis::LoadPathOptions options = path_over(run.way, part);
     options.equilibrium = options_of(run.motion, part.model, {}, told_before);
+    options.equilibrium.held = run.held;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = analysis::payload_path(part.model, run.limits, options);
     if (part.last == part.first && points.size() > 1) points.resize(1);
@@ -350,16 +353,15 @@ void add_gaps(const model::Model& model, const PayloadRun& run, const Answers& a
 void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Result& r) {
   const PayloadPosition* least = nullptr;
   std::map<std::string, std::vector<double>> nothing;  // where a limit is broken without payload
+  Missing missing;
   for (const PayloadPosition& one : all.positions) {
     const std::string where = fmt::format("payload, x = {:.6g} m", one.point.x);
     if (!one.support.empty()) {
       r.warnings.push_back(fmt::format("{}: the carriage is on '{}': left out", where, one.support));
       continue;
     }
-    if (!answered(one)) {
-      note_failure(r, one.point.payload.outcome, where);
-      continue;
-    }
+    missing.take(answered(one) ? Outcome() : one.point.payload.outcome, one.point.x);
+    if (!answered(one)) continue;
     machine.checked->take(*one.model, one.point.payload.at, where, analysis_name(run.ending, "payload"));
     if (!one.point.payload.outcome.ok()) nothing[one.point.payload.governing].push_back(one.point.x);
     if (least == nullptr || one.point.payload.mass < least->point.payload.mass) least = &one;
@@ -380,6 +382,7 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
     c.part = machine.model.carriages[at(run.way.carriage)].name;
     r.checks.push_back(std::move(c));
   }
+  missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);
   if (least == nullptr) return;
   const analysis::Payload& worst = least->point.payload;
   r.values.push_back({"payload_min" + run.ending,
@@ -420,6 +423,7 @@ Analysis prepare_payload(const PayloadRequest& request, const std::string& path,
               run->one_place ? 1 : request.steps, direction_of(request.along, path + ".along", p.complaints)};
   check_hold(p.model, run->way.carriage, p.complaints);
   run->limits.most = request.most;
+  run->held = request.held;
   resolve_limits(request.limits, path + ".limits", p, *run);
   return [run](MachineRun& machine, Result& r) {
     Watch watch(machine.progress, "payload" + run->ending, run->way.steps + 1);

@@ -33,6 +33,7 @@ struct SweepRun {
   std::optional<analysis::Prescribed> prescribed;
   double from = 0, to = 0;
   int steps = 1;
+  bool held = false;
   const model::Machine* machine = nullptr;
 };
 
@@ -170,6 +171,22 @@ void add_plots(const SweepRun& run, const model::Model& m, const analysis::Sweep
   if (!heights.curves.empty()) r.figures.emplace_back(std::move(heights));
 }
 
+/// The values that were asked for beyond the one where the sweep ends.
+void note_values_lost(const SweepRun& run, const analysis::Sweep& s, Result& r) {
+  if (s.end == SweepEnd::reached || s.end == SweepEnd::interrupted) return;
+  int lost = 0;
+  double first = run.to;
+  for (int i = run.steps; i >= 0; --i) {
+    const double value = run.from + (run.to - run.from) * i / run.steps;
+    if ((value - s.value) * (run.to - run.from) <= 0) break;
+    first = value;
+    ++lost;
+  }
+  if (lost == 0) return;
+  r.missing.push_back({fmt::format("sweep{}, {}", run.ending, run.words), lost, run.steps + 1,
+                       fmt::format("{} = {}", run.parameter, Display().quantity(first, run.unit)), s.outcome.message});
+}
+
 void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep& s, Result& r) {
   if (s.points.empty() && s.end == SweepEnd::interrupted) return;
   if (s.points.empty()) {
@@ -195,6 +212,7 @@ void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep
                       words.empty() ? fmt::format("last value of {}", run.parameter) : words,
                       {}});
   if (!words.empty()) r.warnings.push_back(fmt::format("the sweep {}", words));
+  if (machine.checked->judged) note_values_lost(run, s, r);
   if (s.points.size() > 1) add_plots(run, m, s, r);
   for (const auto& point : s.points) {
     const std::string at =
@@ -250,6 +268,7 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
   run->parameter = request.parameter;
   run->motion = request.motion;
   run->steps = request.steps;
+  run->held = request.held;
   run->machine = &p.deck.machine;
   options_of(request.motion, p.model, path + ".motion", p.complaints);
   resolve_values(request, path, p, *run);
@@ -265,6 +284,7 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
     options.steps = run->steps;
     options.equilibrium = options_of(run->motion, base, {}, told_before);
     options.equilibrium.prescribed = run->prescribed;
+    options.equilibrium.held = run->held;
     const auto at = [&](double value) { return model_at(*run, base, value); };
     Watch watch(machine.progress, "sweep" + run->ending, run->steps + 1);
     options.go_on = [&](double value) {

@@ -186,7 +186,8 @@ const Description& Reeving::describe() {
                  "in motion each free part is a chain of so many, with the rope's mass at their joints; 1: one piece")
           .at_least(1)
           .at_most(1000)
-          .field(&Reeving::may_slack, "may_slack", "it is meant to go slack; without it a slack rope is an unsafe warning")
+          .field(&Reeving::may_slack, "may_slack",
+                 "it is meant to go slack; without it a slack rope is an unsafe warning")
           .field(&Reeving::closed, "closed", "an endless rope, from the last element back to the first");
   return d;
 }

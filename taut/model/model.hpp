@@ -124,7 +124,7 @@ struct Reeving {
   /// Of a rope with ends over a drive without a given torque: what is known of it besides.
   std::optional<std::pair<Given, double>> also;
   double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0
-  double stiffness = 0;       ///< EA, N, > 0; infinite is allowed for a rope with weight
+  double stiffness = 0;       ///< EA, N, > 0; infinite: it does not stretch
   double breaking_force = 0;  ///< N; 0: not known, no safety factor
   double thermal_strain = 0;  ///< expansion times temperature above the reference
   int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often

@@ -41,9 +41,6 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
   rope.stiffness = given.stiffness.value_or(0);
   rope.breaking_force = given.breaking_force.value_or(rope.breaking_force);
   rope.diameter = given.diameter.value_or(rope.diameter);
-  if (std::isinf(rope.stiffness) && rope.mass == 0) {
-    complaints.push_back({path + ".stiffness", "a rope without mass needs a finite one"});
-  }
   if (given.damping_ratio && given.damping_time) {
     complaints.push_back({path + ".damping_time", "is given beside 'damping_ratio'; give one of the two"});
   }
