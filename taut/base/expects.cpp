@@ -4,9 +4,9 @@
 
 namespace taut {
 
-void expects(bool condition, std::string_view what, std::source_location where) {
+void expects(bool condition, std::string_view what, const char* file, int line) {
   if (condition) return;
-  throw ContractViolation(fmt::format("{}:{}: {}", where.file_name(), where.line(), what));
+  throw ContractViolation(fmt::format("{}:{}: {}", file, line, what));
 }
 
 }  // namespace taut

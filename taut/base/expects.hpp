@@ -1,5 +1,4 @@
 #pragma once
-#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@ class ContractViolation : public std::logic_error {
 
 /// Throws ContractViolation with the caller's place when `condition` does not hold.
 /// Use it for our own bugs only; a mistake in a deck is a Diagnostic, a physical impossibility an Outcome.
-void expects(bool condition, std::string_view what, std::source_location where = std::source_location::current());
+/// The place is taken by itself; std::source_location would say it too, but libc++ before 16 has none.
+void expects(bool condition, std::string_view what, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace taut

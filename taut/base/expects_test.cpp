@@ -10,7 +10,7 @@ TEST(Expects, NamesThePlaceOfTheBrokenPromise) {
     FAIL() << "no exception";
   } catch (const taut::ContractViolation& e) {
     const std::string text = e.what();
-    EXPECT_NE(text.find("expects_test.cpp"), std::string::npos);
+    EXPECT_NE(text.find("expects_test.cpp:9: "), std::string::npos) << text;
     EXPECT_NE(text.find("the rope has two ends"), std::string::npos);
   }
 }

@@ -26,7 +26,7 @@ struct UnitName {
 /// Units combine with space, `*`, `/` and powers (`mm2`, `mm^2`, `mm²`). An angle takes deg, rad, mrad, gon or %, where
 /// % is a slope: atan(p/100). A plain number takes no unit, or %, as a hundredth. `.inf` is accepted only with
 /// `allow_infinite`. Errors: no unit or a wrong dimension (names a unit that fits), an unknown or ambiguous name (names
-/// the choices), not a number, not finite. Conversion factors come from UDUNITS-2; calls are serialised.
+/// the choices), not a number, not finite. Factors: factor.hpp.
 tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite = false);
 
 /// The SI value of one `unit` ("kN" -> 1000), refused when it does not fit `target` or has an offset (degC).
