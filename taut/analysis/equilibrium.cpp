@@ -33,8 +33,10 @@ constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;  ///< of what touches what
 
-bool has_losses(const model::Model& model) {
+/// Whether motion changes tensions: by losses, or by the weight of rope that runs round.
+bool differs_in_motion(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {
+    if (rope.mass * rope.speed > 0) return true;
     for (const model::Node& node : rope.nodes) {
       if (node.kind == model::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
     }
@@ -383,7 +385,7 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
     result = standing(model, options, flow, start);
   }
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
-  if (result.outcome.ok() && band && has_losses(model)) {
+  if (result.outcome.ok() && band && differs_in_motion(model)) {
     result.band = true;
     add_band(model, options, result);
   }
