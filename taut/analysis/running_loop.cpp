@@ -269,7 +269,8 @@ Outcome part_branches(const RunningLoop& loop, const LoopPlace& place, LoopState
   if (!newton(first.loop, first.place, unknowns_of(state), f.last)) {
     return lift_off(loop, place, place.sag, straight_loop(loop, place.x, place.sag).P_v);
   }
-  const bool whole = follow(at, [&](const LoopState& last, double) { return unknowns_of(last); }, f);
+  const bool whole = follow(
+      at, [&](const LoopState& last, double) { return unknowns_of(last); }, f);
   state = f.last;
   return whole && is_feasible(state) ? Outcome{} : ended(loop, place, f);
 }
