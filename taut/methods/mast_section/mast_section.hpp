@@ -10,7 +10,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-#include "taut/catalogue/section.hpp"
+
+namespace taut::catalogue {
+struct SectionRow;
+}
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
