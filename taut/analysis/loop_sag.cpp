@@ -43,6 +43,8 @@ struct Probe {
 };
 
 using At = std::function<Probe(double sag, const LoopState* near)>;
+/// What everybody finds at a sag, who does not come from another one.
+using FromScratch = std::function<Probe(double sag)>;
 using Measure = std::function<double(const Probe&)>;
 
 struct Bracket {
@@ -97,13 +99,13 @@ std::string quantity(LoopGiven given, double value) {
 }
 
 /// The root in a bracket; empty when the equilibrium jumps or is lost there.
-std::optional<Probe> root_in(const At& at, const Bracket& b, double value) {
+std::optional<Probe> root_in(const At& at, const FromScratch& from_scratch, const Bracket& b, double value) {
   const auto excess = [&](double f) {  // where the equilibrium is lost the root finder may ask for no number
     return std::isfinite(f) ? at(f, &b.low.state).excess : f;
   };
   const auto sag = find_root(excess, b.low.sag, b.high.sag);
   if (!sag || !std::isfinite(*sag)) return std::nullopt;
-  Probe p = at(*sag, nullptr);  // from scratch: what everybody finds at this sag
+  Probe p = from_scratch(*sag);
   return p.ok && std::abs(p.excess) <= meets * value ? std::optional(p) : std::nullopt;
 }
 
@@ -111,7 +113,8 @@ std::optional<Probe> root_in(const At& at, const Bracket& b, double value) {
 /// intervals; their ends are found too, because a root may lie between an end and the nearest probe.
 class SagSearch {
  public:
-  SagSearch(At at, double value) : at_(std::move(at)), value_(value) {}
+  SagSearch(At at, FromScratch from_scratch, double value)
+      : at_(std::move(at)), from_scratch_(std::move(from_scratch)), value_(value) {}
 
   void add(Probe p) {
     if (p.exists && (!best_ || p.state.R_z > best_->state.R_z)) best_ = p;
@@ -166,7 +169,7 @@ class SagSearch {
   }
 
   void keep(const Bracket& b) {
-    if (auto root = root_in(at_, b, value_)) {
+    if (auto root = root_in(at_, from_scratch_, b, value_)) {
       found.push_back(*std::move(root));
     } else {
       jumped = true;
@@ -174,6 +177,7 @@ class SagSearch {
   }
 
   At at_;
+  FromScratch from_scratch_;
   double value_;
   std::vector<Probe> last_;  ///< up to two
   std::vector<Probe> run_;   ///< up to two, of the feasible interval
@@ -221,14 +225,22 @@ Outcome out_of_reach(const RunningLoop& loop, double x, LoopGiven given, double 
 
 Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double value, LoopSag& found) {
   expects(value > 0, "what is given in place of the sag is positive");
-  const At at = [&](double sag, const LoopState* near) {
-    Probe p{sag, std::numeric_limits<double>::quiet_NaN(), false, false, {}};
-    p.exists = reach_loop(loop, {x, sag}, p.state, near);
+  const auto measured = [&](Probe p) {
     p.ok = p.exists && is_feasible(p.state);
-    if (p.exists) p.excess = value_of(given, p.state) - value;
+    p.excess = p.exists ? value_of(given, p.state) - value : std::numeric_limits<double>::quiet_NaN();
     return p;
   };
-  SagSearch s(at, value);
+  const At at = [&](double sag, const LoopState* near) {
+    Probe p{sag, 0, false, false, {}};
+    p.exists = reach_loop(loop, {x, sag}, p.state, near);
+    return measured(std::move(p));
+  };
+  const FromScratch from_scratch = [&](double sag) {
+    Probe p{sag, 0, false, false, {}};
+    p.exists = solve_loop(loop, {x, sag}, p.state).ok();
+    return measured(std::move(p));
+  };
+  SagSearch s(at, from_scratch, value);
   search(loop, at, s);
   if (s.found.empty()) return out_of_reach(loop, x, given, value, s);
   found.sag = s.found[0].sag;
