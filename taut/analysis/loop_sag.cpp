@@ -17,7 +17,7 @@ constexpr double smallest_share = 1e-4;  // of the span
 constexpr double largest_share = 2;
 constexpr double stride = 1.12;
 constexpr int narrowings = 40;
-constexpr int halvings = 44;
+constexpr int edge_halvings = 44;
 constexpr double meets = 1e-7;  // of what is given; a sign change that misses it is a jump between two equilibria
 
 double value_of(LoopGiven given, const LoopState& s) {
@@ -81,7 +81,7 @@ std::optional<Probe> beyond_turn(const At& at, const Measure& m, Probe a, Probe 
 /// The last feasible probe on the way from a feasible one to one that is not.
 Probe edge_of_feasible(const At& at, Probe inside, const Probe& outside) {
   double beyond = outside.sag;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < edge_halvings; ++i) {
     const double sag = (inside.sag + beyond) / 2;
     if (sag == inside.sag || sag == beyond) break;
     Probe p = at(sag, &inside.state);

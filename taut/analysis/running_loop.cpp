@@ -210,7 +210,7 @@ using CaseAt = std::function<Partial(double part)>;
 using StartAt = std::function<LoopUnknowns(const LoopState& last, double times)>;
 
 /// Goes on to the whole way, in strides that shorten where Newton does not converge. False: the equilibrium ends.
-bool follow(const CaseAt& at, const StartAt& start, Followed& f) {
+bool follow_loop(const CaseAt& at, const StartAt& start, Followed& f) {
   double stride = longest_stride;
   for (;;) {
     if (is_feasible(f.last)) {
@@ -247,8 +247,9 @@ Outcome deepen_to(const RunningLoop& loop, const LoopPlace& place, LoopState& st
     if (i == 10) return not_converged(fmt::format("exact catenaries find no equilibrium at x = {:.4g} m", place.x));
     at = part_of(loop, place, f.part /= 4);
   }
-  const bool whole = follow([&](double part) { return part_of(loop, place, part); },
-                            [&](const LoopState& last, double times) { return deepened(loop, last, times, times); }, f);
+  const bool whole =
+      follow_loop([&](double part) { return part_of(loop, place, part); },
+                  [&](const LoopState& last, double times) { return deepened(loop, last, times, times); }, f);
   state = f.last;
   return whole && is_feasible(state) ? Outcome{} : ended(loop, place, f);
 }
@@ -269,7 +270,7 @@ Outcome part_branches(const RunningLoop& loop, const LoopPlace& place, LoopState
   if (!newton(first.loop, first.place, unknowns_of(state), f.last)) {
     return lift_off(loop, place, place.sag, straight_loop(loop, place.x, place.sag).P_v);
   }
-  const bool whole = follow(
+  const bool whole = follow_loop(
       at, [&](const LoopState& last, double) { return unknowns_of(last); }, f);
   state = f.last;
   return whole && is_feasible(state) ? Outcome{} : ended(loop, place, f);
