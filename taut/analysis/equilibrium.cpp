@@ -48,8 +48,10 @@ double weight_on(const model::Model& model, int body) {
   return weight;
 }
 
-bool has_losses(const model::Model& model) {
+/// Whether motion changes tensions: by losses, or by the weight of rope that runs round.
+bool differs_in_motion(const model::Model& model) {
   for (const model::Reeving& rope : model.reevings) {
+    if (rope.mass * rope.speed > 0) return true;
     for (const model::Node& node : rope.nodes) {
       if (node.kind == model::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
     }
@@ -554,7 +556,7 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
     result = on_inner_sides(model, start, solve_on);
   }
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
-  if (result.outcome.ok() && band && has_losses(model)) {
+  if (result.outcome.ok() && band && differs_in_motion(model)) {
     result.band = true;
     add_band(model, options, result);
   }

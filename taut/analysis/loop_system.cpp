@@ -55,7 +55,11 @@ struct RatedSpan {
   Rated T_end() const { return length(H, V_end); }
 };
 
-/// A loop with its residuals: forces in units of the load, lengths in units of the span.
+/// A loop with its residuals: forces in units of the load, lengths in units of the span. Rows have such signs that the
+/// determinant of their derivatives is positive for taut ropes. The law of the free roller is
+/// geometric: the link stands across the mean direction of the two rope ends, which have the same tension, so that
+/// their resultant lies along it. (That the resultant has no part across the link would also hold for a link of any
+/// lean that touches the rope without force: a second answer, at which the roller carries nothing.)
 class LoopSystem {
  public:
   LoopSystem(const RunningLoop& loop, const LoopPlace& place)
@@ -99,7 +103,6 @@ class LoopSystem {
   }
   Rated place(const Vector& v, int i) const { return chain(v[i] * loop_.span, loop_.span, unknown(v, i)); }
   bool span_of(RatedSpan& s, const LoopRope& rope, const Rated& H, const Node& from, const Node& to) const;
-  LoopNode upper_offset() const;
   bool is_force(int row) const { return row < 5 || row == 7 || row == 8; }
   Vector forces_only() const {
     Vector f = residual;
@@ -120,13 +123,6 @@ class LoopSystem {
   Node first_, second_, roller_;
   Rated R_x_, R_z_, lean_;
 };
-
-LoopNode LoopSystem::upper_offset() const {
-  const double c = loop_.branch_distance;
-  if (loop_.offset_is_vertical) return {0, c};
-  const double chord = std::hypot(loop_.span, loop_.rise);
-  return {-c * loop_.rise / chord, c * loop_.span / chord};
-}
 
 bool LoopSystem::span_of(RatedSpan& s, const LoopRope& rope, const Rated& H, const Node& from, const Node& to) const {
   const Rated x = to.x - from.x;
@@ -154,7 +150,7 @@ void LoopSystem::put_second(const Node& first, const Node& second) {
   put(7, b_.H - t_.H + constant(loop_.pull_x), load_);
   put(8, b_.V_start - t_.V_end + constant(loop_.pull_z), load_);
   const Rated distance = loop_.second->along_rope ? t_.L : second.x - first.x;
-  put(9, distance - constant(loop_.second->distance), loop_.span);
+  put(9, constant(loop_.second->distance) - distance, loop_.span);
 }
 
 bool LoopSystem::evaluate(const Vector& v) {
@@ -164,7 +160,7 @@ bool LoopSystem::evaluate(const Vector& v) {
   first_ = {place(v, x1), place(v, z1)};
   second_ = two ? Node{place(v, x2), place(v, z2)} : first_;
   roller_ = {first_.x - constant(c) * sine(lean_), first_.z + constant(c) * cosine(lean_)};
-  const LoopNode up = upper_offset();
+  const LoopNode up = upper_offset(loop_);
   const Node A{constant(0), constant(0)};
   const Node B{constant(loop_.span), constant(loop_.rise)};
   const Node A_up{constant(up.x), constant(up.z)};
@@ -187,10 +183,10 @@ bool LoopSystem::evaluate(const Vector& v) {
   put(1, right.V_start - a_.V_end + R_z_ + constant(pull_z - loop_.carriage_weight), load_);
   if (loop_.roller == RollerLaw::free) {
     put(2, w_.T_start() - u_.T_end(), load_);
-    put(3, R_x_ * cosine(lean_) + R_z_ * sine(lean_), load_);
+    put(3, (w_.V_start + u_.V_end) * cosine(lean_) - (w_.H + u_.H) * sine(lean_), load_);
   } else {
     put(2, R_x_, load_);
-    put(3, lean_, 1);
+    put(3, constant(0) - lean_, 1);
   }
   put(4, w_.T_end() - constant(loop_.efficiency) * b_.T_end(), load_);
   put_place(first_, second_);
@@ -215,7 +211,7 @@ void LoopSystem::write(LoopState& s) const {
   s.lean = lean_.v;
   s.traction_length = a_.plain.rope.length;
   s.return_length = b_.plain.rope.length + u_.plain.rope.length + w_.plain.rope.length + s.between.rope.length;
-  const LoopNode up = upper_offset();
+  const LoopNode up = upper_offset(loop_);
   s.upper_sag = up.z + loop_.rise / loop_.span * (s.roller.x - up.x) - s.roller.z;
   const double to_B = (loop_.rise - s.first.z) / (loop_.span - s.first.x);
   s.delta_sag = loop_.second ? s.first.z + to_B * (s.second.x - s.first.x) - s.second.z : 0;
@@ -263,7 +259,20 @@ bool descend(LoopSystem& system, Vector& v, const Vector& step) {
   return false;
 }
 
+/// The same equations hold for a link that stands on its head, and for ropes so deep that their own weight pulls like
+/// the taut ones: neither is stable. Where the taut answer meets a deep one the determinant passes through zero.
+bool is_taut(const LoopSystem& system, double lean) {
+  return std::cos(lean) > 0 && DenseLu(system.jacobian).determinant_sign() > 0;
+}
+
 }  // namespace
+
+LoopNode upper_offset(const RunningLoop& loop) {
+  const double c = loop.branch_distance;
+  if (loop.offset_is_vertical) return {0, c};
+  const double chord = std::hypot(loop.span, loop.rise);
+  return {-c * loop.rise / chord, c * loop.span / chord};
+}
 
 bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns& start, LoopState& state) {
   LoopSystem system(loop, place);
@@ -279,7 +288,8 @@ bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns&
   }
   system.write(state);
   state.iterations = i;
-  return state.residual <= balances * system.largest_tension() && system.misplaced() <= balances * loop.span;
+  return state.residual <= balances * system.largest_tension() && system.misplaced() <= balances * loop.span &&
+         is_taut(system, state.lean);
 }
 
 }  // namespace taut::analysis

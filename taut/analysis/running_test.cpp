@@ -144,4 +144,36 @@ TEST(Running, LoadsByMotionAreHeldAsTheHaulGoes) {
   }
 }
 
+/// At rest the largest tension is that of both directions of motion. A rope that runs weighs outward there, whether its
+/// sheaves lose something or not: no jump at the ideal sheave.
+TEST(Running, TheBandAtRestIsContinuousInTheLoss) {
+  const auto at_rest = [](double efficiency) {
+    model::Model m = over_a_sheave(25);
+    m.reevings[0].speed = speed;
+    m.reevings[0].breaking_force = 100e3;
+    m.reevings[0].nodes[1].law.efficiency = efficiency;
+    EquilibriumResult r = equilibrium(m, {});
+    EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_TRUE(r.band);
+    return r;
+  };
+  const EquilibriumResult ideal = at_rest(1);
+  EquilibriumOptions options;
+  options.motion = Motion::in;
+  model::Model m = over_a_sheave(25);
+  m.reevings[0].speed = speed;
+  EXPECT_NEAR(ideal.ropes[0].T_max, equilibrium(m, options).ropes[0].T_max, 1e-9 * ideal.ropes[0].T_max);
+  for (const double loss : {1e-11, 1e-6}) {
+    const EquilibriumResult r = at_rest(1 - loss);
+    const double near = 1e-9 + 5 * loss;
+    EXPECT_NEAR(r.ropes[0].T_max / ideal.ropes[0].T_max, 1, near);
+    EXPECT_NEAR(r.ropes[0].safety_factor / ideal.ropes[0].safety_factor, 1, near);
+    for (std::size_t k = 0; k < r.spans.size(); ++k) {
+      EXPECT_NEAR(r.spans[k].T_from / ideal.spans[k].T_from, 1, near);
+      EXPECT_NEAR(r.spans[k].T_to_max / ideal.spans[k].T_to_max, 1, near);
+      EXPECT_NEAR(r.spans[k].T_to_min / ideal.spans[k].T_to_min, 1, near);
+    }
+  }
+}
+
 }  // namespace taut::analysis::running_test

@@ -174,6 +174,13 @@ void add_method_checks(const ChecksRequest& request, const std::vector<rope::Rop
     }
   }
   add_method_masts(request.masts, r);
+  // a rope whose strength `checks` judges is judged
+  for (const rope::RopeUse& use : ropes) {
+    const bool judged = std::any_of(r.checks.begin(), r.checks.end(),
+                                    [&](const Check& c) { return c.limits && c.name == use.name + ".safety_factor"; });
+    if (judged)
+      std::erase_if(r.unjudged, [&](const auto& part) { return part == use.name || part == use.name + " rope"; });
+  }
   finish_checks(request, r);
 }
 

@@ -183,7 +183,7 @@ const std::vector<MethodEntry>& methods() {
       entry<mast_section::Input, mast_section::Output>(mast_section::about(),
                                                        {"mast_section",
                                                         mast_section::complaints,
-                                                        mast_section::run,
+                                                        run_mast_section,
                                                         complete_mast_section,
                                                         {ropes_of_mast},
                                                         design_of_mast()},

@@ -14,6 +14,12 @@ double DenseLu::pivot_ratio() const {
   return pivots.minCoeff() / pivots.maxCoeff();
 }
 
+int DenseLu::determinant_sign() const {
+  double sign = factors_.permutationP().determinant() > 0 ? 1 : -1;
+  for (const double pivot : factors_.matrixLU().diagonal()) sign *= pivot > 0 ? 1 : pivot < 0 ? -1 : 0;
+  return static_cast<int>(sign);
+}
+
 Eigen::VectorXd DenseLu::solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
 
 Eigen::MatrixXd DenseLu::solve_columns(const Eigen::MatrixXd& B) const { return factors_.solve(B); }

@@ -14,6 +14,8 @@ class DenseLu {
   void factor(const Eigen::MatrixXd& A);
   /// The smallest pivot by the largest: 0 (to rounding) where A is singular.
   double pivot_ratio() const;
+  /// 1 or -1, the sign of the determinant of A; 0 where a pivot is exactly 0.
+  int determinant_sign() const;
   /// A^-1 b; not finite where A is singular.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   /// The same for each column of B.

@@ -94,8 +94,10 @@ std::string comparisons_html(const Result& r) {
   for (const Comparison& c : r.comparisons) {
     const ShownUnit u = shown_unit(c.unit, display);
     const auto shown = column_shown({u.of(c.printed), u.of(c.corrected), u.of(c.exact)});
-    const std::string mark = c.printed_unsafe ? "<span class=\"badge bad\">printed value is unsafe</span> " : "";
-    rows += fmt::format("<tr{}>", c.printed_unsafe ? " class=\"unsafe\"" : "") + cell(symbol_html(c.symbol)) +
+    const bool seen = shown[0] != shown[1] || (exact && shown[0] != shown[2]);
+    const bool unsafe = c.printed_unsafe && seen;
+    const std::string mark = unsafe ? "<span class=\"badge bad\">printed value is unsafe</span> " : "";
+    rows += fmt::format("<tr{}>", unsafe ? " class=\"unsafe\"" : "") + cell(symbol_html(c.symbol)) +
             cell(prose_html(c.quantity)) + cell(escape(shown[0]), "num") + cell(escape(shown[1]), "num") +
             (exact ? cell(escape(shown[2]), "num") : "") + cell(escape(unit_text(u)), "u") +
             cell(mark + prose_html(c.build_by)) + "</tr>\n";

@@ -159,14 +159,49 @@ TEST(MastSectionCase, ChecksANamedSection) {
   Input in = case_a();
   in.section = "CHS 508x16";
   const Result r = run(in);
-  ASSERT_EQ(r.checks.size(), 1u);
+  ASSERT_EQ(r.checks.size(), 2u);
   const double D = 0.508, d = D - 0.032;
   const double area = std::numbers::pi / 4 * (D * D - d * d),
                I = std::numbers::pi / 64 * (std::pow(D, 4) - std::pow(d, 4));
-  EXPECT_NEAR(r.checks[0].value, 162638.979 / area + 852064.180 * D / 2 / I, 1e-4 * r.checks[0].value);
+  const Output out = solved(in);
+  Input geometric = in;
+  geometric.wrap = Wrap::geometric;  // of 102 deg: it leaves more force on the span side than the paper's 120 deg
+  const Output worse = solved(geometric);
+  EXPECT_NEAR(r.checks[0].value, worse.N / area + worse.M * D / 2 / I, 1e-4 * r.checks[0].value);
+  EXPECT_GT(r.checks[0].value, 162638.979 / area + 852064.180 * D / 2 / I);
   EXPECT_EQ(r.checks[0].limit, 160e6);
   EXPECT_FALSE(r.checks[0].passes) << "thinner than the ideal tube of 544.5 x 27.2";
   EXPECT_EQ(exit_code(r), 4);
+  const double N_out = worse.N_payout;  // and paid out on the drum side
+  EXPECT_GT(N_out, out.N_payout);
+  EXPECT_NEAR(r.checks[1].value, N_out / area + out.M_payout * D / 2 / I, 1e-4 * r.checks[1].value);
+}
+
+// A brake that slips at 60 kN: the skyline is paid out under that, the mainline under its 40 kN.
+TEST(MastSectionCase, ABrakeLimitsPayingOut) {
+  Input in = case_a();
+  in.paid_out_force = 60e3;
+  const Output out = solved(in), full = solved(case_a());
+  EXPECT_NEAR(out.M_payout, 100e3 * 8 * std::cos(12 * degree), 1e-6);
+  EXPECT_NEAR(out.N_payout / full.N_payout, 100.0 / 140, 1e-12);
+  EXPECT_LT(out.D_tube_payout, full.D_tube_payout);
+  EXPECT_EQ(out.D_tube, full.D_tube) << "hauling in is as it was";
+  in.paid_out_force = 200e3;
+  EXPECT_EQ(solved(in).M_payout, full.M_payout) << "a brake that holds more than the rope carries";
+}
+
+// What is chosen carries both directions by both wraps.
+TEST(MastSectionCase, TheSectionIsChosenForBothDirections) {
+  const Result r = run(case_a());
+  ASSERT_EQ(r.checks.size(), 2u);
+  for (const Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name << c.value;
+  const Table* t = r.find_table("sections");
+  ASSERT_NE(t, nullptr);
+  for (const auto& row : t->rows)
+    EXPECT_GE(std::get<double>(row[9]), 6847e-6) << "W of " << std::get<std::string>(row[1]);
+  Input slipping = case_a();
+  slipping.paid_out_force = 60e3;
+  EXPECT_LT(run(slipping).find_value("section_mass")->value, r.find_value("section_mass")->value);
 }
 
 }  // namespace taut::mast_section::mast_section_test

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "taut/base/gravity.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/methods/friction_drive/rope_strength.hpp"
 
 namespace taut::app {
@@ -71,7 +72,7 @@ void add_comparisons(const friction_drive::Output& o, const FrictionDriveExact& 
   const auto add = [&](const char* what, const char* symbol, double paper, double corrected, double exact) {
     r.comparisons.push_back({what, symbol, si::N, paper, corrected, exact,
                              "exact: what the take-up really sets; corrected: the drive that does not slip",
-                             paper < exact});
+                             shown_below(paper, exact)});
   };
   add("tight branch under the cut", "T_1", o.T_1, o.T_1_no_slip, e.T_1_exact);
   add("slack branch under the cut", "T_2", o.T_2, o.T_2_no_slip, e.T_2_exact);

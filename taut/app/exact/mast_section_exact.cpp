@@ -7,6 +7,7 @@
 
 #include "taut/app/exact/mast_section_figures.hpp"
 #include "taut/base/gravity.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/methods/mast_section/position.hpp"
@@ -48,14 +49,16 @@ analysis::Guy engine_guy(const Input& in, std::size_t i) {
   return out;
 }
 
-/// The carriage positions that the method can do, and which of them governs it.
+/// The carriage positions that the method can do, and which of them governs it; what the mast carries at all of them.
 struct Cases {
   std::vector<Position> positions;
   std::size_t governing = 0;
+  std::vector<ClampForces> forces;
 };
 
 Cases cases_of(const Input& in) {
   Cases c;
+  c.forces = clamp_forces(in);
   if (in.span) {
     const std::size_t governs = governing_positions(in).of[0];
     for (Position& p : sweep(in)) {
@@ -80,11 +83,8 @@ struct Section {
 };
 
 Section section_of(const Input& in, const Cases& cases) {
-  std::vector<ClampForces> forces;
-  forces.reserve(cases.positions.size());
-  for (const Position& p : cases.positions) forces.push_back({p.out.N, p.out.M, p.index});
   const std::string trust = trust_of(limit_of(in));
-  if (const auto a = section_in_use(in, forces)) {
+  if (const auto a = section_in_use(in, cases.forces, second_order_of(in))) {
     return {a->section.name, structure::beam_section(a->section), a->allowable, trust};
   }
   const Output& o = cases.positions[cases.governing].out;
@@ -93,7 +93,14 @@ Section section_of(const Input& in, const Cases& cases) {
           structure::tube_section(o.D_tube, wall), o.sigma_allow, trust};
 }
 
-Vector3 block_force(double R, double gamma) { return {R * std::cos(gamma), 0, -R * std::sin(gamma)}; }
+Vector3 block_force(const BlockForce& f) { return {f.across, 0, -f.down}; }
+
+/// The forces of one position with the ropes hauled in.
+ClampForces hauled_in_at(const Cases& cases, std::size_t index) {
+  const auto at = std::find_if(cases.forces.begin(), cases.forces.end(),
+                               [&](const ClampForces& f) { return f.index == index && !f.paid_out; });
+  return *at;
+}
 
 double largest_tension(const analysis::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
 
@@ -181,7 +188,8 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   const auto add = [&](const char* what, const char* symbol, const Unit& unit, double method, double exact) {
     const bool guyed = !in.guys.empty();
     r.comparisons.push_back({what, symbol, unit, method, method, exact,
-                             guyed ? "exact: with guys and second order" : "exact: with second order", method < exact});
+                             guyed ? "exact: with guys and second order" : "exact: with second order",
+                             shown_below(method, exact)});
   };
   add("axial force at the foot", "N", si::N, o.N, e.N_exact);
   add("shear at the foot", "Q", si::N, o.Q, e.Q_exact);
@@ -191,20 +199,14 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
 }
 
 void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
-  if (!asks_for_exact(in)) {
-    if (e.sigma_worst_exact > section.allowable) {
-      r.warnings.push_back(fmt::format(
-          "second order: with the moment of its own deflection the stress in {} is {:.1f} MPa, more than the allowable "
-          "{:.1f} MPa",
-          section.name, e.sigma_worst_exact / 1e6, section.allowable / 1e6));
-    }
-    return;
-  }
-  // The method's check is that of another mast: a clamped one without guys.
-  std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
-  r.checks.push_back(make_check(
-      fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, Sense::at_most, section.allowable,
-      si::Pa, "N/A + M/W <= [sigma] at every height, second order, at every carriage position", section.trust));
+  if (!asks_for_exact(in)) return;  // the method has checked it by second order
+  Check strength = make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, Sense::at_most,
+                              section.allowable, si::Pa,
+                              "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
+                              "directions of the ropes",
+                              section.trust);
+  strength.part = "mast";
+  r.checks.push_back(std::move(strength));
   const auto rule = catalogue::find_rule("safety.guyline.ch_at");
   if (std::isnan(e.guy_safety_min_exact) || !rule || !rule->low) return;
   const bool unverified = rule->trust == catalogue::Trust::unverified;
@@ -247,28 +249,59 @@ void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& 
 
 }  // namespace
 
-analysis::GuyedMast guyed_mast(const Input& in, const Output& forces, const structure::BeamSection& section) {
+analysis::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const structure::BeamSection& section) {
   analysis::GuyedMast m;
   m.height = mast_height(in);
   m.section = section;
   m.base = in.base == Base::clamped ? analysis::MastBase::clamped : analysis::MastBase::hinged;
   for (std::size_t i = 0; i < in.guys.size(); ++i) m.guys.push_back(engine_guy(in, i));
   const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
-  m.loads = {{in.skyline_block_height, block_force(forces.R_sky, forces.gamma_sky)},
-             {lower, block_force(forces.R_main, forces.gamma_main)}};
+  m.loads = {{in.skyline_block_height, block_force(forces.skyline)}, {lower, block_force(forces.mainline)}};
   if (in.lateral_force) m.loads.push_back({in.skyline_block_height, {0, *in.lateral_force, 0}});
   return m;
 }
 
+SecondOrder second_order_of(const Input& in) {
+  return [&in](const catalogue::SectionRow& section, const ClampForces& forces) {
+    analysis::GuyedMastResult m;
+    const Outcome outcome = analysis::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
+    return outcome.ok() ? m.points[m.worst].stress : not_computed;
+  };
+}
+
+Result run_mast_section(const Input& in) { return run(in, second_order_of(in)); }
+
+namespace {
+
+/// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
+void take_other_cases(const Input& in, const Cases& cases, const Section& section, MastSectionExact& e, Result& r) {
+  for (const ClampForces& forces : cases.forces) {
+    analysis::GuyedMastResult m;
+    const Outcome outcome = analysis::solve(guyed_mast(in, forces, section.beam), m);
+    if (outcome.ok()) {
+      take_worst(m, e);
+    } else if (asks_for_exact(in) && r.status == Status::ok) {
+      r.status = outcome.status;
+      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + outcome.message;
+    }
+  }
+}
+
+}  // namespace
+
 void complete_mast_section(const Input& in, Result& r) {
   if (r.status != Status::ok) return;
+  if (asks_for_exact(in)) {
+    // The method's checks are those of another mast: a clamped one without guys.
+    std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
+  }
   const Cases cases = cases_of(in);
   const Section section = section_of(in, cases);
   MastSectionExact e;
   Table positions = positions_table();
   for (std::size_t i = 0; i < cases.positions.size(); ++i) {
     const Position& p = cases.positions[i];
-    const analysis::GuyedMast mast = guyed_mast(in, p.out, section.beam);
+    const analysis::GuyedMast mast = guyed_mast(in, hauled_in_at(cases, p.index), section.beam);
     analysis::GuyedMastResult m;
     const Outcome outcome = analysis::solve(mast, m);
     positions.rows.push_back(position_row(p.out.x, m, outcome));
@@ -282,6 +315,7 @@ void complete_mast_section(const Input& in, Result& r) {
     if (!in.guys.empty()) r.tables.push_back(guys_table(mast, m));
     add_mast_figures(mast, m, section.allowable, r);
   }
+  take_other_cases(in, cases, section, e, r);
   if (cases.positions.size() > 1) r.tables.push_back(std::move(positions));
   add_words(in, section, e, r);
   if (!std::isnan(e.N_exact)) add_comparisons(in, cases.positions[cases.governing].out, section, e, r);

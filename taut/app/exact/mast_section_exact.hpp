@@ -1,6 +1,7 @@
 #pragma once
 #include "taut/analysis/guyed_mast.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
+#include "taut/methods/mast_section/sizing.hpp"
 
 /// The exact column of `mast_section`: the mast of the deck with its guys, solved by the engine. Without guys it is the
 /// published clamped cantilever, with the second-order moment that the method leaves out.
@@ -30,9 +31,15 @@ struct MastSectionExact {
   static const Description& describe();
 };
 
-/// The engine's mast for the block forces of one carriage position.
-analysis::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::Output& forces,
+/// The engine's mast under the block forces of one carriage position.
+analysis::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::ClampForces& forces,
                                const structure::BeamSection& section);
+
+/// The engine's largest stress for the method's choice and checks; `in` must outlive it.
+mast_section::SecondOrder second_order_of(const mast_section::Input& in);
+
+/// The method with second order from the engine.
+Result run_mast_section(const mast_section::Input& in);
 
 /// Adds the exact values, comparisons, tables, checks and figures to the method's result. A deck with guys, a lateral
 /// force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever is warned of.

@@ -262,7 +262,9 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
     pretension_as_set(in, F_0e, F_0r, s, out);
   } else if (!in.cases.empty()) {
     out.F0_set = in.tensioned_last == Rope::extension ? out.F0_extension : out.F0_retraction;
-    out.S10_set = std::max(out.S10_balance, out.S10_min);
+    // the larger of printed and corrected: neither rope goes slack by either
+    out.S10_set =
+        std::fmax(std::max(out.S10_balance, out.S10_min), std::fmax(out.S10_balance_corrected, out.S10_min_corrected));
     out.S20_set = 2 * out.S10_set + out.F0_set;
   }
   free_slip_angles(in, out);

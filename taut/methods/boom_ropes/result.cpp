@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "taut/calc/shown.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/boom_ropes/drawing.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
@@ -139,10 +140,10 @@ std::vector<Comparison> comparisons(const Output& out) {
   std::vector<Comparison> all = {
       {"share of each extension branch", "lambda_1", si::one, out.lambda_1, out.lambda_1_corrected, unset, why, false},
       {"share of the retraction rope", "lambda_2", si::one, out.lambda_2, out.lambda_2_corrected, unset, why,
-       out.lambda_2 < out.lambda_2_corrected}};
+       shown_below(out.lambda_2, out.lambda_2_corrected)}};
   if (std::isnan(out.S20_min)) return all;
   const auto add = [&](const char* quantity, const char* symbol, double printed, double corrected) {
-    all.push_back({quantity, symbol, si::N, printed, corrected, unset, why, printed < corrected});
+    all.push_back({quantity, symbol, si::N, printed, corrected, unset, why, shown_below(printed, corrected)});
   };
   add("least pretension of the extension rope", "S_10min", out.S10_min, out.S10_min_corrected);
   add("least pretension of the retraction rope", "S_20min", out.S20_min, out.S20_min_corrected);

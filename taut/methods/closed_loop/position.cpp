@@ -154,12 +154,13 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
 template <class T>
 void warn_of_stop(const Case<T>& c, const Output& out, Sheet<T>& s) {
   const double S = value(c.S);
-  if (S <= out.T_lB) return;
+  const double T_lB = std::isfinite(out.T_lB) ? out.T_lB : out.T_lB_exact;
+  if (S <= T_lB) return;
   s.warn([&] {
     return fmt::format(
         "The gathering force S = {} exceeds T_lB = {}: when S acts on the free end of the return rope (variant 2) the "
         "carriage has left its stop; mode free_running finds the sag at which it leaves it.{}",
-        kN(S), kN(out.T_lB),
+        kN(S), kN(T_lB),
         S > out.T_n ? fmt::format(" It also exceeds T_n = {} (variant 1).", kN(out.T_n)) : std::string());
   });
 }
@@ -226,8 +227,16 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   plain.f = out.f;
   const bool single = in.carriage == Carriage::single;
   Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
-  if (!o.ok()) return o;
-  if (o = add_exact(in, plain, engine, s, out); !o.ok()) return o;
+  if (!o.ok() && !engine.solve) return o;
+  const Outcome closed_form = o;
+  if (o = add_exact(in, plain, engine, s, out); !o.ok()) return closed_form.ok() ? o : closed_form;
+  if (!closed_form.ok()) {
+    if (!std::isfinite(out.T_lA_exact)) return closed_form;
+    s.warn([&] {
+      return fmt::format("The closed-form tier has no answer here, the exact catenaries have one: {}",
+                         closed_form.message);
+    });
+  }
   warn_of_input(in, s);
   warn_of_paper(c, out, s);
   warn_of_stop(c, out, s);
@@ -294,15 +303,33 @@ catalogue::RopeRow known_rope(const std::string& text) {
   return *row;
 }
 
-/// The peaks over all positions that are feasible; infeasible when none is.
-Outcome peaks_over(const Input& in, const Ropes& ropes, const Engine& engine, Peaks& peaks) {
-  const std::vector<Row> rows = sweep(in, ropes, engine);
-  bool any = false;
+Peaks peaks_over(const std::vector<Row>& rows) {
+  Peaks p;
   for (const Row& row : rows) {
-    if (!row.outcome.ok()) continue;
-    peaks = any ? larger(peaks, peaks_of(row.out)) : peaks_of(row.out);
-    any = true;
+    if (row.outcome.ok()) p = larger(p, peaks_of(row.out));
   }
+  return p;
+}
+
+}  // namespace
+
+Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows) {
+  Input other = in;
+  other.haul = in.haul == Haul::in ? Haul::out : Haul::in;
+  Peaks back = peaks_over(sweep(other, ropes, engine));
+  for (Peak* peak : {&back.return_rope, &back.traction_rope}) {
+    peak->where += other.haul == Haul::out ? ", hauled out" : ", hauled in";
+  }
+  return larger(peaks_over(rows), back);
+}
+
+namespace {
+
+/// The peaks of both hauls; infeasible when no position is feasible as asked.
+Outcome both_peaks(const Input& in, const Ropes& ropes, const Engine& engine, Peaks& peaks) {
+  const std::vector<Row> rows = sweep(in, ropes, engine);
+  const bool any = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.outcome.ok(); });
+  if (any) peaks = peaks_of_both_hauls(in, ropes, engine, rows);
   return any ? Outcome{} : rows.front().outcome;
 }
 
@@ -312,7 +339,7 @@ Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
   if (in.choose_ropes) {
     return choose(
         *in.choose_ropes, *in.safety_factor,
-        [&](const Ropes& r, Peaks& peaks) { return peaks_over(in, r, engine, peaks); }, ropes);
+        [&](const Ropes& r, Peaks& peaks) { return both_peaks(in, r, engine, peaks); }, ropes);
   }
   if (in.return_rope) {
     ropes.return_rope = known_rope(*in.return_rope);

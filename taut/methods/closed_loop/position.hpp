@@ -24,6 +24,9 @@ std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine
 /// end tensions; the first row when all are infeasible.
 std::size_t worst_of(const std::vector<Row>& rows);
 
+/// The largest tensions over all feasible positions, `rows` as asked for and the same deck hauled the other way.
+Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows);
+
 /// The setting of row `index`.
 Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine = no_engine);
 

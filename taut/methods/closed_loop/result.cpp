@@ -45,14 +45,6 @@ Table positions_table(const std::vector<Row>& rows) {
   return t;
 }
 
-Peaks peaks_over(const std::vector<Row>& rows) {
-  Peaks p;
-  for (const Row& row : rows) {
-    if (row.outcome.ok()) p = larger(p, peaks_of(row.out));
-  }
-  return p;
-}
-
 std::vector<Cell> rope_row(const char* role, const catalogue::RopeRow& rope, const Peak& peak) {
   return {std::string(role),
           rope.id,
@@ -84,25 +76,31 @@ Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
 }
 
 Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
-  return make_check(
-      fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, Sense::at_least, n,
-      si::one,
-      fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
-                  "at least safety_factor of the deck",
-                  rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
-      fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust)));
+  Check c =
+      make_check(fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, Sense::at_least,
+                 n, si::one,
+                 fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
+                             "at least safety_factor of the deck",
+                             rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
+                 fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust)));
+  c.part = fmt::format("{} rope", role);
+  c.where = fmt::format("carriage at {:.4g} m", peak.x);
+  return c;
 }
 
-void add_checks(const Input& in, const Ropes& ropes, const std::vector<Row>& rows, Result& r) {
-  const Peaks peaks = peaks_over(rows);
+void add_checks(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows, Result& r) {
+  const bool named = ropes.return_rope || ropes.traction_rope;
+  const Peaks peaks = named ? peaks_of_both_hauls(in, ropes, engine, rows) : Peaks{};
   const bool any = peaks.return_rope.tension > 0;
-  if (any && (ropes.return_rope || ropes.traction_rope)) r.tables.push_back(ropes_table(ropes, peaks));
+  if (any && named) r.tables.push_back(ropes_table(ropes, peaks));
   if (any && in.safety_factor && ropes.return_rope) {
     r.checks.push_back(rope_check("return", *ropes.return_rope, peaks.return_rope, *in.safety_factor));
   }
   if (any && in.safety_factor && ropes.traction_rope) {
     r.checks.push_back(rope_check("traction", *ropes.traction_rope, peaks.traction_rope, *in.safety_factor));
   }
+  if (!in.safety_factor || !ropes.return_rope) r.unjudged.emplace_back("return rope");
+  if (!in.safety_factor || !ropes.traction_rope) r.unjudged.emplace_back("traction rope");
   if (!in.clearance) return;
   double deepest = none;
   for (const Row& row : rows) deepest = std::fmax(deepest, row.out.f);
@@ -121,7 +119,7 @@ Comparison compared(const char* what, const char* symbol, const Unit& unit, doub
 /// branches share, too small a part of one is too large a part of the other.)
 Comparison demanded(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
                     const char* build_by, double exact = none) {
-  return {what, symbol, unit, printed, corrected, exact, build_by, printed < corrected * 0.99};
+  return {what, symbol, unit, printed, corrected, exact, build_by, printed < std::fmax(corrected, exact) * 0.99};
 }
 
 void add(Result& r, Comparison c) {
@@ -181,6 +179,9 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
         "Every position has the sag of the deck: the winch slackens or tightens the loop as it moves.");
   }
   if (failed > 0 && failed < rows.size()) {
+    const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); });
+    r.missing.push_back({"positions", static_cast<int>(failed), static_cast<int>(rows.size()),
+                         fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
     r.warnings.push_back(fmt::format("{} of {} positions are infeasible; the table `positions` gives the reasons.",
                                      failed, rows.size()));
   }
@@ -221,10 +222,11 @@ Result run(const Input& in, const Engine& engine) {
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
   add_words(in, rows, r);
   if (!outcome.ok()) return r;
-  add_checks(in, ropes, rows, r);
+  add_checks(in, ropes, engine, rows, r);
   add_comparisons(in, out, r);
-  r.figures = {loop_drawing(in, out), force_polygon(in, out), tension_plot(in, ropes, rows, engine)};
-  if (in.carriage == Carriage::single) r.figures.emplace_back(error_plot(in, ropes, out));
+  if (std::isfinite(out.T_lA)) r.figures = {loop_drawing(in, out), force_polygon(in, out)};
+  r.figures.emplace_back(tension_plot(in, ropes, rows, engine));
+  if (in.carriage == Carriage::single && std::isfinite(out.T_lA)) r.figures.emplace_back(error_plot(in, ropes, out));
   return r;
 }
 

@@ -105,6 +105,42 @@ TEST(ClosedLoopResult, AThinRopeFailsItsCheck) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
+TEST(ClosedLoopResult, ARopeWithoutALimitIsNotJudged) {
+  Input in = example();
+  EXPECT_EQ(run(in).unjudged, (std::vector<std::string>{"return rope", "traction rope"}));
+  in.return_weight.reset();
+  in.return_rope = "6x36-IWRC 24 mm 1960 MPa";
+  in.safety_factor = 3.5;
+  EXPECT_EQ(run(in).unjudged, std::vector<std::string>{"traction rope"});
+}
+
+TEST(ClosedLoopResult, RopesAreJudgedInBothDirections) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.return_rope = in.traction_rope = "6x36-IWRC 24 mm 1960 MPa";
+  in.safety_factor = 3.5;
+  in.tail_efficiency = 0.8;
+  in.slope = -0.3;
+  const Result hauled_in = run(in);
+  in.haul = Haul::out;
+  const Result hauled_out = run(in);
+  ASSERT_EQ(hauled_in.checks.size(), 2U);
+  ASSERT_EQ(hauled_out.checks.size(), 2U);
+  for (int i : {0, 1}) EXPECT_NEAR(hauled_in.checks[i].value, hauled_out.checks[i].value, 1e-9) << i;
+}
+
+TEST(ClosedLoopResult, PositionsWithoutAnAnswerAreMissing) {
+  Input in = example();
+  in.position = {100, 1};
+  in.gathering_angle = 1.2;
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  ASSERT_EQ(r.missing.size(), 1U);
+  EXPECT_EQ(r.missing[0].missing, 1);
+  EXPECT_EQ(r.missing[0].first, "x = 1 m");
+}
+
 TEST(ClosedLoopResult, AFreeCarriageIsWarnedOf) {
   Input in = example();
   in.sag = 26;

@@ -56,12 +56,14 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
         fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
                     rope.trust_text));
   }
-  r.checks.push_back(
-      make_check("rope does not break", largest, Sense::at_most, rope.breaking_force, si::N,
-                 fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
-                             "wanted on top is the designer's",
-                             rope.id),
-                 trust_text(rope.trust, rope.trust_text)));
+  Check breaks = make_check("rope does not break", largest, Sense::at_most, rope.breaking_force, si::N,
+                            fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
+                                        "wanted on top is the designer's",
+                                        rope.id),
+                            trust_text(rope.trust, rope.trust_text));
+  breaks.part = "rope";
+  breaks.limits = false;
+  r.checks.push_back(std::move(breaks));
   if (in.rope_mass < rope.mass_per_length) {
     r.warnings.push_back(
         fmt::format("rope_mass {:.3g} kg/m is less than that of the bare rope {}, {:.3g} kg/m: the cutters come on "

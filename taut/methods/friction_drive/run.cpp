@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/calc/shown.hpp"
 #include "taut/methods/friction_drive/figures.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
 #include "taut/methods/friction_drive/grip.hpp"
@@ -15,7 +16,8 @@ namespace {
 void add_comparisons(const Output& o, Result& r) {
   const auto add = [&](const char* quantity, const char* symbol, double printed, double corrected,
                        const char* build_by) {
-    r.comparisons.push_back({quantity, symbol, si::N, printed, corrected, not_computed, build_by, printed < corrected});
+    r.comparisons.push_back(
+        {quantity, symbol, si::N, printed, corrected, not_computed, build_by, shown_below(printed, corrected)});
   };
   add("initial tension, (18)", "P_M", o.P_M_printed, o.P_M, "neither: both slip, see the pull on the idler");
   add("initial tension, (3)", "P_M", o.P_M_3_printed, o.P_M, "neither: both slip, see the pull on the idler");
@@ -119,7 +121,10 @@ Result run(const Input& in) {
   if (outcome.ok()) {
     add_warnings(in, out, r);
     add_comparisons(out, r);
-    if (rope) check_rope(in, *rope, out, r);
+    if (rope) {
+      check_rope(in, *rope, out, r);
+      r.unjudged.emplace_back("rope");  // breaking is no limit: checks gives one
+    }
     r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out), pull_plot(in, out),
                  speed_plot(in, out)};
   }

@@ -129,6 +129,9 @@ const Description& Input::describe() {
           .at_most(0.5)
           .choice(&Input::wrap, "wrap", {{"geometric", Wrap::geometric}, {"paper", Wrap::paper}},
                   "wrap angle on the block: 90 deg + alpha, or the paper's 120 deg for any alpha")
+          .field(&Input::paid_out_force, "paid_out_force", "T_out", si::N,
+                 "largest force of a rope while it is paid out: its brake slips there; the full force when left out")
+          .above(0)
           .field(&Input::branch_angle, "branch_angle", "alpha", si::rad,
                  "angle of the span side of the ropes below the horizontal, negative when it rises; or give span")
           .at_least(least_branch_angle)

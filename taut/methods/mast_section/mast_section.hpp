@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -9,6 +10,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
+
+namespace taut::catalogue {
+struct SectionRow;
+}
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
@@ -90,7 +95,8 @@ struct Input {
   std::optional<double> mainline_block_height;  ///< h_main, m; as the skyline's when left out
   double block_friction = 0.12;                 ///< f
   Wrap wrap = Wrap::geometric;
-  std::optional<double> branch_angle;  ///< alpha, rad; or
+  std::optional<double> paid_out_force;  ///< N, at which a brake slips while a rope is paid out; none: never
+  std::optional<double> branch_angle;    ///< alpha, rad; or
   std::optional<Span> span;
   std::optional<double> allowable_stress;  ///< [sigma], Pa; or
   std::optional<std::string> steel;        ///< of the catalogue, with
@@ -140,6 +146,11 @@ struct Output {
 
 const Method& about();
 
+struct ClampForces;
+/// The largest stress anywhere in a clamped mast of that section with the moments of its own deflection, Pa; NaN where
+/// it finds no equilibrium. From outside: the published method does not know how.
+using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
+
 /// Rules between fields and names that the catalogue lacks; paths below `input`.
 std::vector<Complaint> complaints(const Input& in);
 
@@ -152,7 +163,11 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 /// compute<double>: no allocation when [sigma] is given.
 Outcome solve(const Input& in, Output& out);
 
-/// The whole calculation note: values, steps, tables of positions and of catalogue sections, checks, figures.
+/// The whole calculation note: values, steps, tables of positions and of catalogue sections, checks, figures. A section
+/// is chosen and checked for ropes hauled in and paid out, and by second order where `second` is handed in
+/// (sizing.hpp).
+Result run(const Input& in, const SecondOrder& second);
+/// The same by first order alone.
 Result run(const Input& in);
 
 }  // namespace taut::mast_section

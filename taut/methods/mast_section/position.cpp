@@ -207,10 +207,17 @@ bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out)
 
 /// The ropes paid out under load: then the span side carries T_max and the drum side less.
 template <class T>
-bool payout(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
+bool payout(const Input& in, const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
   s.section("The same with the ropes paid out under load");
-  const T N = s.eq("2*", "N_payout", si::N, (m.T_sky + m.T_main) * (sin(alpha) + exp(-m.f * epsilon)));
-  const T M = s.eq("3*", "M_payout", si::N_m, (m.T_sky * m.h_sky + m.T_main * m.h_main) * cos(alpha));
+  T sky = m.T_sky, main = m.T_main;
+  if (in.paid_out_force) {
+    s.note("The brakes slip at paid_out_force: no rope is paid out under more.");
+    const T slips = s.given(*in.paid_out_force);
+    sky = s.eq("2*", "T_out_sky", si::N, min(m.T_sky, slips));
+    main = s.eq("2*", "T_out_main", si::N, min(m.T_main, slips));
+  }
+  const T N = s.eq("2*", "N_payout", si::N, (sky + main) * (sin(alpha) + exp(-m.f * epsilon)));
+  const T M = s.eq("3*", "M_payout", si::N_m, (sky * m.h_sky + main * m.h_main) * cos(alpha));
   out.N_payout = value(N);
   out.M_payout = value(M);
   // A steeply rising rope can pull the mast up when its drum side is slack: the other fibre governs then.
@@ -248,7 +255,7 @@ Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out)
   const T epsilon = wrap_angle(in, m, alpha, s);
   out.wrap = value(epsilon);
   const Loads<T> at = loads(m, alpha, epsilon, s, out);
-  if (!ideal_sizes(m, at, s, out) || !payout(m, alpha, epsilon, s, out)) {
+  if (!ideal_sizes(m, at, s, out) || !payout(in, m, alpha, epsilon, s, out)) {
     return not_converged(
         fmt::format("no section size follows from N = {:.4g} N and M = {:.4g} N m: check the forces "
                     "and the allowable stress {:.4g} Pa",

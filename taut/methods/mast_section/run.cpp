@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
+#include "taut/calc/shown.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
@@ -32,6 +34,7 @@ Table positions_table(const std::vector<Position>& positions, const Output& gove
 std::vector<Cell> section_row(const Input& in, const Assessment& a, std::string use) {
   const double height = std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
   const catalogue::SectionRow& s = a.section;
+  const double second = a.second_order.value_or(not_computed);
   return {std::string(to_text(s.shape)),
           s.name,
           s.standard,
@@ -45,6 +48,7 @@ std::vector<Cell> section_row(const Input& in, const Assessment& a, std::string 
           s.mass_per_length,
           s.mass_per_length * height,
           a.stress,
+          second,
           a.allowable,
           a.utilisation(),
           std::string(to_text(s.trust)),
@@ -68,6 +72,7 @@ Table sections_table() {
            {"mass", si::kg_per_m},
            {"mass of the mast", si::kg},
            {"stress", si::Pa},
+           {"stress by second order", si::Pa},
            {"allowable", si::Pa},
            {"utilisation", si::one},
            {"trust", si::one},
@@ -75,19 +80,53 @@ Table sections_table() {
           {}};
 }
 
-/// (12)-(14) for one section, as steps and as a check.
-void check_section(const Input& in, const Assessment& a, Sheet<Num>& s, Result& r, Output& out) {
-  s.section(fmt::format("Strength of {}", a.section.name));
-  if (in.span && in.span->carriage_position.size() > 1) {
-    s.note(fmt::format("its worst carriage position is x = {:.4g} m", in.span->carriage_position.at(a.worst.index)));
-  }
-  const Num N = s.named("N", si::N, a.worst.N), M = s.named("M", si::N_m, a.worst.M);
+std::string position_words(const Input& in, const ClampForces& f) {
+  return in.span ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
+}
+
+void add_check(std::string name, double stress, const Assessment& a, std::string rule, std::string where,
+               const Input& in, Result& r) {
+  Check c =
+      make_check(std::move(name), stress, Sense::at_most, a.allowable, si::Pa, std::move(rule), trust_of(limit_of(in)));
+  c.part = "mast";
+  c.where = std::move(where);
+  r.checks.push_back(std::move(c));
+}
+
+/// (12)-(14) for one section under the worst of some forces, as steps and as a check.
+void check_first_order(const Input& in, const Assessment& a, const std::vector<ClampForces>& all, bool paid_out,
+                       Sheet<Num>& s, Result& r) {
+  std::vector<ClampForces> forces;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(forces),
+               [&](const auto& f) { return f.paid_out == paid_out; });
+  const auto worst = assess(limit_of(in), a.section, forces);
+  const char* direction = paid_out ? "ropes paid out" : "ropes hauled in";
+  s.section(fmt::format("Strength of {}, {}", a.section.name, direction));
+  const std::string where = position_words(in, worst->worst);
+  if (in.span && in.span->carriage_position.size() > 1) s.note("its worst carriage position: " + where);
+  const Num N = s.named("N", si::N, std::abs(worst->worst.N)), M = s.named("M", si::N_m, std::abs(worst->worst.M));
   const Num A = s.named("A", si::m2, a.section.area), W = s.named("W", si::m3, a.section.W_el_y);
   s.eq("14", "sigma", si::Pa, N / A + M / W);
   s.move_to(r);
-  r.checks.push_back(make_check(fmt::format("strength of {}", a.section.name), a.stress, Sense::at_most, a.allowable,
-                                si::Pa, "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)",
-                                trust_of(limit_of(in))));
+  add_check(fmt::format("strength of {}, {}", a.section.name, direction), worst->stress, *worst,
+            "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)", where, in, r);
+}
+
+/// The checks of the section given or chosen.
+void check_section(const Input& in, const Assessment& a, const std::vector<ClampForces>& forces, Sheet<Num>& s,
+                   Result& r, Output& out) {
+  for (const bool paid_out : {false, true}) check_first_order(in, a, forces, paid_out, s, r);
+  if (a.second_order) {
+    const ClampForces& worst = a.second_order_worst;
+    const std::string at = position_words(in, worst);
+    add_check(fmt::format("strength of {}, second order", a.section.name), *a.second_order, a,
+              std::isnan(*a.second_order)
+                  ? "the mast finds no equilibrium with the moments of its own deflection: it buckles"
+                  : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, both "
+                    "directions of the ropes",
+              fmt::format("{}{}ropes {}", at, at.empty() ? "" : ", ", worst.paid_out ? "paid out" : "hauled in"), in,
+              r);
+  }
   out.section_stress = a.stress;
   out.section_allowable = a.allowable;
   out.section_mass = a.section.mass_per_length;
@@ -97,44 +136,41 @@ void check_section(const Input& in, const Assessment& a, Sheet<Num>& s, Result& 
   }
 }
 
-std::string none_passes(const Input& in, catalogue::SectionShape shape, const std::vector<ClampForces>& forces) {
-  const auto best = strongest(in, shape, forces);
+std::string none_passes(const Input& in, catalogue::SectionShape shape, const std::vector<ClampForces>& forces,
+                        const SecondOrder& second) {
+  const auto best = strongest(in, shape, forces, second);
   const std::string kind(to_text(shape));
   if (!best) return fmt::format("no {} of the catalogue may be chosen", kind);
+  const std::string by_second = !best->second_order || best->stress > best->allowable ? std::string()
+                                : std::isnan(*best->second_order)
+                                    ? ", and by second order buckles"
+                                    : fmt::format(", by second order {:.1f} MPa", *best->second_order / 1e6);
   return fmt::format(
-      "no {} of the catalogue carries the mast: the strongest, {}, reaches {:.1f} MPa against {:.1f} MPa", kind,
-      best->section.name, best->stress / 1e6, best->allowable / 1e6);
+      "no {} of the catalogue carries the mast: the strongest, {}, reaches {:.1f} MPa{} against {:.1f} MPa", kind,
+      best->section.name, best->stress / 1e6, by_second, best->allowable / 1e6);
 }
 
-/// Fills the table `sections`; gives the section to be checked, or the outcome when a section was asked for and none
-/// passes.
-std::optional<Assessment> find_sections(const Input& in, const std::vector<ClampForces>& forces, Result& r) {
+/// Fills the table `sections`; gives the section to be checked: the one given, or else the lightest that passes, or
+/// else the one that comes nearest to passing, which fails its check. Nothing: none may be chosen.
+std::optional<Assessment> find_sections(const Input& in, const std::vector<ClampForces>& forces,
+                                        const SecondOrder& second, Result& r) {
   Table t = sections_table();
-  std::optional<Assessment> chosen;
-  if (in.section) {
-    chosen = assess(limit_of(in), *catalogue::find_section(*in.section), forces);
-    if (chosen) t.rows.push_back(section_row(in, *chosen, "given"));
-  }
-  std::vector<std::string> missing;
-  std::optional<Assessment> lightest_of_all;
+  std::optional<Assessment> chosen = section_in_use(in, forces, second);
+  if (chosen && in.section) t.rows.push_back(section_row(in, *chosen, "given"));
   for (const catalogue::SectionShape shape : shapes_of(in)) {
-    auto a = lightest(in, shape, forces);
-    if (!a) {
-      missing.push_back(none_passes(in, shape, forces));
-      continue;
+    if (const auto a = lightest(in, shape, forces, second)) {
+      t.rows.push_back(section_row(in, *a, fmt::format("lightest {} that passes", to_text(shape))));
+    } else {
+      r.warnings.push_back(none_passes(in, shape, forces, second));
     }
-    t.rows.push_back(section_row(in, *a, fmt::format("lightest {} that passes", to_text(shape))));
-    if (!lightest_of_all || a->section.mass_per_length < lightest_of_all->section.mass_per_length) lightest_of_all = a;
   }
-  if (!in.section) chosen = lightest_of_all;
-  if (in.choose_section && !chosen) {
-    r.status = Status::infeasible;
-    r.message = fmt::format(
-        "{}; allow more kinds of section, a larger slenderness or a stronger steel, or lower the blocks or the rope "
-        "forces",
-        fmt::join(missing, "; "));
+  if (chosen && !in.section && !chosen->passes()) {
+    t.rows.push_back(section_row(in, *chosen, "nearest, does not pass"));
+    r.warnings.push_back(fmt::format(
+        "no section that may be chosen carries the mast; {} comes nearest and is shown: allow more kinds of "
+        "section, a larger slenderness or a stronger steel, or lower the blocks or the rope forces",
+        chosen->section.name));
   }
-  r.warnings.insert(r.warnings.end(), missing.begin(), missing.end());
   if (!t.rows.empty()) r.tables.push_back(std::move(t));
   return chosen;
 }
@@ -147,13 +183,19 @@ double tube_under(double N, double M, const Output& out, const Input& in) {
       .value_or(not_computed);
 }
 
+const char* payout_words(const Input& in) {
+  return in.paid_out_force ? "the larger: ropes are paid out until their brakes slip"
+                           : "the larger: ropes are paid out under their full force";
+}
+
 void add_comparisons(const Input& in, const Output& out, Result& r) {
   const Unit mm = si::m.in("mm");
   const double R = out.R_sky + out.R_main;
   const double M_9 = out.M * std::cos(out.gamma_sky_printed) / std::cos(out.gamma_sky);
   const double D_9 = tube_under(R * std::sin(out.gamma_sky_printed), M_9, out, in);
   r.comparisons.push_back({"direction of the resultant, (9)", "gamma_sky", si::rad, out.gamma_sky_printed,
-                           out.gamma_sky, not_computed, "corrected: the vector sum of the branches", D_9 < out.D_tube});
+                           out.gamma_sky, not_computed, "corrected: the vector sum of the branches",
+                           shown_below(D_9, out.D_tube)});
   const double geometric = std::numbers::pi / 2 + out.alpha;
   Input other = in;
   other.span.reset();
@@ -164,18 +206,19 @@ void add_comparisons(const Input& in, const Output& out, Result& r) {
   const bool paper = in.wrap == Wrap::paper;
   const double D_paper = paper ? out.D_tube : there.D_tube, D_geometric = paper ? there.D_tube : out.D_tube;
   r.comparisons.push_back({"wrap angle on the block", "epsilon", si::rad, 120 * degree, geometric, not_computed,
-                           "corrected: 90 deg + alpha", D_paper < D_geometric});
+                           "corrected: 90 deg + alpha", shown_below(D_paper, D_geometric)});
   r.comparisons.push_back({"tube by the wrap angle", "D_tube", mm, D_paper, D_geometric, not_computed,
-                           "corrected: the wrap of the branch angle at hand", D_paper < D_geometric});
+                           "corrected: the wrap of the branch angle at hand", shown_below(D_paper, D_geometric)});
   r.comparisons.push_back({"hollow square, table", "B_hollow", mm, out.B_hollow_printed, out.B_hollow, not_computed,
-                           "corrected: 4/3 and 6.40; B is the outer side", out.B_hollow_printed < out.B_hollow});
+                           "corrected: 4/3 and 6.40; B is the outer side",
+                           shown_below(out.B_hollow_printed, out.B_hollow)});
   r.comparisons.push_back({"tube, table", "D_tube", mm, out.D_tube_printed, out.D_tube, not_computed,
-                           "corrected: 4/pi and 32/pi in place of 1.27 and 10", out.D_tube_printed < out.D_tube});
+                           "corrected: 4/pi and 32/pi in place of 1.27 and 10",
+                           shown_below(out.D_tube_printed, out.D_tube)});
   r.comparisons.push_back({"moment, ropes hauled in and paid out, (2), (3)", "M", si::N_m, out.M, out.M_payout,
-                           not_computed, "the larger, when ropes are paid out under full load", out.M < out.M_payout});
+                           not_computed, payout_words(in), shown_below(out.M, out.M_payout)});
   r.comparisons.push_back({"tube, ropes hauled in and paid out", "D_tube", mm, out.D_tube, out.D_tube_payout,
-                           not_computed, "the larger, when ropes are paid out under full load",
-                           out.D_tube < out.D_tube_payout});
+                           not_computed, payout_words(in), shown_below(out.D_tube, out.D_tube_payout)});
 }
 
 void add_warnings(const Input& in, const Output& out, Result& r) {
@@ -189,9 +232,11 @@ void add_warnings(const Input& in, const Output& out, Result& r) {
                   out.D_tube_printed * 1e3, (1 - out.D_tube_printed / out.D_tube) * 100, out.D_tube * 1e3));
   if (out.D_tube_payout > out.D_tube) {
     w.push_back(fmt::format(
-        "a rope paid out under its full force bends the mast more: M {:.1f} kN m instead of {:.1f} kN m, tube "
-        "{:.1f} mm instead of {:.1f} mm; build by the larger unless the brake slips before that",
-        out.M_payout / 1e3, out.M / 1e3, out.D_tube_payout * 1e3, out.D_tube * 1e3));
+        "a rope paid out under {} bends the mast more: M {:.1f} kN m instead of {:.1f} kN m, tube {:.1f} mm instead of "
+        "{:.1f} mm; the section is chosen and checked for both{}",
+        in.paid_out_force ? "the force at which its brake slips" : "its full force", out.M_payout / 1e3, out.M / 1e3,
+        out.D_tube_payout * 1e3, out.D_tube * 1e3,
+        in.paid_out_force ? "" : "; paid_out_force states a brake that slips before"));
   }
   if (in.wrap == Wrap::paper && out.alpha < 30 * degree) {
     w.push_back(fmt::format(
@@ -218,7 +263,9 @@ void add_warnings(const Input& in, const Output& out, Result& r) {
 void add_assumptions(const Input& in, Result& r) {
   r.assumptions = {
       "The mast is clamped at its foot; guylines neither hold nor load it.",
-      "The drum side of each rope runs straight down and carries the rated force; the ropes are hauled in.",
+      "The drum side of each rope runs straight down and carries the rated force while the ropes are hauled in; while "
+      "they "
+      "are paid out the span side carries it.",
       "Both ropes leave the mast in one vertical plane and under the same angle.",
       "N > 0 presses the mast down, Q > 0 pulls its head towards the span, M > 0 bends it that way.",
       "Own weight, wind, dynamics and fatigue are left out; what [sigma] holds in reserve has to cover them.",
@@ -245,7 +292,9 @@ void add_figures(const Input& in, const Output& out, const std::vector<Position>
 
 }  // namespace
 
-Result run(const Input& in) {
+Result run(const Input& in) { return run(in, SecondOrder{}); }
+
+Result run(const Input& in, const SecondOrder& second) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   Output out;
@@ -261,18 +310,20 @@ Result run(const Input& in) {
     r.tables.push_back(positions_table(positions, out));
   }
   if (outcome.ok()) {
-    std::vector<ClampForces> forces;
-    for (const Position& p : positions) {
-      if (p.outcome.ok()) forces.push_back({p.out.N, p.out.M, p.index});
-    }
-    if (!positions.empty() && forces.size() < positions.size()) {
+    const auto lost = std::count_if(positions.begin(), positions.end(), [](const auto& p) { return !p.outcome.ok(); });
+    if (lost > 0) {
       r.warnings.push_back(fmt::format("{} of {} carriage positions lie outside the method: see the table of positions",
-                                       positions.size() - forces.size(), positions.size()));
+                                       lost, positions.size()));
+      const auto first =
+          std::find_if(positions.begin(), positions.end(), [](const auto& p) { return !p.outcome.ok(); });
+      r.missing.push_back({"carriage positions", static_cast<int>(lost), static_cast<int>(positions.size()),
+                           fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
     }
-    if (forces.empty()) forces.push_back({out.N, out.M, 0});
+    const std::vector<ClampForces> forces = clamp_forces(in);
     add_warnings(in, out, r);
-    const auto section = find_sections(in, forces, r);
-    if (section) check_section(in, *section, s, r, out);
+    const auto section = find_sections(in, forces, second, r);
+    if (section) check_section(in, *section, forces, s, r, out);
+    if (!section) r.unjudged.emplace_back("mast");
     add_comparisons(in, out, r);
     add_figures(in, out, positions, section, r);
   }

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/methods/mast_section/position.hpp"
 
 namespace taut::mast_section {
 namespace {
@@ -39,7 +43,37 @@ std::optional<catalogue::Forming> forming_of(FormingChoice f) {
   return std::nullopt;
 }
 
-double stress_in(const SectionRow& section, const ClampForces& f) { return f.N / section.area + f.M / section.W_el_y; }
+/// A steeply rising rope can pull the mast up when its drum side is slack: the other fibre governs then.
+double stress_in(const SectionRow& section, const ClampForces& f) {
+  return std::abs(f.N) / section.area + std::abs(f.M) / section.W_el_y;
+}
+
+/// The ropes hauled in: (5), (6).
+ClampForces hauled_in(const Position& p) {
+  const Output& o = p.out;
+  return {o.N,
+          o.M,
+          p.index,
+          false,
+          {o.R_sky * std::cos(o.gamma_sky), o.R_sky * std::sin(o.gamma_sky)},
+          {o.R_main * std::cos(o.gamma_main), o.R_main * std::sin(o.gamma_main)}};
+}
+
+/// Paid out: the span side carries the full force, the drum side less by the friction of the block.
+ClampForces paid_out(const Input& in, const Position& p) {
+  const Output& o = p.out;
+  const double down = std::sin(o.alpha) + std::exp(-in.block_friction * o.wrap), across = std::cos(o.alpha);
+  const double slips = in.paid_out_force.value_or(std::max(in.skyline_force, in.mainline_force));
+  const double sky = std::min(in.skyline_force, slips), main = std::min(in.mainline_force, slips);
+  return {o.N_payout, o.M_payout, p.index, true, {sky * across, sky * down}, {main * across, main * down}};
+}
+
+std::vector<Position> positions_of(const Input& in) {
+  if (in.span) return sweep(in);
+  Position only;
+  only.outcome = solve(in, only.out);
+  return {only};
+}
 
 }  // namespace
 
@@ -63,15 +97,46 @@ std::string trust_of(const StressLimit& limit) {
   return unverified ? fmt::format("UNVERIFIED: {}", limit.steel->trust_text) : std::string(to_text(limit.steel->trust));
 }
 
+std::vector<ClampForces> clamp_forces(const Input& in) {
+  std::vector<ClampForces> all;
+  const auto add = [&](const Input& one) {
+    for (const Position& p : positions_of(one)) {
+      if (!p.outcome.ok()) continue;
+      all.push_back(hauled_in(p));
+      all.push_back(paid_out(one, p));
+    }
+  };
+  add(in);
+  if (in.wrap == Wrap::paper) {
+    Input geometric = in;
+    geometric.wrap = Wrap::geometric;
+    add(geometric);
+  }
+  return all;
+}
+
+double Assessment::utilisation() const {
+  if (second_order && std::isnan(*second_order)) return *second_order;
+  return std::max(stress, second_order.value_or(0)) / allowable;
+}
+
 std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& section,
-                                 const std::vector<ClampForces>& forces) {
+                                 const std::vector<ClampForces>& forces, const SecondOrder& second) {
   expects(!forces.empty(), "a section is assessed under at least one load");
   const auto allowable = allowable_stress(limit, section.thickness);
   if (!allowable) return std::nullopt;
-  Assessment a{section, -1, *allowable, {}};
+  Assessment a{section, -1, *allowable, {}, std::nullopt};
   for (const ClampForces& f : forces) {
     const double stress = stress_in(section, f);
     if (stress > a.stress) a.stress = stress, a.worst = f;
+  }
+  if (!second) return a;
+  for (const ClampForces& f : forces) {
+    const double stress = second(section, f);
+    if (a.second_order && !(stress > *a.second_order) && !std::isnan(stress)) continue;
+    a.second_order = stress;
+    a.second_order_worst = f;
+    if (std::isnan(stress)) break;
   }
   return a;
 }
@@ -111,33 +176,43 @@ std::vector<SectionRow> candidates(const Input& in, SectionShape shape) {
   return rows;
 }
 
-std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
+std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces,
+                                   const SecondOrder& second) {
   const StressLimit limit = limit_of(in);
   for (const SectionRow& row : candidates(in, shape)) {
     auto a = assess(limit, row, forces);
-    if (a && a->passes()) return a;
+    if (!a || !a->passes()) continue;
+    if (second) a = assess(limit, row, forces, second);
+    if (a->passes()) return a;
   }
   return std::nullopt;
 }
 
-std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces) {
-  if (in.section) return assess(limit_of(in), *catalogue::find_section(*in.section), forces);
+std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces,
+                                         const SecondOrder& second) {
+  if (in.section) return assess(limit_of(in), *catalogue::find_section(*in.section), forces, second);
   std::optional<Assessment> best;
   for (const SectionShape shape : shapes_of(in)) {
-    auto a = lightest(in, shape, forces);
+    auto a = lightest(in, shape, forces, second);
     if (a && (!best || a->section.mass_per_length < best->section.mass_per_length)) best = std::move(a);
+  }
+  if (best) return best;
+  for (const SectionShape shape : shapes_of(in)) {
+    auto a = strongest(in, shape, forces, second);
+    if (a && (!best || a->stress * best->allowable < best->stress * a->allowable)) best = std::move(a);
   }
   return best;
 }
 
-std::optional<Assessment> strongest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces) {
+std::optional<Assessment> strongest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces,
+                                    const SecondOrder& second) {
   std::optional<Assessment> best;
   const StressLimit limit = limit_of(in);
   for (const SectionRow& row : candidates(in, shape)) {
     auto a = assess(limit, row, forces);
     if (a && (!best || a->utilisation() < best->utilisation())) best = std::move(a);
   }
-  return best;
+  return best && second ? assess(limit, best->section, forces, second) : best;
 }
 
 }  // namespace taut::mast_section

@@ -10,12 +10,24 @@
 
 namespace taut::mast_section {
 
-/// Forces at the clamp of one carriage position, N and N m.
+/// The resultant of a rope on its block, N.
+struct BlockForce {
+  double across = 0;  ///< towards the span
+  double down = 0;
+};
+
+/// Forces at the clamp of one carriage position, N and N m, and the forces on the blocks that make them.
 struct ClampForces {
   double N = 0;
   double M = 0;
   std::size_t index = 0;  ///< of the carriage position
+  bool paid_out = false;  ///< the ropes run out under load, else they are hauled in
+  BlockForce skyline = {}, mainline = {};
 };
+
+/// What a section must carry: at every carriage position that the method can do the ropes hauled in and paid out, by
+/// the wrap as asked for and, where that is the paper's, by the geometric one as well. Empty: no position is feasible.
+std::vector<ClampForces> clamp_forces(const Input& in);
 
 /// A catalogue section under the worst of several clamp forces.
 struct Assessment {
@@ -23,8 +35,11 @@ struct Assessment {
   double stress = 0;     ///< N/A + M/W_el about the strong axis, Pa
   double allowable = 0;  ///< at its wall, Pa
   ClampForces worst;
-  bool passes() const { return stress <= allowable; }
-  double utilisation() const { return stress / allowable; }
+  std::optional<double> second_order;  ///< Pa, the worst; NaN: no equilibrium
+  ClampForces second_order_worst = {};
+  bool passes() const { return stress <= allowable && (!second_order || *second_order <= allowable); }
+  /// NaN where it finds no equilibrium.
+  double utilisation() const;
 };
 
 /// What limits the stress: [sigma] as given, or a steel over its safety.
@@ -43,7 +58,7 @@ std::string trust_of(const StressLimit& limit);
 
 /// The section under each of `forces` (at least one); nothing when its steel is not made so thick.
 std::optional<Assessment> assess(const StressLimit& limit, const catalogue::SectionRow& section,
-                                 const std::vector<ClampForces>& forces);
+                                 const std::vector<ClampForces>& forces, const SecondOrder& second = {});
 
 /// What `choose_section` lets through, of one shape, lightest first.
 std::vector<catalogue::SectionRow> candidates(const Input& in, catalogue::SectionShape shape);
@@ -53,13 +68,15 @@ std::vector<catalogue::SectionShape> shapes_of(const Input& in);
 
 /// The lightest section of a shape that passes under all `forces`; nothing when none does.
 std::optional<Assessment> lightest(const Input& in, catalogue::SectionShape shape,
-                                   const std::vector<ClampForces>& forces);
+                                   const std::vector<ClampForces>& forces, const SecondOrder& second = {});
 
-/// The section that is given, or else the lightest of all shapes that passes; nothing when none does.
-std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces);
+/// The section that is given, or else the lightest of all shapes that passes, or else the nearest to passing; nothing
+/// when none may be chosen.
+std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces,
+                                         const SecondOrder& second = {});
 
-/// The section of a shape that comes nearest to passing, for the message when none passes.
+/// The section of a shape that comes nearest to passing by first order, for when none passes.
 std::optional<Assessment> strongest(const Input& in, catalogue::SectionShape shape,
-                                    const std::vector<ClampForces>& forces);
+                                    const std::vector<ClampForces>& forces, const SecondOrder& second = {});
 
 }  // namespace taut::mast_section

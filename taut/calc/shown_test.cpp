@@ -1,0 +1,20 @@
+#include "taut/calc/shown.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace taut::shown_test {
+
+TEST(Shown, OnlyADifferenceThatIsSeenCounts) {
+  EXPECT_TRUE(shown_below(1.2345, 1.2346));
+  EXPECT_FALSE(shown_below(1.2346, 1.2345));
+  EXPECT_FALSE(shown_below(162638.979, 162638.981));
+  EXPECT_FALSE(shown_below(1.23451, 1.23454));
+  EXPECT_TRUE(shown_below(-2, 1));
+  EXPECT_FALSE(shown_below(std::nan(""), 1));
+  EXPECT_FALSE(shown_below(1, std::nan("")));
+  EXPECT_FALSE(shown_below(3, 3));
+}
+
+}  // namespace taut::shown_test
