@@ -1,25 +1,37 @@
 #include "cli/cli.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "cli/verbs.hpp"
 #include "taut/base/version.hpp"
 
 namespace taut::cli {
 namespace {
 
+/// Not the empty text that a forgotten variable of a script leaves.
+CLI::Validator a_name() {
+  return CLI::Validator(
+      [](const std::string& text) { return std::string(text.empty() ? "the folder's name is empty" : ""); }, "");
+}
+
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("run", "Calculate a deck: values and checks on the screen, a report with -o");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
-  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV");
+  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV")
+      ->check(a_name());
   verb->add_option("--set", options->set, "put a value over the deck's, as in --set 'input.span=200 m'")->take_all();
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
@@ -31,7 +43,8 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("compare", "Run a set of decks and compare their results with published values");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("set", options->deck, "a folder with compare.part.yaml, or such a file")->required();
-  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV");
+  verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV")
+      ->check(a_name());
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });
@@ -44,7 +57,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   verb->add_option("format", *format, "vtk: bodies and ropes in space for ParaView, one .pvd over the times")
       ->required();
   verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
-  verb->add_option("-o,--output", options->folder, "folder for the files")->required();
+  verb->add_option("-o,--output", options->folder, "folder for the files")->check(a_name())->required();
   verb->add_option("--set", options->set, "put a value over the deck's")->take_all();
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->callback([format, options, &action] { action = [format, options] { return export_as(*format, *options); }; });
@@ -105,15 +118,34 @@ void add_texts(CLI::App& app, std::function<int()>& action) {
 
 /// CLI11 has exit codes of its own; ours are 0 for help and version, 2 for a mistake.
 int parse_failure(const CLI::App& app, const CLI::ParseError& e) {
+  errno = 0;
   const int code = app.exit(e);
+  if (code == 0 && !std::cout.flush() && errno != EPIPE) return file_trouble;
   return code == 0 ? computed : usage_or_deck;
+}
+
+/// A descriptor of standard input, output or error that is closed would be given to the next file that is opened, which
+/// the program's messages would be written into. It is held by what can't be read or written instead.
+void hold_closed_descriptors() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(number, F_GETFD) >= 0) continue;
+    const int held = open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // the lowest that is free
+    if (held != number) _exit(file_trouble);
+  }
+}
+
+/// What the system would end the program for comes back from the call that failed instead.
+void take_failures() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_closed_descriptors();
   take_interrupts();
-  std::signal(SIGPIPE, SIG_IGN);
+  take_failures();
   CLI::App app("taut: checked, explained calculations of rope-driven machines", "taut");
   app.set_version_flag("--version", std::string("taut ") + std::string(version));
   app.require_subcommand(1);
@@ -133,7 +165,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return parse_failure(app, e);
   } catch (const std::exception& e) {
-    fmt::print(stderr, "taut: internal error, please report it: {}\n", e.what());
+    say("taut: internal error, please report it: {}\n", e.what());
     return our_fault;
   }
 }

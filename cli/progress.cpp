@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "cli/say.hpp"
 #include "cli/verbs.hpp"
 
 namespace taut::cli {
@@ -46,15 +47,15 @@ bool ProgressLine::operator()(const app::Progress& progress) {
     last_ = now;
     printed_ = true;
     const double left = since_first.count() * (1 - progress.done) / (progress.done - first_done_);
-    fmt::print(stderr, "\r\033[K{}: {} ({:.0f} %), about {} left", progress.what, progress.words, 100 * progress.done,
-               time_words(left));
+    say("\r\033[K{}: {} ({:.0f} %), about {} left", progress.what, progress.words, 100 * progress.done,
+        time_words(left));
     std::fflush(stderr);
   }
   return asked_to_end == 0;
 }
 
 void ProgressLine::clear() {
-  if (printed_) fmt::print(stderr, "\r\033[K");
+  if (printed_) say("\r\033[K");
   printed_ = false;
   a_calculation_asks = 0;
 }

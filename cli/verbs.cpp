@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "taut/app/compare.hpp"
 #include "taut/app/explain.hpp"
 #include "taut/app/explain_machine.hpp"
@@ -24,12 +27,13 @@ namespace {
 int print(const std::string& text, int code) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return code;
-  fmt::print(stderr, "taut: can't write to standard output\n");
+  if (errno == EPIPE) return code;  // its reader has seen enough
+  say("taut: can't write to standard output: {}\n", std::strerror(errno));
   return file_trouble;
 }
 
 int file_failure(const app::FileError& error, const RunOptions& options) {
-  fmt::print(stderr, "taut: {}\n", error.message);
+  say("taut: {}\n", error.message);
   if (!options.json) return file_trouble;
   Result r;
   r.status = Status::bad_deck;
@@ -44,25 +48,31 @@ const app::MethodEntry* named_method(const std::string& name, const std::vector<
   if (entry == nullptr) {
     std::vector<std::string> names = app::method_names();
     names.insert(names.end(), others.begin(), others.end());
-    fmt::print(stderr, "taut: there is no method '{}'{}; see 'taut list methods' and 'taut list machines'\n", name,
-               did_you_mean(name, names));
+    say("taut: there is no method '{}'{}; see 'taut list methods' and 'taut list machines'\n", name,
+        did_you_mean(name, names));
   }
   return entry;
 }
 
 void print_mistakes(const Diagnostics& mistakes) {
-  fmt::print(stderr, "{}", to_text(mistakes));
-  if (mistakes.size() > 1) fmt::print(stderr, "{} mistakes\n", mistakes.size());
+  say("{}", to_text(mistakes));
+  if (mistakes.size() > 1) say("{} mistakes\n", mistakes.size());
 }
 
 int write_report(const Result& result, const RunOptions& options) {
   const auto written = app::write_files(result, options.folder);
   if (!written) {
-    fmt::print(stderr, "taut: {}\n", written.error().message);
+    say("taut: {}\n", written.error().message);
     return file_trouble;
   }
-  if (!options.quiet) fmt::print(stderr, "report: {}/report.html\n", options.folder);
+  if (!options.quiet) say("report: {}/report.html\n", options.folder);
   return computed;
+}
+
+/// Before a long calculation is done in vain.
+tl::expected<void, app::FileError> usable_folder(const RunOptions& options) {
+  if (options.folder.empty()) return {};
+  return app::check_folder(options.folder);
 }
 
 /// The job done, with its progress shown on a terminal.
@@ -85,7 +95,7 @@ int tell(const Result& result, const RunOptions& options) {
     code = print(report::to_terminal(result), code);
   }
   if (result.status != Status::bad_deck && result.status != Status::ok && (options.json || options.quiet)) {
-    fmt::print(stderr, "taut: {}: {}\n", to_text(result.status), result.message);
+    say("taut: {}: {}\n", to_text(result.status), result.message);
   }
   if (options.folder.empty() || result.status == Status::bad_deck) return code;
   const int written = write_report(result, options);
@@ -97,33 +107,36 @@ int tell(const Result& result, const RunOptions& options) {
 int run(const RunOptions& options) {
   auto job = app::read_job(options.deck);
   if (!job) return file_failure(job.error(), options);
+  if (const auto folder = usable_folder(options); !folder) return file_failure(folder.error(), options);
   return tell(calculated(*job, options), options);
 }
 
 int compare(const RunOptions& options) {
   auto set = app::read_set(options.deck);
   if (!set) return file_failure(set.error(), options);
+  if (const auto folder = usable_folder(options); !folder) return file_failure(folder.error(), options);
   return tell(calculated(*set, options, app::compare), options);
 }
 
 int export_as(const std::string& format, const RunOptions& options) {
   if (format != "vtk") {
-    fmt::print(stderr, "taut: there is no format '{}'; there is vtk\n", format);
+    say("taut: there is no format '{}'; there is vtk\n", format);
     return usage_or_deck;
   }
   auto job = app::read_job(options.deck);
   if (!job) return file_failure(job.error(), options);
+  if (const auto folder = usable_folder(options); !folder) return file_failure(folder.error(), options);
   const Result result = calculated(*job, options);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
-  if (result.status == Status::bad_deck) return usage_or_deck;
-  if (result.status != Status::ok) fmt::print(stderr, "taut: {}: {}\n", to_text(result.status), result.message);
+  if (result.status == Status::bad_deck) return exit_code(result);
+  if (result.status != Status::ok) say("taut: {}: {}\n", to_text(result.status), result.message);
   const auto written = app::write_vtk(result, options.folder);
   if (!written) {
-    fmt::print(stderr, "taut: {}\n", written.error().message);
+    say("taut: {}\n", written.error().message);
     return file_trouble;
   }
-  if (written->empty()) fmt::print(stderr, "taut: there is nothing in space to write\n");
-  if (!options.quiet && !written->empty()) fmt::print(stderr, "{} files, open {}\n", written->size(), written->back());
+  if (written->empty()) say("taut: there is nothing in space to write\n");
+  if (!options.quiet && !written->empty()) say("{} files, open {}\n", written->size(), written->back());
   return exit_code(result, options.strict);
 }
 
@@ -132,7 +145,7 @@ int check(const RunOptions& options) {
   if (!job) return file_failure(job.error(), options);
   job->set = options.set;
   const Diagnostics mistakes = app::check(*job);
-  const int code = mistakes.empty() ? computed : usage_or_deck;
+  const int code = mistakes.empty() ? computed : only_unreadable_files(mistakes) ? file_trouble : usage_or_deck;
   print_mistakes(mistakes);
   if (options.json) {
     Result r;
@@ -154,7 +167,7 @@ int print_new(const std::string& name) {
 int print_list(const std::string& what, const app::ListFilter& filter) {
   const auto text = app::list_text(what, filter);
   if (text) return print(*text, computed);
-  fmt::print(stderr, "taut: {}\n", text.error());
+  say("taut: {}\n", text.error());
   return usage_or_deck;
 }
 

@@ -109,11 +109,11 @@ class DeckRuns {
     made = run(run_job);
     for (const Diagnostic& d : made.errors) r.errors.push_back(d);
     r.interrupted = r.interrupted || made.interrupted;
-    hashes += made.deck_hash;
+    hashes.push_back(made.deck_hash);
     return made;
   }
 
-  std::string hashes;
+  std::vector<std::string> hashes;
 
  private:
   const Job& set_;
@@ -307,7 +307,10 @@ Result compare(const Job& job) {
     r.message = fmt::format("interrupted after {} of {} values", rows.size(), set.values.size());
   }
   r.source = set.source;
-  r.deck_hash = fingerprint(job.text + runs.hashes);
+  std::vector<std::string> files = document.source->reading->texts;
+  files.insert(files.end(), runs.hashes.begin(), runs.hashes.end());
+  r.deck_hash = fingerprint(job.text, files, job.set);
+  r.overrides = job.set;
   add_compared_table(rows, Display(), r);
   add_compared_checks(rows, r);
   add_deviation_plot(rows, r);

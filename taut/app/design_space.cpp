@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <tuple>
 #include <utility>
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rope_search.hpp"
-#include "taut/io/include.hpp"
+#include "taut/io/file.hpp"
 #include "taut/io/read.hpp"
 #include "taut/units/parse.hpp"
 
@@ -37,24 +36,18 @@ double cost_of(Seek seek, const RopeRow& row) {
 
 std::vector<RopeRow> catalogue_of(const io::Node& input, const DesignRequest& design, Diagnostics& mistakes) {
   if (!design.catalogue) return catalogue::ropes();
-  namespace fs = std::filesystem;
   const io::Node& node = *io::follow(input, "design.catalogue").node;
-  const fs::path deck = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
-  const fs::path path = deck.parent_path() / *design.catalogue;
-  const auto text = io::read_file(path.string());
-  if (!text) {
-    io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
-    return {};
-  }
-  if (text->size() > io::largest_deck) {
+  const auto file = io::read_named(node, *design.catalogue, mistakes);
+  if (!file) return {};
+  if (file->text.size() > io::largest_deck) {
     io::add(mistakes, node.spot,
-            fmt::format("'{}' has more than {} MB: keep the ropes that may be chosen", path.string(),
+            fmt::format("'{}' has more than {} MB: keep the ropes that may be chosen", file->path,
                         io::largest_deck >> 20U));
     return {};
   }
-  auto rows = catalogue::read_ropes(*text, path.string());
+  auto rows = catalogue::read_ropes(file->text, file->path);
   if (rows) return std::move(*rows);
-  for (Diagnostic& d : rows.error()) io::add(mistakes, std::move(d));
+  for (Diagnostic& d : rows.error()) io::add(mistakes, io::without_text(std::move(d), file->text));
   return {};
 }
 

@@ -163,7 +163,7 @@ TEST(Design, mistakes) {
                  "is not a number");
   expect_mistake(run_text(deck("design: {unknowns: {x: {parameter: \"points.tail.z\", from: 1 kN, to: 2 m}}}")),
                  "is a unit of force");
-  expect_mistake(run_text(deck("design: {catalogue: none.csv, ropes: {skyline: {}}}")), "can't read");
+  expect_mistake(run_text(deck("design: {catalogue: none.csv, ropes: {skyline: {}}}")), "can't be read");
 }
 
 /// A deck beside a catalogue of the user's.

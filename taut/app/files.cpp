@@ -1,17 +1,19 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
-#include <iterator>
-#include <system_error>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "taut/app/job.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/folder.hpp"
 #include "taut/io/hdf5.hpp"
-#include "taut/io/include.hpp"
 #include "taut/io/json.hpp"
 #include "taut/io/table.hpp"
 #include "taut/io/vtk.hpp"
@@ -23,58 +25,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+using Written = tl::expected<std::vector<std::string>, std::string>;
 
-std::string read_standard_input() {
-  std::string text;
-  char block[65536];
-  while (text.size() <= io::largest_deck && std::cin.read(block, sizeof block).gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(std::cin.gcount()));
+/// Lists of what stands in a folder, see io::replace_folder: a result and scenes may stand in the same one.
+constexpr const char* result_list = ".taut-files";
+constexpr const char* vtk_list = ".taut-vtk-files";
+
+/// What /dev/stdin and /dev/fd/63 stand for: the shell has opened it, as for `taut run <(generate)`.
+std::optional<int> descriptor_of(std::string_view path) {
+  if (path == "/dev/stdin") return STDIN_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view digits = path.substr(folder.size());
+    int number = -1;
+    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (code == std::errc{} && end == digits.data() + digits.size() && number >= 0) return number;
   }
-  return text;
+  return std::nullopt;
 }
 
-/// Writes beside its place and moves it there whole.
-tl::expected<void, FileError> write(const fs::path& path, const std::string& text) {
-  const fs::path part = path.string() + ".part";
-  errno = 0;
-  {
-    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+/// Files as name and text, into the folder `place`; their names.
+Written write_all(const std::vector<std::pair<std::string, std::string>>& files, const std::string& place) {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) {
+    errno = 0;
+    std::ofstream file(fs::path(place) / name, std::ios::binary | std::ios::trunc);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     file.close();
-    if (!file) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), reason())});
+    if (!file) {
+      return tl::unexpected(
+          fmt::format("can't write {}: {}", name, errno != 0 ? std::strerror(errno) : "unknown reason"));
+    }
+    names.push_back(name);
   }
-  std::error_code error;
-  fs::rename(part, path, error);
-  if (error) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), error.message())});
-  return {};
+  return names;
 }
 
-/// Files as name and text; returns their paths.
-tl::expected<std::vector<std::string>, FileError> write_all(
-    const std::vector<std::pair<std::string, std::string>>& files, const std::string& folder) {
-  std::vector<std::string> written;
-  for (const auto& [name, text] : files) {
-    const fs::path path = fs::path(folder) / name;
-    if (const auto done = write(path, text); !done) return tl::unexpected(done.error());
-    written.push_back(path.string());
-  }
-  return written;
-}
-
-}  // namespace
-
-tl::expected<Job, FileError> read_job(const std::string& path) {
-  if (path == "-") return Job{read_standard_input(), "<stdin>", {}, {}};
-  auto text = io::read_file(path);
-  if (!text) return tl::unexpected(FileError{fmt::format("can't read {}: {}", path, text.error())});
-  return Job{std::move(*text), path, {}, {}};
-}
-
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return tl::unexpected(FileError{fmt::format("can't make the folder {}: {}", folder, error.message())});
+Written write_result(const Result& result, const std::string& place) {
   std::vector<std::pair<std::string, std::string>> files = {
       {"result.json", io::to_json(result, io::SeriesFiles::named)},
       {"report.html", report::to_html(result)},
@@ -88,28 +75,67 @@ tl::expected<std::vector<std::string>, FileError> write_files(const Result& resu
   for (const Attachment& a : result.attachments) files.emplace_back(a.name, a.text);
   if (!result.comparisons.empty())
     files.emplace_back("comparison.csv", io::to_csv(comparison_table(result.comparisons)));
-  auto written = write_all(files, folder);
+  auto written = write_all(files, place);
   if (!written || result.series.empty()) return written;
-  const fs::path path = fs::path(folder) / "series.h5";
-  const fs::path part = path.string() + ".part";
-  if (const auto done = io::write_hdf5(result.series, part.string()); !done) {
-    return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), done.error())});
+  if (const auto done = io::write_hdf5(result.series, (fs::path(place) / "series.h5").string()); !done) {
+    return tl::unexpected(fmt::format("can't write series.h5: {}", done.error()));
   }
-  fs::rename(part, path, error);
-  if (error) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), error.message())});
-  written->push_back(path.string());
+  written->emplace_back("series.h5");
   return written;
 }
 
+/// Names of the files that versions of taut without a list of them have written: those that the result there names.
+std::vector<std::string> earlier_files(const std::string& folder) {
+  std::error_code failed;
+  if (fs::exists(fs::path(folder) / result_list, failed)) return {};
+  const auto text = io::read_file((fs::path(folder) / "result.json").string());
+  if (!text || !text->starts_with("{\n \"taut\":")) return {};
+  std::vector<std::string> names = {"result.json", "report.html", "report.md", "series.h5", "comparison.csv"};
+  const auto result = nlohmann::json::parse(*text, nullptr, false);
+  if (!result.is_object()) return names;  // too long to be read
+  for (const char* part : {"tables", "series"}) {
+    const auto found = result.find(part);
+    if (found == result.end() || !found->is_object()) continue;
+    for (const auto& [name, _] : found->items()) names.push_back(name + ".csv");
+  }
+  return names;
+}
+
+tl::expected<std::vector<std::string>, FileError> or_file_error(Written written) {
+  if (!written) return tl::unexpected(FileError{std::move(written.error())});
+  return std::move(*written);
+}
+
+}  // namespace
+
+tl::expected<Job, FileError> read_job(const std::string& path) {
+  const auto open_already = path == "-" ? std::optional<int>(STDIN_FILENO) : descriptor_of(path);
+  const std::string name = path == "-" ? "<stdin>" : path;
+  auto text = open_already ? io::read_open(*open_already, name) : io::read_file(path);
+  if (!text) return tl::unexpected(FileError{std::move(text.error().message)});
+  return Job{std::move(*text), name, {}, {}};
+}
+
+tl::expected<void, FileError> check_folder(const std::string& folder) {
+  auto done = io::check_replaceable(folder);
+  if (!done) return tl::unexpected(FileError{std::move(done.error())});
+  return {};
+}
+
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
+  return or_file_error(io::replace_folder(
+      folder, result_list, [&](const std::string& place) { return write_result(result, place); },
+      earlier_files(folder)));
+}
+
 tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return tl::unexpected(FileError{fmt::format("can't make the folder {}: {}", folder, error.message())});
   std::vector<std::pair<std::string, std::string>> files;
   for (const Scene& scene : result.scenes) {
     for (auto& file : io::to_vtk(scene)) files.push_back(std::move(file));
   }
-  return write_all(files, folder);
+  if (files.empty()) return std::vector<std::string>();
+  return or_file_error(
+      io::replace_folder(folder, vtk_list, [&](const std::string& place) { return write_all(files, place); }));
 }
 
 }  // namespace taut::app

@@ -16,4 +16,13 @@ std::string fingerprint(std::string_view text) {
   return hex;
 }
 
+std::string fingerprint(std::string_view deck, const std::vector<std::string>& files,
+                        const std::vector<std::string>& set) {
+  if (files.empty() && set.empty()) return fingerprint(deck);
+  std::string list = fmt::format("deck {}\n", fingerprint(deck));
+  for (const std::string& file : files) list += fmt::format("file {}\n", fingerprint(file));
+  for (const std::string& one : set) list += fmt::format("set {}\n", fingerprint(one));
+  return fingerprint(list);
+}
+
 }  // namespace taut::app

@@ -4,7 +4,7 @@
 
 #include <functional>
 #include <optional>
-#include <set>
+#include <vector>
 
 #include "taut/app/fingerprint.hpp"
 #include "taut/app/machine_run.hpp"
@@ -33,22 +33,6 @@ Prepared prepare(const Job& job) {
   return p;
 }
 
-void collect(const io::Node& node, std::set<const io::Source*>& seen, std::string& text) {
-  if (node.spot.source && seen.insert(node.spot.source.get()).second) text += '\n' + node.spot.source->text;
-  for (const io::Node& item : node.items) collect(item, seen, text);
-  for (const io::Entry& entry : node.entries) collect(entry.value, seen, text);
-}
-
-/// Of everything that decides the numbers: the deck, what it includes, and what was set over it.
-std::string hash_of(const Job& job, const io::Deck& deck) {
-  std::string text = job.text;
-  for (const std::string& one : job.set) text += '\n' + one;
-  std::set<const io::Source*> seen;
-  collect(deck.input, seen, text);
-  collect(deck.parameters, seen, text);
-  return fingerprint(text);
-}
-
 Result bad_deck(const Prepared& p) {
   Result r;
   r.status = Status::bad_deck;
@@ -69,7 +53,7 @@ Result run(const Job& job) {
   if (r.title.empty()) r.title = r.method_title;
   r.method = p.deck->is_machine ? "machine" : p.deck->method;
   r.display = p.deck->display.units();
-  r.deck_hash = hash_of(job, *p.deck);
+  r.deck_hash = fingerprint(job.text, p.deck->reading ? p.deck->reading->texts : std::vector<std::string>{}, job.set);
   r.overrides = job.set;
   return r;
 }

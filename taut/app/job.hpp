@@ -38,18 +38,23 @@ struct FileError {
   std::string message;
 };
 
-/// A deck from disk, or from standard input when `path` is "-". Files above 16 MB are a mistake of the deck, not of the
-/// file: their text is cut behind that size and refused by `run` at once.
+/// A deck from disk, or from standard input when `path` is "-". Folders, pipes, sockets and devices are refused, but
+/// for what the shell has opened itself ("/dev/stdin", "/dev/fd/63"), which is read like standard input. Files above 16
+/// MB are a mistake of the deck, not of the file: their text is cut behind that size and refused by `run` at once.
 tl::expected<Job, FileError> read_job(const std::string& path);
 
 /// Writes result.json, report.html, report.md, one CSV per table, plot and series, all series together as series.h5
-/// (HDF5), and the result's own files into `folder`, which is made when missing.
-/// Each file is written beside its place and then moved, so that an interrupted run leaves no half files.
-/// Returns the paths written.
+/// (HDF5), and the result's own files into `folder`, which is made when missing. The folder holds one result: all files
+/// are put there at once, those of an earlier result are gone, files that taut did not write are kept; see
+/// io::replace_folder. Returns the paths written.
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
 
+/// Whether write_files and write_vtk may use that folder, to be asked before a long calculation.
+tl::expected<void, FileError> check_folder(const std::string& folder);
+
 /// Writes the result's machines in space as VTK files for ParaView: for each scene and time NAME_0000.vtp, and NAME.pvd
-/// over all times. Returns the paths written, the last one what to open; none when the result has nothing in space.
+/// over all times, all at once as write_files does. Returns the paths written, the last one what to open; none when the
+/// result has nothing in space.
 tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder);
 
 }  // namespace taut::app

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "taut/app/absurd.hpp"
@@ -24,7 +23,7 @@
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
-#include "taut/io/include.hpp"
+#include "taut/io/file.hpp"
 #include "taut/io/read.hpp"
 #include "taut/model/carriage_span.hpp"
 #include "taut/model/compile.hpp"
@@ -32,8 +31,6 @@
 
 namespace taut::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& mistakes) {
   if (!machine.terrain || !machine.terrain->file) return;
@@ -43,13 +40,10 @@ void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& m
     io::add(mistakes, node.spot, "terrain: either a 'file' or 'x' and 'z'");
     return;
   }
-  const fs::path deck = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
-  const fs::path path = deck.parent_path() / *terrain.file;
-  const auto text = io::read_file(path.string());
-  if (!text) {
-    io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
-  } else {
-    read_terrain(*text, path.string(), terrain, mistakes);
+  if (const auto file = io::read_named(node, *terrain.file, mistakes)) {
+    Diagnostics wrong;
+    read_terrain(file->text, file->path, terrain, wrong);
+    for (Diagnostic& d : wrong) io::add(mistakes, io::without_text(std::move(d), file->text));
   }
 }
 

@@ -242,7 +242,7 @@ TEST(MachineRun, TellsEachMistakeAtItsPlace) {
        "machine.actuators: are computed in motion alone"},
       {replaced("  ropes:", "  signals: {v: {ramp: {to: 3 m/s}}}\n  ropes:"), "ramp lacks 'duration'"},
       {replaced("  ropes:", "  signals: {v: 3 furlongz}\n  ropes:"), "machine.signals.v"},
-      {replaced("  ropes:", "  terrain: {file: none.csv}\n  ropes:"), "can't read 'none.csv'"},
+      {replaced("  ropes:", "  terrain: {file: none.csv}\n  ropes:"), "'none.csv' can't be read"},
       {replaced("stiffness", "stifness"), "did you mean 'stiffness'?"},
       {replaced("equilibrium: {", "load_path: {carriage: car, from: 0 m, to: 1 m, "), "there is no carriage 'car'"},
       {replaced("analyses:", "method: mast_section\nanalyses:"), "'method' belongs to a published method"},

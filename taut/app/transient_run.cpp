@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
@@ -13,13 +12,11 @@
 #include "taut/app/transient_figures.hpp"
 #include "taut/app/transient_state.hpp"
 #include "taut/app/transient_tables.hpp"
-#include "taut/io/include.hpp"
+#include "taut/io/file.hpp"
 #include "taut/io/source.hpp"
 
 namespace taut::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double most_lines = 1e6;
 
@@ -176,13 +173,7 @@ void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistak
     if (!deck.analyses[i].transient || !deck.analyses[i].transient->restart) continue;
     TransientRequest& request = *deck.analyses[i].transient;
     const io::Node& node = *io::follow(input, fmt::format("analyses[{}].transient.restart", i)).node;
-    const fs::path beside = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
-    const fs::path path = beside.parent_path() / *request.restart;
-    if (auto text = io::read_file(path.string())) {
-      request.state = std::move(*text);
-    } else {
-      io::add(mistakes, node.spot, fmt::format("can't read '{}': {}", path.string(), text.error()));
-    }
+    if (auto file = io::read_named(node, *request.restart, mistakes)) request.state = std::move(file->text);
   }
 }
 

@@ -45,6 +45,10 @@ std::string to_text(const Diagnostic& d) {
   return text;
 }
 
+bool only_unreadable_files(const Diagnostics& all) {
+  return !all.empty() && std::all_of(all.begin(), all.end(), [](const Diagnostic& d) { return d.unreadable_file; });
+}
+
 std::string to_text(const Diagnostics& all) {
   std::string text;
   for (const Diagnostic& d : all) text += to_text(d);

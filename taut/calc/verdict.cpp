@@ -189,7 +189,7 @@ bool decides(const Check& c) { return is_unverified(c.trust) && !c.refused && se
 double severity(const Check& c) { return std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation; }
 
 int exit_code(const Result& r, bool strict) {
-  if (r.status == Status::bad_deck) return 2;
+  if (r.status == Status::bad_deck) return only_unreadable_files(r.errors) ? 5 : 2;
   if (r.interrupted) return 130;
   const Verdict v = *verdict_of(r);
   switch (v.kind) {

@@ -115,6 +115,7 @@ Node read_machine(const Node& root, Diagnostics& mistakes) {
 
 Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes) {
   Deck deck;
+  if (document.source) deck.reading = document.source->reading;
   const Node& root = document.root;
   if (root.kind != Node::Kind::map) {
     add(mistakes, root.spot, fmt::format("a deck is a map, beginning with 'taut: 1'; this is {}", kind_text(root)));

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ struct Deck {
   bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
   std::optional<Node>
-      others;       ///< of a method's deck: a map with the keys `checks` and `design` alone, where it has any
-  Node parameters;  ///< as the deck has them; `input` holds their values already
+      others;  ///< of a method's deck: a map with the keys `checks` and `design` alone, where it has any
+  std::shared_ptr<const Reading> reading;  ///< what it names has been read into: includes now, other files later on
+  Node parameters;                         ///< as the deck has them; `input` holds their values already
   Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
                ///< with the keys `machine`, `analyses`, `checks` and `design` alone
 };

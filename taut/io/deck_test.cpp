@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "taut/io/file.hpp"
 #include "taut/io/include.hpp"
 #include "taut/io/override.hpp"
 #include "taut/io/read.hpp"
@@ -244,7 +245,7 @@ TEST_F(Include, ValuesKeepTheirOwnFileInMessages) {
   write("a.yaml", "taut: 1\ninput:\n  span: 1\n  spam: 2\n  spam: 3\n");
   const Told t = run("include: a.yaml\nmethod: closed_loop\ninput: {rope: {diameter: 1}}\n");
   EXPECT_NE(t.text.find("a.yaml:3:9: error: span: a length needs"), std::string::npos) << t.text;
-  EXPECT_NE(t.text.find("a.yaml:5:3: error: the key 'spam' stands here a second time"), std::string::npos) << t.text;
+  EXPECT_NE(t.text.find("a.yaml:5:3: error: the key '...' stands here a second time"), std::string::npos) << t.text;
   EXPECT_NE(t.text.find("deck.yaml:3:26: error: diameter"), std::string::npos) << t.text;
 }
 

@@ -345,6 +345,7 @@ tl::expected<Document, Diagnostics> parse(std::string_view text, std::string nam
   if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
   auto source = std::make_shared<Source>();
   source->name = std::move(name);
+  source->reading = std::make_shared<Reading>();
   // one byte more than allowed is enough to refuse it
   source->text = std::string(text.substr(0, largest_deck + 1));
   return parse(source->text, SourcePtr(source));

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "taut/io/file.hpp"
 
 namespace taut::io {
 namespace {
@@ -83,11 +83,11 @@ class Includer {
       return files_ == most_includes + 1 ? fail(place, fmt::format("more than {} decks in all", most_includes))
                                          : std::nullopt;
     }
-    const auto text = read_file(path.string());
-    if (!text) return fail(place, text.error());
-    bytes_ += text->size();
+    const auto source = read_source(place, path);
+    if (!source) return std::nullopt;
+    bytes_ += source->text.size();
     if (bytes_ > largest_deck) return fail(place, "more than 16 MB of included decks");
-    auto document = parse(*text, path.string());
+    auto document = parse(source->text, source);
     for (Diagnostic& d : document ? document->mistakes : document.error()) add(mistakes_, std::move(d));
     if (!document) return std::nullopt;
     if (document->root.kind != Node::Kind::map) {
@@ -95,6 +95,24 @@ class Includer {
     }
     resolve(document->root, path);
     return std::move(document->root);
+  }
+
+  SourcePtr read_source(const Node& place, const fs::path& path) {
+    auto text = read_file(path.string());
+    if (!text) {
+      Diagnostic mistake = at(place.spot, fmt::format("include: {}", text.error().message));
+      mistake.unreadable_file = !text.error().missing;
+      add(mistakes_, std::move(mistake));
+      return nullptr;
+    }
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    auto source = std::make_shared<Source>();
+    source->name = path.string();
+    source->reading = place.spot.source->reading;
+    source->named_by_deck = true;
+    if (source->reading) source->reading->texts.push_back(*text);
+    source->text = text->starts_with(byte_order_mark) ? text->substr(byte_order_mark.size()) : std::move(*text);
+    return source;
   }
 
   Diagnostics& mistakes_;
@@ -147,25 +165,6 @@ Node merge(Node under, const Node& over) {
 
 void resolve_includes(Document& document, Diagnostics& mistakes) {
   Includer(mistakes).resolve(document.root, document.source->name);
-}
-
-tl::expected<std::string, std::string> read_file(const std::string& path) {
-  std::error_code failed;
-  if (fs::is_directory(path, failed)) return tl::unexpected(fmt::format("{} is a folder", in_quotes(path)));
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return tl::unexpected(fmt::format("{} can't be read: {}", in_quotes(path), std::strerror(errno)));
-  std::string text;
-  constexpr std::size_t piece = std::size_t{64} * 1024;
-  while (file && text.size() <= largest_deck) {
-    const std::size_t have = text.size();
-    const std::size_t wanted = std::min(piece, largest_deck + 1 - have);
-    text.resize(have + wanted);
-    file.read(text.data() + have, static_cast<std::streamsize>(wanted));
-    text.resize(have + static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) return tl::unexpected(fmt::format("{} can't be read: {}", in_quotes(path), std::strerror(errno)));
-  return text;
 }
 
 }  // namespace taut::io

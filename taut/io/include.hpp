@@ -1,7 +1,4 @@
 #pragma once
-#include <string>
-#include <tl/expected.hpp>
-
 #include "taut/io/document.hpp"
 
 namespace taut::io {
@@ -20,8 +17,5 @@ void resolve_includes(Document& document, Diagnostics& mistakes);
 
 /// `over` laid over `under`, as above.
 Node merge(Node under, const Node& over);
-
-/// The text of a file, cut one byte behind largest_deck; otherwise why it can't be read.
-tl::expected<std::string, std::string> read_file(const std::string& path);
 
 }  // namespace taut::io

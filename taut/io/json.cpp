@@ -117,6 +117,8 @@ Json errors(const Diagnostics& all) {
 std::string to_json(const Result& r, SeriesFiles files) {
   Json j;
   j["taut"] = {{"version", version}, {"format", result_format}};
+  if (!r.deck_hash.empty()) j["taut"]["deck_hash"] = r.deck_hash;
+  if (!r.deck_hash.empty()) j["taut"]["overrides"] = r.overrides;
   j["title"] = r.title;
   j["method"] = r.method;
   j["status"] = to_text(r.status);

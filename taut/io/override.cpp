@@ -35,9 +35,11 @@ class Override {
     source->name = "--set";
     source->text = assignment;
     source_ = source;
+    source_of_value_ = source;
   }
 
   void apply(Document& document) {
+    if (document.source) source_of_value_->reading = document.source->reading;
     const std::string& text = source_->text;
     Diagnostics unreadable = check_text(source_);
     if (!unreadable.empty()) return add(mistakes_, unreadable.front());
@@ -208,6 +210,7 @@ class Override {
   const std::vector<std::string>& deck_keys_;
   Diagnostics& mistakes_;
   SourcePtr source_;
+  std::shared_ptr<Source> source_of_value_;  ///< the same, until its reading is known
 };
 
 }  // namespace

@@ -55,6 +55,56 @@ std::string wrong_character(std::string_view text, std::size_t i, std::size_t le
   return {};
 }
 
+std::size_t indentation(std::string_view line) { return std::min(line.find_first_not_of(" \t-"), line.size()); }
+
+/// The line of a value, and what belongs to it: as far as it reaches, and the deeper lines below it.
+std::string_view near(std::string_view text, std::size_t offset, std::size_t width) {
+  const std::size_t from = line_start(text, std::min(offset, text.size()));
+  std::size_t to = std::min(text.find('\n', std::min(offset + width, text.size())), text.size());
+  const std::size_t own = indentation(text.substr(from, to - from));
+  while (to < text.size()) {
+    const std::size_t end = std::min(text.find('\n', to + 1), text.size());
+    const std::string_view line = text.substr(to + 1, end - to - 1);
+    if (indentation(line) <= own && indentation(line) < line.size()) break;
+    to = end;
+  }
+  return text.substr(from, to - from);
+}
+
+/// Without what quoting, folding and cutting change.
+std::string bare(std::string_view text) {
+  std::string kept;
+  for (const char c : text) {
+    if (std::string_view(" \t\r\n'\"\\?").find(c) == std::string_view::npos) kept += c;
+  }
+  return kept;
+}
+
+/// The message with '...' for every text in quotes that stands in `hidden`, also for the last words of "not 5 m".
+std::string without_words(const std::string& message, std::string_view hidden) {
+  constexpr std::string_view cut = "...", instead = "'...'";
+  const std::string there = bare(hidden);
+  const auto stands_there = [&](std::string_view words) {
+    if (words.ends_with(cut)) words.remove_suffix(cut.size());
+    const std::string sought = bare(words);
+    return sought.size() > 1 && there.find(sought) != std::string::npos;
+  };
+  std::string shown;
+  for (std::size_t i = 0; i < message.size();) {
+    std::size_t close = message[i] == '\'' ? message.rfind('\'') : i;
+    while (close > i && !stands_there(std::string_view(message).substr(i + 1, close - i - 1))) {
+      close = message.rfind('\'', close - 1);
+    }
+    if (close > i) shown += instead;
+    if (close == i) shown += message[i];
+    i = close + 1;
+  }
+  constexpr std::string_view before = ", not ";
+  const std::size_t last = shown.rfind(before);
+  if (last == std::string::npos || !stands_there(std::string_view(shown).substr(last + before.size()))) return shown;
+  return shown.substr(0, last + before.size()) + std::string(instead);
+}
+
 }  // namespace
 
 Place Source::place(std::size_t offset) const {
@@ -75,8 +125,22 @@ std::string Source::line(std::size_t offset) const {
 
 Place Spot::place() const { return source->place(offset); }
 
+Diagnostic without_text(Diagnostic mistake, const std::string& text) {
+  std::size_t from = 0;
+  for (int line = 1; line < mistake.place.line && from < text.size(); ++line) {
+    from = std::min(text.find('\n', from), text.size() - 1) + 1;
+  }
+  mistake.message = without_words(mistake.message, near(text, from, 1));
+  mistake.source_line.clear();
+  return mistake;
+}
+
 Diagnostic at(const Spot& spot, std::string message) {
-  Diagnostic d{spot.source->name, spot.place(), std::move(message), spot.source->line(spot.offset), 1};
+  const Source& source = *spot.source;
+  if (source.named_by_deck) {
+    return {source.name, spot.place(), without_words(message, near(source.text, spot.offset, spot.width)), {}, 1};
+  }
+  Diagnostic d{source.name, spot.place(), std::move(message), source.line(spot.offset), 1};
   const auto column = static_cast<std::size_t>(d.place.column) - 1;
   const std::size_t room = d.source_line.size() > column ? d.source_line.size() - column : 1;
   d.width = static_cast<int>(std::clamp<std::size_t>(spot.width, 1, room));

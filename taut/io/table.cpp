@@ -11,7 +11,10 @@ namespace {
 
 constexpr const char* line_end = "\r\n";
 
-std::string csv_text(const std::string& text) {
+/// What a spreadsheet takes for the beginning of a formula is led by an apostrophe, which makes it a text there.
+std::string csv_text(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
+    text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -6,7 +6,8 @@
 namespace taut::io {
 
 /// A table as CSV (RFC 4180: CRLF, quotes where needed): a header with SI units, "boom_length [m]", then the rows.
-/// Numbers in as many digits as bring the same number back; no value is an empty cell.
+/// Numbers in as many digits as bring the same number back; no value is an empty cell. A text that begins with = + - @,
+/// a tab or a carriage return gets an apostrophe before it: spreadsheets would run it as a formula.
 std::string to_csv(const Table& t);
 
 /// The numbers of a plot as a table of its name: the first column is x, then one column for each curve. When the

@@ -67,4 +67,14 @@ TEST(Series, NamesColumnsByTheirLabels) {
   EXPECT_EQ(column_name("µ_s"), "µ_s");
 }
 
+TEST(TableCsv, TextsAreNoFormulas) {
+  Table t;
+  t.columns = {{"=a", si::one}, {"b", si::m}};
+  t.rows = {{std::string("=1+1"), -1.0}, {std::string("+x"), 2.0},  {std::string("-x,y"), -1e-9},
+            {std::string("@x"), 0.0},    {std::string("\tx"), 0.0}, {std::string("\rx"), 0.0},
+            {std::string("a=1"), 0.0},   {std::string(), 0.0}};
+  EXPECT_EQ(to_csv(t),
+            "'=a,b [m]\r\n'=1+1,-1\r\n'+x,2\r\n\"'-x,y\",-1e-09\r\n'@x,0\r\n'\tx,0\r\n\"'\rx\",0\r\na=1,0\r\n,0\r\n");
+}
+
 }  // namespace taut::io::table_test

@@ -77,6 +77,7 @@ std::string to_html(const Result& r) {
   page.set("version", std::string(version));
   page.set("deck", clean(r.deck_name));
   page.set("hash", clean(r.deck_hash));
+  page.set("set", clean(overrides_text(r)));
   page.set("css", packed(embedded::page_css));
   page.set("running", css_string(shortened(title, 90)));
   page.set("math_font", base64(embedded::math_font));

@@ -220,7 +220,7 @@ std::string to_markdown(const Result& r) {
   out += section("Assumptions", list(r.assumptions));
   out += fmt::format("\ntaut {}", version);
   if (!r.deck_name.empty()) out += fmt::format(", deck {}", safe(r.deck_name));
-  if (!r.deck_hash.empty()) out += fmt::format(", {}", safe(r.deck_hash));
+  if (!r.deck_hash.empty()) out += fmt::format(", hash {}, --set {}", safe(r.deck_hash), safe(overrides_text(r)));
   return out + "\n";
 }
 

@@ -186,6 +186,10 @@ std::string tables_html(const Result& r) {
 
 }  // namespace
 
+std::string overrides_text(const Result& r) {
+  return r.overrides.empty() ? "none" : fmt::format("{}", fmt::join(r.overrides, "; "));
+}
+
 bool has_exact(const Result& r) {
   return std::any_of(r.comparisons.begin(), r.comparisons.end(),
                      [](const Comparison& c) { return !std::isnan(c.exact); });

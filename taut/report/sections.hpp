@@ -18,6 +18,9 @@ struct Section {
 /// assumptions. Sections without content are left out.
 std::vector<Section> sections(const Result& r);
 
+/// What was set over the deck: "input.span=200 m; title=x", or "none".
+std::string overrides_text(const Result& r);
+
 /// Whether any comparison has an exact value; without one its column is left out.
 bool has_exact(const Result& r);
 std::string comparison_title(const Result& r);

@@ -16,6 +16,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 constexpr int longest_words = 60;
+constexpr std::size_t shown_hash = 16;
 
 std::string padded(const std::string& text, int width, bool right) {
   const std::string space(static_cast<std::size_t>(std::max(0, width - length(text))), ' ');
@@ -60,6 +61,10 @@ std::string hanging(const std::string& first, const std::string& text, int width
 std::string head(const Result& r, const TerminalOptions& o) {
   std::string out = hanging("", r.title.empty() ? r.method_title : r.title, o.width);
   if (!r.source.empty()) out += hanging("  ", r.source, o.width);
+  if (!r.deck_hash.empty()) {
+    out += fmt::format("  deck {}, hash {}, --set {}\n", clean(r.deck_name), clean(r.deck_hash.substr(0, shown_hash)),
+                       clean(overrides_text(r)));
+  }
   return out;
 }
 

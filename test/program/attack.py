@@ -41,6 +41,12 @@ def faults_of_machine(deck, answer):
     return law_faults(deck, answer) if answer.solved else []
 
 
+def is_faulty_machine(deck):
+    """What is left of a machine is refused as a deck: that is no fault."""
+    answer = ask(deck)
+    return answer.code != 2 and bool(faults_of_machine(deck, answer))
+
+
 def parts_of(thing, path=()):
     """Paths of all that could be left out of a machine."""
     inner = thing.items() if isinstance(thing, dict) else enumerate(thing) if isinstance(thing, list) else ()
@@ -102,7 +108,7 @@ class Attack:
         self.counts[f"{make.__name__}: {'solved' if answer.solved else 'refused'}"] += 1
         faults = faults_of_machine(deck, answer)
         if faults:
-            self.report(f"{make.__name__}_{self.seed}_{i}", deck, faults, lambda d: bool(faults_of_machine(d, ask(d))))
+            self.report(f"{make.__name__}_{self.seed}_{i}", deck, faults, is_faulty_machine)
         for change in CHANGES:
             chance = f"{self.seed}/{i}/{change.__name__}"
             compared = faults_of_change(deck, change, chance, answer)

@@ -218,7 +218,7 @@ analyses:
             self.assertIn("another machine", done.stderr + done.stdout)
             done = taut("run", "-", "--set", "analyses[0].transient.restart=/nowhere/state.json", stdin=HOIST)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("can't read", done.stderr)
+            self.assertIn("can't be read", done.stderr)
 
     def test_an_interrupt_keeps_what_is_done(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,33 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "taut/io/node.hpp"
+
+namespace taut::io {
+
+/// Why a file can't be read. `missing`: there is none of that name.
+struct Unreadable {
+  std::string message;
+  bool missing = false;
+};
+
+/// The text of a regular file, cut one byte behind largest_deck. Everything else is refused unopened, as it could hold
+/// the program up for ever or have side effects: folders, pipes, sockets, devices.
+tl::expected<std::string, Unreadable> read_file(const std::string& path);
+
+/// The same from a descriptor that is open already, whatever stands behind it: standard input, a pipe of the shell.
+tl::expected<std::string, Unreadable> read_open(int descriptor, const std::string& name);
+
+/// A file that a deck names: its text, and what messages call it.
+struct NamedFile {
+  std::string path;
+  std::string text;
+};
+
+/// Reads the file that the text at `node` names, relative to the folder of the deck that names it, and notes it in the
+/// reading of that deck. A mistake at the node when it can't be read.
+std::optional<NamedFile> read_named(const Node& node, const std::string& name, Diagnostics& mistakes);
+
+}  // namespace taut::io
