@@ -50,10 +50,11 @@ struct EquilibriumOptions {
 struct SpanResult {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   double T_from = 0, T_to = 0, H = 0, V_from = 0, V_to = 0;
-  double chord = 0, unstretched = 0, stretched = 0, sag = 0;          ///< m; unstretched: at the rope's temperature
-  Vector3 start = Vector3::Zero(), end = Vector3::Zero();             ///< where the free rope begins and ends, m
-  bool slack = false;                                                 ///< a rope without weight that carries nothing
-  rope::Span shape;                                                   ///< for points between the ends
+  double chord = 0, unstretched = 0, stretched = 0, sag = 0;  ///< m; unstretched: at the reference temperature, the
+                                                              ///< free rope of this branch alone
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();     ///< where the free rope begins and ends, m
+  bool slack = false;                                         ///< a rope without weight that carries nothing
+  rope::Span shape;                                           ///< for points between the ends
   double T_from_min = 0, T_from_max = 0, T_to_min = 0, T_to_max = 0;  ///< the band at rest; else the tension itself
 };
 
@@ -87,7 +88,8 @@ struct RopeLoadResult {
 
 /// A rope as a whole.
 struct RopeResult {
-  double unstretched = 0;    ///< at the reference temperature, arcs counted, m
+  double unstretched = 0;    ///< at the reference temperature, of one copy, from end to end of its path: that of its
+                             ///< spans and what lies on rounds, not what is on drums, m
   double T_max = 0;          ///< the band's largest included, N
   int span = 0;              ///< where it is: index in `spans`,
   bool at_end = false;       ///< at that branch's end or start

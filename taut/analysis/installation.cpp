@@ -19,8 +19,13 @@ bool holds(const model::Reeving& rope, int body) {
   return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const model::Node& n) { return n.at.body == body; });
 }
 
-/// Which bodies and ropes go, until nothing more does. `gone` bodies are given.
-void spread(const model::Model& model, int kept, std::vector<bool>& gone, std::vector<bool>& ropes_gone) {
+bool is_in(const std::vector<int>& all, std::size_t index) {
+  return std::find(all.begin(), all.end(), static_cast<int>(index)) != all.end();
+}
+
+/// Which bodies and ropes go, until nothing more does. `gone` bodies and ropes are given; those in `with` stay.
+void spread(const model::Model& model, int kept, const PutUpWith& with, std::vector<bool>& gone,
+            std::vector<bool>& ropes_gone) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
@@ -28,7 +33,8 @@ void spread(const model::Model& model, int kept, std::vector<bool>& gone, std::v
       changed = ropes_gone[r] = true;
     }
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-      if (gone[b] || model.bodies[b].free.empty() || model.bodies[b].beam >= 0) continue;  // its beam holds a section
+      if (gone[b] || model.bodies[b].free.empty() || is_in(with.bodies, b)) continue;
+      if (model.bodies[b].beam >= 0) continue;  // its beam holds a section
       bool had = false, has = false;
       for (std::size_t r = 0; r < model.reevings.size(); ++r) {
         if (!holds(model.reevings[r], static_cast<int>(b))) continue;
@@ -49,22 +55,47 @@ double on_contacts(const model::Model& model, const EquilibriumResult& r, int re
   return length;
 }
 
+/// Leaves the carriages that are still there, with their ropes and nodes by the numbers that these will have.
+template <class Taken>
+void keep_carriages(model::Model& model, int reeving, const std::vector<bool>& gone,
+                    const std::vector<bool>& ropes_gone, const Taken& taken) {
+  const auto rope = [&](int r) {
+    if (r < 0 || ropes_gone[at(r)]) return -1;
+    return static_cast<int>(std::count(ropes_gone.begin(), ropes_gone.begin() + r, false));
+  };
+  const auto node = [&](int r, int k) {
+    if (r != reeving) return k;
+    const auto& nodes = model.reevings[at(r)].nodes;
+    return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k, taken));
+  };
+  std::erase_if(model.carriages,
+                [&](const model::Carriage& car) { return gone[at(car.body)] || rope(car.reeving) < 0; });
+  for (model::Carriage& car : model.carriages) {
+    car.node = node(car.reeving, car.node);
+    if (car.grip_reeving >= 0) car.grip_node = node(car.grip_reeving, car.grip_node);
+    for (int* r : {&car.reeving, &car.mainline, &car.grip_reeving, &car.haulback}) *r = rope(*r);
+    if (car.grip_reeving < 0) car.grip_node = -1;
+  }
+}
+
 }  // namespace
 
-EmptyLine empty_line(const model::Model& model, int reeving) {
+EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& with) {
   expects(reeving >= 0 && at(reeving) < model.reevings.size(), "a rope of the model");
   EmptyLine line;
   std::vector<bool> gone(model.bodies.size(), false), ropes_gone(model.reevings.size(), false);
   for (const model::Carriage& car : model.carriages) {
-    if (car.reeving == reeving) gone[at(car.body)] = true;
+    if (car.reeving == reeving && !is_in(with.bodies, at(car.body))) gone[at(car.body)] = true;
   }
-  spread(model, reeving, gone, ropes_gone);
+  for (const int rope : with.absent) ropes_gone[at(rope)] = true;
+  spread(model, reeving, with, gone, ropes_gone);
   line.model = model;
-  line.model.carriages.clear();
   model::Reeving& own = line.model.reevings[at(reeving)];
-  std::erase_if(own.nodes, [&](const model::Node& n) {
+  const auto taken = [&](const model::Node& n) {
     return n.kind != model::NodeKind::anchor && n.at.body != model::ground && gone[at(n.at.body)];
-  });
+  };
+  keep_carriages(line.model, reeving, gone, ropes_gone, taken);
+  std::erase_if(own.nodes, taken);
   const bool loses_drive = own.closed && (own.nodes.empty() || own.nodes.front().kind != model::NodeKind::drive);
   if (touches(own, gone) || own.nodes.size() < 2 || loses_drive) {
     line.outcome = infeasible(fmt::format("'{}' ends on what rides on it: it is never empty", own.name));
@@ -76,8 +107,13 @@ EmptyLine empty_line(const model::Model& model, int reeving) {
     line.model.bodies[b].free.clear();
     line.model.bodies[b].mass = 0;
   }
-  std::erase_if(line.model.loads,
-                [&](const model::Load& load) { return load.at.body != model::ground && gone[at(load.at.body)]; });
+  line.model.loads.clear();
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const int body = model.loads[i].at.body;
+    const bool left =
+        body != model::ground && (gone[at(body)] || (is_in(with.bodies, at(body)) && !is_in(with.loads, i)));
+    if (!left) line.model.loads.push_back(model.loads[i]);
+  }
   std::vector<model::Reeving> kept;
   for (std::size_t r = 0; r < ropes_gone.size(); ++r) {
     if (static_cast<int>(r) == reeving) line.reeving = static_cast<int>(kept.size());

@@ -14,9 +14,16 @@ struct EmptyLine {
   std::vector<std::string> removed;  ///< names of carriages and ropes taken away
 };
 
+/// What is not as usual while a rope is put up, by index in the model.
+struct PutUpWith {
+  std::vector<int> bodies;  ///< stay on it
+  std::vector<int> loads;   ///< of the loads on these bodies those that stay; loads elsewhere stay anyhow
+  std::vector<int> absent;  ///< other ropes that are not there yet
+};
+
 /// Takes away the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
 /// rigged yet), and whatever then hangs on nothing. The rest (masts, guys, other ropes) stays as it is.
-EmptyLine empty_line(const model::Model& model, int reeving);
+EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& with = {});
 
 /// An empty rope as it is put up.
 struct Installation {

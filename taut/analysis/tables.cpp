@@ -25,14 +25,15 @@ SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e,
   r.V_from = b.slack ? 0 : b.pull_from.z();
   r.V_to = b.slack ? 0 : b.pull_to.z();
   r.chord = b.chord.norm();
-  r.unstretched = c.links[k].length;
+  const double length = c.links[k].length;  // in this state: at the rope's temperature, of a running rope with its c
+  r.unstretched = length / (1 + rope.thermal_strain);
   r.start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
   r.end = end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
   r.shape = b.span;
   if (rope.weight == 0 && link.force < 0) {
-    if (const auto straight = rope::solve_span(rope_of(rope, r.unstretched), b.chord)) r.shape = *straight;
+    if (const auto straight = rope::solve_span(rope_of(rope, length), b.chord)) r.shape = *straight;
   }
-  r.stretched = b.slack ? r.unstretched : rope::stretched_length(r.shape);
+  r.stretched = b.slack ? length : rope::stretched_length(r.shape);
   r.sag = rope::largest_sag(r.shape);
   r.T_from_min = r.T_from_max = r.T_from;
   r.T_to_min = r.T_to_max = r.T_to;
@@ -133,8 +134,9 @@ void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result)
       row.at_end = span.T_to > span.T_from;
       row.T_max = std::max(span.T_from, span.T_to);
     }
-    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) row.unstretched += arc(s, e, t).length;
-    row.unstretched /= 1 + s.model.reevings[r].thermal_strain;
+    double on_rounds = 0;
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) on_rounds += arc(s, e, t).length;
+    row.unstretched += on_rounds / (1 + s.model.reevings[r].thermal_strain);
     const double breaks = s.model.reevings[r].breaking_force;
     row.safety_factor = breaks > 0 && row.T_max > 0 ? breaks / row.T_max : 0;
     result.ropes.push_back(row);

@@ -32,6 +32,30 @@ TEST(Tables, WhatHoldsTheEndsAndSupportsCarriesTheRope) {
   EXPECT_NEAR(sum.z(), -20 * free, 1e-6) << "down on what holds it";
 }
 
+TEST(Tables, UnstretchedIsTheSameOfSpansAndRopes) {
+  // cold, warm, and the rope on rounds and on points
+  for (const double strain : {-6e-4, 0.0, 6e-4}) {
+    for (const double radius : {0.0, 0.6}) {
+      model::Model m = three_spans(316, 0.15);
+      m.reevings[0].thermal_strain = strain;
+      for (std::size_t k = 1; k + 1 < m.reevings[0].nodes.size(); ++k) m.reevings[0].nodes[k].radius = radius;
+      const EquilibriumResult r = solved(m);
+      double free = 0, on_rounds = 0;
+      for (const SpanResult& s : r.spans) {
+        free += s.unstretched;
+        EXPECT_NEAR(s.shape.rope.length, s.unstretched * (1 + strain), 1e-9);
+      }
+      for (const ContactResult& c : r.contacts) {
+        const double strained = 1 + (c.T_in + c.T_out) / 2 / m.reevings[0].stiffness;
+        on_rounds += radius * c.wrap / strained / (1 + strain);
+      }
+      EXPECT_NEAR(r.ropes[0].unstretched, 316, 1e-7) << "as given, at the reference temperature";
+      EXPECT_NEAR(free + on_rounds, 316, radius > 0 ? 1e-5 : 1e-7) << strain << ", " << radius;
+      EXPECT_EQ(on_rounds > 0, radius > 0);
+    }
+  }
+}
+
 TEST(Tables, ASpansRowIsItsShape) {
   for (const SpanResult& s : solved(with_carriage(true)).spans) {
     EXPECT_NEAR(std::hypot(s.H, s.V_from), s.T_from, 1e-9 * s.T_from);

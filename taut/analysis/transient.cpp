@@ -28,7 +28,7 @@ void place_inside(const model::Model& model, const EquilibriumResult& found, Dyn
     const auto r = static_cast<std::size_t>(span.reeving);
     const int segments = model.reevings[r].segments;
     for (int s = 1; s < segments; ++s) {
-      const double length = span.unstretched * s / segments;
+      const double length = span.unstretched * (1 + model.reevings[r].thermal_strain) * s / segments;
       start.ropes[r].inside[next[r]++] = model.reevings[r].weight > 0 && !span.slack
                                              ? Vector3(span.start + rope::point_at(span.shape, length))
                                              : Vector3(span.start + (span.end - span.start) * s / segments);

@@ -109,7 +109,7 @@ std::optional<double> straight_way(const model::Model& model, const model::State
 void add_short_ropes(const model::Model& model, std::vector<std::string>& warnings) {
   const model::State state = model::initial_state(model);
   for (const model::Reeving& rope : model.reevings) {
-    if (rope.closed || rope.given != model::Given::length || std::isinf(rope.stiffness)) continue;
+    if (rope.closed || rope.put_up || rope.given != model::Given::length || std::isinf(rope.stiffness)) continue;
     const auto way = straight_way(model, state, rope);
     const double length = rope.value * (1 + rope.thermal_strain);
     if (!way || !(length < *way)) continue;

@@ -38,15 +38,16 @@ void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving&
   const double length = way.norm();
   const Vector3 along = length > 0 ? Vector3(way / length) : Vector3::UnitX();
   const bool sags = !b.curve.empty();  // then its weight is in the tensions at its ends
-  const double weight = heavy && b.whole && !sags ? rope.weight * b.unstretched : 0;
+  const double weight = heavy && b.whole && !sags ? rope.weight * b.unstretched / (1 + rope.thermal_strain) : 0;
   const Vector3 hangs = weight_across(along, weight);
   const Vector3 on_start = b.T_from * (sags ? b.leaves : along) + hangs;
   const Vector3 on_end = -b.T_to * (sags ? b.arrives : along) + hangs;
   const double most = std::max(b.T_from, b.T_to);
   const bool goes_on =
       !all.empty() && all.back().reeving == b.reeving && all.back().from == b.from && rope.segments > 1;
+  const double unstretched = b.unstretched / (1 + rope.thermal_strain);  // a motion has it at its temperature
   if (!goes_on) {
-    all.push_back({b.reeving, b.from, b.to, most, (b.T_from + b.T_to) / 2, length, b.unstretched, b.start, b.end,
+    all.push_back({b.reeving, b.from, b.to, most, (b.T_from + b.T_to) / 2, length, unstretched, b.start, b.end,
                    on_start, on_end});
     return;
   }
@@ -54,7 +55,7 @@ void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving&
   one.T = std::max(one.T, most);
   one.to = b.to;
   one.end = b.end;
-  one.unstretched += b.unstretched;
+  one.unstretched += unstretched;
   one.chord = (one.end - one.start).norm();
   one.on_end = on_end;
 }

@@ -14,7 +14,7 @@ struct CheckBranch {
   int reeving = 0, from = 0, to = 0;                             ///< nodes
   double T = 0;                                                  ///< the largest, the band at rest included, N
   double mean = 0;                                               ///< of its ends' tensions, N
-  double chord = 0, unstretched = 0;                             ///< m
+  double chord = 0, unstretched = 0;                             ///< m; at the reference temperature
   Vector3 start = Vector3::Zero(), end = Vector3::Zero();        ///< where the free rope begins and ends, m
   Vector3 on_start = Vector3::Zero(), on_end = Vector3::Zero();  ///< pull of one copy on what is there, N
 };

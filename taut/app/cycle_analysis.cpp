@@ -90,13 +90,15 @@ std::vector<Winch> winches_of(const model::Model& m, const MachineDeck& deck, in
   return all;
 }
 
-/// Unstretched rope between a drive and the clamped carriage on its rope; 0 where nothing is clamped to it.
+/// Rope without tension, at its temperature, between a drive and the clamped carriage on it; 0 where nothing is clamped
+/// to it.
 double passed(const analysis::EquilibriumResult& e, const model::Model& m, int reeving) {
   double length = 0;
   for (const auto& s : e.spans) {
     if (s.reeving != reeving) continue;
-    length += s.unstretched;
-    if (m.reevings[at(reeving)].nodes[at(s.to)].kind == model::NodeKind::clamp) return length;
+    const model::Reeving& rope = m.reevings[at(reeving)];
+    length += s.unstretched * (1 + rope.thermal_strain);
+    if (rope.nodes[at(s.to)].kind == model::NodeKind::clamp) return length;
   }
   return 0;
 }

@@ -25,6 +25,7 @@ constexpr const char* laws[][3] = {
     {"carriage", "rolling: equal tensions, or friction between them; clamped: a fixed length before it",
      "carriages.md"},
     {"guy", "put up by tension on the unloaded machine, then its length is kept", "guy.md"},
+    {"line put up", "its base tension gives its length, which is kept", "installation.md"},
     {"beam", "elastic rod of first or second order, with ropes anywhere along it", "beam.md"},
     {"equilibrium", "balance of every freedom, law of every contact, given lengths and tensions; damped Newton",
      "equilibrium.md"}};
@@ -34,6 +35,7 @@ constexpr const char* equilibrium_tables[][2] = {
     {"sheaves", "T_in and T_out by the order of the path, wrap, force on it, state"},
     {"bodies", "place, rotation, force of what holds each body"},
     {"anchors", "force of the ropes on what holds their ends"},
+    {"put_up", "lines with `install`: tensions and lengths as they are put up"},
     {"ropes", "unstretched length, largest tension and where, safety factor"},
     {"rope_loads", "forces along the ropes: force, tensions beside it, place"},
     {"drives", "driven sheaves: torque, grip, slip arc, creep, power and where it goes"},

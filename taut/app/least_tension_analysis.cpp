@@ -39,9 +39,10 @@ std::optional<model::Model> model_of_case(const model::Machine& machine, const L
   return std::nullopt;
 }
 
-/// Guys have been put up; they keep those lengths where they are not chosen.
-void put_up_guys(const LeastTensionRun& run, const model::Model& installed, model::Model& model) {
-  for (std::size_t i = run.guys_from; i < model.reevings.size(); ++i) {
+/// Guys and lines have been put up; they keep those lengths where they are not chosen.
+void keep_lengths(const LeastTensionRun& run, const model::Model& installed, model::Model& model) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    if (i < run.guys_from && !model.reevings[i].put_up) continue;
     model.reevings[i].given = installed.reevings[i].given;
     model.reevings[i].value = installed.reevings[i].value;
   }
@@ -126,7 +127,7 @@ Analysis prepare_least_tension(const PretensionRequest& request, const std::stri
     if (r.interrupted) return;
     std::vector<model::Model> cases = run->models;
     cases.front() = machine.model;
-    for (model::Model& model : cases) put_up_guys(*run, machine.model, model);
+    for (model::Model& model : cases) keep_lengths(*run, machine.model, model);
     int round = 0;
     const auto go_on = [&] {
       return !machine.progress || machine.progress({run->words, 0, fmt::format("round {}", ++round)});

@@ -20,6 +20,8 @@
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/merge.hpp"
 #include "taut/app/missing.hpp"
+#include "taut/app/put_up.hpp"
+#include "taut/app/rope_stiffness.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -36,7 +38,7 @@ void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& m
   if (!machine.terrain || !machine.terrain->file) return;
   const io::Node& node = *io::follow(input, "machine.terrain.file").node;
   auto& terrain = *machine.terrain;
-  if (!terrain.x.empty() || !terrain.z.empty()) {
+  if (!terrain.x.empty() || !terrain.y.empty() || !terrain.z.empty()) {
     io::add(mistakes, node.spot, "terrain: either a 'file' or 'x' and 'z'");
     return;
   }
@@ -238,8 +240,14 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
   if (!checks_only) r.assumptions = assumptions_of(deck);
   if (!checks_only) r.warnings = absurd_machine(deck, run.model);
+  add_rope_stiffness(deck.machine, r);
+  if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
   note_failure(r, install_guys(deck.machine, run.model), "installation");
   if (r.status != Status::ok) return r;
+  std::vector<analysis::PutUpLine> lines;
+  note_failure(r, put_up_lines(run.model, lines), "installation");
+  if (r.status != Status::ok) return r;
+  for (std::string& text : held_tension_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
   for (EquilibriumRun& one : run.equilibria) {
     solve(run.model, one);
     note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
@@ -252,6 +260,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     watch.note(r);
   }
   run.checked = std::make_shared<CheckedParts>(deck, run.model);
+  show_put_up(run.model, lines, *run.checked);
   run.checked->take_answers(run);
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "equilibrium"));
@@ -274,6 +283,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   add_beam_tables(run, r);
   run.checked->judge.add_values(r);
   add_values(run, r);
+  add_put_up(run.model, lines, r);
   add_beam_values(deck, run, r);
   if (!checks_only) {
     add_steps(deck, run, r);

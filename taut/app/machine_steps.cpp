@@ -37,10 +37,12 @@ constexpr double same_tension = 1e-6;
 /// The elastic catenary of one span from its start on.
 void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& span) {
   const std::string catenary = "Irvine 1981, elastic catenary";
-  const Num L = s.named("L", si::m, span.unstretched);
   // a running rope's shape knows the tension less c (docs/theory/drives.md)
   const double above = span.T_from - std::hypot(span.H, span.V_from);
   const double running = above > same_tension * span.T_from ? above : 0;
+  // at the rope's temperature, as it runs
+  const double length = span.unstretched * (1 + rope.thermal_strain) * (1 + running / rope.stiffness);
+  const Num L = s.named("L", si::m, length);
   const Num EA = s.named("EA", si::N, rope.stiffness + running);
   const Num H = s.named("H", si::N, span.H);
   const Num V_0 = s.named("V_0", si::N, span.V_from);

@@ -4,6 +4,7 @@
 
 #include "taut/app/machine_beams.hpp"
 #include "taut/app/machine_tables.hpp"
+#include "taut/app/put_up.hpp"
 
 namespace taut::app {
 namespace {
@@ -116,6 +117,7 @@ std::vector<std::string> assumptions_of(const MachineDeck& deck) {
         "Guys are put up on the unloaded machine with its bodies held where they are given; then their "
         "lengths are kept.");
   }
+  for (std::string& text : tension_assumptions(m)) all.push_back(std::move(text));
   for (std::string& text : beam_assumptions(m)) all.push_back(std::move(text));
   return all;
 }

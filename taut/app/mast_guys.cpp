@@ -46,7 +46,8 @@ std::optional<double> guy_stiffness(const MachineDeck& deck, const CheckState& s
     if (guy.from != top && guy.to != top) continue;
     for (const CheckBranch& span : state.branches) {
       const model::Reeving& rope = state.model->reevings[at(span.reeving)];
-      if (rope.name != guy.name || span.unstretched >= span.chord) continue;  // slack ones give nothing
+      const double length = span.unstretched * (1 + rope.thermal_strain);
+      if (rope.name != guy.name || length >= span.chord) continue;  // slack ones give nothing
       const Vector3 d = span.end - span.start;
       rope::GuyLine line;
       line.length = span.chord;

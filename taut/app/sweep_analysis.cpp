@@ -11,6 +11,7 @@
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
 #include "taut/app/parameter.hpp"
+#include "taut/app/put_up.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/io/read.hpp"
@@ -38,7 +39,8 @@ struct SweepRun {
 };
 
 /// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
-/// built otherwise they are put up anew.
+/// built otherwise they are put up anew. Lines that are put up (`install:`) are so at every value, as in a deck with
+/// that value; while the temperature changes they keep their lengths.
 bool changes_the_building(const std::string& parameter) {
   const std::string below = parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
   for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "gravity"}) {
@@ -76,6 +78,8 @@ tl::expected<model::Model, Outcome> model_at(const SweepRun& run, const model::M
       model->reevings[i].value = installed.reevings[i].value;
     }
   }
+  std::vector<analysis::PutUpLine> lines;
+  if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
   if (run.prescribed)
     *model = model::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
   return *model;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -29,62 +30,130 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-/// Which cell of the head is the column of that letter, in metres.
-std::optional<std::size_t> column_of(const std::vector<std::string_view>& head, char letter) {
+/// Which cell of the head has one of these names, in metres.
+std::optional<std::size_t> column_of(const std::vector<std::string_view>& head,
+                                     std::initializer_list<std::string_view> names) {
   for (std::size_t i = 0; i < head.size(); ++i) {
-    const std::string_view name = head[i];
-    if (name.empty() || (name.front() | 0x20) != letter) continue;
-    const std::string_view rest = trimmed(name.substr(1));
-    if (rest.empty() || rest == "[m]" || rest == "(m)" || rest == "_m") return i;
+    for (const std::string_view name : names) {
+      const bool begins = head[i].size() >= name.size() &&
+                          std::equal(name.begin(), name.end(), head[i].begin(),
+                                     [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + ('a' - 'A') : b); });
+      if (!begins) continue;
+      const std::string_view rest = trimmed(head[i].substr(name.size()));
+      if (rest.empty() || rest == "[m]" || rest == "(m)" || rest == "_m") return i;
+    }
   }
   return std::nullopt;
 }
+
+/// Where a line has its cells. With y: of a survey.
+struct TerrainColumns {
+  std::optional<std::size_t> x, y, z;
+
+  bool known() const { return x && z; }
+  std::size_t last() const { return std::max({*x, *z, y.value_or(0)}); }
+};
+
+TerrainColumns named_columns(const std::vector<std::string_view>& head) {
+  TerrainColumns columns{column_of(head, {"x"}), column_of(head, {"y"}), column_of(head, {"z"})};
+  if (columns.x && columns.y) return columns;
+  columns.y.reset();
+  if (!columns.x) columns.x = column_of(head, {"chainage", "station"});
+  return columns;
+}
+
+/// Of a file without a head, whose first line is numbers already.
+TerrainColumns columns_by_count(const std::vector<std::string_view>& cells) {
+  if (!std::all_of(cells.begin(), cells.end(), [](std::string_view c) { return parse_number(c).has_value(); }))
+    return {};
+  if (cells.size() == 2) return {0, std::nullopt, 1};
+  if (cells.size() == 3) return {0, 1, 2};
+  return {};
+}
+
+class TerrainReader {
+ public:
+  TerrainReader(const std::string& file, model::description::Terrain& terrain, Diagnostics& mistakes)
+      : file_(file), terrain_(terrain), mistakes_(mistakes), before_(mistakes.size()) {}
+
+  void read(std::string_view csv) {
+    if (csv.substr(0, 3) == "\xEF\xBB\xBF") csv.remove_prefix(3);
+    while (!csv.empty() && mistakes_.size() - before_ < most_mistakes) {
+      const auto end = std::min(csv.find('\n'), csv.size());
+      line_ = csv.substr(0, end);
+      csv.remove_prefix(std::min(end + 1, csv.size()));
+      ++number_;
+      if (trimmed(line_).empty() || trimmed(line_).front() == '#') continue;
+      if (!take(cells_of(line_))) return;
+    }
+    if (mistakes_.size() == before_ && terrain_.x.size() < 2) {
+      mistakes_.push_back({file_, {std::max(number_, 1), 1}, "a ground profile has two points at least", {}, 1});
+    }
+  }
+
+ private:
+  void wrong(std::string message) {
+    mistakes_.push_back({file_, {number_, 1}, std::move(message), std::string(trimmed(line_).substr(0, 200)), 1});
+  }
+
+  /// False where there is no use in reading on.
+  bool take(const std::vector<std::string_view>& cells) {
+    if (columns_.known()) return take_row(cells), true;
+    columns_ = named_columns(cells);
+    if (columns_.known()) return true;
+    columns_ = columns_by_count(cells);
+    if (columns_.known()) return take_row(cells), true;
+    wrong(
+        "the first line names the columns, in metres: 'chainage' (or 'x') and 'z' of a profile, or 'x', 'y' and 'z' of "
+        "a survey; without names two columns are chainage and z, three are x, y and z");
+    return false;
+  }
+
+  void take_row(const std::vector<std::string_view>& cells) {
+    if (columns_.last() >= cells.size()) return wrong(fmt::format("the line has {} cells", cells.size()));
+    const auto x = number(cells, columns_.x, "x");
+    const auto y = number(cells, columns_.y, "y");
+    const auto z = number(cells, columns_.z, "z");
+    if (!x || !z || (columns_.y && !y)) return;
+    if (!columns_.y && !terrain_.x.empty() && *x <= terrain_.x.back()) return wrong("x has to grow from line to line");
+    terrain_.x.push_back(*x);
+    if (y) terrain_.y.push_back(*y);
+    terrain_.z.push_back(*z);
+  }
+
+  std::optional<double> number(const std::vector<std::string_view>& cells, const std::optional<std::size_t>& column,
+                               const char* name) {
+    if (!column) return std::nullopt;
+    const auto read = parse_number(cells[*column]);
+    if (read) return *read;
+    wrong(fmt::format("{}: {}", name, read.error().message));
+    return std::nullopt;
+  }
+
+  const std::string& file_;
+  model::description::Terrain& terrain_;
+  Diagnostics& mistakes_;
+  std::size_t before_;
+  std::string_view line_;
+  int number_ = 0;
+  TerrainColumns columns_;
+};
 
 }  // namespace
 
 void read_terrain(std::string_view csv, const std::string& file, model::description::Terrain& terrain,
                   Diagnostics& mistakes) {
-  if (csv.substr(0, 3) == "\xEF\xBB\xBF") csv.remove_prefix(3);
-  const std::size_t before = mistakes.size();
-  std::optional<std::size_t> x_column, z_column;
-  bool has_head = false;
-  int number = 0;
-  while (!csv.empty() && mistakes.size() - before < most_mistakes) {
-    const auto end = std::min(csv.find('\n'), csv.size());
-    const std::string_view line = csv.substr(0, end);
-    csv.remove_prefix(std::min(end + 1, csv.size()));
-    ++number;
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    const auto wrong = [&](std::string message) {
-      mistakes.push_back({file, {number, 1}, std::move(message), std::string(trimmed(line).substr(0, 200)), 1});
-    };
-    const auto cells = cells_of(line);
-    if (!has_head) {
-      has_head = true;
-      x_column = column_of(cells, 'x');
-      z_column = column_of(cells, 'z');
-      if (x_column && z_column) continue;
-      wrong("the first line names the columns, among them 'x' and 'z' in metres");
-      return;
-    }
-    if (std::max(*x_column, *z_column) >= cells.size()) {
-      wrong(fmt::format("the line has {} cells", cells.size()));
-      continue;
-    }
-    const auto x = parse_number(cells[*x_column]);
-    const auto z = parse_number(cells[*z_column]);
-    if (!x || !z) {
-      wrong(fmt::format("{}: {}", x ? "z" : "x", x ? z.error().message : x.error().message));
-    } else if (!terrain.x.empty() && *x <= terrain.x.back()) {
-      wrong("x has to grow from line to line");
-    } else {
-      terrain.x.push_back(*x);
-      terrain.z.push_back(*z);
-    }
-  }
-  if (mistakes.size() == before && terrain.x.size() < 2) {
-    mistakes.push_back({file, {std::max(number, 1), 1}, "a ground profile has two points at least", {}, 1});
-  }
+  TerrainReader(file, terrain, mistakes).read(csv);
+}
+
+std::optional<std::string> terrain_warning(const model::Model& model) {
+  const model::OffLine& off = model.terrain_off_line;
+  if (off.rows == 0) return std::nullopt;
+  return fmt::format(
+      "terrain: {} of the {} rows of the survey {} off the line by more than the corridor, row {} the most, by {:.3g} "
+      "m "
+      "at {:.4g} m along the line; their heights are taken for the ground under the line",
+      off.rows, model.terrain.size(), off.rows == 1 ? "is" : "are", off.farthest, off.distance, off.chainage);
 }
 
 }  // namespace taut::app

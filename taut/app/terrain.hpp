@@ -1,17 +1,23 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "taut/base/diagnostic.hpp"
 #include "taut/model/machine.hpp"
+#include "taut/model/model.hpp"
 
 namespace taut::app {
 
-/// Reads a ground profile into `terrain.x` and `terrain.z`, m. CSV with commas, semicolons or tabs; the first line
-/// names the columns, among them x and z ("x", "x [m]", "x_m"); the others are left alone. Empty lines and lines that
-/// begin with # are skipped. Mistakes: no such column, a cell that is no number, x that does not grow, fewer than two
-/// points.
+/// Reads a ground profile into `terrain.x` and `terrain.z`, m, or a survey into `terrain.x`, `terrain.y` and
+/// `terrain.z`. CSV with commas, semicolons or tabs; the first line names the columns ("x", "x [m]", "x_m"; chainage or
+/// station for the x of a profile): x, y and z of a survey, else x and z of a profile; the others are left alone.
+/// Without names two columns are a profile, three a survey. Empty lines and lines that begin with # are skipped.
+/// Mistakes: no such column, a cell that is no number, x of a profile that does not grow, fewer than two points.
 void read_terrain(std::string_view csv, const std::string& file, model::description::Terrain& terrain,
                   Diagnostics& mistakes);
+
+/// Of rows of a survey that lie far off the line.
+std::optional<std::string> terrain_warning(const model::Model& model);
 
 }  // namespace taut::app

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "taut/app/machine_decks_test.hpp"
+
 namespace taut::app::terrain_test {
 
 TEST(Terrain, ReadsTheColumnsThatItNeeds) {
@@ -14,6 +16,30 @@ TEST(Terrain, ReadsTheColumnsThatItNeeds) {
     EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
     EXPECT_EQ(terrain.x, (std::vector<double>{0, 2.5}));
     EXPECT_EQ(terrain.z, (std::vector<double>{1, -3}));
+    EXPECT_TRUE(terrain.y.empty());
+  }
+}
+
+TEST(Terrain, KnowsTheColumnsByTheirNamesElseByTheirCount) {
+  struct Row {
+    const char* text;
+    std::vector<double> x, y, z;
+  };
+  const std::vector<Row> rows = {
+      {"0,1\n2.5,-3\n", {0, 2.5}, {}, {1, -3}},
+      {"chainage,z\n0,1\n2.5,-3\n", {0, 2.5}, {}, {1, -3}},
+      {"Z;Station [m]\n1;0\n-3;2.5\n", {0, 2.5}, {}, {1, -3}},
+      {"7,5,1\n2,8,-3\n", {7, 2}, {5, 8}, {1, -3}},
+      {"z,x,point,y\n1,7,a,5\n-3,2,b,8\n", {7, 2}, {5, 8}, {1, -3}},
+  };
+  for (const Row& row : rows) {
+    model::description::Terrain terrain;
+    Diagnostics mistakes;
+    read_terrain(row.text, "p.csv", terrain, mistakes);
+    EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
+    EXPECT_EQ(terrain.x, row.x) << row.text;
+    EXPECT_EQ(terrain.y, row.y) << row.text;
+    EXPECT_EQ(terrain.z, row.z) << row.text;
   }
 }
 
@@ -26,6 +52,8 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
       {"x,z\n1,2\n2\n3,1\n", "p.csv:3:1: error: the line has 1 cells"},
       {"x,z\n1,2\nb,3\n4,4\n", "p.csv:3:1: error: x: "},
       {"x,z\n1,2\n2,\n4,4\n", "p.csv:3:1: error: z: "},
+      {"x,y,z\n1,2,3\n2,?,3\n4,4,4\n", "p.csv:3:1: error: y: "},
+      {"1,2,3,4\n", "three are x, y and z"},
       {"x,z\n1,2\n1,3\n", "p.csv:3:1: error: x has to grow"},
   };
   for (const auto& [text, expected] : rows) {
@@ -33,6 +61,34 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
     Diagnostics mistakes;
     read_terrain(text, "p.csv", terrain, mistakes);
     EXPECT_NE(to_text(mistakes).find(expected), std::string::npos) << text << "\n" << to_text(mistakes);
+  }
+}
+
+TEST(Terrain, OfASurveyIsThatOfItsProfile) {
+  const auto deck = [](const std::string& terrain) {
+    std::string text = taut_test::skyline_deck("  - load_path: {carriage: car, from: 130 m, to: 220 m, steps: 9}");
+    const auto at = text.find("terrain: {");
+    return text.replace(at, text.find('\n', at) - at, "terrain: " + terrain);
+  };
+  const Result profile =
+      taut_test::run_text(deck("{x: [0 m, 110 m, 170 m, 240 m, 360 m], z: [-4 m, 22 m, 34 m, 66 m, 106 m]}"));
+  ASSERT_EQ(profile.status, Status::ok) << profile.message;
+  // unordered, beside the line, seen from the tower
+  for (const char* between : {"between: [stump, tower]", "between: [tower, stump]", "corridor: 8 m"}) {
+    const Result survey = taut_test::run_text(deck(
+        std::string("{x: [0 m, 240 m, 170 m, 110 m, 360 m], y: [0 m, -3 m, 1 m, 7 m, 0 m], z: [-4 m, 66 m, 34 m, 22 m, "
+                    "106 m], ") +
+        between + "}"));
+    ASSERT_EQ(survey.status, Status::ok) << survey.message << to_text(survey.errors);
+    EXPECT_NEAR(taut_test::value_of(survey, "clearance_min"), taut_test::value_of(profile, "clearance_min"), 1e-9);
+    EXPECT_NEAR(taut_test::value_of(survey, "rope_clearance_min"), taut_test::value_of(profile, "rope_clearance_min"),
+                1e-9);
+    const auto off = std::count_if(survey.warnings.begin(), survey.warnings.end(), [](const std::string& w) {
+      return w.find(
+                 "terrain: 1 of the 5 rows of the survey is off the line by more than the corridor, row 4 the most, "
+                 "by 7 m") == 0;
+    });
+    EXPECT_EQ(off, between[0] == 'b' ? 1 : 0);
   }
 }
 

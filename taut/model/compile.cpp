@@ -21,6 +21,7 @@
 #include "taut/model/rope_loads.hpp"
 #include "taut/model/rope_of.hpp"
 #include "taut/model/signals_of.hpp"
+#include "taut/model/terrain.hpp"
 
 namespace taut::model {
 namespace {
@@ -71,7 +72,8 @@ class Compiler {
     if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
     add_loads();
     add_take_ups();
-    add_terrain();
+    if (complaints_.empty()) add_put_ups();
+    if (machine_.terrain) model::add_terrain(*machine_.terrain, links_, model_, complaints_);
     if (model_.reevings.empty() && machine_.beams.empty())
       complain("", "the machine has no rope: say 'reevings' or 'guys'");
     if (!complaints_.empty()) return tl::unexpected(complaints_);
@@ -230,7 +232,13 @@ class Compiler {
       check_room(model_, stops, closed, path, complaints_);
       set_clamps(stops, places, model_.reevings[r]);
       for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
+      if (r < machine_.reevings.size() && machine_.reevings[r].install) set_straight(places, model_.reevings[r]);
     }
+  }
+
+  static void set_straight(const std::vector<Vector3>& places, Reeving& reeving) {
+    reeving.value = 0;
+    for (std::size_t k = 1; k < places.size(); ++k) reeving.value += (places[k] - places[k - 1]).norm();
   }
 
   /// Clamps without a length stand at their share of the way, of an endless rope all the way round.
@@ -249,6 +257,7 @@ class Compiler {
   void add_loads() {
     for (std::size_t i = 0; i < machine_.loads.size(); ++i) {
       const description::Load& given = machine_.loads[i];
+      check_name(given, i);
       const std::string path = fmt::format("loads[{}].at", i);
       const Target* t = links_.find(given.at, {Thing::body, Thing::carriage, Thing::point, Thing::sheave, Thing::drum},
                                     path, complaints_);
@@ -272,6 +281,46 @@ class Compiler {
     }
   }
 
+  /// A load's name is its own: paths and `with` find it by that.
+  void check_name(const description::Load& load, std::size_t i) {
+    if (!load.name) return;
+    const auto earlier = machine_.loads.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool twice =
+        std::any_of(machine_.loads.begin(), earlier, [&](const auto& one) { return one.name == load.name; });
+    const bool other = index_of(machine_.bodies, *load.name) >= 0 || index_of(machine_.carriages, *load.name) >= 0;
+    if (!twice && !other) return;
+    complain(fmt::format("loads[{}].name", i),
+             fmt::format("another {} is called '{}'", twice ? "load" : "body or carriage", *load.name));
+  }
+
+  void add_put_ups() {
+    for (std::size_t i = 0; i < machine_.reevings.size(); ++i) {
+      const auto& given = machine_.reevings[i].install;
+      if (!given) continue;
+      PutUp& put_up = model_.reevings[i].put_up.emplace();
+      put_up.tension = given->tension;
+      put_up.at_end = given->at == description::BaseTensionAt::end;
+      const std::string path = fmt::format("reevings[{}].install.with", i);
+      std::vector<int> loads;
+      for (const std::string& name : given->with) {
+        const auto load = std::find_if(machine_.loads.begin(), machine_.loads.end(),
+                                       [&](const auto& one) { return one.name == name; });
+        if (load != machine_.loads.end()) {
+          put_up.loads.push_back(static_cast<int>(load - machine_.loads.begin()));
+        } else if (const Target* t = links_.find(name, {Thing::body, Thing::carriage}, path, complaints_)) {
+          put_up.bodies.push_back(t->place.body);
+        }
+      }
+      for (const int load : put_up.loads) {
+        const int body = model_.loads[static_cast<std::size_t>(load)].at.body;
+        if (std::find(put_up.bodies.begin(), put_up.bodies.end(), body) != put_up.bodies.end()) continue;
+        complain(path, fmt::format("the load '{}' hangs on '{}': name that too",
+                                   *machine_.loads[static_cast<std::size_t>(load)].name,
+                                   model_.bodies[static_cast<std::size_t>(body)].name));
+      }
+    }
+  }
+
   void add_take_ups() {
     for (std::size_t i = 0; i < machine_.take_up.size(); ++i) {
       const description::TakeUp& given = machine_.take_up[i];
@@ -287,27 +336,6 @@ class Compiler {
       if (body.free.size() != 1) continue;
       const double share = along.normalized().dot(body.free.front().along);
       body.counterweight += *given.weight * share * share;
-    }
-  }
-
-  void add_terrain() {
-    if (!machine_.terrain) return;
-    const auto& [file, x, z, from, along] = *machine_.terrain;
-    if (from.size() != 2) complain("terrain.from", "two coordinates [x, y] are expected");
-    if (along.size() != 2 || std::hypot(along[0], along[1]) == 0)
-      complain("terrain.along", "a horizontal direction [x, y] is expected, not zero");
-    if (!complaints_.empty()) return;
-    model_.terrain_from = {from[0], from[1], 0};
-    model_.terrain_along = Vector3(along[0], along[1], 0).normalized();
-    if (x.size() != z.size()) complain("terrain.z", fmt::format("{} heights for {} places", z.size(), x.size()));
-    if (!file && std::min(x.size(), z.size()) < 2)
-      complain("terrain", "needs a 'file', or two places 'x' with their 'z'");
-    for (std::size_t i = 0; i < std::min(x.size(), z.size()); ++i) {
-      if (i > 0 && x[i] <= x[i - 1]) {
-        complain(file ? "terrain.file" : fmt::format("terrain.x[{}]", i), "x has to grow from place to place");
-        return;
-      }
-      model_.terrain.push_back({x[i], z[i]});
     }
   }
 

@@ -196,11 +196,11 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        },
        "reevings[0].path: 'jack' and 'tail' are at the same place"},
       {[](Machine& m) {
-         m.terrain = description::Terrain{{}, {0, 5, 4}, {0, 0, 0}};
+         m.terrain = description::Terrain{{}, {0, 5, 4}, {0, 0, 0}, {}, {}};
        },
        "terrain.x[2]: x has to grow"},
       {[](Machine& m) {
-         m.terrain = description::Terrain{{}, {0, 5}, {0}};
+         m.terrain = description::Terrain{{}, {0, 5}, {0}, {}, {}};
        },
        "terrain.z: 1 heights for 2 places"},
       {[](Machine& m) { m.reevings.clear(), m.carriages.clear(); }, "the machine has no rope"},

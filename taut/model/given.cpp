@@ -61,7 +61,12 @@ void set_given(const Machine& machine, const Model& model, const description::Re
   take(given.length, Given::length, "length");
   take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
   take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
+  if (given.install) said.push_back({Given::length, 0, "install"});
   const Motor* motor = motor_on(model, given);
+  if (given.install && (given.closed || (motor != nullptr && !gives_torque(*motor)))) {
+    complaints.push_back({path + ".install", "is for ropes with two ends and without a motor on their path"});
+    return;
+  }
   if (given.closed) {
     if (said.empty() && motor != nullptr && gives_torque(*motor)) take(0, Given::torque, "torque");
     if (said.empty()) complaints.push_back({path, "an endless rope is given by its 'length', or its motor's 'torque'"});
@@ -90,7 +95,7 @@ void set_given(const Machine& machine, const Model& model, const description::Re
                                             words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")))});
   } else if (said.empty() && !given.closed) {
     complaints.push_back(
-        {path, "needs one of length, tension_at_start, tension_at_end (or a drum with a pull or a torque)"});
+        {path, "needs one of length, install, tension_at_start, tension_at_end (or a drum with a pull or a torque)"});
   } else if (said.size() > 1 && !takes_two) {
     complaints.push_back({path, fmt::format("is told {}; give one of them", fmt::join(words, " and "))});
   }

@@ -66,7 +66,10 @@ const Description& Rope::describe() {
           .field(&Rope::mass, "mass", "m", si::kg_per_m, "mass per unstretched metre")
           .at_most(heaviest)
           .at_least(0)
-          .field(&Rope::stiffness, "stiffness", "EA", si::N.in("MN"), "axial stiffness")
+          .field(
+              &Rope::stiffness, "stiffness", "EA", si::N.in("MN"),
+              "axial stiffness; of a rope of the catalogue without it metallic area times a modulus by construction; "
+              ".inf: inextensible")
           .above(0)
           .may_be_infinite()
           .field(&Rope::breaking_force, "breaking_force", "F_min", si::N, "minimum breaking force")
@@ -160,6 +163,21 @@ const Description& PathElement::describe() {
   return d;
 }
 
+const Description& PutUp::describe() {
+  static const Description d =
+      Describe<PutUp>()
+          .field(&PutUp::tension, "tension", "T", si::N, "base tension: when the line is put up")
+          .at_most(strongest)
+          .required()
+          .above(0)
+          .choice(&PutUp::at, "at", {{"start", BaseTensionAt::start}, {"end", BaseTensionAt::end}},
+                  "the end of its path that has this tension")
+          .field(&PutUp::with, "with",
+                 "carriages, bodies and named loads that hang on the line while it is put up; without it the line is "
+                 "empty");
+  return d;
+}
+
 const Description& Reeving::describe() {
   static const Description d =
       Describe<Reeving>()
@@ -171,12 +189,16 @@ const Description& Reeving::describe() {
           .field(&Reeving::length, "length", "L", si::m, "unstretched length of the rope from end to end")
           .at_most(farthest)
           .above(0)
-          .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N, "instead of the length")
+          .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N,
+                 "instead of the length: held constant in every state, as by a counterweight")
           .at_most(strongest)
           .above(0)
-          .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N, "instead of the length")
+          .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N,
+                 "instead of the length: held constant in every state, as by a counterweight")
           .at_most(strongest)
           .above(0)
+          .record(&Reeving::install, "install",
+                  "instead of the length: tension when the line is put up; the length found there is kept")
           .field(&Reeving::copies, "copies", "n", si::one, "equal ropes beside each other")
           .at_least(1)
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
@@ -197,6 +219,7 @@ const Description& Load::describe() {
       Describe<Load>()
           .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
           .required()
+          .field(&Load::name, "name", "for paths and 'with'")
           .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
           .at_most(heaviest)
           .at_least(0)
@@ -255,9 +278,16 @@ const Description& Guy::describe() {
 const Description& Terrain::describe() {
   static const Description d =
       Describe<Terrain>()
-          .field(&Terrain::file, "file", "CSV with the columns x and z in metres, x growing")
-          .field(&Terrain::x, "x", "x", si::m, "places along the line, growing")
+          .field(&Terrain::file, "file",
+                 "CSV in metres: columns chainage (or x) and z, chainage growing; or x, y, z of a survey")
+          .field(&Terrain::x, "x", "x", si::m, "places along the line, growing; with 'y' x of the ground frame")
+          .field(&Terrain::y, "y", "y", si::m, "of a survey: y of the ground frame; its rows are projected on the line")
           .field(&Terrain::z, "z", "z", si::m, "height of the ground there")
+          .field(&Terrain::between, "between",
+                 "two points: the line runs from the first, where its chainage is 0, to the second; a survey without "
+                 "it has the line from its first to its last row")
+          .field(&Terrain::corridor, "corridor", "", si::m, "surveyed rows that are farther off the line get a warning")
+          .at_least(0)
           .field(&Terrain::from, "from", "", si::m,
                  "where its x is 0, as [x, y] of the ground frame; for lines across the axes")
           .field(&Terrain::along, "along", "", si::one, "horizontal direction of its x, [x, y]");

@@ -27,7 +27,7 @@ struct Rope {
   std::string name;
   std::optional<std::string> rope;              ///< id in the catalogue
   std::optional<double> mass;                   ///< kg/m, per unstretched metre
-  std::optional<double> stiffness;              ///< EA, N
+  std::optional<double> stiffness;              ///< EA, N; none: by the catalogue's area and construction
   std::optional<double> breaking_force;         ///< N
   std::optional<double> diameter;               ///< m
   double expansion = 1.2e-5;                    ///< 1/K
@@ -147,6 +147,15 @@ struct PathElement {
 
 enum class Haul { automatic, to_start, to_end };
 
+/// How a line is put up: by its tension at one end, empty but for what is named. Then its length is frozen.
+enum class BaseTensionAt { start, end };
+struct PutUp {
+  double tension = 0;  ///< N
+  BaseTensionAt at = BaseTensionAt::start;
+  std::vector<std::string> with;  ///< carriages, bodies and loads that hang on it meanwhile
+  static const Description& describe();
+};
+
 struct Reeving {
   std::optional<std::string> name;  ///< default: its rope's
   std::string rope;
@@ -159,6 +168,7 @@ struct Reeving {
   Haul haul = Haul::automatic;
   int segments = 1;        ///< of each free part, in motion
   bool may_slack = false;  ///< it is meant to go slack: no unsafe warning
+  std::optional<PutUp> install = std::nullopt;
   static const Description& describe();
 };
 
@@ -178,6 +188,7 @@ struct Load {
   std::optional<double> mass;
   std::optional<Triple> force;
   std::optional<Dragged> dragged = std::nullopt;
+  std::optional<std::string> name = std::nullopt;
   static const Description& describe();
 };
 
@@ -227,14 +238,17 @@ struct Guy {
   static const Description& describe();
 };
 
-/// Ground under the line: a CSV file with the columns x and z, or both written out. x runs along a horizontal
-/// direction.
+/// Ground under the line: a CSV file, or its columns written out. Without y: heights over chainage, x runs along a
+/// horizontal direction. With y: a survey, x and y of the ground frame, projected on the line (terrain.hpp).
 struct Terrain {
   std::optional<std::string> file;
   std::vector<double> x;
   std::vector<double> z;
-  std::vector<double> from = {0, 0};   ///< where x is 0: x and y of the ground frame, m
-  std::vector<double> along = {1, 0};  ///< the direction of x
+  std::vector<double> from;   ///< where x is 0: x and y of the ground frame, m; none: the origin
+  std::vector<double> along;  ///< the direction of x; none: that of the ground frame's x
+  std::vector<double> y = {};
+  std::vector<std::string> between = {};  ///< two points: the line runs from the first to the second
+  double corridor = 5;                    ///< surveyed rows farther off the line are warned of, m
   static const Description& describe();
 };
 

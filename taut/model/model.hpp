@@ -112,6 +112,15 @@ enum class Given {
   torque             ///< of a closed rope: its drive's tension_drop; the length follows
 };
 
+/// How a rope that has a length is put up to find it: with this tension at one end of its path, without what hangs on
+/// it but for these bodies and loads (indices in the model).
+struct PutUp {
+  double tension = 0;  ///< N
+  bool at_end = false;
+  std::vector<int> bodies;
+  std::vector<int> loads;
+};
+
 /// One rope on its path, in the order of which "in" and "out" speak. Parallel parts are already written out: a tackle
 /// of n falls is n branches with a contact at each turn.
 struct Reeving {
@@ -135,6 +144,8 @@ struct Reeving {
   double mass = 0;      ///< per unstretched length, kg/m
   double diameter = 0;  ///< m; 0: not known
   int haul = -1;        ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
+  /// Until the rope has been put up, `value` is the straight length of its path and no answer of an analysis.
+  std::optional<PutUp> put_up = std::nullopt;
 };
 
 /// A carriage that a load path moves along its line.
@@ -155,6 +166,14 @@ struct GroundPoint {
   double x = 0, z = 0;  ///< m
 };
 
+/// Rows of a survey that lie off the line by more than the deck's corridor.
+struct OffLine {
+  int rows = 0;
+  int farthest = 0;     ///< row of the survey, from 1 on
+  double distance = 0;  ///< of that one, in plan, m
+  double chainage = 0;  ///< of that one, m
+};
+
 struct Model {
   double gravity = standard_gravity;  ///< m/s^2, along -z
   std::vector<Body> bodies;
@@ -164,6 +183,7 @@ struct Model {
   std::vector<GroundPoint> terrain;
   Vector3 terrain_from = Vector3::Zero();    ///< where the terrain's x is 0, m
   Vector3 terrain_along = Vector3::UnitX();  ///< horizontal unit vector
+  OffLine terrain_off_line;                  ///< of a survey
   // of a machine in motion
   std::vector<Signal> signals;
   std::vector<Drum> drums;

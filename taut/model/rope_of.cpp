@@ -9,15 +9,12 @@
 namespace taut::model {
 namespace {
 
-/// For the message that asks for a stiffness: a common modulus of steel ropes on the metallic area.
-constexpr double usual_modulus = 100e9;
-
 RopeData rope_of(const description::Rope& given, const std::optional<double>& temperature,
                  std::vector<Complaint>& complaints) {
   RopeData rope;
   rope.name = given.name;
   const std::string path = fmt::format("ropes.{}", given.name);
-  double area = 0;
+  std::optional<catalogue::RopeStiffness> of_area;
   if (given.rope) {
     const auto row = catalogue::find_rope(*given.rope);
     if (!row) {
@@ -27,18 +24,17 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
     rope.mass = row->mass_per_length;
     rope.breaking_force = row->breaking_force;
     rope.diameter = row->diameter;
-    area = row->area;
+    of_area = catalogue::stiffness_of(*row);
   } else if (!given.mass) {
     complaints.push_back({path, "says neither a 'rope' of the catalogue nor its 'mass' per metre"});
   }
-  if (!given.stiffness) {
-    const std::string hint = area > 0 ? fmt::format("; its {:.4g} mm^2 with a modulus of 100 GPa make {:.3g} MN",
-                                                    area * 1e6, area * usual_modulus / 1e6)
-                                      : std::string{};
-    complaints.push_back({path, fmt::format("lacks its 'stiffness', EA{}", hint)});
+  if (!given.stiffness && !of_area) {
+    complaints.push_back({path, given.rope ? "lacks its 'stiffness', EA: no modulus is known for its construction"
+                                           : "lacks its 'stiffness', EA (metallic area times modulus; .inf for an "
+                                             "inextensible rope)"});
   }
   rope.mass = given.mass.value_or(rope.mass);
-  rope.stiffness = given.stiffness.value_or(0);
+  rope.stiffness = given.stiffness.value_or(of_area ? of_area->EA : 0);
   rope.breaking_force = given.breaking_force.value_or(rope.breaking_force);
   rope.diameter = given.diameter.value_or(rope.diameter);
   if (given.damping_ratio && given.damping_time) {
@@ -53,6 +49,12 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
 }
 
 }  // namespace
+
+std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::Rope& rope) {
+  if (rope.stiffness || !rope.rope) return std::nullopt;
+  const auto row = catalogue::find_rope(*rope.rope);
+  return row ? catalogue::stiffness_of(*row) : std::nullopt;
+}
 
 std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<RopeData> all;

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "taut/catalogue/modulus.hpp"
 #include "taut/model/machine.hpp"
 
 namespace taut::model {
@@ -16,6 +18,9 @@ struct RopeData {
   double thermal_strain = 0;  ///< at the machine's temperature
   double damping_ratio = 0, damping_time = 0;
 };
+
+/// What the stiffness of a rope rests on that the deck leaves to the catalogue; nothing where the deck gives it.
+std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::Rope& rope);
 
 /// Complains at "ropes.NAME" of a rope that the catalogue lacks, or whose mass or stiffness nobody says.
 std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints);
