@@ -260,6 +260,7 @@ Layout without_beams(const Layout& layout, int& kept) {
   Layout bare = layout;
   bare.pieces.clear();
   if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
+  for (Layout::Link& link : bare.links) link.force = -1;  // these unknowns stand behind the beams'
   kept = -1;
   if (bare.hold >= 0) {
     --bare.size;  // the last one before the beams
