@@ -150,7 +150,10 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
 
 bool settled(const System& s, const Evaluation& e, double tolerance, double ulps = 1) {
   const Misfit m = misfit(s, e);
-  const double rounding = std::min(ulps * rounding_strain * s.layout.stiffest, most_rounding * e.largest_force);
+  // A machine whose forces are all within the rounding of its stiffest branch bears none: there is no balance to lose.
+  const double of_lengths = rounding_strain * s.layout.stiffest;
+  const double most = e.largest_force > of_lengths ? most_rounding * e.largest_force : ulps * of_lengths;
+  const double rounding = std::min(ulps * of_lengths, most);
   return m.force <= std::max(tolerance * e.largest_force, rounding) &&
          std::max(m.length, m.span) <= tolerance * s.layout.length;
 }

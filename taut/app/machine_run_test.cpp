@@ -265,7 +265,9 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     EXPECT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
     EXPECT_FALSE(r.figures.empty());
     EXPECT_FALSE(r.steps.empty());
-    EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
+    // the winch of the loop's return rope holds its pull, which the machine has no drum for
+    const bool held = entry.path().stem() == "two_section_loop";
+    EXPECT_EQ(r.warnings.size(), held ? 1U : 0U) << r.warnings.front();
     for (const Table& t : r.tables) {
       if (t.name.starts_with("closure")) {
         EXPECT_LT(cell(t, 0, "rope_closure"), 1e-7);
