@@ -25,8 +25,9 @@ bool is_feasible(const LoopState& state);
 bool reach_loop(const RunningLoop& loop, const LoopPlace& place, LoopState& state, const LoopState* near);
 
 /// Damped Newton from `start`: balance of the nodes, the roller's law, the sheave, and the given place. True when it
-/// has converged to rounding; `state` is then that equilibrium, whatever the sign of the roller force. False too for the
-/// unstable answers of the same equations: a link on its head, ropes that hang so deep that a longer one pulls harder.
+/// has converged to rounding; `state` is then that equilibrium, whatever the sign of the roller force. False too for
+/// the unstable answers of the same equations: a link on its head, ropes that hang so deep that a longer one pulls
+/// harder.
 bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns& start, LoopState& state);
 
 }  // namespace taut::analysis

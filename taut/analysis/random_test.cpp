@@ -117,9 +117,11 @@ TEST(RandomMachines, UnloadedAndHeldLinesAreSolved) {
     const bool held = line.options.prescribed && line.model.carriages[0].mainline < 0;
     if (!line.model.bodies.empty() && !held) continue;
     ++lines;
-    solved += equilibrium(line.model, line.options).outcome.ok() ? 1 : 0;
+    const EquilibriumResult r = equilibrium(line.model, line.options);
+    solved += r.outcome.ok() ? 1 : 0;
   }
-  EXPECT_GE(solved, 1998);
+  // five ropes without weight and load that do not stretch are refused: no force decides their shape
+  EXPECT_GE(solved, 1995);
 }
 
 }  // namespace random_test

@@ -84,8 +84,7 @@ TEST(SecondSection, ACarriageOutsideItsRopeIsRefusedByName) {
 TEST(SecondSection, ACarriagePastTheNextSheaveIsRefusedByName) {
   EXPECT_TRUE(has(told(running_skyline(199)), "ok")) << told(running_skyline(199));
   const std::string words = told(running_skyline(201));
-  EXPECT_TRUE(has(words, "'car'") && has(words, "'tail_block'"))
-      << words;
+  EXPECT_TRUE(has(words, "'car'") && has(words, "'tail_block'")) << words;
 }
 
 /// An endless haul rope whose guide stands where its drive is: neighbours only when the carriage is elsewhere.

@@ -143,7 +143,7 @@ TEST(MastSectionExact, SlenderMastIsRefusedWithAReason) {
   const Result r = completed(in);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_NE(r.message.find("buckles"), std::string::npos) << r.message;
-  EXPECT_EQ(exit_code(r), 4);
+  EXPECT_EQ(exit_code(r), 3);
   in.lateral_force.reset();
   const Result plain = completed(in);
   EXPECT_EQ(plain.status, Status::ok) << "the method itself knows nothing of it, but its check by second order fails";

@@ -7,11 +7,14 @@
 
 namespace taut::closed_loop::brute_force_test {
 
-/// Largest tensions over the positions with these weights; infinite where a position has none.
-Peaks peaks_with(const Input& in, double q_b, double q_T) {
+/// Largest tensions over the positions with these weights, hauled in and out; infinite where a position has none.
+Peaks peaks_with(Input in, double q_b, double q_T) {
   Peaks peaks;
-  for (const Row& row : sweep(in, {q_b, q_T, {}, {}})) {
-    if (row.outcome.ok()) peaks = larger(peaks, closed_form_peaks_of(row.out));
+  for (const Haul haul : {Haul::in, Haul::out}) {
+    in.haul = haul;
+    for (const Row& row : sweep(in, {q_b, q_T, {}, {}})) {
+      if (row.outcome.ok()) peaks = larger(peaks, closed_form_peaks_of(row.out));
+    }
   }
   return peaks;
 }
