@@ -14,6 +14,7 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/rope_sense.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
@@ -41,6 +42,7 @@ struct EnvelopeRun {
   std::vector<std::string> motions;
   std::vector<double> temperatures;
   const model::Machine* machine = nullptr;
+  std::vector<Winch> winches;
 };
 
 /// A quantity at its least and at its most.
@@ -160,6 +162,7 @@ class Combination {
       take(model, result, where, fmt::format("envelope, {}", words_of(motion)));
       return;
     }
+    RopeSenses senses(run_.winches);
     for (const WayPart& part : parts_of(model, run_.way)) {
       if (watch_.ended()) return;
       if (part.support != nullptr) {
@@ -171,6 +174,7 @@ class Combination {
       options.go_on = [&](double x) { return watch_.go_on_at(x); };
       auto path = analysis::load_path(part.model, options);
       if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
+      senses.take(part.model, path.points);
       for (const auto& point : path.points) {
         Where there = where;
         there.x = point.x;
@@ -181,6 +185,10 @@ class Combination {
           envelope_.add(machine_.model.carriages[at(run_.carriage)].name, "clearance", si::m, point.clearance, there);
         }
       }
+    }
+    const auto contrary = contrary_senses(senses.all());
+    if (contrary && warned_.insert(where.motion).second) {
+      warn_unsafe(r_, fmt::format("envelope, {}: {}", words_of(motion), *contrary));
     }
   }
 
@@ -250,6 +258,7 @@ class Combination {
     OtherAnswer answer;
   };
   std::map<std::string, Kept> worst_;
+  std::set<std::string> warned_;  ///< motions
   int states_ = 0;
   bool on_support_ = false;
 };
@@ -340,6 +349,7 @@ Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& pat
   run->machine = &p.deck.machine;
   if (request.carriage) run->carriage = carriage_of(p, *request.carriage, path + ".carriage");
   if (request.carriage) check_hold(p.model, run->carriage, p.complaints);
+  if (request.carriage) run->winches = winches_of(p.model, p.deck, run->carriage);
   const bool all = request.carriage && request.from && request.to;
   const bool nothing = !request.carriage && !request.from && !request.to;
   if (!all && !nothing) {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <system_error>
@@ -34,13 +35,15 @@ std::string read_standard_input() {
   return text;
 }
 
-/// Writes beside its place and moves it there whole.
-tl::expected<void, FileError> write(const fs::path& path, const std::string& text) {
+using Pieces = std::function<void(const std::function<void(const std::string&)>&)>;
+
+/// Writes beside its place and moves it there whole. `pieces` gives the text, one piece after the other.
+tl::expected<void, FileError> write(const fs::path& path, const Pieces& pieces) {
   const fs::path part = path.string() + ".part";
   errno = 0;
   {
     std::ofstream file(part, std::ios::binary | std::ios::trunc);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    pieces([&](const std::string& text) { file.write(text.data(), static_cast<std::streamsize>(text.size())); });
     file.close();
     if (!file) return tl::unexpected(FileError{fmt::format("can't write {}: {}", path.string(), reason())});
   }
@@ -56,7 +59,7 @@ tl::expected<std::vector<std::string>, FileError> write_all(
   std::vector<std::string> written;
   for (const auto& [name, text] : files) {
     const fs::path path = fs::path(folder) / name;
-    if (const auto done = write(path, text); !done) return tl::unexpected(done.error());
+    if (const auto done = write(path, [&](const auto& put) { put(text); }); !done) return tl::unexpected(done.error());
     written.push_back(path.string());
   }
   return written;
@@ -84,12 +87,18 @@ tl::expected<std::vector<std::string>, FileError> write_files(const Result& resu
     if (const auto* plot = std::get_if<Plot>(&f); plot != nullptr && !plot->name.empty())
       files.emplace_back(plot->name + ".csv", io::to_csv(io::series_table(*plot)));
   }
-  for (const Table& t : result.series) files.emplace_back(t.name + ".csv", io::to_csv(t));
   for (const Attachment& a : result.attachments) files.emplace_back(a.name, a.text);
   if (!result.comparisons.empty())
     files.emplace_back("comparison.csv", io::to_csv(comparison_table(result.comparisons)));
   auto written = write_all(files, folder);
   if (!written || result.series.empty()) return written;
+  for (const Table& t : result.series) {
+    const fs::path path = fs::path(folder) / (t.name + ".csv");
+    if (const auto done = write(path, [&](const auto& put) { io::to_csv(t, put); }); !done) {
+      return tl::unexpected(done.error());
+    }
+    written->push_back(path.string());
+  }
   const fs::path path = fs::path(folder) / "series.h5";
   const fs::path part = path.string() + ".part";
   if (const auto done = io::write_hdf5(result.series, part.string()); !done) {

@@ -20,6 +20,7 @@
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/merge.hpp"
+#include "taut/app/rope_sense.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -217,6 +218,15 @@ void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
   }
 }
 
+/// Ropes that can't all run as they are declared to.
+void warn_of_senses(const MachineDeck& deck, const model::Model& model, const LoadPathRun& one, Result& r) {
+  RopeSenses senses(winches_of(model, deck, one.carriage));
+  for (const LoadPathPart& part : one.parts) senses.take(part.model, part.result.points);
+  if (const auto contrary = contrary_senses(senses.all())) {
+    warn_unsafe(r, fmt::format("load path, {}: {}", one.words, *contrary));
+  }
+}
+
 /// `checks_only`: without what nothing but a report needs.
 Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress,
                bool checks_only = false) {
@@ -243,6 +253,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
       }
       note_failure(r, part.result.outcome, fmt::format("load path, {}", one.words));
     }
+    warn_of_senses(deck, run.model, one, r);
     watch.note(r);
   }
   run.checked = std::make_shared<CheckedParts>(deck, run.model);

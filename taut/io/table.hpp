@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "taut/calc/result.hpp"
@@ -8,6 +9,8 @@ namespace taut::io {
 /// A table as CSV (RFC 4180: CRLF, quotes where needed): a header with SI units, "boom_length [m]", then the rows.
 /// Numbers in as many digits as bring the same number back; no value is an empty cell.
 std::string to_csv(const Table& t);
+/// The same piece by piece, for a table that is too long to be one text.
+void to_csv(const Table& t, const std::function<void(const std::string&)>& write);
 
 /// The numbers of a plot as a table of its name: the first column is x, then one column for each curve. When the
 /// curves do not share their x, one row for each point instead: curve, x, y.
