@@ -91,6 +91,8 @@ void prepare(Run& run, const DynamicState& start) {
   run.T_older = run.T_old;
   run.rate_old = run.nu_old = run.before.rate;
   run.T_largest.assign(run.model.reevings.size(), 0.0);
+  run.T_error = run.T_largest;
+  forget_tension_rates(run);
   run.origin = start;
   for (DynamicState::Rope& rope : run.origin.ropes) {
     if (rope.lumped.empty()) rope.lumped = rope.length;
@@ -158,6 +160,56 @@ bool dynamics::open_run(Run& run) {
   return true;
 }
 
+namespace {
+
+TransientResult finished(Run& run) {
+  // those of one step stand at the moments within it
+  std::stable_sort(run.result.events.begin(), run.result.events.end(),
+                   [](const TransientEvent& a, const TransientEvent& b) { return a.t < b.t; });
+  run.result.iterations = run.newton.used;
+  run.result.state = state_of(run.m, run.before, run.origin);
+  run.result.state.happened.assign(run.happened.begin(), run.happened.end());
+  run.result.state.memory = memory_of(run);
+  return std::move(run.result);
+}
+
+TransientResult marched(Run& run) {
+  if (run.options.anew) run.options.anew();
+  march(run);
+  return finished(run);
+}
+
+/// The motion by Verlet's own step: the longest one below the stability limit at first, then, from the beginning, ones
+/// that are so much shorter that tensions and energy are within the tolerance. `options`: those of the run.
+TransientResult by_own_step(const Run& opened, TransientOptions& options) {
+  std::vector<double> T_expected;
+  VerletRun before;
+  for (;;) {
+    Run run = opened;
+    run.h = options.step;
+    run.T_expected = T_expected;
+    TransientResult result = marched(run);
+    const VerletRun last = {options.step, largest_error(result) / options.tolerance};
+    if (result.interrupted || last.error <= 1) return result;
+    options.step = shorter_step(options, before, last);
+    before = last;
+    if (const double steps = options.duration / options.step; steps > static_cast<double>(options.most_steps)) {
+      if (options.anew) options.anew();
+      TransientResult refused = opened.result;
+      refused.outcome = not_converged(
+          fmt::format("Verlet's steps of {:.3g} s leave an error of {:.2g} in the tensions and of {:.2g} in the energy; "
+                      "a 'tolerance' of {:.2g} needs {:.3g} million steps: give a coarser one, a shorter 'duration' or "
+                      "a fixed 'step'",
+                      last.step, result.tension_error, result.open, options.tolerance, 1e-6 * steps));
+      return refused;
+    }
+    T_expected.resize(run.T_largest.size(), 0.0);
+    for (std::size_t r = 0; r < T_expected.size(); ++r) T_expected[r] = std::max(T_expected[r], run.T_largest[r]);
+  }
+}
+
+}  // namespace
+
 TransientResult transient(const model::Model& described, const TransientOptions& given) {
   expects(given.duration > 0, "a motion lasts");
   const model::Model model = sided_at_rest(described, given.start);
@@ -177,6 +229,7 @@ TransientResult transient(const model::Model& described, const TransientOptions&
   run.end = run.before.t + options.duration;
   run.stops = stops_of(model, run.before.t, run.end);
   run.result.stability_limit = stability_limit(run.m, run.before);
+  const bool own_step = options.method == TimeMethod::verlet && options.step <= 0;
   if (options.method == TimeMethod::verlet) {
     const double limit = run.result.stability_limit;
     if (options.step > limit) {
@@ -196,15 +249,8 @@ TransientResult transient(const model::Model& described, const TransientOptions&
         static_cast<std::size_t>(run.m.lines[static_cast<std::size_t>(&line - run.before.lines.data())].reeving);
     run.T_largest[r] = std::max(run.T_largest[r], line.T);
   }
-  march(run);
-  // those of one step stand at the moments within it
-  std::stable_sort(run.result.events.begin(), run.result.events.end(),
-                   [](const TransientEvent& a, const TransientEvent& b) { return a.t < b.t; });
-  run.result.iterations = run.newton.used;
-  run.result.state = state_of(run.m, run.before, run.origin);
-  run.result.state.happened.assign(run.happened.begin(), run.happened.end());
-  run.result.state.memory = memory_of(run);
-  return run.result;
+  if (own_step) return by_own_step(run, options);
+  return marched(run);
 }
 
 }  // namespace taut::analysis

@@ -12,8 +12,8 @@
 
 namespace taut::analysis {
 
-/// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is a share of the stability
-/// limit, which the result states. reference: another integrator (IDA of SUNDIALS, variable order) of the same laws,
+/// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is one for the whole motion,
+/// stable and as short as the tolerance asks. reference: another integrator (IDA of SUNDIALS, variable order) of the same laws,
 /// slow and exact, to judge the other two by.
 enum class TimeMethod { implicit, verlet, reference };
 
@@ -74,11 +74,13 @@ struct DynamicState {
   std::vector<double> memory;        ///< of the integrator; empty: it begins anew from the above
 };
 
+struct TransientResult;
+
 struct TransientOptions {
   double duration = 0;     ///< s, from `start` or the time of `from`
   double output_step = 0;  ///< s; 0: duration/1000
   /// Of the error that the steps of the whole run leave: tensions by the largest of the rope, places by the machine's
-  /// size. A kink (slack, stick) may cost as much once more.
+  /// size. A kink (slack, stick) may cost as much once more. Verlet: `TransientResult::tension_error` and `open`.
   double tolerance = 1e-6;
   double step = 0;  ///< > 0: this step throughout, no control of the error, s
   TimeMethod method = TimeMethod::implicit;
@@ -98,6 +100,12 @@ struct TransientOptions {
   long most_steps = 50'000'000;
   /// Called at each output step and often in between with the time reached; false interrupts.
   std::function<bool(double)> progress;
+  /// Called after each output step with the result so far: its last frame is that step, the one before it the step
+  /// before. The result then keeps only the first and the last frame, so that its size does not grow with the motion.
+  std::function<void(const TransientResult&)> take;
+  /// With `take`: called before the motion begins, and again where Verlet begins it anew with shorter steps. What was
+  /// taken until then does not count.
+  std::function<void()> anew;
 };
 
 /// Work and energy since the start, J. kinetic + elastic + potential = at the start + supplied - dissipated + residual.
@@ -208,6 +216,10 @@ struct TransientResult {
   long steps = 0, rejected = 0, iterations = 0;
   double smallest_step = 0, largest_step = 0;  ///< s
   double stability_limit = 0;                  ///< of Verlet at the start, s
+  double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
+  /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
+  /// docs/theory/dynamics.md, "Time".
+  double tension_error = 0;
   std::vector<double> damping_time;            ///< by reeving: beta, s
   std::vector<double> frequency;  ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
   std::vector<int> sagging;       ///< by reeving: so many of its branches hang as catenaries

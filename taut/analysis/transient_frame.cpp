@@ -305,11 +305,22 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
 }
 
 void record_frame(Run& run, const Values& v) {
-  run.result.frames.push_back(frame_of(run.m, v));
-  run.result.frames.back().energy = told(run.ledger);
-  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    run.result.observed[i].push_back(observe(run, v, run.model.observed[i]));
+  TransientResult& result = run.result;
+  result.frames.push_back(frame_of(run.m, v));
+  result.frames.back().energy = told(run.ledger);
+  const double lacks = std::abs(result.frames.back().energy.residual);
+  if (!(lacks <= run.lacks)) {
+    run.lacks = lacks;
+    result.t_open = v.t;
   }
+  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
+    result.observed[i].push_back(observe(run, v, run.model.observed[i]));
+  }
+  if (!run.options.take) return;
+  run.options.take(result);
+  if (result.frames.size() <= 2) return;
+  result.frames.erase(result.frames.begin() + 1);
+  for (std::vector<double>& values : result.observed) values.erase(values.begin() + 1);
 }
 
 void extend_observed(Run& run, const Values& v) {

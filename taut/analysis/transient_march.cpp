@@ -52,6 +52,7 @@ StepEnd begin_again(Run& run, double& where) {
   if (end != StepEnd::ok) return end;
   add_jump(run.m, run.before, where, run.ledger);
   run.known = 0;
+  forget_tension_rates(run);
   run.newton.forget();
   for (ContactValues& contact : run.before.contacts) contact.slip_mean = contact.slip_rate;
   if (run.options.step <= 0) {
@@ -143,6 +144,7 @@ void accept(Run& run, bool rough = false) {
   if (slowly) book_slow_step(run);
   if (!slowly && (!run.m.lossless || !run.breaking.empty())) book_step(run, rough);
   if (implicit) keep_history(run);
+  if (run.options.method == TimeMethod::verlet) note_tension_errors(run);
   note_changes(run);
   ++run.result.steps;
   note_impatience(run);
@@ -382,6 +384,7 @@ void march(Run& run) {
       run.newton.forget();
       ++frame;
       if (run.options.progress && !run.options.progress(run.before.t)) end = StepEnd::interrupted;
+      if (!run.T_expected.empty() && tension_error(run) > run.options.tolerance) break;  // it begins anew
     }
     if (end == StepEnd::ok) end = look_round(run, next < run.stops.size() && run.before.t >= run.stops[next], stop);
     if (run.result.steps + run.result.rejected > run.options.most_steps) {
@@ -395,6 +398,9 @@ void march(Run& run) {
   if (end != StepEnd::ok && end != StepEnd::interrupted) run.result.outcome = failure(run, end, run.before.t);
   if (run.result.frames.back().t < run.before.t) record_frame(run, run.before);
   run.result.t_end = run.before.t;
+  const double turnover = run.result.frames.back().energy.turnover;
+  run.result.open = turnover > 0 ? run.lacks / turnover : 0;
+  run.result.tension_error = tension_error(run);
 }
 
 }  // namespace taut::analysis::dynamics

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/analysis/transient_stable.hpp"
+
 namespace taut::analysis::dynamics {
 namespace {
 
@@ -29,6 +31,7 @@ void gather(const Run& run, Points& p) {
   p.e.resize(m.lines.size());
   p.e_last.resize(m.lines.size());
   p.T.resize(m.lines.size());
+  p.change.resize(m.lines.size());
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = run.before.lines[i];
@@ -47,12 +50,14 @@ void gather(const Run& run, Points& p) {
     for (const int body : line.body) p.dead[3 * at(body + 1) + 2] -= line.copies * half;
     p.e[i] = is.e;
     p.T[i] = is.T;
+    p.change[i] = run.T_rate[i] * run.options.step;
   }
 }
 
 /// Forces of a rope's lines; the work of its dampers is added.
 struct RopeStep {
   double largest = 0;  ///< tension at an end of any line, of one copy, N
+  double error = 0;    ///< of the tension of any line, N
   int branch = 0;
   bool turned = false;  ///< a line became slack or taut
 };
@@ -67,15 +72,19 @@ RopeStep pull_rope(Points& p, int first, int count, double& work) {
     const int a = 3 * link.from, b = 3 * link.to;
     const double x = X[b] - X[a] + link.dx, y = X[b + 1] - X[a + 1] + link.dy, z = X[b + 2] - X[a + 2] + link.dz;
     const double l = std::sqrt(x * x + y * y + z * z), e = l * link.per_length - 1, was = p.e_last[i];
-    double T = e > 0 ? link.stiffness * e : 0;
+    double T = e > 0 ? link.stiffness * e : 0, damper = 0;
     if constexpr (damped) {
       const double rate = (x * (V[b] - V[a]) + y * (V[b + 1] - V[a + 1]) + z * (V[b + 2] - V[a + 2])) / l;
       const double elastic = T, elastic_before = was > 0 ? link.stiffness * was : 0;
       if (e > 0) T = link.stiffness * std::clamp(e + link.damping * rate * link.per_length, 0.0, 2 * e);
       work += (T - elastic + link.copies * p.T[i] - elastic_before) / (2 * link.per_length) * (e - was);
+      damper = (T - elastic - (link.copies * p.T[i] - elastic_before)) / link.copies;
     }
     step.turned = step.turned || (e > 0) != (was > 0);
     p.e[i] = e;
+    const double change = T / link.copies - p.T[i], error = step_error(change, p.change[i], damper);
+    if (error > step.error) step.error = error;
+    p.change[i] = change;
     p.T[i] = T / link.copies;
     const double per = T / l, end = p.T[i] + hung_at_ends(link.hangs * std::abs(z) / l, p.T[i]);
     if (end > step.largest) {
@@ -116,6 +125,7 @@ void pull_all(Run& run, Points& p, double t, double h) {
     const RopeStep step = damped ? pull_rope<true>(p, first, count, run.ledger.damped)
                                  : pull_rope<false>(p, first, count, run.ledger.damped);
     extend_rope(run, r, step, t);
+    run.T_error[r] = std::max(run.T_error[r], step.error);
     for (std::size_t i = at(first); step.turned && i < at(first + count); ++i) {
       if (p.links[i].stiffness > 0) note_slack(run, i, p.e_last[i], p.e[i], t - h, h);
     }
@@ -179,6 +189,7 @@ void step_points(Run& run, Points& p, double limit, long most) {
     extend_observed(run, run.before);
   }
   scatter(run, p, start + static_cast<double>(steps) * h);
+  for (std::size_t i = 0; i < p.change.size(); ++i) run.T_rate[i] = p.change[i] / h;
   run.result.steps += steps;
   run.result.largest_step = std::max(run.result.largest_step, h);
   if (run.result.smallest_step == 0) run.result.smallest_step = h;

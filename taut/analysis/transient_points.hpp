@@ -19,6 +19,7 @@ struct Points {
   std::vector<Link> links;        ///< by line
   std::vector<double> e, e_last;  ///< by line: strain now and before
   std::vector<double> T;          ///< by line: of one copy, N
+  std::vector<double> change;     ///< by line: of that in the last step, N
   std::vector<double> force;      ///< by node, three each, N
 };
 

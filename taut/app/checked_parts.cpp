@@ -67,25 +67,27 @@ void CheckedParts::take_empty(const model::Model& model, const analysis::Equilib
   }
 }
 
-void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
-                        const std::string& analysis) {
+void CheckedParts::take_moment(const model::Model& model, const analysis::TransientResult& so_far,
+                               const std::string& words, const std::string& analysis) {
+  if (anchors.empty() && lines.empty() && masts.empty()) return;
+  const CheckState seen = state_of(model, so_far, so_far.frames.size() - 1,
+                                   fmt::format("{}, t = {:.4g} s", words, so_far.frames.back().t), analysis);
+  for (AnchorStates& one : anchors) app::take(seen, one);
+  for (LineStates& one : lines) app::take(seen, one);
+  for (MastStates& one : masts) app::take(seen, *deck, one);
+}
+
+void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words) {
   if (!judged) return;
   judge.take(model, motion, words);
+  if (motion.frames.empty()) return;
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const analysis::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e.T_static, e.T.max, e.T.t_max, words);
   }
-  for (std::size_t i = 0; i < motion.frames.size(); ++i) {
-    if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
-    const CheckState seen =
-        state_of(model, motion, i, fmt::format("{}, t = {:.4g} s", words, motion.frames[i].t), analysis);
-    for (GuyStates& one : guys) {
-      if (i == 0) take_motion(seen, motion, words, one);
-    }
-    for (AnchorStates& one : anchors) app::take(seen, one);
-    for (LineStates& one : lines) app::take(seen, one);
-    for (MastStates& one : masts) app::take(seen, *deck, one);
-  }
+  if (guys.empty()) return;
+  const CheckState begins = state_of(model, motion, 0, {}, {});
+  for (GuyStates& one : guys) take_motion(begins, motion, words, one);
 }
 
 }  // namespace taut::app

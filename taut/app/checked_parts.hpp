@@ -24,9 +24,11 @@ struct CheckedParts {
   /// A line as it is put up, empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
   void take_empty(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& line,
                   const std::string& words);
-  /// A motion: tensions at all its steps, forces and places at its output steps.
-  void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words,
-            const std::string& analysis);
+  /// A motion at an output step, the last frame of the result so far: forces and places.
+  void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words,
+                   const std::string& analysis);
+  /// A motion as a whole: tensions at all its steps.
+  void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
 
   const MachineDeck* deck = nullptr;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count

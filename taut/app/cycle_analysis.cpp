@@ -9,19 +9,12 @@
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/rope_sense.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::app {
 namespace {
-
-/// The end of a rope where it is pulled in and let out, or a driven sheave of an endless rope.
-struct Winch {
-  std::string name;
-  int reeving = 0;
-  bool at_end = false;
-  bool drive = false;
-};
 
 struct Phase {
   PhaseRequest request;
@@ -59,37 +52,6 @@ struct Work {
   double power_max = none;             ///< W
 };
 
-/// Ropes that end on a drum, or have a tension given, or hold the carriage as its mainline or haulback.
-std::vector<Winch> winches_of(const model::Model& m, const MachineDeck& deck, int carriage) {
-  std::vector<Winch> all;
-  const auto& drums = deck.machine.drums;
-  for (std::size_t r = 0; r < deck.machine.reevings.size(); ++r) {
-    const model::Reeving& rope = m.reevings[r];
-    const auto index = static_cast<int>(r);
-    if (rope.closed) {
-      all.push_back({rope.nodes.front().name, index, false, true});
-      continue;
-    }
-    const auto on_drum = [&](const model::Node& n) {
-      return std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == n.name; });
-    };
-    const auto rides = [&](const model::Node& n) {
-      return carriage >= 0 && n.at.body == m.carriages[at(carriage)].body;
-    };
-    const bool start = on_drum(rope.nodes.front()) || rope.given == model::Given::tension_at_start;
-    const bool end = on_drum(rope.nodes.back()) || rope.given == model::Given::tension_at_end;
-    const bool mainline =
-        carriage >= 0 && (m.carriages[at(carriage)].mainline == index || m.carriages[at(carriage)].haulback == index);
-    if (start || (mainline && !end && !rides(rope.nodes.front()))) {
-      all.push_back({rope.nodes.front().name, index, false, false});
-    }
-    if (end || (mainline && !start && !rides(rope.nodes.back()))) {
-      all.push_back({rope.nodes.back().name, index, true, false});
-    }
-  }
-  return all;
-}
-
 /// Rope without tension, at its temperature, between a drive and the clamped carriage on it; 0 where nothing is clamped
 /// to it.
 double passed(const analysis::EquilibriumResult& e, const model::Model& m, int reeving) {
@@ -119,7 +81,7 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 
 /// The way of the carriage, part by part; a position on a support is passed over.
 std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
-                                        Watch& watch, Missing& missing) {
+                                        Watch& watch, Missing& missing, RopeSenses& senses) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<CyclePosition> all;
@@ -137,6 +99,7 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto path = analysis::load_path(part.model, options);
     if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
+    senses.take(part.model, path.points);
     for (const auto& point : path.points) {
       CyclePosition& p = all.emplace_back();
       p.x = point.x;
@@ -301,9 +264,15 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     if (watch.ended()) break;
     Missing missing;
     PhaseAnswer& answer = answers.emplace_back();
-    answer.positions = positions_of(machine, run, phase, watch, missing);
-    missing.note(r, fmt::format("cycle{}, {}", run.ending, phase.request.name), machine.checked->judged);
+    RopeSenses senses(run.winches);
+    answer.positions = positions_of(machine, run, phase, watch, missing, senses);
+    const std::string words = fmt::format("cycle{}, {}", run.ending, phase.request.name);
+    missing.note(r, words, machine.checked->judged);
     complete = complete && !missing.any();
+    if (const auto wrong = wrong_senses(senses.all())) note_failure(r, infeasible(*wrong), words);
+    for (const std::string& doubt : doubtful_senses(senses.all())) {
+      r.warnings.push_back(fmt::format("{}: {}", words, doubt));
+    }
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
     for (std::size_t w = 0; w < run.winches.size(); ++w) {

@@ -15,6 +15,7 @@
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/missing.hpp"
 #include "taut/app/none.hpp"
+#include "taut/app/rope_sense.hpp"
 #include "taut/app/temperature.hpp"
 #include "taut/app/watch.hpp"
 #include "taut/base/suggest.hpp"
@@ -43,6 +44,7 @@ struct EnvelopeRun {
   std::vector<std::string> motions;
   std::vector<double> temperatures;
   const model::Machine* machine = nullptr;
+  std::vector<Winch> winches;
 };
 
 /// A quantity at its least and at its most.
@@ -162,6 +164,7 @@ class Combination {
       take(model, result, where, fmt::format("envelope, {}", words_of(motion)));
       return;
     }
+    RopeSenses senses(run_.winches);
     for (const WayPart& part : parts_of(model, run_.way)) {
       if (watch_.ended()) return;
       if (part.support != nullptr) {
@@ -173,6 +176,7 @@ class Combination {
       options.go_on = [&](double x) { return watch_.go_on_at(x); };
       auto path = analysis::load_path(part.model, options);
       if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
+      senses.take(part.model, path.points);
       for (const auto& point : path.points) {
         Where there = where;
         there.x = point.x;
@@ -183,6 +187,10 @@ class Combination {
           envelope_.add(machine_.model.carriages[at(run_.carriage)].name, "clearance", si::m, point.clearance, there);
         }
       }
+    }
+    const auto contrary = contrary_senses(senses.all());
+    if (contrary && warned_.insert(where.motion).second) {
+      warn_unsafe(r_, fmt::format("envelope, {}: {}", words_of(motion), *contrary));
     }
   }
 
@@ -253,6 +261,7 @@ class Combination {
     OtherAnswer answer;
   };
   std::map<std::string, Kept> worst_;
+  std::set<std::string> warned_;  ///< motions
   int states_ = 0;
   bool on_support_ = false;
   Missing missing_;
@@ -346,6 +355,7 @@ Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& pat
   run->held = request.held;
   if (request.carriage) run->carriage = carriage_of(p, *request.carriage, path + ".carriage");
   if (request.carriage) check_hold(p.model, run->carriage, p.complaints);
+  if (request.carriage) run->winches = winches_of(p.model, p.deck, run->carriage);
   const bool all = request.carriage && request.from && request.to;
   const bool nothing = !request.carriage && !request.from && !request.to;
   if (!all && !nothing) {

@@ -71,12 +71,22 @@ Written write_result(const Result& result, const std::string& place) {
     if (const auto* plot = std::get_if<Plot>(&f); plot != nullptr && !plot->name.empty())
       files.emplace_back(plot->name + ".csv", io::to_csv(io::series_table(*plot)));
   }
-  for (const Table& t : result.series) files.emplace_back(t.name + ".csv", io::to_csv(t));
   for (const Attachment& a : result.attachments) files.emplace_back(a.name, a.text);
   if (!result.comparisons.empty())
     files.emplace_back("comparison.csv", io::to_csv(comparison_table(result.comparisons)));
   auto written = write_all(files, place);
   if (!written || result.series.empty()) return written;
+  for (const Table& t : result.series) {
+    errno = 0;
+    std::ofstream file(fs::path(place) / (t.name + ".csv"), std::ios::binary | std::ios::trunc);
+    io::to_csv(t, [&](const std::string& text) { file.write(text.data(), static_cast<std::streamsize>(text.size())); });
+    file.close();
+    if (!file) {
+      return tl::unexpected(
+          fmt::format("can't write {}.csv: {}", t.name, errno != 0 ? std::strerror(errno) : "unknown reason"));
+    }
+    written->push_back(t.name + ".csv");
+  }
   if (const auto done = io::write_hdf5(result.series, (fs::path(place) / "series.h5").string()); !done) {
     return tl::unexpected(fmt::format("can't write series.h5: {}", done.error()));
   }

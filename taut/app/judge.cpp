@@ -223,15 +223,24 @@ void Judge::take(const model::Model& m, const analysis::TransientResult& motion,
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
          true);
   }
+}
+
+void Judge::take_moment(const model::Model& m, const analysis::TransientResult& so_far, const std::string& words) {
   if (m.terrain.empty()) return;
-  for (const analysis::TransientFrame& frame : motion.frames) {
-    if (frame.t > broken) break;
-    for (const model::Carriage& car : m.carriages) {
-      const Vector3& p = frame.bodies[at(car.body)].position;
-      const double x = terrain_x(m, p);
-      take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x,
-                  fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
-    }
+  if (so_far.frames.size() == 1) {
+    events_seen_ = 0;
+    broken_ = false;
+  }
+  for (; events_seen_ < so_far.events.size(); ++events_seen_) {
+    broken_ = broken_ || so_far.events[events_seen_].what == "break";
+  }
+  if (broken_) return;
+  const analysis::TransientFrame& frame = so_far.frames.back();
+  for (const model::Carriage& car : m.carriages) {
+    const Vector3& p = frame.bodies[at(car.body)].position;
+    const double x = terrain_x(m, p);
+    take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x,
+                fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
   }
 }
 

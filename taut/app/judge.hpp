@@ -39,7 +39,9 @@ class Judge {
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  /// A motion: heights up to the first break that the deck asks for, which ropes bear tension, what goes slack.
+  /// A motion at an output step, the last frame of the result so far: heights, up to the first break.
+  void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words);
+  /// A motion as a whole: which ropes bear tension, what goes slack.
   void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
 
   const std::vector<BeamWorst>& beams() const { return beams_; }
@@ -98,6 +100,8 @@ class Judge {
   std::vector<Warned> warned_;
   std::set<std::string> known_;  ///< what was warned of already
   std::string preface_;
+  std::size_t events_seen_ = 0;  ///< of the motion that is shown now
+  bool broken_ = false;          ///< something in it
 };
 
 }  // namespace taut::app

@@ -22,6 +22,7 @@
 #include "taut/app/missing.hpp"
 #include "taut/app/put_up.hpp"
 #include "taut/app/rope_stiffness.hpp"
+#include "taut/app/rope_sense.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -231,6 +232,15 @@ void note_missing(const LoadPathRun& one, Result& r) {
   missing.note(r, fmt::format("load path{}, {}", one.ending, one.words), one.judged);
 }
 
+/// Ropes that can't all run as they are declared to.
+void warn_of_senses(const MachineDeck& deck, const model::Model& model, const LoadPathRun& one, Result& r) {
+  RopeSenses senses(winches_of(model, deck, one.carriage));
+  for (const LoadPathPart& part : one.parts) senses.take(part.model, part.result.points);
+  if (const auto contrary = contrary_senses(senses.all())) {
+    warn_unsafe(r, fmt::format("load path, {}: {}", one.words, *contrary));
+  }
+}
+
 /// `checks_only`: without what nothing but a report needs.
 Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress,
                bool checks_only = false) {
@@ -257,6 +267,7 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
     Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
     solve(run.model, one, watch);
     note_missing(one, r);
+    warn_of_senses(deck, run.model, one, r);
     watch.note(r);
   }
   run.checked = std::make_shared<CheckedParts>(deck, run.model);

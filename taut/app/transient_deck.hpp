@@ -32,7 +32,7 @@ struct TransientRequest {
   std::optional<std::string> name;    ///< ending of its files' names
   double duration = 0;                ///< s
   std::optional<double> output_step;  ///< s
-  double tolerance = 1e-6;
+  std::optional<double> tolerance;
   std::optional<double> step;  ///< s, fixed
   Method method = Method::implicit;
   Start start = Start::settled;

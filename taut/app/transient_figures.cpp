@@ -243,8 +243,12 @@ std::vector<std::size_t> shown_frames(const std::vector<const std::vector<double
   return {shown.begin(), shown.end()};
 }
 
-Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y,
-             const std::vector<std::pair<std::string, const std::vector<double>*>>& curves) {
+struct OverTime {
+  std::string label;
+  std::vector<double> values;  ///< at each output step
+};
+
+Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y, const std::vector<OverTime>& curves) {
   Plot p;
   p.title = title;
   p.caption = fmt::format("Every line written down: time{}.csv.", run.ending);
@@ -252,18 +256,19 @@ Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y,
   p.y = y;
   std::vector<const std::vector<double>*> all;
   all.reserve(curves.size());
-  for (const auto& [label, values] : curves) all.push_back(values);
-  const std::vector<std::size_t> shown = shown_frames(all, run.result.frames.size());
-  for (const auto& [label, values] : curves) {
+  for (const OverTime& one : curves) all.push_back(&one.values);
+  const std::vector<std::size_t> shown = shown_frames(all, run.record.count());
+  const std::vector<double> t = run.record.lines()->column(0);
+  for (const OverTime& one : curves) {
     Curve c;
-    c.label = label;
+    c.label = one.label;
     for (const std::size_t i : shown) {
-      c.x.push_back(run.result.frames[i].t);
-      c.y.push_back((*values)[i]);
+      c.x.push_back(t[i]);
+      c.y.push_back(one.values[i]);
     }
     p.curves.push_back(std::move(c));
   }
-  for (const auto& [t, words] : marked_events(run)) p.marks.push_back({t, 0, words, false, true});
+  for (const auto& [at, words] : marked_events(run)) p.marks.push_back({at, 0, words, false, true});
   return p;
 }
 
@@ -272,11 +277,11 @@ void add_plots(const TransientRun& run, Result& r) {
   std::vector<bool> done(observed.size(), false);
   for (std::size_t i = 0; i < observed.size(); ++i) {
     if (done[i]) continue;
-    std::vector<std::pair<std::string, const std::vector<double>*>> curves;
+    std::vector<OverTime> curves;
     for (std::size_t k = i; k < observed.size() && curves.size() < most_curves_in_plot; ++k) {
       if (done[k] || observed[k].unit.symbol != observed[i].unit.symbol) continue;
       done[k] = true;
-      curves.emplace_back(observed[k].name, &run.result.observed[k]);
+      curves.push_back({observed[k].name, run.record.lines()->column(1 + k)});
     }
     const std::string kind(observed[i].unit.kind);
     const std::string title =
@@ -286,25 +291,16 @@ void add_plots(const TransientRun& run, Result& r) {
 }
 
 void add_energy_plot(const TransientRun& run, Result& r) {
-  using analysis::EnergyLedger;
-  const EnergyLedger& first = run.result.frames.front().energy;
-  std::array<std::vector<double>, 6> all;
-  for (const auto& frame : run.result.frames) {
-    const EnergyLedger& e = frame.energy;
-    all[0].push_back(e.kinetic);
-    all[1].push_back(e.elastic - first.elastic);
-    all[2].push_back(e.potential - first.potential);
-    all[3].push_back(e.supplied);
-    all[4].push_back(e.dissipated());
-    all[5].push_back(e.residual);
+  std::vector<OverTime> curves = {{"kinetic", {}},  {"elastic, change", {}}, {"potential, change", {}},
+                                  {"supplied", {}}, {"lost", {}},            {"residual", {}}};
+  const LongRows& energy = run.record.energy();
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].values = energy.column(i);
+  for (const std::size_t stored : {1U, 2U}) {
+    std::vector<double>& values = curves[stored].values;
+    const double first = values.front();
+    for (double& x : values) x -= first;
   }
-  Plot p = plot_of(run, "Energy since the start", {"energy", si::J},
-                   {{"kinetic", all.data()},
-                    {"elastic, change", &all[1]},
-                    {"potential, change", &all[2]},
-                    {"supplied", &all[3]},
-                    {"lost", &all[4]},
-                    {"residual", &all[5]}});
+  Plot p = plot_of(run, "Energy since the start", {"energy", si::J}, curves);
   p.name = "energy_over_time" + run.ending;
   p.caption = "What was supplied is what is stored more than at the start, what was lost, and the residual.";
   r.figures.emplace_back(std::move(p));

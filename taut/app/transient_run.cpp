@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
@@ -18,7 +19,16 @@
 namespace taut::app {
 namespace {
 
-constexpr double most_lines = 1e6;
+constexpr double most_lines = 1e6, most_numbers = 1e8;
+constexpr double usual_tolerance = 1e-6, coarse_tolerance = 1e-3;
+
+double lines_of(const TransientRequest& request) {
+  const double step = request.output_step.value_or(request.duration / 1000);
+  return std::ceil(request.duration / step * (1 - 1e-9)) + 1;
+}
+
+/// t and what is observed.
+std::size_t series_columns(const model::Model& model) { return 1 + model.observed.size(); }
 
 /// It becomes a file's name in the folder of the results.
 bool is_plain_name(const std::string& name) {
@@ -147,8 +157,16 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   std::vector<Complaint>& complaints = p.complaints;
   const double step = request.output_step.value_or(request.duration / 1000);
   if (step > request.duration) complaints.push_back({path + ".output_step", "is longer than the duration"});
-  if (request.duration / step > most_lines) {
-    complaints.push_back({path + ".output_step", fmt::format("makes more than {:.0f} lines", most_lines)});
+  const double lines = lines_of(request), columns = static_cast<double>(series_columns(p.model));
+  if (lines > most_lines + 1) {
+    complaints.push_back({path + ".output_step", fmt::format("makes {:.6g} lines; up to {:.0f} are written: make it "
+                                                             "longer, or the duration shorter",
+                                                             lines, most_lines)});
+  } else if (lines * columns > most_numbers) {
+    complaints.push_back({path + ".output_step",
+                          fmt::format("makes {:.0f} lines of {:.0f} columns, {:.3g} numbers; up to {:.3g} are written: "
+                                      "make it longer, or name fewer quantities under 'observe'",
+                                      lines, columns, lines * columns, most_numbers)});
   }
   if (request.step && *request.step > request.duration) {
     complaints.push_back({path + ".step", "is longer than the duration"});
@@ -205,14 +223,20 @@ std::string words_of(const TransientRun& run) {
   return run.request.name ? fmt::format("transient, {}", *run.request.name) : std::string("transient");
 }
 
-void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress) {
+double energy_tolerance(const TransientRun& run) {
+  const TransientRequest& request = run.request;
+  const bool as_given = request.step || request.quasi_static || request.method == TransientRequest::Method::verlet;
+  return request.tolerance.value_or(as_given ? coarse_tolerance : usual_tolerance);
+}
+
+void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress, CheckedParts* checked) {
   const TransientRequest& request = run.request;
   analysis::TransientOptions& o = run.options;
   o.duration = request.duration;
   o.output_step = request.output_step.value_or(0);
-  o.tolerance = request.tolerance;
   o.step = request.step.value_or(0);
   const bool explicit_steps = request.method == TransientRequest::Method::verlet;
+  o.tolerance = request.tolerance.value_or(explicit_steps ? coarse_tolerance : usual_tolerance);
   o.method = explicit_steps ? analysis::TimeMethod::verlet : analysis::TimeMethod::implicit;
   if (request.method == TransientRequest::Method::reference) o.method = analysis::TimeMethod::reference;
   o.start = start_of(request.start);
@@ -233,10 +257,26 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
   if (progress) {
     o.progress = [&run, &progress, begin](double t) {
       const double done = (t - begin) / run.request.duration;
-      return progress({words_of(run), done, fmt::format("t = {:.4g} s of {:.4g} s", t, begin + run.request.duration)});
+      return progress({words_of(run), done,
+                       fmt::format("t = {:.4g} s of {:.4g} s, {:.0f} lines of {} columns", t,
+                                   begin + run.request.duration, lines_of(run.request), series_columns(run.model))});
     };
   }
+  const std::string words = words_of(run), name = analysis_name(run.ending, "transient");
+  const auto before = checked == nullptr ? nullptr : std::make_shared<const CheckedParts>(*checked);
+  o.anew = [&] {
+    run.record = {};
+    if (checked != nullptr) *checked = *before;
+  };
+  o.take = [&](const analysis::TransientResult& so_far) {
+    run.record.take(run.model, so_far);
+    if (checked != nullptr) checked->take_moment(run.model, so_far, words, name);
+  };
   run.result = analysis::transient(run.model, o);
+  o.anew = {};
+  o.take = {};
+  if (checked != nullptr) checked->take(run.model, run.result, words);
+  run.record.show(run.result);
 }
 
 void add_transient(const TransientRun& run, Result& r) {
@@ -272,9 +312,8 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
     TransientRun one = run;
     one.model = machine.model;
     one.strength_trust = machine.checked->judge.strength_trusts();
-    solve(one, machine.progress);
+    solve(one, machine.progress, machine.checked.get());
     add_transient(one, r);
-    machine.checked->take(one.model, one.result, words_of(one), analysis_name(one.ending, "transient"));
   };
 }
 

@@ -6,9 +6,12 @@
 #include "taut/analysis/transient.hpp"
 #include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
+#include "taut/app/transient_record.hpp"
 #include "taut/io/node.hpp"
 
 namespace taut::app {
+
+struct CheckedParts;
 
 /// One motion: what was asked, and the answer.
 struct TransientRun {
@@ -19,7 +22,8 @@ struct TransientRun {
   std::vector<analysis::Slid> slid;  ///< of a sliding start
   analysis::TransientOptions options;
   model::Model model;
-  analysis::TransientResult result;
+  TransientRecord record;                   ///< what was taken as it went
+  analysis::TransientResult result;         ///< with the frames that pictures show
   std::vector<std::string> strength_trust;  ///< by reeving: of its breaking force
 };
 
@@ -33,8 +37,12 @@ analysis::Start start_of(TransientRequest::Start start);
 /// How it has free ropes.
 analysis::Branches branches_of(TransientRequest::Branches branches);
 
-/// The motion, with its options from the request.
-void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress);
+/// The motion, with its options from the request. `checked` is shown every output step, then the motion as a whole.
+void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress, CheckedParts* checked = nullptr);
+
+/// The share of what is turned over that the energy ledger may leave open: the tolerance. Where the deck gives none and
+/// the steps do not follow each error (a given step, Verlet): a thousandth.
+double energy_tolerance(const TransientRun& run);
 
 /// "transient, stop": for messages.
 std::string words_of(const TransientRun& run);

@@ -19,11 +19,7 @@ void add_series(const TransientRun& run, Result& r) {
   t.title = "Observed quantities over time";
   t.columns.push_back({"t", si::s});
   for (const model::Observable& o : run.model.observed) t.columns.push_back({o.name, o.unit});
-  for (std::size_t i = 0; i < run.result.frames.size(); ++i) {
-    std::vector<Cell> row = {run.result.frames[i].t};
-    for (const auto& values : run.result.observed) row.emplace_back(values[i]);
-    t.rows.push_back(std::move(row));
-  }
+  t.long_rows = run.record.lines();
   r.series.push_back(std::move(t));
 }
 
@@ -114,18 +110,30 @@ void add_energy(const TransientRun& run, Result& r) {
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
-    constexpr double much = 0.01;
-    if (const double open = std::abs(last.residual) / last.turnover; open > much) {
-      const bool fixed = run.options.step > 0 || run.options.method == analysis::TimeMethod::verlet;
-      r.warnings.push_back(fmt::format("{}: the energy ledger leaves {:.2g} % open: the motion needs a {}",
-                                       words_of(run), 100 * open, fixed ? "shorter 'step'" : "smaller 'tolerance'"));
-    }
     r.values.push_back({share,
                         last.residual / last.turnover,
                         si::one,
                         share,
                         "energy that the ledger can't account for, over the largest that was stored, supplied or lost",
                         {}});
+  }
+}
+
+/// What the steps leave open beyond the tolerance.
+void warn_of_errors(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  const double tolerance = energy_tolerance(run);
+  const bool in_steps = run.options.step > 0 || run.options.quasi_static;
+  const char* const better = in_steps ? "take a shorter 'step'" : "compare 'method: reference'";
+  if (!(result.open <= tolerance)) {
+    warn_unsafe(r, fmt::format("{}: the energy ledger is open by {:.2g} % of the turnover at t = {:.4g} s, tolerance "
+                               "{:.2g} %: {}",
+                               words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better));
+  }
+  if (result.tension_error > tolerance) {
+    warn_unsafe(r, fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "
+                               "{}",
+                               words_of(run), 100 * result.tension_error, 100 * tolerance, better));
   }
 }
 
@@ -181,19 +189,13 @@ void add_ropes(const TransientRun& run, Result& r) {
 
 /// How much of the way of each driven rim its rope did not go along with, over all that was written down.
 void add_slip_shares(const TransientRun& run, Result& r) {
-  const auto& frames = run.result.frames;
-  for (std::size_t c = 0; c < frames.front().contacts.size(); ++c) {
-    const auto& first = frames.front().contacts[c];
+  const std::vector<TransientRecord::Slip>& slips = run.record.slips();
+  for (std::size_t c = 0; c < slips.size(); ++c) {
+    const auto& first = run.result.frames.front().contacts[c];
     const model::Node& node =
         run.model.reevings[static_cast<std::size_t>(first.reeving)].nodes[static_cast<std::size_t>(first.node)];
     if (node.motor < 0) continue;
-    double slipped = 0, rim = 0;
-    for (std::size_t f = 1; f < frames.size(); ++f) {
-      const auto &a = frames[f - 1].contacts[c], &b = frames[f].contacts[c];
-      const double half = (frames[f].t - frames[f - 1].t) / 2;
-      slipped += half * (std::abs(a.slip) + std::abs(b.slip));
-      rim += half * node.radius * (std::abs(a.spin) + std::abs(b.spin));
-    }
+    const auto [slipped, rim] = slips[c];
     if (!(rim > 0)) continue;
     const std::string name = fmt::format("{}.slip_share{}", node.name, run.ending);
     const std::string words = fmt::format("way that the rope slips on {}, as a share of the way of its rim", node.name);
@@ -344,6 +346,7 @@ void add_transient_tables(const TransientRun& run, Result& r) {
   add_envelope(run, r);
   add_events(run, r);
   add_energy(run, r);
+  warn_of_errors(run, r);
   add_words(run, r);
 }
 

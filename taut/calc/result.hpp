@@ -1,12 +1,14 @@
 #pragma once
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "taut/base/diagnostic.hpp"
+#include "taut/base/long_rows.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/calc/figure.hpp"
 #include "taut/calc/formula.hpp"
@@ -73,6 +75,7 @@ struct Table {
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
+  std::shared_ptr<const LongRows> long_rows = nullptr;  ///< of a long series, in place of `rows`
 };
 
 /// A line or a cloud of points of a machine in space, followed through time. Its number of points may change.

@@ -78,7 +78,7 @@ std::string link_name(std::string name) {
 }
 
 bool write_column(hid_t group, const Table& t, std::size_t column) {
-  const auto rows = static_cast<hsize_t>(t.rows.size());
+  const auto rows = static_cast<hsize_t>(t.long_rows ? t.long_rows->size() : t.rows.size());
   const bool texts = std::any_of(t.rows.begin(), t.rows.end(),
                                  [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
   const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
@@ -101,7 +101,7 @@ bool write_column(hid_t group, const Table& t, std::size_t column) {
     written = H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<const void*>(pointers.data()));
   } else {
     std::vector<double> numbers;
-    numbers.reserve(t.rows.size());
+    if (t.long_rows) numbers = t.long_rows->column(column);
     for (const auto& row : t.rows) numbers.push_back(std::get<double>(row[column]));
     written = H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
   }

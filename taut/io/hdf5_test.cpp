@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 
 namespace taut::io::hdf5_test {
 
@@ -34,6 +35,25 @@ std::vector<Table> made() {
   empty.name = "empty";
   empty.columns = {{"t", si::s}};
   return {empty, t};
+}
+
+TEST(Hdf5, LongRowsAreWrittenAsOthers) {
+  Table t;
+  t.name = "time";
+  t.columns = {{"t", si::s}, {"x", si::m}};
+  const auto rows = std::make_shared<LongRows>(2);
+  rows->add({0, 1.0 / 3});
+  rows->add({0.5, std::nan("")});
+  t.long_rows = rows;
+  Table same = t;
+  same.long_rows = nullptr;
+  same.rows = {{0.0, 1.0 / 3}, {0.5, std::nan("")}};
+  const fs::path one = fresh_file("long.h5"), other = fresh_file("short.h5");
+  ASSERT_TRUE(write_hdf5({t}, one.string()));
+  ASSERT_TRUE(write_hdf5({same}, other.string()));
+  EXPECT_EQ(bytes_of(one), bytes_of(other));
+  fs::remove(one);
+  fs::remove(other);
 }
 
 TEST(Hdf5, ComesBackBitByBit) {

@@ -21,10 +21,11 @@ std::string csv_text(std::string text) {
   return out + '"';
 }
 
+std::string csv_number(double x) { return std::isnan(x) ? std::string{} : fmt::format("{}", x); }
+
 std::string csv_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
-  const double x = std::get<double>(cell);
-  return std::isnan(x) ? std::string{} : fmt::format("{}", x);
+  return csv_number(std::get<double>(cell));
 }
 
 /// Names of columns have to differ from each other.
@@ -54,7 +55,8 @@ std::string column_name(const std::string& label) {
   return name.empty() ? "value" : name;
 }
 
-std::string to_csv(const Table& t) {
+void to_csv(const Table& t, const std::function<void(const std::string&)>& write) {
+  constexpr std::size_t piece = 1 << 16;
   std::string csv;
   for (std::size_t i = 0; i < t.columns.size(); ++i) {
     const Column& c = t.columns[i];
@@ -62,14 +64,35 @@ std::string to_csv(const Table& t) {
     if (i > 0) csv += ',';
     csv += csv_text(plain ? c.name : fmt::format("{} [{}]", c.name, c.unit.symbol));
   }
-  csv += line_end;
+  const auto end_line = [&] {
+    csv += line_end;
+    if (csv.size() < piece) return;
+    write(csv);
+    csv.clear();
+  };
+  end_line();
   for (const auto& row : t.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) csv += ',';
       csv += csv_cell(row[i]);
     }
-    csv += line_end;
+    end_line();
   }
+  if (t.long_rows) {
+    t.long_rows->each([&](const double* row) {
+      for (std::size_t i = 0; i < t.long_rows->width(); ++i) {
+        if (i > 0) csv += ',';
+        csv += csv_number(row[i]);
+      }
+      end_line();
+    });
+  }
+  write(csv);
+}
+
+std::string to_csv(const Table& t) {
+  std::string csv;
+  to_csv(t, [&](const std::string& piece) { csv += piece; });
   return csv;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "taut/calc/result.hpp"
@@ -9,6 +10,8 @@ namespace taut::io {
 /// Numbers in as many digits as bring the same number back; no value is an empty cell. A text that begins with = + - @,
 /// a tab or a carriage return gets an apostrophe before it: spreadsheets would run it as a formula.
 std::string to_csv(const Table& t);
+/// The same piece by piece, for a table that is too long to be one text.
+void to_csv(const Table& t, const std::function<void(const std::string&)>& write);
 
 /// The numbers of a plot as a table of its name: the first column is x, then one column for each curve. When the
 /// curves do not share their x, one row for each point instead: curve, x, y.

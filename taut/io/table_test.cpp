@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace taut::io::table_test {
 
@@ -23,6 +24,26 @@ TEST(TableCsv, NumbersReadBackBitByBit) {
     const std::string csv = to_csv({"t", "", {{"x", si::one}}, {{x}}});
     EXPECT_EQ(std::strtod(csv.c_str() + 3, nullptr), x) << csv;
   }
+}
+
+TEST(TableCsv, LongRowsAreWrittenAsOthersPieceByPiece) {
+  Table t{"time", "", {{"t", si::s}, {"x", si::m}}, {}};
+  Table same = t;
+  const auto rows = std::make_shared<LongRows>(2);
+  for (int i = 0; i < 20'000; ++i) {
+    const double x = i % 7 == 0 ? std::nan("") : std::sqrt(i);
+    rows->add({0.1 * i, x});
+    same.rows.push_back({0.1 * i, x});
+  }
+  t.long_rows = rows;
+  int pieces = 0;
+  std::string csv;
+  to_csv(t, [&](const std::string& piece) {
+    ++pieces;
+    csv += piece;
+  });
+  EXPECT_EQ(csv, to_csv(same));
+  EXPECT_GT(pieces, 3);
 }
 
 TEST(Series, CurvesOverTheSameXStandBesideEachOther) {

@@ -382,6 +382,26 @@ analyses:
                 self.assertEqual(r["warnings"], [], deck.name)
                 self.assertLess(len((pathlib.Path(folder) / "report.html").read_bytes()), 500_000, deck.name)
 
+    def most_memory(self, *args, stdin):
+        """Of the program while it runs, in bytes."""
+        child = subprocess.Popen([PROGRAM, *args], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, text=True)
+        child.stdin.write(stdin)
+        child.stdin.close()
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        self.assertIn(child.returncode, (0, 4))
+        return used.ru_maxrss * 1024
+
+    def test_memory_does_not_grow_with_the_duration(self):
+        with tempfile.TemporaryDirectory() as folder:
+            given = ["--set", "analyses[0].transient.step=0.1 ms", "--set", "analyses[0].transient.output_step=0.2 ms"]
+            deck = (EXAMPLES / "skyline_recoil.yaml").read_text()
+            short, long = (self.most_memory("run", "-", "-o", folder, "-q", *given, "--set",
+                                            f"analyses[0].transient.duration={t} s", stdin=deck) for t in (1, 5))
+            # 20 000 lines more; each frame of the chain takes 20 kB
+            self.assertLess(long - short, 250e6, f"{short / 1e6:.0f} MB, {long / 1e6:.0f} MB")
+            self.assertEqual(len(rows_of(pathlib.Path(folder) / "time.csv")[1]), 25001)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,95 @@
+#include "taut/app/rope_sense.hpp"
+
+#include <gtest/gtest.h>
+
+#include "taut/app/machine_decks_test.hpp"
+
+/// Ropes that run against the motion that a deck declares for them.
+namespace rope_sense_test {
+
+using namespace taut_test;
+using taut::Result;
+using taut::Status;
+using taut::app::contrary_senses;
+using taut::app::doubtful_senses;
+using taut::app::RopeSense;
+using taut::app::wrong_senses;
+
+/// A running skyline: the haulback comes in where the carriage goes out.
+std::string running_skyline(const std::string& analysis) {
+  return R"(taut: 1
+machine:
+  points:
+    tower: [0 m, 0 m, 12 m]
+  ropes:
+    haulback: {mass: 0.8 kg/m, stiffness: 9.8 MN}
+    mainline: {mass: 0.6 kg/m, stiffness: 7.2 MN}
+  sheaves:
+    tower_sheave: {at: [0 m, 0 m, 13 m], diameter: 300 mm, efficiency: 0.97}
+    tail_block: {at: [200 m, 0 m, 40 m], diameter: 300 mm, efficiency: 0.95}
+    lead: {at: [1 m, 0 m, 12 m], diameter: 300 mm, efficiency: 0.95}
+  drums:
+    haulback_drum: {at: [-3 m, 0 m, 1 m], core_diameter: 400 mm, drive: {pull: 25 kN}}
+    mainline_drum: {at: [-3 m, 0 m, 2 m], core_diameter: 400 mm}
+  carriages:
+    car: {mass: 250 kg, rides: haulback, hold: rolling, mainline: mainline, at: [100 m, 0 m, 22 m]}
+  reevings:
+    - {rope: haulback, path: [{drum: haulback_drum}, {over: tower_sheave}, {through: car}, {over: tail_block}, {anchor: car}]}
+    - {rope: mainline, path: [{drum: mainline_drum}, {over: lead}, {anchor: car}], length: 112 m}
+  loads:
+    - {at: car, mass: 900 kg}
+analyses:
+)" + analysis;
+}
+
+std::string cycle(const std::string& out, const std::string& in) {
+  return running_skyline("  - cycle: {carriage: car, from: 60 m, to: 120 m, steps: 6, phases: [{name: out empty, motion: " + out +
+                         "}, {name: in loaded, motion: " + in + "}]}\n");
+}
+
+TEST(RopeSense, ACycleAgainstItsRopesIsRefusedWithTheRightSigns) {
+  const Result wrong = run_text(cycle("out", "in"));
+  EXPECT_EQ(wrong.status, Status::infeasible);
+  EXPECT_NE(wrong.message.find("cycle, out empty: haulback runs "), std::string::npos) << wrong.message;
+  EXPECT_NE(wrong.message.find("declare 'motion: {haulback: -1}'"), std::string::npos) << wrong.message;
+  EXPECT_EQ(wrong.find_value("cycle_energy"), nullptr) << "no sum of what is wrong";
+}
+
+TEST(RopeSense, ACycleWithTheRightSignsCostsEnergy) {
+  const Result right = run_text(cycle("{haulback: -1, mainline: 1}", "{haulback: 1, mainline: -1}"));
+  ASSERT_EQ(right.status, Status::ok) << right.message << to_text(right.errors);
+  EXPECT_TRUE(right.unsafe.empty()) << right.unsafe.front();
+  EXPECT_GT(value_of(right, "cycle_energy"), 0);
+}
+
+TEST(RopeSense, ALoadPathWhoseRopesCannotBothRunSoIsUnsafe) {
+  const std::string path = "  - load_path: {carriage: car, from: 60 m, to: 120 m, steps: 6, motion: ";
+  for (const auto& [motion, contrary] : {std::pair{"out", true},
+                                         {"in", true},
+                                         {"{haulback: -1, mainline: 1}", false},
+                                         {"{haulback: 1, mainline: -1}", false}}) {
+    const Result r = run_text(running_skyline(path + motion + "}\n"));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_EQ(!r.unsafe.empty(), contrary) << motion;
+    const std::string first = r.unsafe.empty() ? "" : r.unsafe.front();
+    EXPECT_EQ(first.find("can't both run as declared") != std::string::npos, contrary) << first;
+  }
+  const Result all = run_text(
+      running_skyline("  - envelope: {carriage: car, from: 60 m, to: 120 m, steps: 6, motions: [out]}\n"));
+  ASSERT_EQ(all.status, Status::ok) << all.message << to_text(all.errors);
+  EXPECT_EQ(all.unsafe.size(), 1U);
+}
+
+TEST(RopeSense, NamesTheRopeWhereAllOfItIsWrongElseTheContact) {
+  const std::vector<RopeSense> one = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 2, 0}};
+  EXPECT_NE(wrong_senses(one)->find("{a: -1}"), std::string::npos) << *wrong_senses(one);
+  const std::vector<RopeSense> both = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 0, 2}};
+  EXPECT_NE(wrong_senses(both)->find("{line: -1}"), std::string::npos) << *wrong_senses(both);
+  const std::vector<RopeSense> in_part = {{"line", "a", 1, 1, 3}};
+  EXPECT_FALSE(wrong_senses(in_part));
+  EXPECT_FALSE(contrary_senses(in_part));
+  ASSERT_EQ(doubtful_senses(in_part).size(), 1U);
+  EXPECT_NE(doubtful_senses(in_part)[0].find("3 of 4 m"), std::string::npos) << doubtful_senses(in_part)[0];
+}
+
+}  // namespace rope_sense_test
