@@ -150,8 +150,8 @@ void add_bodies(Envelope& envelope, const model::Model& m, const analysis::Equil
 /// All that is asked of one combination.
 class Combination {
  public:
-  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch)
-      : machine_(machine), run_(run), envelope_(envelope), watch_(watch) {}
+  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch, Result& r)
+      : machine_(machine), run_(run), envelope_(envelope), watch_(watch), r_(r) {}
 
   void solve(const Where& where) {
     model::Model model = machine_.model;
@@ -256,6 +256,7 @@ class Combination {
   const EnvelopeRun& run_;
   Envelope& envelope_;
   Watch& watch_;
+  Result& r_;
   struct Kept {
     double size = 0;
     OtherAnswer answer;
@@ -291,7 +292,7 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
   const std::size_t combinations = or_none(run.temperatures).size() * or_none(run.loads).size() * run.motions.size();
   const int states = run.carriage < 0 ? 1 : run.way.steps + 1;
   Watch watch(machine.progress, "envelope" + run.ending, static_cast<int>(combinations) * states);
-  Combination one(machine, run, envelope, watch);
+  Combination one(machine, run, envelope, watch, r);
   for (const double temperature : or_none(run.temperatures)) {
     for (const double load : or_none(run.loads)) {
       for (const std::string& motion : run.motions) one.solve({none, load, motion, temperature});
