@@ -100,7 +100,9 @@ class Includer {
   SourcePtr read_source(const Node& place, const fs::path& path) {
     auto text = read_file(path.string());
     if (!text) {
-      Diagnostic mistake = at(place.spot, fmt::format("include: {}", text.error().message));
+      // of a file that the deck includes the place alone is shown: it may be no deck at all
+      const std::string why = under_way_.size() > 1 ? "the file named here can't be read" : text.error().message;
+      Diagnostic mistake = at(place.spot, fmt::format("include: {}", why));
       mistake.unreadable_file = !text.error().missing;
       add(mistakes_, std::move(mistake));
       return nullptr;
