@@ -37,12 +37,19 @@ void begin_roughly(Run& run) {
   run.now = run.before;
 }
 
+/// A run that goes on from a saved state has no step before: what begins anew does not look back at it either.
+void forget_last_step(Run& run) {
+  run.now = run.before;
+  run.scheme = scheme_of(run.options.rho);
+  run.newton.tolerance = Newton{}.tolerance;
+  run.newton.largest = largest_tension(run);
+  run.newton.passes = false;
+  run.newton.forget();
+}
+
 /// Consistent accelerations at the time reached; what slips at once goes to `where`.
 StepEnd begin_again(Run& run, double& where) {
-  run.now.drums = run.before.drums;
-  run.now.drum_drive = run.before.drum_drive;
-  run.now.motor_drive = run.before.motor_drive;
-  take_modes(run.before, run.now);
+  forget_last_step(run);
   fade(run, run.before.t, run.now);
   if (run.options.quasi_static) return rest_again(run);
   StepEnd end = restart(run.m, run.scheme, run.before, run.now, run.w, run.newton);
