@@ -70,8 +70,7 @@ void fill_ledger(const model::Reeving& rope, int sense, const EquilibriumResult&
 
 }  // namespace
 
-std::vector<DriveResult> drives(const model::Model& model, const std::vector<std::vector<int>>& flow,
-                                const EquilibriumResult& result) {
+std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result) {
   std::vector<DriveResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
     const model::Reeving& rope = model.reevings[at(r)];
@@ -85,10 +84,10 @@ std::vector<DriveResult> drives(const model::Model& model, const std::vector<std
       d.T_in = c->T_in;
       d.T_out = c->T_out;
       d.wrap = c->wrap;
-      d.centrifugal = centrifugal(rope, flow[at(r)]);
+      d.centrifugal = centrifugal(rope, result.flow[at(r)]);
       d.torque = rope.copies * node.radius * (d.T_in - d.T_out);
       fill_grip(node, rope, node.motor < 0 ? std::nullopt : model.motors[at(node.motor)].working_arc, d);
-      const int sense = sense_of(flow[at(r)]);
+      const int sense = sense_of(result.flow[at(r)]);
       if (rope.speed > 0 && sense != 0) {
         d.speed = sense * rope.speed;
         d.power = rope.copies * (d.T_in - d.T_out) * *d.speed;
@@ -126,8 +125,7 @@ void fill_layers(const model::Drum& drum, const model::Reeving& rope, double uns
 
 }  // namespace
 
-std::vector<DrumResult> drums(const model::Model& model, const std::vector<std::vector<int>>& flow,
-                              const EquilibriumResult& result) {
+std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result) {
   std::vector<DrumResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
     const model::Reeving& rope = model.reevings[at(r)];
@@ -146,7 +144,7 @@ std::vector<DrumResult> drums(const model::Model& model, const std::vector<std::
       d.radius = node.radius;
       fill_layers(drum, rope, result.ropes[at(r)].unstretched, d);
       d.torque = rope.copies * d.pull * d.radius;
-      const int sense = sense_of(flow[at(r)]);
+      const int sense = sense_of(result.flow[at(r)]);
       if (drum.drive.kind == model::DriveKind::speed && rope.speed > 0 && sense != 0) {
         d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
       }

@@ -27,9 +27,8 @@ struct DriveResult {
   std::optional<double> power_loads, power_losses, power_carriages, power_creep;
 };
 
-/// Of every motor of the model, for an answer with this flow.
-std::vector<DriveResult> drives(const model::Model& model, const std::vector<std::vector<int>>& flow,
-                                const EquilibriumResult& result);
+/// Of every motor of the model.
+std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result);
 
 /// What lies on a drum, and what it pulls.
 struct DrumResult {
@@ -48,7 +47,6 @@ struct DrumResult {
 
 /// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
 /// where an answer has another free length, the rest is on the drum.
-std::vector<DrumResult> drums(const model::Model& model, const std::vector<std::vector<int>>& flow,
-                              const EquilibriumResult& result);
+std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result);
 
 }  // namespace taut::analysis

@@ -53,7 +53,7 @@ Ran run(const model::Model& m, Motion motion) {
   Ran r;
   r.e = analysis::equilibrium(m, options);
   EXPECT_TRUE(r.e.outcome.ok()) << r.e.outcome.message;
-  if (r.e.outcome.ok()) r.drive = analysis::drives(m, analysis::flow_of(m, options), r.e).at(0);
+  if (r.e.outcome.ok()) r.drive = analysis::drives(m, r.e).at(0);
   return r;
 }
 
@@ -184,7 +184,7 @@ TEST(Drives, ATractionSheaveHoldsTheDifferenceOfItsWeights) {
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.spans[0].T_from, 900 * 9.80665 / 4, 1e-6);
   EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, 300, 1e-6);
-  EXPECT_NEAR(analysis::drives(m, {{0, 0, 0}, {0, 0}}, r).at(0).torque, 4 * 300 * 0.5, 1e-6);
+  EXPECT_NEAR(analysis::drives(m, r).at(0).torque, 4 * 300 * 0.5, 1e-6);
 }
 
 TEST(Drives, ARopeWhoseGivenTensionIsBelowTheCentrifugalOneLiftsOff) {

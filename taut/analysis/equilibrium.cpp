@@ -555,6 +555,7 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   } else {
     result = on_inner_sides(model, start, solve_on);
   }
+  result.flow = flow;
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
   if (result.outcome.ok() && band && differs_in_motion(model)) {
     result.band = true;

@@ -118,6 +118,7 @@ struct EquilibriumResult {
   Vector3 hold = Vector3::Zero();  ///< force that keeps a prescribed carriage without mainline in place, N
   Closure closure;
   bool band = false;  ///< whether the tensions' bands hold both directions of motion
+  std::vector<std::vector<int>> flow;  ///< through every node, [reeving][node], for which the tensions hold
 };
 
 /// The equilibrium of the machine, from `start` (default: initial_state) on. Damped Newton with exact derivatives over

@@ -154,6 +154,23 @@ RopeClearance rope_clearance(const model::Model& model, const SpanResult& span) 
   return lower({}, ClearanceSearch(model, span).least());
 }
 
+RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends) {
+  RopeClearance least;
+  const auto take = [&](const Vector3& place) {
+    least = lower(least, {place.z() - ground_height(model.terrain, terrain_x(model, place)), place});
+  };
+  for (std::size_t i = 0; i < rope.size(); ++i) {
+    if ((i > 0 || begins) && (i + 1 < rope.size() || ends)) take(rope[i]);
+    if (i == 0) continue;
+    const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
+    for (const model::GroundPoint& top : model.terrain) {
+      if (top.x <= std::min(a, b) || top.x >= std::max(a, b)) continue;
+      take(rope[i - 1] + (top.x - a) / (b - a) * (rope[i] - rope[i - 1]));
+    }
+  }
+  return least;
+}
+
 RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result) {
   RopeClearance least;
   for (const SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));

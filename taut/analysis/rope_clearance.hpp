@@ -21,6 +21,10 @@ RopeClearance rope_clearance(const model::Model& model, const SpanResult& span);
 /// The least of all spans.
 RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result);
 
+/// Of a rope that follows a polyline, piece by piece, m. `begins`, `ends`: whether its first and last place count, as
+/// where they move with a body.
+RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends);
+
 /// A strip across the line: the places whose distance from the origin along `along` lies between `from` and `to`
 /// (either order), m.
 struct RopeWindow {

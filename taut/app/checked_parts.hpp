@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/drive_uses.hpp"
 #include "taut/app/guy_checks.hpp"
 #include "taut/app/judge.hpp"
 #include "taut/app/machine_deck.hpp"
@@ -27,13 +28,18 @@ struct CheckedParts {
   /// A motion at an output step, the last frame of the result so far: forces and places.
   void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words,
                    const std::string& analysis);
-  /// A motion as a whole: tensions at all its steps.
-  void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
+  /// The place of rest about which a machine vibrates. `rope_mass`: whether the mass of its ropes is counted.
+  void take_rest(const model::Model& model, const analysis::TransientFrame& rest, bool rope_mass,
+                 const std::string& words, const std::string& analysis);
+  /// A motion as a whole: tensions at all its steps, and how far its ropes slipped.
+  void take(const model::Model& model, const analysis::TransientResult& motion,
+            const std::vector<TransientRecord::Slip>& slips, const std::string& words);
 
   const MachineDeck* deck = nullptr;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
   RopeUses ropes;
+  DriveUses drives;
   std::vector<GuyStates> guys;
   std::vector<AnchorStates> anchors;
   std::vector<LineStates> lines;

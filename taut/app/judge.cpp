@@ -177,21 +177,30 @@ void Judge::take_places(const model::Model& m, const analysis::EquilibriumResult
 void Judge::take_ropes(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
   shown_ = true;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-    const model::Reeving& rope = m.reevings[i];
-    const double T = e.ropes[i].T_max;
-    RopeWorst& worst = ropes_[rope.name];
-    if (!worst.seen || T > worst.T) {
-      worst.T = T;
-      worst.where = words;
-    }
-    worst.seen = true;
-    worst.carries |= T > 0;
-    if (rope.breaking_force <= 0) continue;
-    if (worst.breaking_force > 0 && T * worst.breaking_force <= worst.T_of_share * rope.breaking_force) continue;
-    worst.breaking_force = rope.breaking_force;
-    worst.T_of_share = T;
-    worst.where_of_share = words + too_short(m, e, i);
+    RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);
+    if (worst.where_of_share == words) worst.where_of_share += too_short(m, e, i);
   }
+}
+
+Judge::RopeWorst& Judge::take_tension(const model::Reeving& rope, double T, const std::string& words) {
+  RopeWorst& worst = ropes_[rope.name];
+  if (!worst.seen || T > worst.T) {
+    worst.T = T;
+    worst.where = words;
+  }
+  worst.seen = true;
+  worst.carries |= T > 0;
+  if (rope.breaking_force <= 0) return worst;
+  if (worst.breaking_force > 0 && T * worst.breaking_force <= worst.T_of_share * rope.breaking_force) return worst;
+  worst.breaking_force = rope.breaking_force;
+  worst.T_of_share = T;
+  worst.where_of_share = words;
+  return worst;
+}
+
+void Judge::take_rest(const model::Model& m, const analysis::TransientResult& still, const std::string& words) {
+  shown_ = true;
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i], still.ropes[i].T.max, words);
 }
 
 void Judge::take(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
@@ -241,6 +250,26 @@ void Judge::take_moment(const model::Model& m, const analysis::TransientResult& 
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x,
                 fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
+  }
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
+  for (std::size_t i = 0; i < frame.branches.size();) {
+    // a rope in segments has several pieces between two nodes
+    const analysis::TransientFrame::Branch& first = frame.branches[i];
+    const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
+    std::vector<Vector3> places = {first.start};
+    for (; i < frame.branches.size(); ++i) {
+      const analysis::TransientFrame::Branch& piece = frame.branches[i];
+      if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
+      places.insert(places.end(), piece.curve.begin(), piece.curve.end());
+      places.push_back(piece.end);
+    }
+    if (!bears) continue;
+    const model::Reeving& rope = m.reevings[at(first.reeving)];
+    const auto moves = [&](int node) { return rope.nodes[at(node)].at.body != model::ground; };
+    const analysis::RopeClearance own = analysis::rope_clearance(m, places, moves(first.from), moves(first.to));
+    const std::string part =
+        fmt::format("{} between {} and {}", rope.name, rope.nodes[at(first.from)].name, rope.nodes[at(first.to)].name);
+    take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
   }
 }
 
@@ -326,10 +355,8 @@ void Judge::add_heights(Result& r) const {
 }
 
 void Judge::add_values(Result& r) const {
-  if (shown_) {
-    add_tensions(r);
-    add_heights(r);
-  }
+  if (shown_) add_tensions(r);
+  add_heights(r);
   for (const Warned& one : warned_) {
     if (one.unsafe) {
       warn_unsafe(r, one.text);

@@ -39,8 +39,11 @@ class Judge {
   void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  /// A motion at an output step, the last frame of the result so far: heights, up to the first break.
+  /// A motion at an output step, the last frame of the result so far: heights of carriages and ropes, up to the first
+  /// break.
   void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words);
+  /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
+  void take_rest(const model::Model& model, const analysis::TransientResult& still, const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.
   void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
 
@@ -77,6 +80,7 @@ class Judge {
     bool unsafe = false;
   };
 
+  RopeWorst& take_tension(const model::Reeving& rope, double T, const std::string& words);
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);
   void take_heights(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);

@@ -1,12 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "taut/analysis/drives.hpp"
-#include "taut/analysis/running.hpp"
 #include "taut/app/machine_tables.hpp"
 #include "taut/app/none.hpp"
 
@@ -15,13 +12,6 @@ namespace {
 
 /// Above, friction on a wet, oily or sap-covered rope is doubtful (mine hoists 0.20 to 0.25, ropeways 0.22 to 0.30).
 constexpr double doubtful_friction = 0.4;
-
-using Flow = std::vector<std::vector<int>>;
-
-Flow flow_of(const EquilibriumRun& one) {
-  std::vector<Complaint> told_before;
-  return analysis::flow_of(one.model, options_of(one.motion, one.model, {}, told_before));
-}
 
 const model::Reeving& rope(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
 const model::Node& node(const model::Model& m, int r, int n) { return rope(m, r).nodes[static_cast<std::size_t>(n)]; }
@@ -104,58 +94,6 @@ Table drums(const model::Model& m, const std::vector<analysis::DrumResult>& all)
   return t;
 }
 
-void keep_worst(std::map<std::string, Check>& worst, Check check) {
-  const auto at = worst.find(check.name);
-  if (at == worst.end() || check.utilisation > at->second.utilisation) worst[check.name] = std::move(check);
-}
-
-/// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
-/// A signal is no limit: it changes.
-bool is_limit(const model::Model& m, const model::Reeving& r) {
-  const int motor = r.nodes.front().motor;
-  if (motor < 0 || !m.motors[static_cast<std::size_t>(motor)].drive.signal.name.empty()) return false;
-  const bool open = std::any_of(r.nodes.begin(), r.nodes.end(),
-                                [](const model::Node& n) { return n.kind == model::NodeKind::load && n.load.open; });
-  return r.closed && r.given == model::Given::length && r.nodes.front().tension_drop && !open;
-}
-
-void check_drive(const model::Model& m, const analysis::DriveResult& d, std::map<std::string, Check>& worst) {
-  const model::Node& own = node(m, d.reeving, d.node);
-  if (std::isfinite(own.law.friction)) {
-    keep_worst(worst,
-               make_check(own.name + ".grip", d.ratio, Sense::at_most, d.limit, si::one,
-                          d.centrifugal > 0
-                              ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
-                              : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
-                          "derived"));
-  }
-  if (!is_limit(m, rope(m, d.reeving))) return;
-  const double most = std::abs(*own.tension_drop) * own.radius * rope(m, d.reeving).copies;
-  keep_worst(worst, make_check(own.name + ".torque", std::abs(d.torque), Sense::at_most, most, si::N_m,
-                               "the motor's torque", "user"));
-}
-
-void check_drum(const model::Model& m, const analysis::DrumResult& d, std::map<std::string, Check>& worst) {
-  const model::Drum& drum = m.drums[static_cast<std::size_t>(d.drum)];
-  const std::string& name = drum.name;
-  if (drum.drive.kind == model::DriveKind::torque && drum.drive.signal.name.empty()) {
-    const double most = at(drum.drive.signal, 0).value;
-    // the rope's tension follows from it, or it is a limit
-    if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
-      keep_worst(worst,
-                 make_check(name + ".torque", d.torque, Sense::at_most, most, si::N_m, "the drum's torque", "user"));
-    }
-  }
-  if (d.length && d.capacity) {
-    keep_worst(worst, make_check(name + ".capacity", *d.length, Sense::at_most, *d.capacity, si::m,
-                                 "rope that the drum takes within its flanges", "derived"));
-  }
-  if (d.length && *d.length < 0) {
-    keep_worst(worst, make_check(name + ".length_on_drum", *d.length, Sense::at_least, 0, si::m,
-                                 "rope left on the drum", "derived"));
-  }
-}
-
 void add_drive_values(const model::Model& m, const analysis::DriveResult& d, const EquilibriumRun& one, Result& r) {
   const std::string& name = node(m, d.reeving, d.node).name;
   const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
@@ -170,8 +108,8 @@ void add_drive_values(const model::Model& m, const analysis::DriveResult& d, con
 
 void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)>& add) {
   if (!one.result.rope_loads.empty()) add(rope_loads(one.model, one.result));
-  if (!one.model.motors.empty()) add(drives(one.model, analysis::drives(one.model, flow_of(one), one.result)));
-  if (!one.model.drums.empty()) add(drums(one.model, analysis::drums(one.model, flow_of(one), one.result)));
+  if (!one.model.motors.empty()) add(drives(one.model, analysis::drives(one.model, one.result)));
+  if (!one.model.drums.empty()) add(drums(one.model, analysis::drums(one.model, one.result)));
 }
 
 void add_drum_columns(const model::Model& m, std::vector<Column>& columns) {
@@ -186,37 +124,21 @@ void add_drum_columns(const model::Model& m, std::vector<Column>& columns) {
 }
 
 void add_drum_cells(const model::Model& m, const analysis::EquilibriumResult& e, std::vector<Cell>& row) {
-  Flow none_runs;
-  for (const model::Reeving& one : m.reevings) none_runs.emplace_back(one.nodes.size(), 0);
-  for (const analysis::DrumResult& d : analysis::drums(m, none_runs, e)) {
+  for (const analysis::DrumResult& d : analysis::drums(m, e)) {
     if (d.length) row.insert(row.end(), {*d.length, static_cast<double>(d.layer), d.torque});
   }
 }
 
-void add_drives(const MachineRun& run, Result& r) {
-  std::map<std::string, Check> worst;
+void add_drive_values(const MachineRun& run, Result& r) {
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    for (const auto& d : analysis::drives(one.model, flow_of(one), one.result)) {
-      check_drive(one.model, d, worst);
-      add_drive_values(one.model, d, one, r);
-    }
-    for (const auto& d : analysis::drums(one.model, flow_of(one), one.result)) check_drum(one.model, d, worst);
+    for (const auto& d : analysis::drives(one.model, one.result)) add_drive_values(one.model, d, one, r);
   }
-  for (const LoadPathRun& path : run.paths) {
-    for (const LoadPathPart& part : path.parts) {
-      std::vector<Complaint> told_before;
-      const Flow flow = analysis::flow_of(part.model, options_of(path.motion, part.model, {}, told_before));
-      for (const auto& point : part.result.points) {
-        if (!point.at.outcome.ok()) continue;
-        for (const auto& d : analysis::drives(part.model, flow, point.at)) check_drive(part.model, d, worst);
-        for (const auto& d : analysis::drums(part.model, flow, point.at)) check_drum(part.model, d, worst);
-      }
-    }
-  }
-  for (auto& [name, check] : worst) r.checks.push_back(std::move(check));
+}
+
+void warn_of_friction(const model::Model& m, Result& r) {
   std::set<std::string> told;
-  for (const model::Reeving& one : run.model.reevings) {
+  for (const model::Reeving& one : m.reevings) {
     for (const model::Node& own : one.nodes) {
       if (own.kind != model::NodeKind::drive || !std::isfinite(own.law.friction)) continue;
       if (own.law.friction <= doubtful_friction || !told.insert(own.name).second) continue;

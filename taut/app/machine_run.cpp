@@ -21,8 +21,8 @@
 #include "taut/app/merge.hpp"
 #include "taut/app/missing.hpp"
 #include "taut/app/put_up.hpp"
-#include "taut/app/rope_stiffness.hpp"
 #include "taut/app/rope_sense.hpp"
+#include "taut/app/rope_stiffness.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/app/transient_run.hpp"
 #include "taut/app/watch.hpp"
@@ -294,6 +294,8 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   add_beam_tables(run, r);
   run.checked->judge.add_values(r);
   add_values(run, r);
+  run.checked->drives.add_checks(r);
+  warn_of_friction(run.model, r);
   add_put_up(run.model, lines, r);
   add_beam_values(deck, run, r);
   if (!checks_only) {

@@ -28,9 +28,10 @@ void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)
 void add_drum_columns(const model::Model& model, std::vector<Column>& columns);
 void add_drum_cells(const model::Model& model, const analysis::EquilibriumResult& e, std::vector<Cell>& row);
 
-/// Values of the driven sheaves (torque, power), and checks over all analyses: grip, a motor's torque that is no more
-/// than a limit, what drums hold.
-void add_drives(const MachineRun& run, Result& r);
+/// Torque and power of the driven sheaves in each equilibrium.
+void add_drive_values(const MachineRun& run, Result& r);
+/// A friction that no wet, oily or sap-covered rope has.
+void warn_of_friction(const model::Model& model, Result& r);
 
 /// What the calculation takes for granted, the carriages' models by name.
 std::vector<std::string> assumptions_of(const MachineDeck& deck);

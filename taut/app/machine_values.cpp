@@ -67,7 +67,7 @@ void add_values(const MachineRun& run, Result& r) {
   if (answers_of(run).empty()) return;
   add_places(run, r);
   add_ends(run, r);
-  add_drives(run, r);
+  add_drive_values(run, r);
 }
 
 std::vector<std::string> assumptions_of(const MachineDeck& deck) {

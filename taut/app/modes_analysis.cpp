@@ -230,6 +230,10 @@ Analysis prepare_modes(const ModesRequest& request, const std::string& path, Pre
     o.rope_mass = one.request.rope_mass;
     o.branches = branches_of(one.request.branches);
     one.result = analysis::modes(one.model, o);
+    if (one.result.outcome.ok()) {
+      machine.checked->take_rest(one.model, one.result.rest, o.rope_mass, analysis_words(one.ending, "modes"),
+                                 analysis_name(one.ending, "modes"));
+    }
     add_modes(one, r);
   };
 }

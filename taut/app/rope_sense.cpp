@@ -140,38 +140,40 @@ std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses) {
     });
     const std::string name = whole_rope ? s.rope : s.contact;
     if (!told.insert(name).second) continue;
-    words += fmt::format("{}{}", words.empty() ? "" : "; ",
-                         whole_rope ? fmt::format("{} runs {:.4g} m against its motion", s.rope, s.against)
-                                    : fmt::format("{} runs {:.4g} m over {} against its motion", s.rope, s.against,
-                                                  s.contact));
+    words += fmt::format(
+        "{}{}", words.empty() ? "" : "; ",
+        whole_rope ? fmt::format("{} runs {:.4g} m against its motion", s.rope, s.against)
+                   : fmt::format("{} runs {:.4g} m over {} against its motion", s.rope, s.against, s.contact));
     signs += fmt::format("{}{}: {}", signs.empty() ? "" : ", ", name, -s.declared);
   }
   if (words.empty()) return std::nullopt;
-  return fmt::format("{}, so that friction would give energy: declare 'motion: {{{}}}' (1 along its path, -1 against it)",
-                     words, signs);
+  return fmt::format(
+      "{}, so that friction would give energy: declare 'motion: {{{}}}' (1 along its path, -1 against it)", words,
+      signs);
 }
 
 std::vector<std::string> doubtful_senses(const std::vector<RopeSense>& senses) {
   std::vector<std::string> all;
   for (const RopeSense& s : senses) {
     if (s.against == 0 || s.with == 0) continue;
-    all.push_back(fmt::format("{} runs over {} against its declared motion for {:.3g} of {:.3g} m: friction gives energy "
-                              "there",
-                              s.rope, s.contact, s.against, s.against + s.with));
+    all.push_back(
+        fmt::format("{} runs over {} against its declared motion for {:.3g} of {:.3g} m: friction gives energy "
+                    "there",
+                    s.rope, s.contact, s.against, s.against + s.with));
   }
   return all;
 }
 
 std::optional<std::string> contrary_senses(const std::vector<RopeSense>& senses) {
   const auto one_way = [&](bool against) {
-    return std::find_if(senses.begin(), senses.end(), [&](const RopeSense& s) {
-      return against ? all_against(s) : s.with > 0 && s.against == 0;
-    });
+    return std::find_if(senses.begin(), senses.end(),
+                        [&](const RopeSense& s) { return against ? all_against(s) : s.with > 0 && s.against == 0; });
   };
   const auto there = one_way(false), back = one_way(true);
   if (there == senses.end() || back == senses.end()) return std::nullopt;
-  return fmt::format("{} over {} and {} over {} can't both run as declared, whichever way the carriage goes: turn one sign",
-                     there->rope, there->contact, back->rope, back->contact);
+  return fmt::format(
+      "{} over {} and {} over {} can't both run as declared, whichever way the carriage goes: turn one sign",
+      there->rope, there->contact, back->rope, back->contact);
 }
 
 }  // namespace taut::app

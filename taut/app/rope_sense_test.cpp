@@ -43,8 +43,9 @@ analyses:
 }
 
 std::string cycle(const std::string& out, const std::string& in) {
-  return running_skyline("  - cycle: {carriage: car, from: 60 m, to: 120 m, steps: 6, phases: [{name: out empty, motion: " + out +
-                         "}, {name: in loaded, motion: " + in + "}]}\n");
+  return running_skyline(
+      "  - cycle: {carriage: car, from: 60 m, to: 120 m, steps: 6, phases: [{name: out empty, motion: " + out +
+      "}, {name: in loaded, motion: " + in + "}]}\n");
 }
 
 TEST(RopeSense, ACycleAgainstItsRopesIsRefusedWithTheRightSigns) {
@@ -74,8 +75,8 @@ TEST(RopeSense, ALoadPathWhoseRopesCannotBothRunSoIsUnsafe) {
     const std::string first = r.unsafe.empty() ? "" : r.unsafe.front();
     EXPECT_EQ(first.find("can't both run as declared") != std::string::npos, contrary) << first;
   }
-  const Result all = run_text(
-      running_skyline("  - envelope: {carriage: car, from: 60 m, to: 120 m, steps: 6, motions: [out]}\n"));
+  const Result all =
+      run_text(running_skyline("  - envelope: {carriage: car, from: 60 m, to: 120 m, steps: 6, motions: [out]}\n"));
   ASSERT_EQ(all.status, Status::ok) << all.message << to_text(all.errors);
   EXPECT_EQ(all.unsafe.size(), 1U);
 }

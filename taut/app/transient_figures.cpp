@@ -291,8 +291,8 @@ void add_plots(const TransientRun& run, Result& r) {
 }
 
 void add_energy_plot(const TransientRun& run, Result& r) {
-  std::vector<OverTime> curves = {{"kinetic", {}},  {"elastic, change", {}}, {"potential, change", {}},
-                                  {"supplied", {}}, {"lost", {}},            {"residual", {}}};
+  std::vector<OverTime> curves = {{"kinetic", {}}, {"elastic, change", {}}, {"potential, change", {}}, {"supplied", {}},
+                                  {"lost", {}},    {"residual", {}}};
   const LongRows& energy = run.record.energy();
   for (std::size_t i = 0; i < curves.size(); ++i) curves[i].values = energy.column(i);
   for (const std::size_t stored : {1U, 2U}) {

@@ -97,8 +97,8 @@ void TransientRecord::show(TransientResult& result) const {
   if (empty()) return;
   std::vector<Shown> all = shown_;
   const auto put_in = [&](Shown one) {
-    const auto place = std::lower_bound(all.begin(), all.end(), one.frame.t,
-                                        [](const Shown& a, double t) { return a.frame.t < t; });
+    const auto place =
+        std::lower_bound(all.begin(), all.end(), one.frame.t, [](const Shown& a, double t) { return a.frame.t < t; });
     if (place == all.end() || place->frame.t != one.frame.t) all.insert(place, std::move(one));
   };
   if (every_ > 1) {

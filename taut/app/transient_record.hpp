@@ -9,9 +9,9 @@
 namespace taut::app {
 
 /// What is kept of a motion as it goes, so that its size in memory does not grow with its duration: the lines of its
-/// series with their numbers (on disk where they are many), and the frames that pictures show: all of them, or of a long
-/// motion every second, fourth, eighth one and so on, the first, the last and the one nearest to the largest tension
-/// among them.
+/// series with their numbers (on disk where they are many), and the frames that pictures show: all of them, or of a
+/// long motion every second, fourth, eighth one and so on, the first, the last and the one nearest to the largest
+/// tension among them.
 class TransientRecord {
  public:
   /// After an output step: TransientOptions::take.

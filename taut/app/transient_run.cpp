@@ -275,7 +275,7 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
   run.result = analysis::transient(run.model, o);
   o.anew = {};
   o.take = {};
-  if (checked != nullptr) checked->take(run.model, run.result, words);
+  if (checked != nullptr) checked->take(run.model, run.result, run.record.slips(), words);
   run.record.show(run.result);
 }
 

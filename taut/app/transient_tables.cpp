@@ -131,9 +131,10 @@ void warn_of_errors(const TransientRun& run, Result& r) {
                                words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better));
   }
   if (result.tension_error > tolerance) {
-    warn_unsafe(r, fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "
-                               "{}",
-                               words_of(run), 100 * result.tension_error, 100 * tolerance, better));
+    warn_unsafe(r,
+                fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "
+                            "{}",
+                            words_of(run), 100 * result.tension_error, 100 * tolerance, better));
   }
 }
 

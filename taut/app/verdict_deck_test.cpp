@@ -98,6 +98,38 @@ TEST(VerdictDeck, ABreakOfTheDeckIsNoFailureByItself) {
   EXPECT_EQ(exit_code(r), 0) << verdict_of(r)->reason;
 }
 
+TEST(VerdictDeck, TheRestOfVibrationsIsJudged) {
+  const std::string modes = "analyses: [modes: {count: 2}]\n";
+  const std::vector<std::string> held = {"machine.carriages.car.length_before=136 m"};
+  const Result light = run_text(line(strong, 272, modes + factor, 500), held);
+  const Result heavy = run_text(line(strong, 272, modes + factor, 50000), held);
+  ASSERT_TRUE(verdict_of(light) && verdict_of(heavy)) << to_text(light.errors);
+  EXPECT_EQ(exit_code(light), 0) << verdict_of(light)->reason;
+  EXPECT_EQ(exit_code(heavy), 4) << verdict_of(heavy)->reason;
+  EXPECT_NE(verdict_of(heavy)->reason.find("skyline"), std::string::npos) << verdict_of(heavy)->reason;
+}
+
+TEST(VerdictDeck, WhatAMotionDipsIntoTheGroundFails) {
+  const auto with = [](const std::string& level, const std::string& segments) {
+    return run_text(R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 20 m], tail: [100 m, 0 m, 20 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 10 MN, breaking_force: 279 kN}}
+  reevings: [{rope: line, path: [{anchor: head}, {anchor: tail}], length: 103 m, segments: )" +
+                    segments + "}]\n  terrain: {x: [0 m, 100 m], z: [" + level + " m, " + level +
+                    " m]}\nchecks: {ropes: {line: {safety_factor: 3}}}\n" +
+                    "analyses: [transient: {duration: 0.1 s, branches: catenary}]\n");
+  };
+  // the sag is 10.7 m
+  for (const char* segments : {"1", "8"}) {
+    const Result clear = with("9", segments), dips = with("10", segments);
+    ASSERT_TRUE(verdict_of(clear) && verdict_of(dips)) << to_text(clear.errors);
+    EXPECT_EQ(exit_code(clear), 0) << verdict_of(clear)->reason;
+    EXPECT_EQ(exit_code(dips), 4) << verdict_of(dips)->reason;
+    EXPECT_NE(verdict_of(dips)->reason.find("below the ground"), std::string::npos) << verdict_of(dips)->reason;
+  }
+}
+
 TEST(VerdictDeck, TerrainCoversWhatAClearanceIsAskedOf) {
   const auto with = [](const std::string& x, const std::string& z) {
     return run_text(line(strong, 272,
