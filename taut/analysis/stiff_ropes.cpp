@@ -12,6 +12,7 @@ namespace taut::analysis {
 namespace {
 
 constexpr double found_by_length = 1e6;   ///< EA of the largest force: up to here lengths alone find an answer
+constexpr double usual_strain = 1e-3;
 constexpr double rounded_length = 4e-15;  ///< of EA: what rounded coordinates leave of a tension
 constexpr double rough_balance = 1e-9;    ///< of a force
 constexpr double rounded_way = 1e-15;     ///< of a way between places that do not move
@@ -97,6 +98,10 @@ double force_scale(const model::Model& model, const Layout& layout) {
   for (const model::Reeving& rope : model.reevings) {
     const bool tension = rope.given == model::Given::tension_at_start || rope.given == model::Given::tension_at_end;
     if (tension) force = std::max(force, rope.value);
+  }
+  if (force > 0) return std::max(force, 1e-6);
+  for (const model::Reeving& rope : model.reevings) {
+    if (std::isfinite(rope.stiffness)) force = std::max(force, usual_strain * rope.stiffness);
   }
   return std::max(force, 1e-6);
 }

@@ -3,7 +3,8 @@
 
 namespace taut::analysis {
 
-/// The largest weight, load or given tension, N: what the stiffness of the ropes is measured by.
+/// The largest weight, load or given tension, N: what the stiffness of the ropes is measured by. Without any of them
+/// forces come from stretch alone: what the stiffest rope bears at a strain of 1e-3.
 double force_scale(const model::Model& model, const Layout& layout);
 
 /// Whether a rope stretches so little that its machine is found with softer ropes first.
