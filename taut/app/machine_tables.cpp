@@ -57,7 +57,7 @@ Table spans(const model::Model& m, const EquilibriumResult& e) {
                              s.V_from,
                              s.V_to,
                              s.chord,
-                             s.unstretched,
+                             s.unstretched * (1 + reeving_at(m, s.reeving).thermal_strain),
                              s.stretched,
                              s.sag};
     if (e.band) row.insert(row.end(), {s.T_from_min, s.T_from_max, s.T_to_min, s.T_to_max});
