@@ -28,6 +28,8 @@ using Done = tl::expected<void, std::string>;
 constexpr const char* unfinished = ".taut-unfinished";
 /// A folder that waits for its successor, see Swap::in_two_steps.
 constexpr std::string_view waiting = ".old";
+/// A folder that is being removed: a kill may leave some of its files, without the list that says whose they are.
+constexpr std::string_view discarded = ".gone";
 
 tl::unexpected<std::string> refuse(const fs::path& folder, std::string_view why) {
   return tl::unexpected(fmt::format("can't replace the folder {}: {}", folder.string(), why));
@@ -171,11 +173,19 @@ void rescue(const fs::path& from, const fs::path& to, const Names& but) {
   }
 }
 
+/// Removes a folder in two steps: its new name says that nothing in it is wanted.
+void discard(const fs::path& folder) {
+  std::error_code failed;
+  const fs::path gone = folder.string() + std::string(discarded);
+  fs::remove_all(gone, failed);
+  fs::rename(folder, gone, failed);
+  fs::remove_all(failed ? folder : gone, failed);
+}
+
 /// Removes a folder that has been replaced; what it alone has and `ours` does not name goes to its successor first.
 void remove_replaced(const fs::path& old, const fs::path& successor, const Names& ours) {
-  std::error_code failed;
   if (!is_there(old / unfinished)) rescue(old, successor, ours);
-  fs::remove_all(old, failed);
+  discard(old);
 }
 
 /// Removes what runs that were killed have left beside the folder.
@@ -191,7 +201,9 @@ void clean_up(const fs::path& folder) {
     const bool own = lstat(one.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == geteuid();
     const OpenFolder open_one(one);
     if (!own || !open_one.locked() || !open_one.is_at(one)) continue;
-    if (one.string().ends_with(waiting) && !is_there(folder)) {
+    if (one.string().ends_with(discarded)) {
+      fs::remove_all(one, failed);
+    } else if (one.string().ends_with(waiting) && !is_there(folder)) {
       fs::rename(one, folder, failed);
     } else {
       remove_replaced(one, folder, all_listed(one));
@@ -218,8 +230,7 @@ class Beside {
     return tl::unexpected(fmt::format("can't write {}: no folder beside it can be made", folder.string()));
   }
   ~Beside() {
-    std::error_code failed;
-    if (!path_.empty()) fs::remove_all(path_, failed);
+    if (!path_.empty()) discard(path_);
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
