@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/analysis/modes.hpp"
+#include "taut/app/checked_parts.hpp"
 #include "taut/app/machine_analysis.hpp"
 #include "taut/app/motion_checks.hpp"
 #include "taut/app/transient_run.hpp"

@@ -365,6 +365,9 @@ tl::expected<std::vector<std::string>, std::string> replace_folder(const std::st
   if (is_there(*path)) {
     if (const Done done = keep_others(*path, place, ours); !done) return tl::unexpected(done.error());
   }
+  // The former folder comes to stand beside: locked, as nobody else may rescue from there or take its name meanwhile.
+  const OpenFolder former(*path);
+  former.wait_for_lock();
   std::error_code failed;
   fs::remove(mark, failed);
   const auto old = put_in_place(place, *path, swap);
