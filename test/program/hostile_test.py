@@ -130,7 +130,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(shell('exec "$0" --help >/dev/full').returncode, 5)
         self.assertEqual(shell('exec "$0" list ropes >&-').returncode, 5)
         # with the files asked for, they are written and hold nothing of what goes to the screen
-        for command in (both, 'exec "$0" run - -q >&- 2>&-', 'exec "$0" run - <&0 >&- 2>&-'):
+        for command in (both,) if SANITIZED else (both, 'exec "$0" run - -q >&- 2>&-', 'exec "$0" run - <&0 >&- 2>&-'):
             self.assertIn(shell(command + ' -o "$1"', out).returncode, (0, 4, 5))
             alone = self.top / "alone"
             self.assertIn(shell('exec "$0" run - -q -o "$1"', alone).returncode, (0, 4))

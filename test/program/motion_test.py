@@ -15,6 +15,7 @@ import unittest
 import cpu_time
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
+FEWER = "TAUT_FEWER" in os.environ
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples" / "motion"
 
 HOIST = """taut: 1
@@ -142,7 +143,8 @@ class Motion(unittest.TestCase):
 
     def test_a_rope_that_slips_goes_on_to_the_last_bit(self):
         for method in ("implicit", "verlet"):
-            head, rows = self.goes_on(SLIPPING.replace("METHOD", method), "0.5 ms", 1, (0.3, 0.4, 0.55, 0.6))
+            halves = (0.3,) if FEWER else (0.3, 0.4, 0.55, 0.6)
+            head, rows = self.goes_on(SLIPPING.replace("METHOD", method), "0.5 ms", 1, halves)
             slip = [row[head.index("drive.slip [m/s]")] for row in rows]
             self.assertGreater(min(abs(x) for x in slip[6:]), 1, "it slips all the time")
 
@@ -150,7 +152,7 @@ class Motion(unittest.TestCase):
         """The example's rope saw, whose sheaves are light, with its six forces along the rope: from rest to full speed."""
         deck = (EXAMPLES.parent / "machines" / "rope_saw_drive.yaml").read_text().split("analyses:")[0]
         deck += "analyses: [transient: {duration: 4 s, output_step: 10 ms, tolerance: 1e-3, damping_ratio: 0.02}]\n"
-        for speed in (18, 5, -5, -18):
+        for speed in (-5,) if FEWER else (18, 5, -5, -18):
             with tempfile.TemporaryDirectory() as folder:
                 values = self.run_to(folder, f"machine.sheaves.drive.motor.speed={speed} m/s", deck=deck)["values"]
                 self.assertLess(abs(values["energy_residual"]["value"]), 1e-5, speed)
@@ -373,6 +375,9 @@ analyses:
     def test_the_examples_run(self):
         decks = [p for p in sorted(EXAMPLES.glob("*.yaml")) if not p.name.endswith(".part.yaml")]
         self.assertGreaterEqual(len(decks), 3)
+        if FEWER:
+            decks = [p for p in decks if p.stem in ("rope_break", "skyline_load_drop", "slewing_crane")]
+            self.assertEqual(len(decks), 3)
         for deck in decks:
             with tempfile.TemporaryDirectory() as folder:
                 done = taut("run", str(deck), "-o", folder, "-q")
