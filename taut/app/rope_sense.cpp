@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <set>
 
 #include "taut/math/index.hpp"
@@ -22,6 +24,8 @@ std::optional<int> still_node(const model::Reeving& rope, int reeving, const std
     if (rope.nodes[n].kind == model::NodeKind::clamp) return static_cast<int>(n);
   }
   if (rope.closed) return std::nullopt;
+  const bool driven = std::any_of(winches.begin(), winches.end(), [&](const Winch& w) { return w.reeving == reeving; });
+  if (!driven) return 0;
   const auto has = [&](bool at_end) {
     return std::any_of(winches.begin(), winches.end(),
                        [&](const Winch& w) { return w.reeving == reeving && w.at_end == at_end; });
@@ -60,7 +64,7 @@ int sense_of(const analysis::ContactResult& c) {
   return more > 0 ? 1 : -1;
 }
 
-bool all_against(const RopeSense& s) { return s.against > 0 && s.with == 0; }
+bool all_against(const RopeSense& s) { return s.driven && s.against > 0 && s.with == 0; }
 
 }  // namespace
 
@@ -99,18 +103,19 @@ void RopeSenses::take(const model::Model& m, const std::vector<analysis::LoadPat
     const auto reeving = static_cast<int>(r);
     const bool driven =
         std::any_of(winches_.begin(), winches_.end(), [&](const Winch& w) { return w.reeving == reeving; });
-    const std::optional<int> still = driven ? still_node(m.reevings[r], reeving, winches_) : std::nullopt;
+    const std::optional<int> still = still_node(m.reevings[r], reeving, winches_);
     const analysis::LoadPathPoint* last = nullptr;
     for (const analysis::LoadPathPoint& point : points) {
       if (!still || !point.at.outcome.ok()) continue;
-      if (last != nullptr) take(m, reeving, *still, *last, point);
+      if (last != nullptr) take(m, {reeving, *still, driven}, *last, point);
       last = &point;
     }
   }
 }
 
-void RopeSenses::take(const model::Model& m, int reeving, int still, const analysis::LoadPathPoint& before,
+void RopeSenses::take(const model::Model& m, const Running& of, const analysis::LoadPathPoint& before,
                       const analysis::LoadPathPoint& now) {
+  const auto [reeving, still, driven] = of;
   const model::Reeving& rope = m.reevings[at(reeving)];
   const double way = std::hypot(now.x - before.x, now.z - before.z);
   for (const analysis::ContactResult& c : now.at.contacts) {
@@ -121,12 +126,19 @@ void RopeSenses::take(const model::Model& m, int reeving, int still, const analy
     const int declared = sense_of(c);
     if (was == nullptr || declared == 0 || sense_of(*was) != declared) continue;
     const double runs = passed(before.at, now.at, reeving, c.node, still);
-    if (std::abs(runs) <= no_way * way) continue;
+    if (runs == 0) continue;
     auto known = std::find_if(all_.begin(), all_.end(), [&](const RopeSense& s) {
       return s.rope == rope.name && s.contact == node.name && s.declared == declared;
     });
-    if (known == all_.end()) known = all_.insert(all_.end(), {rope.name, node.name, declared});
-    (runs * declared > 0 ? known->with : known->against) += std::abs(runs);
+    if (known == all_.end()) {
+      known = all_.insert(all_.end(), {rope.name, node.name, declared});
+      known->driven = driven;
+    }
+    if (runs * declared < 0) {
+      const double more = (std::abs(c.T_out - c.T_in) + std::abs(was->T_out - was->T_in)) / 2;
+      known->given += rope.copies * more * std::abs(runs);
+    }
+    if (std::abs(runs) > no_way * way) (runs * declared > 0 ? known->with : known->against) += std::abs(runs);
   }
 }
 
@@ -152,22 +164,22 @@ std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses) {
       signs);
 }
 
-std::vector<std::string> doubtful_senses(const std::vector<RopeSense>& senses) {
-  std::vector<std::string> all;
-  for (const RopeSense& s : senses) {
-    if (s.against == 0 || s.with == 0) continue;
-    all.push_back(
-        fmt::format("{} runs over {} against its declared motion for {:.3g} of {:.3g} m: friction gives energy "
-                    "there",
-                    s.rope, s.contact, s.against, s.against + s.with));
-  }
-  return all;
+std::vector<RopeSense> giving(const std::vector<RopeSense>& senses) {
+  std::vector<RopeSense> some;
+  std::copy_if(senses.begin(), senses.end(), std::back_inserter(some), [](const RopeSense& s) { return s.given > 0; });
+  return some;
+}
+
+double energy_given(const std::vector<RopeSense>& senses) {
+  return std::accumulate(senses.begin(), senses.end(), 0.0,
+                         [](double sum, const RopeSense& s) { return sum + s.given; });
 }
 
 std::optional<std::string> contrary_senses(const std::vector<RopeSense>& senses) {
   const auto one_way = [&](bool against) {
-    return std::find_if(senses.begin(), senses.end(),
-                        [&](const RopeSense& s) { return against ? all_against(s) : s.with > 0 && s.against == 0; });
+    return std::find_if(senses.begin(), senses.end(), [&](const RopeSense& s) {
+      return against ? all_against(s) : s.driven && s.with > 0 && s.against == 0;
+    });
   };
   const auto there = one_way(false), back = one_way(true);
   if (there == senses.end() || back == senses.end()) return std::nullopt;

@@ -84,9 +84,10 @@ struct Node {
   double radius = 0;                ///< at the rope's centre, m; 0: a point
   Vector3 axis = Vector3::UnitY();  ///< unit vector in the body's frame; used when radius > 0
   int side = 1;                     ///< +1: along its path the rope turns right-handed about `axis`; -1: left-handed
-  bool side_open = false;           ///< of a sheave without a given side: `side` is its first guess, the answer decides
-  int turns = 0;   ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; below 0 the rope has left the sheave
-  ContactLaw law;  ///< of a contact
+  bool side_open = false;  ///< of a round without a given side, other than a saddle that only bears: `side` is its
+                           ///< first guess, the answer decides
+  int turns = 0;           ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; below 0 the rope has left the sheave
+  ContactLaw law;          ///< of a contact
   Vector3 support = Vector3::Zero();  ///< 0: holds the rope either way (a sheave with a guard, a carriage). Else the
                                       ///< unit vector from the support to the rope, in the ground frame (a saddle: 0,
                                       ///< 0, 1): the rope may lift off that way
