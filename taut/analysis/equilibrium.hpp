@@ -117,7 +117,7 @@ struct EquilibriumResult {
   std::vector<BeamResult> beams;   ///< as in the model
   Vector3 hold = Vector3::Zero();  ///< force that keeps a prescribed carriage without mainline in place, N
   Closure closure;
-  bool band = false;  ///< whether the tensions' bands hold both directions of motion
+  bool band = false;                   ///< whether the tensions' bands hold both directions of motion
   std::vector<std::vector<int>> flow;  ///< through every node, [reeving][node], for which the tensions hold
 };
 

@@ -11,7 +11,7 @@
 namespace taut::analysis {
 namespace {
 
-constexpr double found_by_length = 1e6;   ///< EA of the largest force: up to here lengths alone find an answer
+constexpr double found_by_length = 1e6;  ///< EA of the largest force: up to here lengths alone find an answer
 constexpr double usual_strain = 1e-3;
 constexpr double rounded_length = 4e-15;  ///< of EA: what rounded coordinates leave of a tension
 constexpr double rough_balance = 1e-9;    ///< of a force

@@ -196,11 +196,11 @@ TransientResult by_own_step(const Run& opened, TransientOptions& options) {
     if (const double steps = options.duration / options.step; steps > static_cast<double>(options.most_steps)) {
       if (options.anew) options.anew();
       TransientResult refused = opened.result;
-      refused.outcome = not_converged(
-          fmt::format("Verlet's steps of {:.3g} s leave an error of {:.2g} in the tensions and of {:.2g} in the energy; "
-                      "a 'tolerance' of {:.2g} needs {:.3g} million steps: give a coarser one, a shorter 'duration' or "
-                      "a fixed 'step'",
-                      last.step, result.tension_error, result.open, options.tolerance, 1e-6 * steps));
+      refused.outcome = not_converged(fmt::format(
+          "Verlet's steps of {:.3g} s leave an error of {:.2g} in the tensions and of {:.2g} in the energy; "
+          "a 'tolerance' of {:.2g} needs {:.3g} million steps: give a coarser one, a shorter 'duration' or "
+          "a fixed 'step'",
+          last.step, result.tension_error, result.open, options.tolerance, 1e-6 * steps));
       return refused;
     }
     T_expected.resize(run.T_largest.size(), 0.0);

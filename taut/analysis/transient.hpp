@@ -13,8 +13,8 @@
 namespace taut::analysis {
 
 /// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is one for the whole motion,
-/// stable and as short as the tolerance asks. reference: another integrator (IDA of SUNDIALS, variable order) of the same laws,
-/// slow and exact, to judge the other two by.
+/// stable and as short as the tolerance asks. reference: another integrator (IDA of SUNDIALS, variable order) of the
+/// same laws, slow and exact, to judge the other two by.
 enum class TimeMethod { implicit, verlet, reference };
 
 /// The free rope between two neighbours of its path. straight: half of its weight hangs on each end. catenary: at every
@@ -220,10 +220,10 @@ struct TransientResult {
   /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
   /// docs/theory/dynamics.md, "Time".
   double tension_error = 0;
-  std::vector<double> damping_time;            ///< by reeving: beta, s
-  std::vector<double> frequency;  ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
-  std::vector<int> sagging;       ///< by reeving: so many of its branches hang as catenaries
-  std::vector<bool> mass_lumped;  ///< by reeving: half of each branch's mass at each end; false: none
+  std::vector<double> damping_time;  ///< by reeving: beta, s
+  std::vector<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
+  std::vector<int> sagging;          ///< by reeving: so many of its branches hang as catenaries
+  std::vector<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
 };
 
 /// The machine in motion. docs/theory/dynamics.md.

@@ -45,9 +45,10 @@ struct Run {
   std::vector<double> L_first{};    ///< by line, m
   double lacks = 0;                 ///< largest residual of the ledger at an output step, J
   // of Verlet's steps
-  std::vector<double> T_rate{};     ///< by line: change of its tension in the last step over that step, N/s; NaN: none
-  std::vector<double> T_error{};    ///< by reeving: largest error of its tensions, N
-  std::vector<double> T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
+  std::vector<double> T_rate{};   ///< by line: change of its tension in the last step over that step, N/s; NaN: none
+  std::vector<double> T_error{};  ///< by reeving: largest error of its tensions, N
+  std::vector<double>
+      T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
   // of measures
   struct Mean {
     double integral = 0, duration = 0;  ///< of the value over time, s

@@ -36,9 +36,7 @@ void note_tension_errors(Run& run) {
   }
 }
 
-void forget_tension_rates(Run& run) {
-  run.T_rate.assign(run.m.lines.size(), std::numeric_limits<double>::quiet_NaN());
-}
+void forget_tension_rates(Run& run) { run.T_rate.assign(run.m.lines.size(), std::numeric_limits<double>::quiet_NaN()); }
 
 double tension_error(const Run& run) {
   double error = 0;

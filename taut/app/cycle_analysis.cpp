@@ -79,28 +79,102 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
   return {T, e.ropes[at(w.reeving)].unstretched * (1 + rope.thermal_strain)};
 }
 
-/// The way of the carriage, part by part; a position on a support is passed over.
-std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
-                                        Watch& watch, Missing& missing, RopeSenses& senses) {
+/// A part of the way with the carriage in one span, solved; without points where it is on a support.
+struct Stretch {
+  double x = 0;  ///< where it begins, m
+  bool on_support = false;
+  model::Model model;
+  std::vector<analysis::LoadPathPoint> points;
+};
+
+/// The way of the carriage, part by part. `watch`: none for a trial.
+std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
+                                  const std::vector<MotionRequest>& motion, Watch* watch) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
-  std::vector<CyclePosition> all;
+  std::vector<Stretch> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
-    if (watch.ended()) break;
-    if (part.support != nullptr) {
-      all.emplace_back().x = phase.way.x(part.first);
-      continue;
-    }
+    if (watch != nullptr && watch->ended()) break;
+    Stretch& one = all.emplace_back(Stretch{phase.way.x(part.first), part.support != nullptr, part.model, {}});
+    if (part.support != nullptr) continue;
     std::vector<Complaint> told_before;
     analysis::LoadPathOptions options = path_over(phase.way, part);
-    options.equilibrium = options_of(phase.request.motion, part.model, {}, told_before);
+    options.equilibrium = options_of(motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.equilibrium.held = run.held;
-    options.go_on = [&](double x) { return watch.go_on_at(x); };
-    auto path = analysis::load_path(part.model, options);
-    if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
-    senses.take(part.model, path.points);
-    for (const auto& point : path.points) {
+    if (watch != nullptr) options.go_on = [watch](double x) { return watch->go_on_at(x); };
+    one.points = analysis::load_path(part.model, options).points;
+    if (part.last == part.first && one.points.size() > 1) one.points.resize(1);
+  }
+  return all;
+}
+
+/// The motion of a phase with the senses of contacts on ropes that no winch drives: a word such as `in` is about the
+/// hauled ropes, and a skyline runs over its carriage and its supports as the carriage goes. Against the sense declared
+/// all the way: the other one; to and fro, or after a first correction: none. Empty where nothing is to be changed.
+std::vector<MotionRequest> with_own_senses(const model::Model& m, const std::vector<MotionRequest>& motion,
+                                           const std::vector<RopeSense>& senses, bool again) {
+  if (motion.empty() || motion.front().name.empty() == again) return {};
+  std::vector<MotionRequest> all = motion;
+  if (!again) {
+    if (motion.size() != 1) return {};
+    all.clear();
+    for (const model::Reeving& rope : m.reevings) all.push_back({rope.name, motion.front().sense});
+  }
+  const std::size_t declared = all.size();
+  for (const RopeSense& s : senses) {
+    if (s.driven || s.given == 0) continue;
+    const bool none = again || s.taken > 0;
+    all.push_back({s.contact, none ? "0" : s.declared > 0 ? "-1" : "1"});
+  }
+  return all.size() == declared ? std::vector<MotionRequest>{} : all;
+}
+
+std::vector<RopeSense> senses_of(const CycleRun& run, const std::vector<Stretch>& stretches) {
+  RopeSenses found(run.winches);
+  for (const Stretch& one : stretches) found.take(one.model, one.points);
+  return found.all();
+}
+
+/// Whether a rope that no winch drives loses tension somewhere: what its senses are, shows only as the carriage goes.
+bool has_senses_of_its_own(const model::Model& m, const std::vector<Winch>& winches) {
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    const auto reeving = static_cast<int>(r);
+    if (std::any_of(winches.begin(), winches.end(), [&](const Winch& w) { return w.reeving == reeving; })) continue;
+    const std::vector<model::Node>& nodes = m.reevings[r].nodes;
+    if (std::any_of(nodes.begin(), nodes.end(), [](const model::Node& n) {
+          return n.kind == model::NodeKind::contact && n.law.friction > 0 && n.law.efficiency < 1;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A phase as it is solved, with the senses of its ropes.
+std::vector<Stretch> solved(const MachineRun& machine, const CycleRun& run, const Phase& phase, Watch& watch,
+                            std::vector<RopeSense>& senses) {
+  std::vector<MotionRequest> motion = phase.request.motion;
+  if (has_senses_of_its_own(machine.model, run.winches)) {
+    for (const bool again : {false, true}) {
+      const std::vector<Stretch> trial = stretches_of(machine, run, phase, motion, nullptr);
+      std::vector<MotionRequest> own = with_own_senses(machine.model, motion, senses_of(run, trial), again);
+      if (own.empty()) break;
+      motion = std::move(own);
+    }
+  }
+  std::vector<Stretch> all = stretches_of(machine, run, phase, motion, &watch);
+  senses = senses_of(run, all);
+  return all;
+}
+
+/// The positions of a phase; one on a support is passed over.
+std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
+                                        const std::vector<Stretch>& stretches, Missing& missing) {
+  std::vector<CyclePosition> all;
+  for (const Stretch& part : stretches) {
+    if (part.on_support) all.emplace_back().x = part.x;
+    for (const auto& point : part.points) {
       CyclePosition& p = all.emplace_back();
       p.x = point.x;
       p.known = point.at.outcome.ok();
@@ -256,11 +330,9 @@ void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Resu
 }
 
 /// Friction takes energy. Where a rope runs against the motion declared it gives some: a share of the winches' energy
-/// that shows in the pulls is refused; of a smaller one, as where a skyline creeps to and fro on its supports, the sums
-/// are left out and a warning says how much. Whether there is no such phase.
-bool refuse_given_energy(const CycleRun& run, std::vector<PhaseAnswer>& answers, Result& r) {
-  constexpr double told = 5e-5, refused = 0.01;  // of the largest energy of a winch in any phase
-  bool none = true;
+/// that can be seen is refused.
+void refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Result& r) {
+  constexpr double seen = 5e-5;  // of the largest energy of a winch in any phase
   double largest = 0;
   for (const PhaseAnswer& answer : answers) {
     for (const Work& work : answer.works) {
@@ -269,26 +341,19 @@ bool refuse_given_energy(const CycleRun& run, std::vector<PhaseAnswer>& answers,
   }
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const double given = energy_given(answers[i].senses);
-    if (!(given > told * largest)) continue;
-    none = false;
+    if (!(given > seen * largest)) continue;
     std::string where, senses;
     for (const RopeSense& s : giving(answers[i].senses)) {
       where += fmt::format("{}{} over {}", where.empty() ? "" : ", ", s.rope, s.contact);
-      senses += fmt::format("{}{}: {}", senses.empty() ? "" : ", ", s.contact, s.with > 0 ? 0 : -s.declared);
+      senses += fmt::format("{}{}: {}", senses.empty() ? "" : ", ", s.contact, s.taken > 0 ? 0 : -s.declared);
     }
-    const std::string words = fmt::format("cycle{}, {}", run.ending, run.phases[i].request.name);
-    const std::string sentence = fmt::format(
-        "a rope runs against the declared motion, so that friction gives {:.3g} kJ ({}): declare the senses "
-        "of these contacts, as in 'motion: {{{}}}' (0: without loss)",
-        given / 1e3, where, senses);
-    if (given > refused * largest) {
-      note_failure(r, infeasible(sentence), words);
-    } else {
-      warn_unsafe(r, fmt::format("{}: {}", words, sentence));
-      for (Work& work : answers[i].works) forget_sums(work);
-    }
+    note_failure(r,
+                 infeasible(fmt::format("a rope runs against the declared motion, so that friction gives {:.3g} kJ "
+                                        "({}): declare the senses of these contacts, as in 'motion: {{{}}}' (0: "
+                                        "without loss)",
+                                        given / 1e3, where, senses)),
+                 fmt::format("cycle{}, {}", run.ending, run.phases[i].request.name));
   }
-  return none;
 }
 
 void solve(MachineRun& machine, const CycleRun& run, Result& r) {
@@ -301,13 +366,12 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     if (watch.ended()) break;
     Missing missing;
     PhaseAnswer& answer = answers.emplace_back();
-    RopeSenses senses(run.winches);
-    answer.positions = positions_of(machine, run, phase, watch, missing, senses);
+    const std::vector<Stretch> stretches = solved(machine, run, phase, watch, answer.senses);
+    answer.positions = positions_of(machine, run, phase, stretches, missing);
     const std::string words = fmt::format("cycle{}, {}", run.ending, phase.request.name);
     missing.note(r, words, machine.checked->judged);
     complete = complete && !missing.any();
-    if (const auto wrong = wrong_senses(senses.all())) note_failure(r, infeasible(*wrong), words);
-    answer.senses = senses.all();
+    if (const auto wrong = wrong_senses(answer.senses)) note_failure(r, infeasible(*wrong), words);
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
     for (std::size_t w = 0; w < run.winches.size(); ++w) {
@@ -316,7 +380,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     }
   }
   watch.note(r);
-  complete = refuse_given_energy(run, answers, r) && complete;
+  refuse_given_energy(run, answers, r);
   r.tables.push_back(works_table(run, answers));
   r.tables.push_back(positions_table(run, answers));
   if (r.status != Status::ok || !complete) return;  // no sums over what is not there

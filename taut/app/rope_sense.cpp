@@ -134,10 +134,8 @@ void RopeSenses::take(const model::Model& m, const Running& of, const analysis::
       known = all_.insert(all_.end(), {rope.name, node.name, declared});
       known->driven = driven;
     }
-    if (runs * declared < 0) {
-      const double more = (std::abs(c.T_out - c.T_in) + std::abs(was->T_out - was->T_in)) / 2;
-      known->given += rope.copies * more * std::abs(runs);
-    }
+    const double more = (std::abs(c.T_out - c.T_in) + std::abs(was->T_out - was->T_in)) / 2;
+    (runs * declared > 0 ? known->taken : known->given) += rope.copies * more * std::abs(runs);
     if (std::abs(runs) > no_way * way) (runs * declared > 0 ? known->with : known->against) += std::abs(runs);
   }
 }

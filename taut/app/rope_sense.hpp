@@ -26,7 +26,7 @@ struct RopeSense {
   std::string rope, contact;
   int declared = 0;              ///< 1 along the path, -1 against it
   double with = 0, against = 0;  ///< rope that runs so, m
-  double given = 0;              ///< energy that friction gives where the rope runs against it, J, all copies
+  double taken = 0, given = 0;   ///< energy that friction takes, and gives where the rope runs against it, J
   bool driven = true;            ///< by a winch; else the rope lies still at its ends and the carriage runs on it
 };
 

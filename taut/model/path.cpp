@@ -324,8 +324,8 @@ void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, boo
       bends[i] = bend_of(stops[i], stops[from], stops[to], places[from], places[i], places[to]);
       node.side = bends[i].side;
       open[i] = bends[i].side == 0;
-      node.side_open = stops[i].carriage < 0 && node.support == Vector3::Zero() &&
-                       node.radius > 0 && node.kind == NodeKind::contact;
+      node.side_open =
+          stops[i].carriage < 0 && node.support == Vector3::Zero() && node.radius > 0 && node.kind == NodeKind::contact;
     }
   }
   OpenSides(stops, std::move(bends), std::move(open)).set();
