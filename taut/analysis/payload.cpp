@@ -26,12 +26,15 @@ class PayloadSearch {
   double margin(double mass) {
     loaded_.bodies[at(body_)].mass = model_.bodies[at(body_)].mass + mass;
     EquilibriumResult r = equilibrium(loaded_, options_, near_);
-    if (r.outcome.ok()) near_ = r.state;
     LimitState nearest;
     for (const LimitState& one : limits_at(loaded_, body_, limits_, r)) {
       if (one.margin < nearest.margin) nearest = one;
     }
+    if (mass == 0 && r.outcome.ok()) unloaded = r.state;
     if (nearest.margin >= 0 && mass >= holds) {
+      // From states that hold only: under too much a rope of given tension runs out, and what is found from there may
+      // hang far below the line even without payload.
+      near_ = r.state;
       holds = mass;
       held = nearest;
       result = std::move(r);
@@ -47,6 +50,7 @@ class PayloadSearch {
   double stops = std::numeric_limits<double>::infinity();
   LimitState held, stopped;
   EquilibriumResult result;
+  std::optional<model::State> unloaded;
 
  private:
   const model::Model& model_;
@@ -75,7 +79,9 @@ Payload payload(const model::Model& model, int body, const PayloadLimits& limits
   expects(body >= 0 && at(body) < model.bodies.size(), "a body of the model");
   Payload answer;
   PayloadSearch search(model, body, limits, options, start);
-  if (search.margin(0) < 0) {
+  const double margin = search.margin(0);
+  answer.unloaded = search.unloaded;
+  if (margin < 0) {
     answer.limit = search.stopped;
     answer.at = std::move(search.result);
     answer.governing = limit_words(model, body, search.stopped);
@@ -121,9 +127,9 @@ std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadL
     here.prescribed = Prescribed{options.carriage, point.x, options.along};
     point.payload = payload(model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
-      start = point.payload.at.state;
+      start = point.payload.unloaded;
       expected = point.payload.mass;
-      const Vector3& place = start->bodies[at(carriage.body)].position;
+      const Vector3& place = point.payload.at.state.bodies[at(carriage.body)].position;
       point.z = place.z();
       point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     }

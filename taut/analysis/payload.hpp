@@ -15,11 +15,12 @@ struct Payload {
   int reeving = -1;       ///< whose tension governs; -1: something else does
   LimitState limit;       ///< the one that governs, with that payload
   EquilibriumResult at;   ///< with that payload; where a limit is broken without payload, without it
+  std::optional<model::State> unloaded;  ///< without payload, where that has an equilibrium
 };
 
 /// The largest mass that may be added to a body at its origin within the limits: tensions grow and clearance falls with
 /// it, so the first limit reached governs. A payload without equilibrium counts as too much. `expected`: a payload
-/// nearby, kg; it saves time only.
+/// nearby, kg; it saves time only. `start`: near the state without payload.
 Payload payload(const model::Model& model, int body, const PayloadLimits& limits,
                 const EquilibriumOptions& options = {}, const std::optional<model::State>& start = std::nullopt,
                 double expected = 0);

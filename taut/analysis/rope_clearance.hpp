@@ -21,8 +21,9 @@ RopeClearance rope_clearance(const model::Model& model, const SpanResult& span);
 /// The least of all spans.
 RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result);
 
-/// Of a rope that follows a polyline, piece by piece, m. `begins`, `ends`: whether its first and last place count, as
-/// where they move with a body.
+/// Of a rope that follows a polyline, piece by piece, m. Chords of a sagging rope lie above it: n equal pieces of the
+/// sag f hide f/n^2 (of a branch in motion, in 17 pieces, 0.4 % of its sag). `begins`, `ends`: whether its first and
+/// last place count, as where they move with a body.
 RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends);
 
 /// A strip across the line: the places whose distance from the origin along `along` lies between `from` and `to`

@@ -28,6 +28,32 @@ Line line_over(std::vector<model::GroundPoint> ground) {
   return line;
 }
 
+// A polyline of the same rope, against the exact search over its catenary: from above by the sag of its pieces alone.
+TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
+  for (const auto& ground : {std::vector<model::GroundPoint>{{-10, 0}, {110, 0}},
+                             {{0, -5}, {100, 5}},
+                             {{0, -9}, {30, 12}, {31, -9}, {100, 3}}}) {
+    const Line line = line_over(ground);
+    const double exact = taut::analysis::rope_clearance(line.machine, line.rope).height;
+    for (const int pieces : {16, 160}) {
+      std::vector<Vector3> places;
+      for (int i = 0; i <= pieces; ++i) {
+        const double x = span * i / pieces;
+        places.emplace_back(x, 0, rope_height(x));
+      }
+      const double found = taut::analysis::rope_clearance(line.machine, places, false, false).height;
+      const double sag = support - rope_height(span / 2);
+      EXPECT_GE(found, exact - 1e-6);
+      EXPECT_LE(found, exact + 1.1 * sag / (pieces * pieces) + 1e-6);
+    }
+  }
+  const Line line = line_over({{-10, 15}, {110, 15}});
+  const std::vector<Vector3> rising = {{0, 0, 15}, {50, 0, 18}, {100, 0, 14}};
+  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, true, false).height, 0);
+  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, false, true).height, -1);
+  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, false, false).height, 3);
+}
+
 TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
   const auto least = [](std::vector<model::GroundPoint> ground) {
     const Line line = line_over(std::move(ground));

@@ -28,7 +28,7 @@ void add_stiff_columns(const System& system, int link, const Configuration& c, c
                        const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J);
 
 /// The layout with the forces of all branches of ropes stiffer than `limit` (N) among its unknowns. A slack rope
-/// without weight that is told to stretch less than `loose` (N) shares its slack out as one of this EA.
+/// without weight and stiffer than `loose` (N) shares its slack among its branches as one of this EA.
 Layout with_forces(Layout layout, const model::Model& model, double limit, double loose);
 
 /// The configuration for it, with the forces that an evaluation by lengths found.

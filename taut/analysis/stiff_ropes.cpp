@@ -11,8 +11,8 @@
 namespace taut::analysis {
 namespace {
 
-constexpr double found_by_length = 1e6;  ///< EA of the largest force: up to here lengths alone find an answer
-constexpr double usual_strain = 1e-3;
+constexpr double found_by_length = 1e6;   ///< EA of the largest force: up to here lengths alone find an answer
+constexpr double usual_strain = 1e-3;     ///< of a rope at work
 constexpr double rounded_length = 4e-15;  ///< of EA: what rounded coordinates leave of a tension
 constexpr double rough_balance = 1e-9;    ///< of a force
 constexpr double rounded_way = 1e-15;     ///< of a way between places that do not move

@@ -84,7 +84,7 @@ TEST(TransientVerlet, SheavesWithInertiaGainNoEnergy) {
 }
 
 /// A body that falls 1 m into its rope: T = m g + sqrt((m g)^2 + 2 k m g 1 m).
-model::Model snatch(double damping_time = 0) {
+model::Model jerked(double damping_time = 0) {
   model::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0, 0, -0.5}, 500, "z"));
@@ -101,7 +101,7 @@ TEST(TransientVerlet, ItsOwnStepFollowsTheTolerance) {
     TransientOptions options = by_verlet(0.6, tolerance);
     options.start = Start::assembled;
     options.output_step = 0.01;
-    const TransientResult r = run_to_end(snatch(), options);
+    const TransientResult r = run_to_end(jerked(), options);
     EXPECT_LT(std::abs(r.ropes[0].T.max / T - 1), 2 * tolerance) << "a kink may cost as much once more";
     EXPECT_LE(r.open, tolerance);
     EXPECT_LE(r.tension_error, tolerance);
@@ -115,10 +115,10 @@ TEST(TransientVerlet, DampersAgreeWithTheImplicitScheme) {
   TransientOptions options = by_verlet(0.6, 1e-4);
   options.start = Start::assembled;
   options.output_step = 0.01;
-  const TransientResult r = run_to_end(snatch(5e-3), options);
+  const TransientResult r = run_to_end(jerked(5e-3), options);
   options.method = TimeMethod::implicit;
   options.tolerance = 1e-7;
-  const TransientResult fine = run_to_end(snatch(5e-3), options);
+  const TransientResult fine = run_to_end(jerked(5e-3), options);
   EXPECT_NEAR(r.ropes[0].T.max / fine.ropes[0].T.max, 1, 2e-4);
 }
 
@@ -126,7 +126,7 @@ TEST(TransientVerlet, AToleranceOfTooManyStepsIsRefused) {
   TransientOptions options = by_verlet(0.6, 1e-6);
   options.start = Start::assembled;
   options.most_steps = 2000;
-  const TransientResult r = transient(snatch(), options);
+  const TransientResult r = transient(jerked(), options);
   EXPECT_FALSE(r.outcome.ok());
   EXPECT_NE(r.outcome.message.find("million steps"), std::string::npos) << r.outcome.message;
   EXPECT_TRUE(r.frames.empty()) << "nothing of what is too coarse";
@@ -137,7 +137,7 @@ TEST(TransientVerlet, BeginsAnewWithShorterSteps) {
   TransientOptions options = by_verlet(0.6, 1e-3);
   options.start = Start::assembled;
   options.output_step = 0.01;
-  const TransientResult whole = run_to_end(snatch(), options);
+  const TransientResult whole = run_to_end(jerked(), options);
   std::vector<double> times;
   int begun = 0;
   options.anew = [&] {
@@ -145,7 +145,7 @@ TEST(TransientVerlet, BeginsAnewWithShorterSteps) {
     times.clear();
   };
   options.take = [&](const TransientResult& so_far) { times.push_back(so_far.frames.back().t); };
-  const TransientResult r = run_to_end(snatch(), options);
+  const TransientResult r = run_to_end(jerked(), options);
   EXPECT_GT(begun, 1);
   ASSERT_EQ(times.size(), whole.frames.size());
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(times[i], whole.frames[i].t);
@@ -171,7 +171,7 @@ TEST(TransientVerlet, AGivenStepHasItsErrors) {
   TransientOptions options = by_verlet(0.6, 1e-6);
   options.start = Start::assembled;
   options.step = 2e-3;
-  const TransientResult r = run_to_end(snatch(), options);
+  const TransientResult r = run_to_end(jerked(), options);
   EXPECT_DOUBLE_EQ(r.largest_step, 2e-3);
   EXPECT_GT(r.tension_error, 1e-3);
   EXPECT_GT(r.open, 1e-6);

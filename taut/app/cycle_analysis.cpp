@@ -330,8 +330,8 @@ void add_plot(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Resu
 }
 
 /// Friction takes energy. Where a rope runs against the motion declared it gives some: a share of the winches' energy
-/// that can be seen is refused.
-void refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Result& r) {
+/// that can be seen is refused. Whether there is such a phase.
+bool refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& answers, Result& r) {
   constexpr double seen = 5e-5;  // of the largest energy of a winch in any phase
   double largest = 0;
   for (const PhaseAnswer& answer : answers) {
@@ -339,9 +339,11 @@ void refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& an
       if (!std::isnan(work.energy)) largest = std::max(largest, std::abs(work.energy));
     }
   }
-  for (std::size_t i = 0; i < answers.size(); ++i) {
+  bool some = false;
+  for (std::size_t i = 0; i < answers.size() && largest > 0; ++i) {
     const double given = energy_given(answers[i].senses);
-    if (!(given > seen * largest)) continue;
+    if (given <= seen * largest) continue;
+    some = true;
     std::string where, senses;
     for (const RopeSense& s : giving(answers[i].senses)) {
       where += fmt::format("{}{} over {}", where.empty() ? "" : ", ", s.rope, s.contact);
@@ -354,11 +356,12 @@ void refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& an
                                         given / 1e3, where, senses)),
                  fmt::format("cycle{}, {}", run.ending, run.phases[i].request.name));
   }
+  return some;
 }
 
 void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   std::vector<PhaseAnswer> answers;
-  bool complete = true;
+  bool complete = true, gives = false;  // friction, energy
   int states = 0;
   for (const Phase& phase : run.phases) states += phase.way.steps + 1;
   Watch watch(machine.progress, "cycle" + run.ending, states);
@@ -371,7 +374,10 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     const std::string words = fmt::format("cycle{}, {}", run.ending, phase.request.name);
     missing.note(r, words, machine.checked->judged);
     complete = complete && !missing.any();
-    if (const auto wrong = wrong_senses(answer.senses)) note_failure(r, infeasible(*wrong), words);
+    if (const auto wrong = wrong_senses(answer.senses)) {
+      note_failure(r, infeasible(*wrong), words);
+      gives = true;
+    }
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
     for (std::size_t w = 0; w < run.winches.size(); ++w) {
@@ -380,8 +386,8 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     }
   }
   watch.note(r);
-  refuse_given_energy(run, answers, r);
-  r.tables.push_back(works_table(run, answers));
+  gives = refuse_given_energy(run, answers, r) || gives;
+  if (!gives) r.tables.push_back(works_table(run, answers));  // else its energies are those of no machine
   r.tables.push_back(positions_table(run, answers));
   if (r.status != Status::ok || !complete) return;  // no sums over what is not there
   add_values(run, answers, r);

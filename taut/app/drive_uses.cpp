@@ -82,15 +82,17 @@ void DriveUses::take(const model::Model& m, const analysis::TransientFrame& firs
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const model::Node& node = m.reevings[at(first.contacts[c].reeving)].nodes[at(first.contacts[c].node)];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
-    if (node.motor < 0 || share < least_slip) continue;
-    slips_.emplace(node.name, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
-                                          node.name, 100 * share));
+    if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
+    slips_[node.name] = {share, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
+                                            node.name, 100 * share)};
   }
 }
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
-  for (const auto& [name, words] : slips_) warn_unsafe(r, words);
+  for (const auto& [name, slip] : slips_) {
+    if (slip.share > 0) warn_unsafe(r, slip.words);
+  }
 }
 
 }  // namespace taut::app

@@ -24,7 +24,11 @@ class DriveUses {
 
  private:
   std::map<std::string, Check> worst_;
-  std::map<std::string, std::string> slips_;
+  struct Slip {
+    double share = 0;  ///< of the way of the rim
+    std::string words;
+  };
+  std::map<std::string, Slip> slips_;  // the largest of each sheave
 };
 
 }  // namespace taut::app

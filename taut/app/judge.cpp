@@ -131,6 +131,15 @@ void Judge::take_contacts(const model::Model& m, const analysis::EquilibriumResu
       warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
     if (c.state != ContactState::pulled) continue;
+    if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
+      warn(
+          node.name + " pulled",
+          fmt::format("{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other "
+                      "'side', or none",
+                      words, node.name, c.force.norm() / 1e3),
+          true);
+      continue;
+    }
     warn(node.name + " pulled",
          node.at.body != model::ground
              ? fmt::format("{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the "

@@ -44,10 +44,9 @@ const Description& TransientRequest::describe() {
                  "between two lines of what is written down; without it a thousandth of the duration")
           .above(0)
           .at_most(3.2e7)
-          .field(
-              &TransientRequest::tolerance, "tolerance", "", si::one,
-              "error that the steps may leave: of tensions as a share of the largest, of places of the machine's size, "
-              "of the energy as a share of what is turned over; without it 1e-6, with verlet or a given step 1e-3")
+          .field(&TransientRequest::tolerance, "tolerance", "", si::one,
+                 "largest error of the steps, relative to the largest tension, the size of the machine and the "
+                 "energy turned over; default 1e-6, with verlet or a given step 1e-3")
           .at_least(1e-12)
           .at_most(0.1)
           .field(&TransientRequest::step, "step", "dt", si::s, "this step throughout, without control of the error")

@@ -61,6 +61,29 @@ analyses:
   - ANALYSIS
 """
 
+PAYLOAD = """taut: 1
+title: A skyline of given tension that runs out under too much
+machine:
+  points: {A: [0 m, 0 m, 10 m], B: [566 m, 0 m, 246 m], winch: [566 m, 0 m, 244 m]}
+  ropes:
+    sky: {mass: 0.726 kg/m, stiffness: 8.26 MN, breaking_force: 160 kN}
+    main: {mass: 0.938 kg/m, stiffness: 7.1 MN, breaking_force: 206 kN}
+  supports:
+    S2: {at: [191.5 m, 0 m, 139 m], diameter: 0.4 m, friction: 0.0716, law: saddle, uplift: hold}
+    S3: {at: [420.6 m, 0 m, 226 m], diameter: 0 m, friction: 0.173, law: saddle, uplift: hold}
+  reevings:
+    - rope: sky
+      path: [anchor: A, over: S2, over: S3, through: car, anchor: B]
+      haul: to_start
+      tension_at_end: 24.45 kN
+    - {rope: main, path: [anchor: winch, anchor: car], length: 52.87 m}
+  carriages:
+    car: {mass: 100 kg, rides: sky, hold: rolling, friction: 0.0165, at: [513 m, 0 m, 233 m], mainline: main}
+  loads: [{at: car, mass: 414 kg}]
+analyses:
+  - payload: {carriage: car, from: FROM m, to: 521 m, steps: STEPS, motion: in, limits: {sky: {tension: 34.5 kN}}}
+"""
+
 
 def deck(text, **values):
     for key, value in sorted(values.items(), key=lambda item: -len(item[0])):
@@ -148,6 +171,16 @@ class OneRoot(unittest.TestCase):
                     self.assertGreaterEqual(row["wrap"], 0, row)
                 first = first or values_of(result)["sky.T_max"]
                 self.assertAlmostEqual(values_of(result)["sky.T_max"] / first, 1, delta=1e-7)
+
+    def test_a_payload_does_not_begin_where_the_one_before_ran_out(self):
+        last = []
+        for begin, steps in ((505, 2), (513, 1), (517, 1)):
+            code, result = run(deck(PAYLOAD, FROM=begin, STEPS=steps))
+            self.assertIn(code, (0, 4), result["message"])
+            last.append(rows(result, "payload")[-1])
+        for row in last:
+            self.assertGreater(row["z"], -200)
+            self.assertAlmostEqual(row["payload"] / last[0]["payload"], 1, delta=1e-6)
 
 
 if __name__ == "__main__":
