@@ -395,12 +395,24 @@ void roll(const model::Model& model, const EquilibriumOptions& options, const Fl
   if (!away.empty()) s.outcome = infeasible(away);
 }
 
-/// Why a carriage prescribed by its mainline has no answer there, found out by a hold along the track in the mainline's
-/// place: a carriage lies past a stop of its rope, or the mainline would have to push.
+/// A carriage prescribed by its mainline, with a hold along the track in the mainline's place: why it has no answer
+/// there (it lies past a stop of its rope, or the mainline would have to push), or where its taut answer is sought.
 struct WithoutMainline {
-  std::string why;                    ///< empty for other reasons
-  std::optional<model::State> loose;  ///< where no force is needed: the machine with its mainline just slack
+  std::string why;                        ///< empty for other reasons
+  std::optional<model::State> near = {};  ///< the machine with its mainline straight under the force of the hold
+  bool loose = false;                     ///< that force is none
 };
+
+/// The branches of a mainline put into a state of the machine without it, straight under a tension.
+model::State with_mainline(model::State state, const model::Reeving& mainline, int index, double tension) {
+  std::vector<model::BranchState> own(mainline.nodes.size() - 1);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    own[k].length = model::taut_length(state, mainline, mainline.nodes[k], mainline.nodes[k + 1], tension);
+  }
+  state.branches.insert(state.branches.begin() + index, std::move(own));
+  state.touched.insert(state.touched.begin() + index, std::vector<bool>(mainline.nodes.size(), true));
+  return state;
+}
 
 WithoutMainline without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
@@ -417,7 +429,9 @@ WithoutMainline without_mainline(const model::Model& model, const EquilibriumOpt
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
   const System system{without, s.layout, 0};
-  if (std::string past = past_stop(system, s.c); !past.empty()) return {past, std::nullopt};
+  if (std::string past = past_stop(system, s.c); !past.empty()) return {past};
+  model::State held = start;
+  keep(s.layout, s.c, held);
   const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[at(carriage.body)].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
@@ -428,25 +442,18 @@ WithoutMainline without_mainline(const model::Model& model, const EquilibriumOpt
       return {
           fmt::format("'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
                       "there: choose another x",
-                      carriage.name, options.prescribed->x, mainline.name),
-          std::nullopt};
+                      carriage.name, options.prescribed->x, mainline.name)};
     }
-    model::State loose = start;
-    keep(s.layout, s.c, loose);
-    const auto n = static_cast<std::ptrdiff_t>(carriage.mainline);
-    std::vector<model::BranchState> own(mainline.nodes.size() - 1);
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      own[k].length = model::straight_length(loose, mainline.nodes[k], mainline.nodes[k + 1]);
-    }
-    loose.branches.insert(loose.branches.begin() + n, std::move(own));
-    loose.touched.insert(loose.touched.begin() + n, std::vector<bool>(mainline.nodes.size(), true));
-    return {{}, std::move(loose)};
+    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, 0), true};
   }
-  if (hold.dot(pull) > 0) return {};
-  return {fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
-                      "can't push: choose another x, or pull from the other side",
-                      carriage.name, options.prescribed->x, mainline.name, hold.norm()),
-          std::nullopt};
+  if (hold.dot(pull) > 0) {
+    const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
+    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, tension)};
+  }
+  return {
+      fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
+                  "can't push: choose another x, or pull from the other side",
+                  carriage.name, options.prescribed->x, mainline.name, hold.norm())};
 }
 
 /// The tensions of both directions of motion beside the answer at rest.
@@ -492,15 +499,20 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
   result.state = start ? *start : first_state(model, options);
   Solved s = solve_touching(model, result.state, options, flow);
   roll(model, options, flow, result.state, s);
-  if (!s.outcome.ok()) {
-    const std::string why = section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
-    const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why, {}};
-    if (found.loose) {
+  const bool deep = s.outcome.ok() && deep_mainline_link({model, s.layout, 0}, s.c, s.e) >= 0;
+  if (deep || !s.outcome.ok()) {
+    const std::string why =
+        deep ? "" : section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
+    const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why};
+    if (found.near) {
       EquilibriumOptions near = options;
-      near.tolerance = std::max(options.tolerance, no_force);
-      result.state = *found.loose;
-      Solved loose = solve_touching(model, result.state, near, flow);
-      if (loose.outcome.ok()) s = std::move(loose);
+      if (found.loose) near.tolerance = std::max(options.tolerance, no_force);
+      model::State state = *found.near;
+      Solved taut = solve_touching(model, state, near, flow);
+      if (taut.outcome.ok() && !(deep && deep_mainline_link({model, taut.layout, 0}, taut.c, taut.e) >= 0)) {
+        s = std::move(taut);
+        result.state = std::move(state);
+      }
     }
     if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
   }

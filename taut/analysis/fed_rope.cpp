@@ -66,6 +66,16 @@ int deep_link(const System& s, const std::vector<FedEnd>& fed, const Configurati
   return -1;
 }
 
+int deep_mainline_link(const System& s, const Configuration& c, const Evaluation& e) {
+  for (const Layout::Rope& rope : s.layout.ropes) {
+    if (rope.row != s.layout.coordinate_row) continue;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) {
+      if (s.model.reevings[at(s.layout.links[at(k)].reeving)].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
+    }
+  }
+  return -1;
+}
+
 void draw_fed_taut(const System& s, const std::vector<FedEnd>& fed, Configuration& c) {
   const model::State state{c.bodies, {}, {}, {}};
   for (const FedEnd& end : fed) {

@@ -30,6 +30,11 @@ double tension_rate(const System& system, const Configuration& c, const Evaluati
 /// the given tension is no answer. -1: none.
 int deep_link(const System& system, const std::vector<FedEnd>& fed, const Configuration& c, const Evaluation& e);
 
+/// The same of the rope whose length follows from where a carriage is put (its mainline). There a deep loop is no
+/// answer where the rope could also be taut, or where it would have to push: then the weight of the loop does. It is
+/// one where the pull that the carriage needs is less than a taut rope's weight gives. A link of it; -1: none.
+int deep_mainline_link(const System& system, const Configuration& c, const Evaluation& e);
+
 /// Gives every link of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.
 void draw_fed_taut(const System& system, const std::vector<FedEnd>& fed, Configuration& c);

@@ -218,6 +218,36 @@ TEST(FedRope, ASweepEndsAtTheLeastPull) {
   EXPECT_FALSE(equilibrium(span({30, 0, -40}, 0.99 * s.value, false)).outcome.ok());
 }
 
+/// A carriage put at x by its mainline, from a first guess of the mainline's length, times its way, and of the height.
+EquilibriumResult put_at(double x, double times, double z) {
+  model::Model m = with_carriage(true);
+  EquilibriumOptions options;
+  options.prescribed = taut::analysis::Prescribed{0, x};
+  model::State guess = model::initial_state(m);
+  guess.bodies[0].position = {x, 2, z};
+  guess.branches[1][0] = {};
+  guess.branches[1][0].length = times * (Vector3{300, 0, 82} - guess.bodies[0].position).norm();
+  return equilibrium(m, options, guess);
+}
+
+TEST(FedRope, AMainlineIsTautFromAnyFirstGuess) {
+  for (const double x : {120.0, 150.0, 180.0}) {
+    const EquilibriumResult first = put_at(x, 1, 45);
+    for (const double times : {1.0, 1.3, 4.0, 20.0}) {
+      for (const double z : {-100.0, 45.0}) {
+        const EquilibriumResult r = put_at(x, times, z);
+        ASSERT_EQ(r.outcome.status, first.outcome.status) << r.outcome.message;
+        if (!r.outcome.ok()) {
+          EXPECT_NE(r.outcome.message.find("'mainline'"), std::string::npos) << r.outcome.message;
+          continue;
+        }
+        EXPECT_NEAR(r.ropes[1].T_max / first.ropes[1].T_max, 1, 1e-8);
+        EXPECT_LT(r.ropes[1].unstretched, 1.2 * (300 - x) * 1.2);
+      }
+    }
+  }
+}
+
 TEST(FedRope, AConditionKeepsToIt) {
   model::Model m = span({30, 0, -40}, 300, false);
   m.reevings[0].given = model::Given::length;

@@ -87,14 +87,14 @@ struct Stretch {
   std::vector<analysis::LoadPathPoint> points;
 };
 
-/// The way of the carriage, part by part. `watch`: none for a trial.
+/// The way of the carriage, part by part.
 std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
-                                  const std::vector<MotionRequest>& motion, Watch* watch) {
+                                  const std::vector<MotionRequest>& motion, Watch& watch) {
   model::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<Stretch> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
-    if (watch != nullptr && watch->ended()) break;
+    if (watch.ended()) break;
     Stretch& one = all.emplace_back(Stretch{phase.way.x(part.first), part.support != nullptr, part.model, {}});
     if (part.support != nullptr) continue;
     std::vector<Complaint> told_before;
@@ -102,7 +102,7 @@ std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run
     options.equilibrium = options_of(motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.equilibrium.held = run.held;
-    if (watch != nullptr) options.go_on = [watch](double x) { return watch->go_on_at(x); };
+    options.go_on = [&watch](double x) { return watch.go_on_at(x); };
     one.points = analysis::load_path(part.model, options).points;
     if (part.last == part.first && one.points.size() > 1) one.points.resize(1);
   }
@@ -151,21 +151,25 @@ bool has_senses_of_its_own(const model::Model& m, const std::vector<Winch>& winc
   return false;
 }
 
-/// A phase as it is solved, with the senses of its ropes.
+constexpr int most_times = 3;  ///< that a phase is solved: as declared, and twice with senses found
+
+/// A phase as it is solved, with the senses of its ropes. Empty where it was to end before they were known.
 std::vector<Stretch> solved(const MachineRun& machine, const CycleRun& run, const Phase& phase, Watch& watch,
                             std::vector<RopeSense>& senses) {
+  const bool own_senses = has_senses_of_its_own(machine.model, run.winches);
   std::vector<MotionRequest> motion = phase.request.motion;
-  if (has_senses_of_its_own(machine.model, run.winches)) {
-    for (const bool again : {false, true}) {
-      const std::vector<Stretch> trial = stretches_of(machine, run, phase, motion, nullptr);
-      std::vector<MotionRequest> own = with_own_senses(machine.model, motion, senses_of(run, trial), again);
-      if (own.empty()) break;
-      motion = std::move(own);
+  for (int time = 1;; ++time) {
+    std::vector<Stretch> all = stretches_of(machine, run, phase, motion, watch);
+    senses = senses_of(run, all);
+    if (!own_senses || time == most_times) return all;
+    if (watch.ended()) {
+      senses.clear();
+      return {};
     }
+    std::vector<MotionRequest> own = with_own_senses(machine.model, motion, senses, time > 1);
+    if (own.empty()) return all;
+    motion = std::move(own);
   }
-  std::vector<Stretch> all = stretches_of(machine, run, phase, motion, &watch);
-  senses = senses_of(run, all);
-  return all;
 }
 
 /// The positions of a phase; one on a support is passed over.
@@ -197,26 +201,29 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
   return all;
 }
 
-/// Trapezoids from position to position: dW = T (1 + T/EA) dL for a drum, T dL for a drive.
-Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const std::vector<CyclePosition>& all,
-             double speed) {
+/// Trapezoids from position to position: dW = T (1 + T/EA) dL for a drum, T dL for a drive. `turn`: the last position
+/// of the phase before, where this one begins with the same load. Between them the winches change the pulls until
+/// friction acts the other way, the carriage at rest; without that work the winches of a closed cycle do not end with
+/// the rope that they began with, and friction may seem to give energy.
+Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const CyclePosition* turn,
+             const std::vector<CyclePosition>& all, double speed) {
   const Winch& w = run.winches[winch];
   const double EA = m.reevings[at(w.reeving)].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   Work work;
-  const CyclePosition* before = nullptr;
+  const CyclePosition* before = turn;
   double mean = 0;
   for (const CyclePosition& p : all) {
     if (!p.known) continue;
     const double T = p.pulls[winch].tension;
-    if (before == nullptr || std::abs(T) > std::abs(work.pull_max)) {
+    if (std::isnan(work.at) || std::abs(T) > std::abs(work.pull_max)) {
       work.pull_max = T;
       work.at = p.x;
     }
     if (before != nullptr) {
       const double T0 = before->pulls[winch].tension;
       const double paid = p.pulls[winch].paid - before->pulls[winch].paid;
-      const double way = p.way - before->way;
+      const double way = before == turn ? 0 : p.way - before->way;
       const double energy = -(T0 * stretch(T0) + T * stretch(T)) / 2 * paid;
       work.taken -= (stretch(T0) + stretch(T)) / 2 * paid;
       work.energy += energy;
@@ -228,13 +235,10 @@ Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, cons
     }
     before = &p;
   }
-  const double way = before != nullptr ? before->way : 0;
+  const double way = before != nullptr && before != turn ? before->way : 0;
   work.pull_mean = way > 0 ? mean / way : work.pull_max;
   return work;
 }
-
-/// What is summed over the way, where parts of the way are missing.
-void forget_sums(Work& work) { work.pull_mean = work.taken = work.energy = work.power_max = none; }
 
 struct PhaseAnswer {
   std::vector<CyclePosition> positions;
@@ -243,6 +247,18 @@ struct PhaseAnswer {
   double way = 0;
   double time = none;
 };
+
+/// The last position of the phase before (of the last phase before the first), where a phase begins there with the same
+/// load; null elsewhere.
+const CyclePosition* turn_before(const CycleRun& run, const std::vector<PhaseAnswer>& answers, std::size_t phase) {
+  const std::size_t before = (phase + run.phases.size() - 1) % run.phases.size();
+  if (before >= answers.size()) return nullptr;
+  const std::vector<CyclePosition>&ends = answers[before].positions, &begins = answers[phase].positions;
+  const bool same = !ends.empty() && !begins.empty() && ends.back().known && begins.front().known &&
+                    ends.back().x == begins.front().x &&
+                    run.phases[before].request.load == run.phases[phase].request.load;
+  return same ? &ends.back() : nullptr;
+}
 
 Table positions_table(const CycleRun& run, const std::vector<PhaseAnswer>& answers) {
   Table t{"cycle" + run.ending,
@@ -276,7 +292,7 @@ Table works_table(const CycleRun& run, const std::vector<PhaseAnswer>& answers) 
        {"duration", si::s}},
       {}};
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    for (std::size_t w = 0; w < run.winches.size(); ++w) {
+    for (std::size_t w = 0; w < answers[i].works.size(); ++w) {
       const Work& work = answers[i].works[w];
       t.rows.push_back({run.phases[i].request.name, run.winches[w].name, work.pull_max, work.at, work.pull_mean,
                         work.taken, work.energy, work.power_max, answers[i].time});
@@ -363,7 +379,8 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   std::vector<PhaseAnswer> answers;
   bool complete = true, gives = false;  // friction, energy
   int states = 0;
-  for (const Phase& phase : run.phases) states += phase.way.steps + 1;
+  const int times = has_senses_of_its_own(machine.model, run.winches) ? most_times : 1;
+  for (const Phase& phase : run.phases) states += times * (phase.way.steps + 1);
   Watch watch(machine.progress, "cycle" + run.ending, states);
   for (const Phase& phase : run.phases) {
     if (watch.ended()) break;
@@ -380,14 +397,17 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     }
     for (const CyclePosition& p : answer.positions) answer.way = std::max(answer.way, p.way);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
+  }
+  const std::size_t whole = answers.size() - (watch.ended() ? 1 : 0);
+  for (std::size_t i = 0; i < whole; ++i) {
+    const CyclePosition* turn = turn_before(run, answers, i);
     for (std::size_t w = 0; w < run.winches.size(); ++w) {
-      answer.works.push_back(work_of(machine.model, run, w, answer.positions, phase.speed));
-      if (missing.any()) forget_sums(answer.works.back());
+      answers[i].works.push_back(work_of(machine.model, run, w, turn, answers[i].positions, run.phases[i].speed));
     }
   }
   watch.note(r);
   gives = refuse_given_energy(run, answers, r) || gives;
-  if (!gives) r.tables.push_back(works_table(run, answers));  // else its energies are those of no machine
+  if (complete && !gives) r.tables.push_back(works_table(run, answers));  // else no machine does this work
   r.tables.push_back(positions_table(run, answers));
   if (r.status != Status::ok || !complete) return;  // no sums over what is not there
   add_values(run, answers, r);

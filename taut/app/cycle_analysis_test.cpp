@@ -105,6 +105,27 @@ TEST(CycleAnalysis, PowerIsPullTimesSpeedOfTheRope) {
   EXPECT_NEAR(P / (2 * F), 1, 0.02);
 }
 
+TEST(CycleAnalysis, AClosedCycleEndsWithTheRopeThatItBeganWith) {
+  for (const double load_down : {800.0, 200.0}) {
+    std::string deck = incline(fmt::format("{{name: up, motion: {{track: -1}}, load: 800 kg}}, "
+                                           "{{name: down, motion: {{track: 1}}, load: {} kg}}",
+                                           load_down),
+                               24);
+    deck.replace(deck.find("length: 211 m"), 13, "tension_at_end: 60 kN");
+    const Result r = run_text(deck, {"machine.carriages.car.friction=0.2"});
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    const Table& t = table_of(r, "cycle_work");
+    double taken = 0, energy = 0;
+    for (int i = 0; i < static_cast<int>(t.rows.size()); ++i) {
+      if (text_cell(t, i, "winch") != "high") continue;
+      taken += cell(t, i, "rope_taken_in");
+      energy += cell(t, i, "energy");
+    }
+    EXPECT_EQ(std::abs(taken) < 1e-6, load_down == 800) << taken;
+    EXPECT_NEAR(energy / (60e3 * (1 + 60e3 / 30e6)), taken / (1 + 60e3 / 30e6), 1e-6);
+  }
+}
+
 TEST(CycleAnalysis, LossesCostEnergyBothWays) {
   const std::string loss = "machine.carriages.car.friction=0.2";
   const std::string phases = "{name: up, motion: in, load: 800 kg}, {name: down, motion: out, load: 800 kg}";

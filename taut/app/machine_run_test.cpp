@@ -130,8 +130,7 @@ analyses:
     const Result r = run_text(text);
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     const Table* t = r.find_table("load_path");
-    ASSERT_EQ(t->rows.size(), 35U);
-    EXPECT_TRUE(std::isnan(cell(*t, 17, "z"))) << "on the support itself there is no span";
+    ASSERT_EQ(t->rows.size(), 34U) << "on the support itself there is no span";
     ASSERT_EQ(r.warnings.size(), 1U);
     EXPECT_NE(r.warnings[0].find("x = 100 m"), std::string::npos);
     const Result at_end = run_text(text, {"analyses[0].load_path.from=0 m", "analyses[0].load_path.steps=4"});
@@ -140,9 +139,9 @@ analyses:
     const Result on = run_text(text, {"analyses=[{equilibrium: {carriage: car, x: 200 m}}]"});
     EXPECT_NE(to_text(on.errors).find("the carriage would be on 'b', in no span"), std::string::npos);
     for (std::size_t i = 0; i < 17; ++i) {
-      EXPECT_NEAR(cell(*t, i, "r.T_a") / cell(*t, 34 - i, "r.T_b"), 1, 1e-9);
-      EXPECT_NEAR(cell(*t, i, "z"), cell(*t, 34 - i, "z"), 1e-7);
-      EXPECT_NEAR(cell(*t, i, "r.jack.T_in") / cell(*t, 34 - i, "r.jack.T_out"), 1, 1e-9);
+      EXPECT_NEAR(cell(*t, i, "r.T_a") / cell(*t, 33 - i, "r.T_b"), 1, 1e-9);
+      EXPECT_NEAR(cell(*t, i, "z"), cell(*t, 33 - i, "z"), 1e-7);
+      EXPECT_NEAR(cell(*t, i, "r.jack.T_in") / cell(*t, 33 - i, "r.jack.T_out"), 1, 1e-9);
     }
   }
 }

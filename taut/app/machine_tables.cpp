@@ -203,10 +203,7 @@ Table load_path(const model::Model& all, const LoadPathRun& run) {
   Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
   for (const LoadPathPart& part : run.parts) {
     for (const auto& point : part.result.points) {
-      std::vector<Cell> row = {point.x};
-      if (point.at.outcome.ok()) row = load_path_row(all, part.model, point);
-      row.resize(t.columns.size(), none);
-      t.rows.push_back(std::move(row));
+      if (point.at.outcome.ok()) t.rows.push_back(load_path_row(all, part.model, point));
     }
   }
   return t;

@@ -46,11 +46,8 @@ TEST(Missing, WhereItStandsByItselfIsAPlaceAndTheRestIsCounted) {
   EXPECT_EQ(r.missing[0].first, "x = 10 m");
   EXPECT_TRUE(warns(r, "no equilibrium at 8 of 9 places, first x = 10 m: 'car'"));
   const taut::Table& t = table_of(r, "load_path");
-  ASSERT_EQ(t.rows.size(), 9U);
-  for (std::size_t i = 0; i < 9; ++i) {
-    EXPECT_NEAR(cell(t, i, "x"), 10 + 10.0 * static_cast<double>(i), 1e-9);
-    EXPECT_EQ(std::isnan(cell(t, i, "z")), i != 4) << i;
-  }
+  ASSERT_EQ(t.rows.size(), 1U);
+  EXPECT_NEAR(cell(t, 0, "x"), 50, 1e-9);
 }
 
 TEST(Missing, HeldCarriageHasAllPlacesInEveryAnalysis) {
@@ -97,8 +94,7 @@ analyses:
   EXPECT_EQ(cycle.status, Status::ok) << cycle.message << to_text(cycle.errors);
   ASSERT_EQ(cycle.missing.size(), 1U);
   EXPECT_EQ(cycle.find_value("cycle_energy"), nullptr);
-  EXPECT_TRUE(std::isnan(cell(table_of(cycle, "cycle_work"), 0, "energy")));
-  EXPECT_GT(cell(table_of(cycle, "cycle_work"), 0, "pull_max"), 0);
+  EXPECT_EQ(cycle.find_table("cycle_work"), nullptr) << "no work over a way with gaps";
   const auto loads = run_text(deck +
                               "  - payload: {carriage: car, from: 20 m, to: 80 m, steps: 3, limits: {line: "
                               "{safety_factor: 3}}}\n");
