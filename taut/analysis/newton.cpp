@@ -184,6 +184,27 @@ void add_drag(const System& s, const std::vector<FedEnd>& fed, double drag, doub
   }
 }
 
+/// A configuration that is tried, evaluated.
+struct Trial {
+  Configuration c;
+  Evaluation e;
+};
+
+/// Halves a Newton step until a part of it brings the next step nearer and `fits`. False where no part does.
+template <class Fits>
+bool gains(const System& s, const Configuration& c, const Change& change, Linear& linear, double size, double tolerance,
+           Trial& tried, std::optional<NoBranch>& stopped, const Fits& fits) {
+  for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
+    move(s, c, change, part, tried.c);
+    stopped = evaluate(s, tried.c, tried.e);
+    if (stopped || !tried.e.residual.allFinite()) continue;
+    const double next = linear.solve(tried.e.residual).norm();
+    if (!(next <= (1 - part / 4) * size) && !settled(s, tried.e, tolerance)) continue;
+    if (fits()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
@@ -194,8 +215,7 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   const std::vector<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
-  Configuration tried = c;
-  Evaluation there;
+  Trial tried{c, {}};
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, tolerance)) {
       it.converged = true;
@@ -207,26 +227,18 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
     const Eigen::VectorXd step = linear.solve(e.residual);
     if (!step.allFinite()) return it;
     const Change change = change_of(s, c, e, columns, linear.unscaled(step));
-    const double size = step.norm();
-    bool accepted = false;
     it.deep = -1;
-    for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
-      move(s, c, change, part, tried);
-      it.stopped = evaluate(s, tried, there);
-      if (it.stopped || !there.residual.allFinite()) continue;
-      const double next = linear.solve(there.residual).norm();
-      if (!(next <= (1 - part / 4) * size) && !settled(s, there, tolerance)) continue;
-      it.deep = deep_link(s, fed, tried, there);
-      accepted = it.deep < 0;
-      if (accepted) break;
-    }
-    if (!accepted) {
+    const auto taut = [&] {
+      it.deep = deep_link(s, fed, tried.c, tried.e);
+      return it.deep < 0;
+    };
+    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, taut)) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
       it.converged = settled(s, e, 8 * tolerance, 5);
       return it;
     }
-    std::swap(c, tried);
-    std::swap(e, there);
+    std::swap(c, tried.c);
+    std::swap(e, tried.e);
   }
   it.converged = settled(s, e, tolerance);
   return it;
@@ -239,8 +251,7 @@ Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, d
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
   std::vector<BranchColumns> columns;
-  Configuration tried = c;
-  Evaluation there;
+  Trial tried{c, {}};
   double before = HUGE_VAL;
   for (; it.steps < most_steps; ++it.steps) {
     linear.scale_forces(s, c);
@@ -259,20 +270,13 @@ Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, d
       return it;
     }
     before = closed ? open : HUGE_VAL;
-    bool accepted = false;
-    for (double part = longest_part(s, c, change.step); part > least_part && !accepted; part /= 2) {
-      move(s, c, change, part, tried);
-      it.stopped = evaluate(s, tried, there);
-      if (it.stopped || !there.residual.allFinite()) continue;
-      accepted = linear.solve(there.residual).norm() <= (1 - part / 4) * step.norm() || settled(s, there, tolerance);
-    }
-    if (!accepted) {
+    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, [] { return true; })) {
       it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
       it.undetermined = undetermined_branch(s, linear);
       return it;
     }
-    std::swap(c, tried);
-    std::swap(e, there);
+    std::swap(c, tried.c);
+    std::swap(e, tried.e);
   }
   return it;
 }

@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 import unittest
 
+from decks import MAST
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
 METHODS = ("mast_section", "closed_loop", "friction_drive", "boom_ropes")[2 if "TAUT_FEWER" in os.environ else 0:]
@@ -19,17 +21,6 @@ VALUE_KEYS = {"value", "unit", "symbol", "label", "source"}
 CHECK_KEYS = {"name", "value", "limit", "unit", "utilisation", "passes", "rule", "trust"}
 STEP_KEYS = {"eq", "symbol", "formula", "numbers", "value", "unit", "source"}
 
-MAST = """taut: 1
-title: case A
-method: mast_section
-input:
-  skyline_force: 100 kN
-  mainline_force: 40 kN
-  skyline_block_height: 8 m
-  branch_angle: 12 deg
-  wrap: paper
-  allowable_stress: 160 MPa
-"""
 
 
 def taut(*args, stdin=""):

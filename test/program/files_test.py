@@ -13,20 +13,11 @@ import tempfile
 import time
 import unittest
 
+from decks import MAST
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
 
-MAST = """taut: 1
-title: case A
-method: mast_section
-input:
-  skyline_force: 100 kN
-  mainline_force: 40 kN
-  skyline_block_height: 8 m
-  branch_angle: 12 deg
-  wrap: paper
-  allowable_stress: 160 MPa
-"""
 DRIVE = "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 4 kN, friction: 0.3, wrap: 180 deg, " \
         "rope_mass: 0.4 kg/m, speed: 10 m/s}\n"
 LINE = """taut: 1

@@ -13,21 +13,12 @@ import subprocess
 import tempfile
 import unittest
 
+from decks import MAST
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
 SANITIZED = bool(os.environ.get("TAUT_FEWER"))
 
-MAST = """taut: 1
-title: case A
-method: mast_section
-input:
-  skyline_force: 100 kN
-  mainline_force: 40 kN
-  skyline_block_height: 8 m
-  branch_angle: 12 deg
-  wrap: paper
-  allowable_stress: 160 MPa
-"""
 LINE = """taut: 1
 machine:
   terrain: {file: %s}
