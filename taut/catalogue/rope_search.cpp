@@ -140,15 +140,20 @@ std::vector<RopeRow> ropes_by(RopeOrder order, const RopeFilter& filter, const s
   return out;
 }
 
-Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table) {
+const RopeRow* rope_of_id(std::string_view id, const std::vector<RopeRow>& table) {
   // as the catalogue writes it: a design asks for thousands of rows, each by its own name
   for (const RopeRow& row : table) {
-    if (row.id == id) return row;
+    if (row.id == id) return &row;
   }
   const std::string wanted = normalised(id);
   for (const RopeRow& row : table) {
-    if (normalised(row.id) == wanted) return row;
+    if (normalised(row.id) == wanted) return &row;
   }
+  return nullptr;
+}
+
+Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table) {
+  if (const RopeRow* row = rope_of_id(id, table)) return *row;
   std::vector<std::string> names;
   names.reserve(table.size());
   for (const RopeRow& row : table) names.push_back(row.id);

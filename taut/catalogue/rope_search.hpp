@@ -35,7 +35,10 @@ enum class RopeOrder { breaking_force, diameter, area, mass };
 /// does not count.
 std::vector<RopeRow> ropes_by(RopeOrder order, const RopeFilter& filter, const std::vector<RopeRow>& table = ropes());
 
-/// The rope of that id; case, spaces and the sign between numbers do not count. On failure: the nearest ids.
+/// The row of the table with that id; case, spaces and the sign between numbers do not count. Null: none.
+const RopeRow* rope_of_id(std::string_view id, const std::vector<RopeRow>& table = ropes());
+
+/// A copy of it. On failure: the nearest ids.
 Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table = ropes());
 
 /// A rope by its properties, as a deck gives it: {construction: 6x36, core: IWRC, diameter: 16 mm, grade: 1960 MPa}.

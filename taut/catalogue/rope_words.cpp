@@ -41,10 +41,9 @@ RopeDescription describe_rope(const std::string& words) {
 }
 
 Found<RopeRow> find_rope_in_words(const std::string& text, const std::vector<RopeRow>& table) {
-  auto by_id = find_rope(text, table);
-  if (by_id) return by_id;
+  if (const RopeRow* row = rope_of_id(text, table)) return *row;
   const RopeDescription wanted = describe_rope(text);
-  if (wanted.construction.empty() || wanted.diameter <= 0) return by_id;
+  if (wanted.construction.empty() || wanted.diameter <= 0) return find_rope(text, table);  // fails with names like it
   return find_rope(wanted, table);
 }
 

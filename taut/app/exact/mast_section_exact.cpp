@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <tuple>
 
 #include "taut/app/exact/mast_section_figures.hpp"
 #include "taut/base/gravity.hpp"
@@ -262,10 +265,19 @@ analysis::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const
 }
 
 SecondOrder second_order_of(const Input& in) {
-  return [&in](const catalogue::SectionRow& section, const ClampForces& forces) {
-    analysis::GuyedMastResult m;
-    const Outcome outcome = analysis::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
-    return outcome.ok() ? m.points[m.worst].stress : not_computed;
+  // the lightest section of all and the lightest of its shape are asked for one after the other
+  using Key = std::tuple<std::string, std::string, double, double, double, double>;
+  const auto known = std::make_shared<std::map<Key, double>>();
+  return [&in, known](const catalogue::SectionRow& section, const ClampForces& forces) {
+    const Key key{section.standard,    section.name,           forces.skyline.across,
+                  forces.skyline.down, forces.mainline.across, forces.mainline.down};
+    const auto [entry, is_new] = known->try_emplace(key, not_computed);
+    if (is_new) {
+      analysis::GuyedMastResult m;
+      const Outcome outcome = analysis::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
+      if (outcome.ok()) entry->second = m.points[m.worst].stress;
+    }
+    return entry->second;
   };
 }
 

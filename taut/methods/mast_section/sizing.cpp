@@ -176,27 +176,43 @@ std::vector<SectionRow> candidates(const Input& in, SectionShape shape) {
   return rows;
 }
 
-std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces,
-                                   const SecondOrder& second) {
+namespace {
+
+/// The first of `rows` that passes: by first order, which takes no time, then by second order, under the worst force
+/// first.
+std::optional<Assessment> first_that_passes(const Input& in, const std::vector<SectionRow>& rows,
+                                            const std::vector<ClampForces>& forces, const SecondOrder& second) {
   const StressLimit limit = limit_of(in);
-  for (const SectionRow& row : candidates(in, shape)) {
+  for (const SectionRow& row : rows) {
     auto a = assess(limit, row, forces);
     if (!a || !a->passes()) continue;
-    if (second) a = assess(limit, row, forces, second);
+    if (second) {
+      if (!(second(row, a->worst) <= a->allowable)) continue;
+      a = assess(limit, row, forces, second);
+    }
     if (a->passes()) return a;
   }
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<Assessment> lightest(const Input& in, SectionShape shape, const std::vector<ClampForces>& forces,
+                                   const SecondOrder& second) {
+  return first_that_passes(in, candidates(in, shape), forces, second);
+}
+
 std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces,
                                          const SecondOrder& second) {
   if (in.section) return assess(limit_of(in), *catalogue::find_section(*in.section), forces, second);
-  std::optional<Assessment> best;
+  std::vector<SectionRow> all;
   for (const SectionShape shape : shapes_of(in)) {
-    auto a = lightest(in, shape, forces, second);
-    if (a && (!best || a->section.mass_per_length < best->section.mass_per_length)) best = std::move(a);
+    for (SectionRow& row : candidates(in, shape)) all.push_back(std::move(row));
   }
-  if (best) return best;
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.mass_per_length < b.mass_per_length; });
+  if (auto passes = first_that_passes(in, all, forces, second)) return passes;
+  std::optional<Assessment> best;
   for (const SectionShape shape : shapes_of(in)) {
     auto a = strongest(in, shape, forces, second);
     if (a && (!best || a->stress * best->allowable < best->stress * a->allowable)) best = std::move(a);
