@@ -17,11 +17,20 @@ namespace taut::analysis::dynamics {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double most_strain = 5;  ///< no cord stretches more, of rubber neither; such a length is a slip
 
 Outcome no_rope_between(const model::Model& model, const Line& line, const char* how) {
   const model::Reeving& rope = model.reevings[at(line.reeving)];
   return infeasible(fmt::format("no rope {} from '{}' to '{}' of '{}' where the motion begins", how,
                                 rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, rope.name));
+}
+
+Outcome too_short(const model::Model& model, const Line& line, const LineValues& is) {
+  const model::Reeving& rope = model.reevings[at(line.reeving)];
+  return infeasible(fmt::format(
+      "rope '{}' would begin the motion stretched by {:.3g} %: {:.4g} m of rope between '{}' and '{}', {:.4g} m apart; "
+      "give it its length",
+      rope.name, 100 * is.e, is.L, rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, is.l));
 }
 
 /// Rope that comes back from the rounds at its ends where a branch that hangs in the state `start` is straight in
@@ -65,6 +74,10 @@ void place_lines(const DynamicState& start, Built& built) {
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
     if (m.lines[i].part) set_places(start, line, m.model->reevings[at(m.lines[i].reeving)], m.lines[i]);
     line.e = length_of(m.lines[i], line.l) / line.L - 1;
+    if (line.e > most_strain) {
+      built.outcome = too_short(model, m.lines[i], line);
+      return;
+    }
     pull(m.lines[i], line);
     line.end_T = {line.T, line.T};
     if (!sags(m.lines[i], line)) continue;

@@ -45,6 +45,19 @@ TEST(TransientBegin, LinesOverARoundAreItsTangents) {
   EXPECT_NEAR(built.mechanism.size_of_machine, std::max(1.0, l), 1e-12);
 }
 
+TEST(TransientBegin, ALengthThatIsASlipIsRefusedByName) {
+  const model::Model m = over_the_top();
+  DynamicState start = assembled(m);
+  start.ropes[0].length = {4.9, 1};
+  EXPECT_TRUE(build(m, start, {}).outcome.ok());  // a cord may stretch so far
+  start.ropes[0].length[1] = 0.5;
+  const Outcome told = build(m, start, {}).outcome;
+  EXPECT_EQ(told.status, Status::infeasible);
+  EXPECT_NE(told.message.find("'rope' would begin the motion stretched by 895 %: 0.5 m of rope between 'top' and"),
+            std::string::npos)
+      << told.message;
+}
+
 TEST(TransientBegin, ASavedStateGivesRoundsTheirTurns) {
   const model::Model m = [] {
     model::Model of = over_the_top();

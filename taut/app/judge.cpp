@@ -296,6 +296,7 @@ std::string Judge::strength_trust(std::size_t reeving) const {
 
 std::vector<std::string> Judge::strength_trusts() const {
   std::vector<std::string> all;
+  all.reserve(model_->reevings.size());
   for (std::size_t i = 0; i < model_->reevings.size(); ++i) all.push_back(strength_trust(i));
   return all;
 }
