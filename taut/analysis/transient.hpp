@@ -227,6 +227,6 @@ struct TransientResult {
 };
 
 /// The machine in motion. docs/theory/dynamics.md.
-TransientResult transient(const model::Model& model, const TransientOptions& given);
+TransientResult transient(const model::Model& described, const TransientOptions& given);
 
 }  // namespace taut::analysis

@@ -35,8 +35,8 @@ class Mentions {
   bool of(std::string_view list, const std::string& name) const {
     const std::string own = fmt::format("machine.{}.{}.", list, name);
     return std::any_of(given_.begin(), given_.end(), [&](const Given& one) {
-      if (one.key.compare(0, own.size(), own) == 0) return false;
-      return mentions(one.text, name) || (one.key.compare(0, 8, "machine.") != 0 && mentions(one.key, name));
+      if (one.key.starts_with(own)) return false;
+      return mentions(one.text, name) || (!one.key.starts_with("machine.") && mentions(one.key, name));
     });
   }
 

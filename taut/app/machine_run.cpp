@@ -241,6 +241,43 @@ void warn_of_senses(const MachineDeck& deck, const model::Model& model, const Lo
   }
 }
 
+/// Equilibria and load paths.
+void solve_states(const MachineDeck& deck, MachineRun& run, Result& r) {
+  for (EquilibriumRun& one : run.equilibria) {
+    solve(run.model, one);
+    note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
+  }
+  for (LoadPathRun& one : run.paths) {
+    if (r.interrupted) break;
+    Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
+    solve(run.model, one, watch);
+    note_missing(one, r);
+    warn_of_senses(deck, run.model, one, r);
+    watch.note(r);
+  }
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "equilibrium"));
+  }
+  for (const LoadPathRun& one : run.paths) {
+    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "load path"));
+  }
+}
+
+/// All other analyses. What they find comes behind the tables and values of the states that they leave.
+Result solve_more(MachineRun& run, Result& r) {
+  Result more;
+  for (const Analysis& one : run.more) {
+    if (r.interrupted || more.interrupted) break;
+    one(run, more);
+  }
+  if (r.status == Status::ok) {
+    r.status = more.status;
+    r.message = more.message;
+  }
+  r.interrupted = r.interrupted || more.interrupted;
+  return more;
+}
+
 /// `checks_only`: without what nothing but a report needs.
 Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress,
                bool checks_only = false) {
@@ -258,38 +295,11 @@ Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool
   note_failure(r, put_up_lines(run.model, lines), "installation");
   if (r.status != Status::ok) return r;
   for (std::string& text : held_tension_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
-  for (EquilibriumRun& one : run.equilibria) {
-    solve(run.model, one);
-    note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
-  }
-  for (LoadPathRun& one : run.paths) {
-    if (r.interrupted) break;
-    Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
-    solve(run.model, one, watch);
-    note_missing(one, r);
-    warn_of_senses(deck, run.model, one, r);
-    watch.note(r);
-  }
+  solve_states(deck, run, r);
   run.checked = std::make_shared<CheckedParts>(deck, run.model);
   show_put_up(run.model, lines, *run.checked);
   run.checked->take_answers(run);
-  for (const EquilibriumRun& one : run.equilibria) {
-    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "equilibrium"));
-  }
-  for (const LoadPathRun& one : run.paths) {
-    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "load path"));
-  }
-  // what they find comes behind the tables and values of the states that they leave
-  Result more;
-  for (const Analysis& one : run.more) {
-    if (r.interrupted || more.interrupted) break;
-    one(run, more);
-  }
-  if (r.status == Status::ok) {
-    r.status = more.status;
-    r.message = more.message;
-  }
-  r.interrupted = r.interrupted || more.interrupted;
+  Result more = solve_more(run, r);
   add_tables(run, r);
   add_beam_tables(run, r);
   run.checked->judge.add_values(r);

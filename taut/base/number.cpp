@@ -1,7 +1,7 @@
 #include "taut/base/number.hpp"
 
-#include <locale.h>
-#include <stdlib.h>
+#include <locale.h>  // NOLINT(modernize-deprecated-headers): newlocale is of POSIX
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): strtod_l is of the C library
 
 #include <algorithm>
 #include <array>

@@ -163,7 +163,7 @@ void rescue(const fs::path& from, const fs::path& to, const Names& but) {
   for (const fs::directory_entry& e : fs::directory_iterator(from, failed)) all.push_back(e.path());
   for (const fs::path& one : all) {
     const fs::path there = to / one.filename();
-    if (but.count(one.filename().string()) > 0) continue;
+    if (but.contains(one.filename().string())) continue;
     if (!is_there(there)) {
       fs::rename(one, there, failed);
     } else if (fs::is_directory(fs::symlink_status(one, failed)) &&
@@ -274,7 +274,7 @@ Done keep_others(const fs::path& folder, const fs::path& place, const Names& our
   std::error_code failed;
   for (fs::directory_iterator e(folder, failed); !failed && e != fs::directory_iterator(); e.increment(failed)) {
     const fs::path name = e->path().filename();
-    if (ours.count(name.string()) > 0) continue;
+    if (ours.contains(name.string())) continue;
     if (is_there(place / name)) {
       return refuse(folder,
                     fmt::format("{} in it is not of an earlier run; move it, or give another folder", name.string()));
@@ -312,7 +312,7 @@ tl::expected<fs::path, std::string> put_in_place(const fs::path& place, const fs
     if (swap == Swap::at_once && exchange(place, folder)) return place;
     if (swap == Swap::at_once && errno == ENOENT) continue;
     if (swap == Swap::at_once && errno != EINVAL && errno != ENOSYS) break;
-    const fs::path old = place.string() + std::string(waiting);
+    fs::path old = place.string() + std::string(waiting);
     if (std::rename(folder.c_str(), old.c_str()) != 0 && errno != ENOENT) break;
     if (std::rename(place.c_str(), folder.c_str()) == 0) return old;
   }

@@ -228,7 +228,7 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   const bool single = in.carriage == Carriage::single;
   Outcome o = single ? one_section(c, plain, s, p, out) : two_sections(in, c, plain, s, p, out);
   if (!o.ok() && !engine.solve) return o;
-  const Outcome closed_form = o;
+  Outcome closed_form = o;
   if (o = add_exact(in, plain, engine, s, out); !o.ok()) return closed_form.ok() ? o : closed_form;
   if (!closed_form.ok()) {
     if (!std::isfinite(out.T_lA_exact)) return closed_form;
