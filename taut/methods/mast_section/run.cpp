@@ -263,8 +263,7 @@ void add_warnings(const Input& in, const Output& out, Result& r) {
 void add_assumptions(const Input& in, Result& r) {
   r.assumptions = {
       "The mast is clamped at its foot; guylines neither hold nor load it.",
-      "The drum side of each rope runs straight down and carries the rated force while the ropes are hauled in; "
-      "while they are paid out the span side carries it.",
+      "Ropes hauled in: the drum side runs straight down with the rated force. Paid out: the span side has it.",
       "Both ropes leave the mast in one vertical plane and under the same angle.",
       "N > 0 presses the mast down, Q > 0 pulls its head towards the span, M > 0 bends it that way.",
       "Own weight, wind, dynamics and fatigue are left out; what [sigma] holds in reserve has to cover them.",
