@@ -18,7 +18,8 @@ constexpr double largest_share = 2;
 constexpr double stride = 1.12;
 constexpr int narrowings = 40;
 constexpr int edge_halvings = 44;
-constexpr double meets = 1e-7;  // of what is given; a sign change that misses it is a jump between two equilibria
+constexpr double beside_edge = 0.01;  ///< of the way from an edge of the feasible sags to the next probe
+constexpr double meets = 1e-7;        // of what is given; a sign change that misses it is a jump between two equilibria
 
 double value_of(LoopGiven given, const LoopState& s) {
   switch (given) {
@@ -137,18 +138,35 @@ class SagSearch {
   /// Ends an interval between two probes, begins one, or finds one that is narrower than their distance.
   void join(const Probe& a, const Probe& p) {
     if (a.ok && !p.ok) {
-      take(edge_of_feasible(at_, a, p));
-      run_.clear();
+      end(a, p);
     } else if (!a.ok && p.ok) {
-      take(edge_of_feasible(at_, p, a));
+      begin(p, a);
     } else if (!a.ok && last_.size() == 2 && last_[0].exists && a.exists && p.exists && !last_[0].ok) {
       const auto between = beyond_turn(at_, pressure_of, last_[0], a, p);
       if (!between || !between->ok) return;
-      take(edge_of_feasible(at_, *between, last_[0]));
+      begin(*between, last_[0]);
       take(*between);
-      take(edge_of_feasible(at_, *between, p));
-      run_.clear();
+      end(*between, p);
     }
+  }
+
+  /// The edges of an interval, each with a probe beside it: a turn between the edge and the nearest probe shows in
+  /// whether it rises or falls there.
+  void begin(const Probe& inside, const Probe& outside) {
+    Probe edge = edge_of_feasible(at_, inside, outside);
+    Probe by = beside(edge, inside);
+    take(edge);
+    if (by.ok) take(by);
+  }
+  void end(const Probe& inside, const Probe& outside) {
+    Probe edge = edge_of_feasible(at_, inside, outside);
+    Probe by = beside(edge, inside);
+    if (by.ok) take(by);
+    take(edge);
+    run_.clear();
+  }
+  Probe beside(const Probe& edge, const Probe& inside) const {
+    return at_(edge.sag + beside_edge * (inside.sag - edge.sag), &edge.state);
   }
 
   /// The next probe of a feasible interval.

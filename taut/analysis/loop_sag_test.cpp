@@ -48,6 +48,33 @@ TEST(LoopSag, WhatASagGivesLeadsBackToIt) {
   }
 }
 
+// The pull at A has its least value just before the roller lifts off, between the last two sags that the search tries.
+TEST(LoopSag, ATurnBesideTheEndOfTheFeasibleSagsIsFound) {
+  RunningLoop loop;
+  loop.span = 751.3;
+  loop.rise = -143.4;
+  loop.branch_distance = 1.124;
+  loop.traction_rope = {13.02, 19.4e6};
+  loop.return_rope = {19.71, 7.857e6};
+  loop.efficiency = 0.888;
+  loop.pull_x = 27.57e3 * std::sin(35.29 * std::numbers::pi / 180);
+  loop.pull_z = -27.57e3 * std::cos(35.29 * std::numbers::pi / 180);
+  loop.carriage_weight = 610;
+  loop.roller = RollerLaw::vertical;
+  int found_all = 0;
+  for (double sag = 70; sag < 95; sag += 0.7) {
+    LoopState s;
+    if (!solve_loop(loop, {79.4, sag}, s).ok()) break;
+    LoopSag found;
+    const Outcome o = find_loop_sag(loop, 79.4, LoopGiven::tension_at_A, s.lower_A.T_start, found);
+    ASSERT_TRUE(o.ok()) << sag << ": " << o.message;
+    EXPECT_TRUE(std::abs(found.sag - sag) < 1e-4 || std::abs(found.second - sag) < 1e-4)
+        << sag << ": " << found.sag << ", " << found.second;
+    ++found_all;
+  }
+  EXPECT_GT(found_all, 15);
+}
+
 TEST(LoopSag, OutOfReachTellsTheRange) {
   RunningLoop loop = uphill();
   loop.traction_rope.stiffness = loop.return_rope.stiffness = std::numeric_limits<double>::infinity();
