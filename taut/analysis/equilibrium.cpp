@@ -407,7 +407,9 @@ struct WithoutMainline {
 model::State with_mainline(model::State state, const model::Reeving& mainline, int index, double tension) {
   std::vector<model::BranchState> own(mainline.nodes.size() - 1);
   for (std::size_t k = 0; k < own.size(); ++k) {
-    own[k].length = model::taut_length(state, mainline, mainline.nodes[k], mainline.nodes[k + 1], tension);
+    const model::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
+    own[k].length =
+        tension > 0 ? model::taut_length(state, mainline, from, to, tension) : model::straight_length(state, from, to);
   }
   state.branches.insert(state.branches.begin() + index, std::move(own));
   state.touched.insert(state.touched.begin() + index, std::vector<bool>(mainline.nodes.size(), true));
