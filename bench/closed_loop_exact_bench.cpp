@@ -26,7 +26,7 @@ Input hundred_positions(Mode mode) {
   in.return_stiffness = 1.1e7;
   in.traction_stiffness = 1.6e7;
   in.tail_efficiency = 0.9;
-  for (int i = 1; i <= 100; ++i) in.position.push_back(200.0 * i / 101);
+  for (int i = 1; i <= 100; ++i) in.position.push_back(20 + 1.6 * i);
   return in;
 }
 

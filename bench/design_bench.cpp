@@ -25,7 +25,7 @@ Input hundred_positions() {
   in.tail_efficiency = 0.9;
   in.safety_factor = 3.5;
   in.choose_ropes.emplace();
-  for (int i = 1; i <= 100; ++i) in.position.push_back(200.0 * i / 101);
+  for (int i = 1; i <= 100; ++i) in.position.push_back(20 + 1.6 * i);
   return in;
 }
 
@@ -51,7 +51,7 @@ BENCHMARK(closed_loop_from_the_whole_catalogue)->Unit(benchmark::kMillisecond);
 
 std::string deck_of(const std::string& input, const std::string& more) {
   std::string positions;
-  for (int i = 1; i <= 100; ++i) positions += std::to_string(200.0 * i / 101) + " m, ";
+  for (int i = 1; i <= 100; ++i) positions += std::to_string(20 + 1.6 * i) + " m, ";
   return "taut: 1\nmethod: closed_loop\ninput:\n  {span: 200 m, slope: -8 deg, sag: 10 m, gathering_force: 29 kN, "
          "gathering_angle: 30 deg, tail_efficiency: 0.9, " +
          input + "position: [" + positions +

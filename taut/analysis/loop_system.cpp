@@ -10,7 +10,7 @@ namespace taut::analysis {
 namespace {
 
 constexpr int most_loop_iterations = 60;
-constexpr int most_loop_halvings = 24;
+constexpr int most_loop_halvings = 8;    // a step of 1/256 that gains nothing: the equilibrium is not near
 constexpr double loop_settled = 1e-12;   // step in logarithms of tensions, angles and parts of the span; at small sags
 constexpr double loop_rounding = 1e-14;  // this times span/sag, which is what rounded coordinates leave of a tension
 constexpr double short_step = 1e-8;      // a shorter one that gains nothing meets rounding: it is not halved

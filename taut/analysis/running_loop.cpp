@@ -209,8 +209,13 @@ struct Followed {
 using CaseAt = std::function<Partial(double part)>;
 using StartAt = std::function<LoopUnknowns(const LoopState& last, double times)>;
 
+/// Only supports set off along a slope make a case feasible again that was not at a smaller sag.
+bool comes_back(const RunningLoop& loop) {
+  return loop.offset_is_vertical && loop.branch_distance > 0 && loop.rise != 0;
+}
+
 /// Goes on to the whole way, in strides that shorten where Newton does not converge. False: the equilibrium ends.
-bool follow_loop(const CaseAt& at, const StartAt& start, Followed& f) {
+bool follow_loop(const CaseAt& at, const StartAt& start, bool comes_back, Followed& f) {
   double stride = longest_stride;
   for (;;) {
     if (is_feasible(f.last)) {
@@ -218,6 +223,7 @@ bool follow_loop(const CaseAt& at, const StartAt& start, Followed& f) {
     } else if (!f.lost_at) {
       f.lost_at = at(f.part).place.sag;
     }
+    if (f.lost_at && !comes_back) return false;
     if (f.part >= 1) return true;
     const double next = std::min(1.0, f.part * stride);
     const Partial p = at(next);
@@ -247,9 +253,9 @@ Outcome deepen_to(const RunningLoop& loop, const LoopPlace& place, LoopState& st
     if (i == 10) return not_converged(fmt::format("exact catenaries find no equilibrium at x = {:.4g} m", place.x));
     at = part_of(loop, place, f.part /= 4);
   }
-  const bool whole =
-      follow_loop([&](double part) { return part_of(loop, place, part); },
-                  [&](const LoopState& last, double times) { return deepened(loop, last, times, times); }, f);
+  const bool whole = follow_loop(
+      [&](double part) { return part_of(loop, place, part); },
+      [&](const LoopState& last, double times) { return deepened(loop, last, times, times); }, comes_back(loop), f);
   state = f.last;
   return whole && is_feasible(state) ? Outcome{} : ended(loop, place, f);
 }
@@ -271,14 +277,13 @@ Outcome part_branches(const RunningLoop& loop, const LoopPlace& place, LoopState
     return lift_off(loop, place, place.sag, straight_loop(loop, place.x, place.sag).P_v);
   }
   const bool whole = follow_loop(
-      at, [&](const LoopState& last, double) { return unknowns_of(last); }, f);
+      at, [&](const LoopState& last, double) { return unknowns_of(last); }, true, f);
   state = f.last;
   return whole && is_feasible(state) ? Outcome{} : ended(loop, place, f);
 }
 
 Outcome continue_to(const RunningLoop& loop, const LoopPlace& place, LoopState& state) {
-  const bool apart = loop.offset_is_vertical && loop.branch_distance > 0 && loop.rise != 0;
-  return apart ? part_branches(loop, place, state) : deepen_to(loop, place, state);
+  return comes_back(loop) ? part_branches(loop, place, state) : deepen_to(loop, place, state);
 }
 
 }  // namespace
