@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "taut/analysis/boom_machine_test.hpp"
-#include "taut/analysis/transient.hpp"
+#include "taut/solve/motion/transient.hpp"
+#include "test/support/boom_machine.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "taut/analysis/load_path.hpp"
+#include "taut/study/load_path.hpp"
 
 namespace {
 

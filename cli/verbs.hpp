@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/app/listing.hpp"
+#include "taut/app/explain/listing.hpp"
 
 namespace taut::cli {
 

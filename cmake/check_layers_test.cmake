@@ -20,7 +20,7 @@ endfunction()
 
 # Down: allowed.
 expect(calc taut/calc/a.hpp "#include \"taut/units/unit.hpp\"" passes)
-expect(app taut/app/a.cpp "#include \"taut/analysis/equilibrium.hpp\"" passes)
+expect(app taut/app/a.cpp "#include \"taut/solve/equilibrium.hpp\"" passes)
 expect(methods taut/methods/boom/a.cpp "#include \"taut/methods/boom/a.hpp\"" passes)
 expect(cli cli/main.cpp "#include \"taut/app/run.hpp\"" passes)
 # Up.
@@ -33,8 +33,14 @@ expect(report taut/report/a.cpp "#include \"taut/io/json.hpp\"" "report must not
 # The two wings never meet below app.
 expect(methods taut/methods/boom/a.cpp "#include \"taut/structure/mast.hpp\"" "methods must not see structure")
 expect(methods taut/methods/boom/a.cpp "#include \"taut/rope/contact.hpp\"" "methods must not see rope")
-expect(analysis taut/analysis/a.cpp "#include \"taut/methods/boom/boom.hpp\"" "analysis must not see methods")
-expect(model taut/model/a.cpp "#include \"taut/methods/boom/boom.hpp\"" "model must not see methods")
+expect(solve taut/solve/a.cpp "#include \"taut/methods/boom/boom.hpp\"" "solve must not see methods")
+expect(machine taut/machine/a.cpp "#include \"taut/methods/boom/boom.hpp\"" "machine must not see methods")
+# Rooms that are closed to the layers above, but not to their tests.
+expect(study taut/study/a.cpp "#include \"taut/solve/rest/newton.hpp\"" "taut/solve/rest/newton.hpp: an inside of solve")
+expect(study taut/study/a.cpp "#include \"taut/mechanics/branch.hpp\"" "an inside of solve")
+expect(study taut/study/a_test.cpp "#include \"taut/mechanics/branch.hpp\"" passes)
+expect(study taut/study/a.cpp "#include \"taut/solve/motion/transient.hpp\"" passes)
+expect(solve taut/solve/rest/a.cpp "#include \"taut/mechanics/branch.hpp\"" passes)
 # Doors hold no mechanics.
 expect(cli cli/main.cpp "#include \"taut/methods/boom/boom.hpp\"" "cli must not see methods")
 # Paths that hide the layer.

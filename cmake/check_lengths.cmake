@@ -1,5 +1,6 @@
 # cmake -DROOT=<source tree> -P check_lengths.cmake
-# A source file over 600 lines is thought over again, not cut in two.
+# A source file over 600 lines is thought over again, not cut in two; nor is a folder of more than 30 files a room in
+# which a stranger finds anything (tests and data are not counted).
 cmake_minimum_required(VERSION 3.25)
 set(limit 600)
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/taut/*.hpp ${ROOT}/taut/*.cpp ${ROOT}/cli/*.hpp ${ROOT}/cli/*.cpp)
@@ -12,7 +13,19 @@ foreach(file IN LISTS files)
     list(APPEND errors "${file}: ${lines} lines")
   endif()
 endforeach()
+file(GLOB_RECURSE folders LIST_DIRECTORIES true ${ROOT}/taut/*)
+list(FILTER folders EXCLUDE REGEX "\\.[a-z0-9]+$")
+# One mechanics of rest and motion will replace what is here.
+list(REMOVE_ITEM folders ${ROOT}/taut/solve/motion)
+foreach(folder IN LISTS folders)
+  file(GLOB inside ${folder}/*.hpp ${folder}/*.cpp)
+  list(FILTER inside EXCLUDE REGEX "_test\\.[ch]pp$")
+  list(LENGTH inside count)
+  if(count GREATER 30)
+    list(APPEND errors "${folder}: ${count} files")
+  endif()
+endforeach()
 if(errors)
   list(JOIN errors "\n  " text)
-  message(FATAL_ERROR "Over ${limit} lines; think the noun over:\n  ${text}")
+  message(FATAL_ERROR "Over ${limit} lines, or 30 files a folder; think the noun over:\n  ${text}")
 endif()

@@ -6,8 +6,10 @@
 #   test/<folder>/*_test.py, *_test.sh   -> run with TAUT_PROGRAM and TAUT_SOURCE_DIR in the environment
 # A folder that does not exist yet is simply no test. Several files are compiled as one (TAUT_UNITY), which more than
 # halves the time: each has its own namespace, named like the file.
-set(parts_layers base units math calc catalogue rope structure)
-set(words_layers model io report)
+set(parts_layers base units math calc chance catalogue rope structure)
+set(words_layers machine io report)
+set(engine_layers mechanics solve study)
+set(app_layers checks design results app)
 include(GoogleTest)
 # What hangs is ended at last. No test may come near it on a machine that has other things to do, so it is wide: a test
 # that has to be quick asks for its processor time itself.
@@ -34,12 +36,12 @@ set(library_tests ${taut_files})
 list(FILTER library_tests INCLUDE REGEX "_test\\.cpp$")
 file(GLOB folder_tests CONFIGURE_DEPENDS test/*/*_test.cpp)
 # The longest come first, so that no core waits for the last.
-set(groups analysis parts words app methods whole)
+set(groups engine parts words app methods whole)
 foreach(file IN LISTS library_tests folder_tests)
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE path)
   if(path MATCHES "^taut/([^/]+)/")
     set(group ${CMAKE_MATCH_1})
-    foreach(shared parts words)
+    foreach(shared parts words engine app)
       if(group IN_LIST ${shared}_layers)
         set(group ${shared})
       endif()

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "taut/model/state.hpp"
+#include "taut/machine/state.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::app {

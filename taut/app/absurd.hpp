@@ -2,7 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "taut/app/machine_run.hpp"
+#include "taut/app/machine_deck.hpp"
+#include "taut/results/machine_run.hpp"
 
 namespace taut::app {
 

@@ -8,10 +8,10 @@
 #include <map>
 
 #include "taut/app/fingerprint.hpp"
-#include "taut/io/include.hpp"
-#include "taut/io/override.hpp"
-#include "taut/io/parameters.hpp"
-#include "taut/io/read.hpp"
+#include "taut/io/deck/include.hpp"
+#include "taut/io/deck/override.hpp"
+#include "taut/io/deck/parameters.hpp"
+#include "taut/io/deck/read.hpp"
 #include "taut/units/display.hpp"
 #include "taut/units/parse.hpp"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut_test::compare_test {
 

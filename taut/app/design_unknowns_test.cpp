@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 /// Numbers that are free: each one that a designer names, found by the search and compared with the deck run by itself.
 namespace taut::app::design_unknowns_test {

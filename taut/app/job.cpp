@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "taut/app/fingerprint.hpp"
-#include "taut/app/machine_run.hpp"
 #include "taut/app/methods.hpp"
-#include "taut/io/deck.hpp"
+#include "taut/app/prepare_machine.hpp"
+#include "taut/io/deck/deck.hpp"
 
 namespace taut::app {
 namespace {

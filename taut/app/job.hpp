@@ -4,16 +4,10 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
 
 namespace taut::app {
-
-/// How far a long calculation is.
-struct Progress {
-  std::string what;   ///< "transient"
-  double done = 0;    ///< 0 .. 1
-  std::string words;  ///< "t = 1.2 s of 10 s"
-};
 
 /// One calculation to do: a deck's text, what to call it in messages, and overrides from outside.
 struct Job {

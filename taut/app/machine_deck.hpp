@@ -4,59 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "taut/app/analysis_requests.hpp"
-#include "taut/app/checks_deck.hpp"
-#include "taut/app/design_deck.hpp"
-#include "taut/app/modes_deck.hpp"
-#include "taut/app/motion.hpp"
-#include "taut/app/pretension_deck.hpp"
-#include "taut/app/transient_deck.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/catalogue/rope.hpp"
-#include "taut/model/machine.hpp"
+#include "taut/checks/checked_deck.hpp"
+#include "taut/checks/checks_deck.hpp"
+#include "taut/design/design_deck.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/study/requests/machine_analyses.hpp"
 
 namespace taut::app {
-
-struct EquilibriumRequest {
-  std::optional<std::string> name;  ///< of its tables, when a deck has several
-  std::vector<MotionRequest> motion;
-  std::optional<std::string> carriage;  ///< put at x, instead of what its mainline or clamp says
-  std::optional<double> x;
-  std::optional<double> z;             ///< its height too, instead of the length of the rope it rides on
-  std::vector<double> along = {1, 0};  ///< direction of x
-  bool held = false;                   ///< whatever holds the carriage
-  std::optional<GivenRequest> given;
-  bool judge = true;  ///< false: its states do not count for the verdict
-  static const Description& describe();
-};
-
-struct LoadPathRequest {
-  std::optional<std::string> name;
-  std::string carriage;
-  double from = 0;
-  double to = 0;
-  int steps = 96;
-  std::vector<double> along = {1, 0};  ///< direction of from and to
-  std::vector<MotionRequest> motion;
-  bool held = false;  ///< whatever holds the carriage
-  std::optional<GivenRequest> given;
-  bool judge = true;  ///< false: its states do not count for the verdict
-  static const Description& describe();
-};
-
-struct AnalysisRequest {
-  std::optional<EquilibriumRequest> equilibrium;
-  std::optional<LoadPathRequest> load_path;
-  std::optional<PayloadRequest> payload;
-  std::optional<InstallationRequest> installation;
-  std::optional<CycleRequest> cycle;
-  std::optional<EnvelopeRequest> envelope;
-  std::optional<SweepRequest> sweep;
-  std::optional<TransientRequest> transient;
-  std::optional<ModesRequest> modes;
-  std::optional<PretensionRequest> pretension;
-  static const Description& describe();
-};
 
 /// A deck with `machine:`, `analyses:` and `checks:`. Without analyses: the equilibrium at rest.
 struct MachineDeck {
@@ -66,6 +22,9 @@ struct MachineDeck {
   std::optional<DesignRequest> design;
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
   static const Description& describe();
+
+  /// What its checks see of it; it outlives that.
+  operator CheckedDeck() const { return {machine, analyses, checks, chosen}; }
 };
 
 }  // namespace taut::app

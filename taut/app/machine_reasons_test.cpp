@@ -1,7 +1,7 @@
 // What a deck's author is told: mistakes all at once, answers that nobody meant.
 #include <algorithm>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace machine_reasons_test {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "taut/app/machine_beams.hpp"
-#include "taut/app/machine_tables.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/results/machine_beams.hpp"
+#include "taut/results/machine_tables.hpp"
 
 namespace taut::app {
 namespace {

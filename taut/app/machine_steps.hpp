@@ -1,5 +1,6 @@
 #pragma once
-#include "taut/app/machine_run.hpp"
+#include "taut/app/machine_deck.hpp"
+#include "taut/results/machine_run.hpp"
 
 namespace taut::app {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut_test::measures_test {
 

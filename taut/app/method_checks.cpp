@@ -6,13 +6,13 @@
 #include <numbers>
 #include <utility>
 
-#include "taut/app/checks.hpp"
-#include "taut/app/mast_checks.hpp"
-#include "taut/app/rope_life.hpp"
-#include "taut/app/rope_rules.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
+#include "taut/checks/checks.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+#include "taut/checks/rope/rope_life.hpp"
+#include "taut/checks/rope/rope_rules.hpp"
 
 namespace taut::app {
 namespace {

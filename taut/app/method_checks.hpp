@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "taut/app/checks_deck.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/checks/checks_deck.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"

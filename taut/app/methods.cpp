@@ -7,14 +7,14 @@
 #include <memory>
 #include <utility>
 
-#include "taut/app/design_method.hpp"
+#include "taut/app/design/design_method.hpp"
 #include "taut/app/embedded/examples.hpp"
 #include "taut/app/exact/closed_loop_exact.hpp"
 #include "taut/app/exact/friction_drive_exact.hpp"
 #include "taut/app/exact/mast_section_exact.hpp"
 #include "taut/app/method_checks.hpp"
 #include "taut/base/expects.hpp"
-#include "taut/io/read.hpp"
+#include "taut/io/deck/read.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "taut/base/diagnostic.hpp"
-#include "taut/model/machine.hpp"
-#include "taut/model/model.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/machine/model.hpp"
 
 namespace taut::app {
 

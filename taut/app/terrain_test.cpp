@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut::app::terrain_test {
 

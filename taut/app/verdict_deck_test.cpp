@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "taut/app/machine_decks_test.hpp"
 #include "taut/calc/verdict.hpp"
+#include "test/support/machine_decks.hpp"
 
 /// Verdicts of whole decks: docs/guide/verdict.md.
 namespace taut::verdict_deck_test {

@@ -1,7 +1,11 @@
 #include "taut/calc/field.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "taut/units/display.hpp"
 
 namespace taut {
 
@@ -63,6 +67,19 @@ std::string default_text(const Description& d, const Field& f) {
   if (const auto* maybe = std::get_if<std::optional<std::string>*>(&slot)) return (*maybe)->value_or("");
   if (const auto* flag = std::get_if<bool*>(&slot)) return **flag ? "true" : "false";
   return {};
+}
+
+std::string range_text(const Field& f) {
+  const Display display;
+  std::string text;
+  if (std::isfinite(f.range.low)) {
+    text = fmt::format("{} {}", f.range.low_included ? "at least" : "above", display.quantity(f.range.low, f.unit));
+  }
+  if (std::isfinite(f.range.high)) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : " and ", f.range.high_included ? "at most" : "below",
+                        display.quantity(f.range.high, f.unit));
+  }
+  return text;
 }
 
 }  // namespace taut

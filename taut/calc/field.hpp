@@ -265,4 +265,7 @@ std::optional<double> default_number(const Description& d, const Field& f);
 /// Default of a choice, text or flag; empty when there is none.
 std::string default_text(const Description& d, const Field& f);
 
+/// The range in words, limits in the unit of print: "above 0 m and at most 85 deg"; empty when there is none.
+std::string range_text(const Field& f);
+
 }  // namespace taut

@@ -3,7 +3,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "taut/io/node.hpp"
+#include "taut/io/deck/node.hpp"
 
 namespace taut::io {
 

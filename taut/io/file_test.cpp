@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "taut/io/deck.hpp"
+#include "taut/io/deck/deck.hpp"
 
 namespace taut::io::file_test {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "taut/report/html_table.hpp"
-#include "taut/report/quantity.hpp"
-#include "taut/report/symbol.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/symbol.hpp"
+#include "taut/report/text/text.hpp"
 
 namespace taut::report {
 namespace {

@@ -11,7 +11,7 @@
 #include "taut/report/embedded/page_css.hpp"
 #include "taut/report/embedded/page_template.hpp"
 #include "taut/report/sections.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::report {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/report/symbol.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/symbol.hpp"
+#include "taut/report/text/text.hpp"
 
 namespace taut::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "taut/calc/result.hpp"
-#include "taut/report/quantity.hpp"
+#include "taut/report/text/quantity.hpp"
 
 namespace taut::report {
 

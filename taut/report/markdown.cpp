@@ -9,10 +9,10 @@
 
 #include "taut/base/version.hpp"
 #include "taut/report/html_table.hpp"
-#include "taut/report/quantity.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::report {

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/report/animation.hpp"
+#include "taut/report/figure/animation.hpp"
+#include "taut/report/figure/svg_drawing.hpp"
+#include "taut/report/figure/svg_plot.hpp"
 #include "taut/report/given.hpp"
 #include "taut/report/html_table.hpp"
-#include "taut/report/quantity.hpp"
 #include "taut/report/steps.hpp"
-#include "taut/report/svg_drawing.hpp"
-#include "taut/report/svg_plot.hpp"
-#include "taut/report/symbol.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/symbol.hpp"
+#include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::report {

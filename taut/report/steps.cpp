@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "taut/report/mathml.hpp"
-#include "taut/report/quantity.hpp"
-#include "taut/report/symbol.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/mathml.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/symbol.hpp"
+#include "taut/report/text/text.hpp"
 
 namespace taut::report {
 namespace {

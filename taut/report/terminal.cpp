@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "taut/report/quantity.hpp"
 #include "taut/report/sections.hpp"
-#include "taut/report/text.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::report {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "taut/report/quantity.hpp"
+#include "taut/report/text/quantity.hpp"
 
 namespace taut::report {
 namespace {

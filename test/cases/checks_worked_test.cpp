@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "taut/app/machine_decks_test.hpp"
+#include "test/support/machine_decks.hpp"
 
 /// Every check of `checks:` against a number worked out on paper; its formula and source stand beside it. Life: by hand
 /// in rope_life_test.cpp; masts: ec3_mast_test.cpp, cross_section_test.cpp, member_test.cpp.

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "taut/io/deck.hpp"
-#include "taut/io/read.hpp"
+#include "taut/io/deck/deck.hpp"
+#include "taut/io/deck/read.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "test/paths.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "taut/app/job.hpp"
-#include "taut/app/machine_decks_test.hpp"
 #include "taut/rope/strength.hpp"
 #include "test/paths.hpp"
+#include "test/support/machine_decks.hpp"
 
 /// Worked numbers of rope choice from outside, against the examples of examples/design.
 namespace rope_design_test {

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "taut/io/deck.hpp"
-#include "taut/io/read.hpp"
-#include "taut/io/sample_test.hpp"
+#include "taut/io/deck/deck.hpp"
+#include "taut/io/deck/read.hpp"
+#include "taut/io/deck/sample_test.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -1,6 +1,6 @@
 #pragma once
-#include "taut/analysis/running_loop.hpp"
 #include "taut/methods/closed_loop/engine.hpp"
+#include "taut/solve/exact/running_loop.hpp"
 
 /// Where the published closed loop meets the engine: its deck as a running loop of catenaries.
 namespace taut::app {

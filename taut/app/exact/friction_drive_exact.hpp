@@ -1,6 +1,6 @@
 #pragma once
-#include "taut/analysis/belt_drive.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/solve/exact/belt_drive.hpp"
 
 /// The exact column of `friction_drive`: the tensions that the take-up really lets the loop have.
 namespace taut::app {

@@ -1,7 +1,7 @@
 #pragma once
-#include "taut/analysis/guyed_mast.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
+#include "taut/solve/exact/guyed_mast.hpp"
 
 /// The exact column of `mast_section`: the mast of the deck with its guys, solved by the engine. Without guys it is the
 /// published clamped cantilever, with the second-order moment that the method leaves out.

@@ -1,6 +1,6 @@
 #pragma once
-#include "taut/analysis/guyed_mast.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/solve/exact/guyed_mast.hpp"
 
 namespace taut::app {
 

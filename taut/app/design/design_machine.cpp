@@ -1,0 +1,268 @@
+#include "taut/app/design/design_machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "taut/app/design/design_space.hpp"
+#include "taut/catalogue/section_search.hpp"
+#include "taut/checks/rope/rope_uses.hpp"
+#include "taut/design/design_checks.hpp"
+#include "taut/io/deck/read.hpp"
+#include "taut/machine/compile/compile.hpp"
+
+namespace taut::app {
+namespace {
+
+using catalogue::RopeRow;
+
+constexpr double steel_density = 7850;  // kg/m3
+
+FindParameter parameters_of(MachineDeck& deck) {
+  return [&deck](const std::string& path) {
+    return path.starts_with("analyses") ? find_parameter(MachineDeck::describe(), &deck, path)
+                                        : find_parameter(model::Machine::describe(), &deck.machine, path);
+  };
+}
+
+DesignParts parts_of(MachineDeck& deck) {
+  DesignParts parts;
+  parts.owner = "the machine";
+  for (const auto& rope : deck.machine.ropes) parts.ropes.push_back(rope.name);
+  parts.tensions = parts.ropes;
+  for (const auto& reeving : deck.machine.reevings) parts.tensions.push_back(reeving.name.value_or(reeving.rope));
+  for (const auto& guy : deck.machine.guys) parts.tensions.push_back(guy.name);
+  for (const auto& beam : deck.machine.beams) {
+    const std::string refused =
+        beam.section ? std::string{}
+                     : fmt::format(
+                           "beam '{}' has its section by figures: give it a 'section' of the catalogue to begin "
+                           "with",
+                           beam.name);
+    parts.sections.push_back({beam.name, beam.steel, refused});
+  }
+  if (deck.checks) add_masts(deck.checks->masts, parts.sections);
+  parts.parameter = parameters_of(deck);
+  return parts;
+}
+
+/// Ropes whose figures say nothing yet are compiled with those of their first candidate.
+void put_rope(const RopeRow& row, double modulus, model::description::Rope& rope) {
+  rope.rope.reset();
+  rope.mass = row.mass_per_length;
+  rope.breaking_force = row.breaking_force;
+  rope.diameter = row.diameter;
+  rope.stiffness = modulus * row.area;
+}
+
+/// Straight length of a reeving, all copies, m.
+double length_of(const model::Reeving& reeving, const model::State& state) {
+  double length = 0;
+  for (int k = 0; k < model::branch_count(reeving); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    length += reeving.copies *
+              model::straight_length(state, reeving.nodes[at], reeving.nodes[(at + 1) % reeving.nodes.size()]);
+  }
+  return length;
+}
+
+double mass_per_metre(const model::description::Beam& beam) {
+  if (beam.mass) return *beam.mass;
+  if (beam.section) {
+    if (const auto row = catalogue::find_section(*beam.section)) return row->mass_per_length;
+  }
+  return beam.A.value_or(0) * steel_density;
+}
+
+/// Lengths of what is free; in `rest` the mass of the ropes, beams and take-ups that are not.
+DesignLengths lengths_of(const MachineDeck& deck, const DesignSpace& space, const std::vector<double>& values) {
+  DesignLengths lengths = by_the_metre(*deck.design, space, values);
+  if (deck.design->seek == Seek::smallest) return lengths;
+  DesignPlace place = first_place(space);
+  place.values = values;
+  const MachineDeck own = with_design(deck, space, place);
+  const auto model = model::compile(own.machine);
+  if (!model) return lengths;
+  const bool by_mass = deck.design->seek == Seek::lightest;
+  std::map<std::string, double> of_rope;
+  const model::State state = model::initial_state(*model);
+  for (std::size_t i = 0; i < model->reevings.size(); ++i) {
+    const std::string& rope = rope_name_of(own.machine, i);
+    const double length = length_of(model->reevings[i], state);
+    of_rope[rope] += length;
+    const bool is_free = std::any_of(space.ropes.begin(), space.ropes.end(),
+                                     [&](const RopeCandidates& one) { return one.name == rope; });
+    if (by_mass && !is_free) lengths.rest += model->reevings[i].mass * length;
+  }
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    const double length = of_rope[space.ropes[k].name];
+    if (length > 0) lengths.ropes[k] = length;
+  }
+  for (const model::Beam& beam : model->beams) {
+    const auto free = std::find_if(space.sections.begin(), space.sections.end(),
+                                   [&](const SectionCandidates& one) { return one.name == beam.name; });
+    if (free != space.sections.end()) {
+      lengths.sections[static_cast<std::size_t>(free - space.sections.begin())] = beam.length;
+    } else if (by_mass) {
+      for (const auto& one : own.machine.beams) {
+        if (one.name == beam.name) lengths.rest += mass_per_metre(one) * beam.length;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < space.sections.size() && own.checks; ++k) {
+    if (const auto height = mast_height(own.checks->masts, space.sections[k].name)) lengths.sections[k] = *height;
+  }
+  for (const auto& one : own.machine.take_up) {
+    if (by_mass) lengths.rest += one.weight.value_or(0);
+  }
+  return lengths;
+}
+
+/// The largest tension by a result's values and checks, of a rope or reeving, or of all.
+double tension_in(const Result& r, const MachineDeck& deck) {
+  double most = std::nan("");
+  const auto take = [&](const std::string& name, double value) {
+    const std::size_t at = name.find("T_max");
+    if (at == std::string::npos || (at > 0 && name[at - 1] != '.')) return;
+    if (deck.design->of) {
+      const std::string reeving = name.substr(0, at == 0 ? 0 : at - 1);
+      bool own = reeving == *deck.design->of;
+      for (const auto& one : deck.machine.reevings) {
+        own = own || (one.rope == *deck.design->of && one.name.value_or(one.rope) == reeving);
+      }
+      for (const auto& one : deck.machine.guys) own = own || (one.rope == *deck.design->of && one.name == reeving);
+      if (!own) return;
+    }
+    most = std::fmax(most, value);
+  };
+  for (const Value& v : r.values) take(v.name, v.value);
+  for (const Check& c : r.checks) take(c.name, c.value);
+  return most;
+}
+
+/// A deck that looks at one place of each load path only, where the rope was worst before. What fails there fails in
+/// the whole: every check takes the worst of all states.
+MachineDeck at_places(const MachineDeck& deck, const std::map<std::size_t, double>& places) {
+  MachineDeck probe = deck;
+  for (const auto& [i, x] : places) {
+    LoadPathRequest& one = *probe.analyses[i].load_path;
+    one.from = one.to = x;
+    one.steps = 1;
+  }
+  std::erase_if(probe.analyses, [](const AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
+  return probe;
+}
+
+/// Where each load path has its largest tension by its table; empty where there is none.
+std::map<std::size_t, double> worst_places(const MachineDeck& deck, const Result& r) {
+  std::map<std::size_t, double> places;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < deck.analyses.size(); ++i) {
+    if (!deck.analyses[i].load_path) continue;
+    ++number;
+    const auto& name = deck.analyses[i].load_path->name;
+    const std::string table = "load_path" + (name          ? "_" + *name
+                                             : number == 1 ? std::string{}
+                                                           : fmt::format("_{}", number));
+    const Table* t = r.find_table(table);
+    if (t == nullptr) continue;
+    double most = 0;
+    for (const auto& row : t->rows) {
+      for (std::size_t c = 0; c < t->columns.size(); ++c) {
+        const auto* T = std::get_if<double>(&row[c]);
+        if (T == nullptr || !t->columns[c].name.ends_with(".T_max") || !(*T > most)) continue;
+        most = *T;
+        places[i] = std::get<double>(row.front());
+      }
+    }
+  }
+  return places;
+}
+
+/// What a search keeps from one calculation to the next.
+struct Memory {
+  std::map<const DesignCase*, std::map<std::size_t, double>> places;  ///< where the last choice that failed was worst
+  std::size_t first_case = 0;
+};
+
+}  // namespace
+
+DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes) {
+  MachineDeck own = deck;
+  if (!deck.checks) {
+    io::place(input, {{"design", "needs 'checks': a design is what passes them"}}, mistakes);
+  }
+  return design_space(input, *deck.design, parts_of(own), mistakes);
+}
+
+MachineDeck with_design(const MachineDeck& deck, const DesignSpace& space, const DesignPlace& place,
+                        const DesignCase* load_case) {
+  MachineDeck own = deck;
+  put_values(space, place.values, parameters_of(own));
+  if (load_case != nullptr) put_case(*load_case, parameters_of(own));
+  for (std::size_t k = 0; k < space.sections.size(); ++k) {
+    const std::size_t row = place.choice[space.ropes.size() + k];
+    for (auto& beam : own.machine.beams) {
+      if (beam.name == space.sections[k].name) beam.section = space.sections[k].rows[row].name;
+    }
+  }
+  if (own.checks) put_masts(space, place.choice, own.checks->masts);
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    const RopeCandidates& free = space.ropes[k];
+    for (auto& rope : own.machine.ropes) {
+      if (rope.name == free.name) put_rope(free.rows[place.choice[k]], free.modulus, rope);
+    }
+    own.chosen[free.name] = free.rows[place.choice[k]];
+  }
+  return own;
+}
+
+DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, DesignSpace space, RunDeck run,
+                        std::function<bool(const Progress&)> progress) {
+  DesignTask task;
+  task.request = *deck->design;
+  task.space = std::move(space);
+  task.progress = std::move(progress);
+  task.method_title = "Machine";
+  task.given = given_of(MachineDeck::describe(), deck.get());
+  const auto own = std::make_shared<const DesignSpace>(task.space);
+  task.lengths = [deck, own](const std::vector<double>& values) { return lengths_of(*deck, *own, values); };
+  for (std::size_t k = 0; k < task.space.ropes.size(); ++k) {
+    const std::string& rope = task.space.ropes[k].name;
+    task.list_of[rope] = k;
+    for (const auto& one : deck->machine.reevings) {
+      if (one.rope == rope) task.list_of[one.name.value_or(one.rope)] = k;
+    }
+    for (const auto& one : deck->machine.guys) {
+      if (one.rope == rope) task.list_of[one.name] = k;
+    }
+  }
+  for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
+    task.list_of[task.space.sections[k].name] = task.space.ropes.size() + k;
+  }
+  const auto memory = std::make_shared<Memory>();
+  task.run = [deck, own, memory, run = std::move(run)](const DesignPlace& place, Depth depth,
+                                                       const std::function<bool(const Progress&)>& ask) {
+    const auto one = [&](const DesignCase* load_case, Depth how) -> DesignRun {
+      const MachineDeck whole = with_design(*deck, *own, place, load_case);
+      auto& places = memory->places[load_case];
+      if (how == Depth::quick && !places.empty()) {
+        Result probe = run(at_places(whole, places), true, ask);
+        disregard(deck->design->disregard, probe);
+        if (!trial_of(probe).passes || probe.interrupted) return {std::move(probe), std::nan("")};
+      }
+      DesignRun done{run(whole, how != Depth::report, ask), 0};
+      if (depth != Depth::report) disregard(deck->design->disregard, done.result);
+      if (how == Depth::quick && !trial_of(done.result).passes) places = worst_places(*deck, done.result);
+      done.tension = tension_in(done.result, *deck);
+      return done;
+    };
+    return run_cases(own->cases, depth, memory->first_case, one);
+  };
+  return task;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,276 @@
+#include "taut/app/design/design_space.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/rope_search.hpp"
+#include "taut/io/deck/read.hpp"
+#include "taut/io/file.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::app {
+namespace {
+
+using catalogue::RopeRow;
+
+constexpr double most_places = 20000;  // of a grid
+
+double cost_of(Seek seek, const RopeRow& row) {
+  switch (seek) {
+    case Seek::smallest:
+      return row.diameter;
+    case Seek::cheapest:
+      return row.price.value_or(0);
+    case Seek::lightest:
+    case Seek::least_tension:
+    case Seek::most_reserve:
+      return row.mass_per_length;
+  }
+  return 0;
+}
+
+std::vector<RopeRow> catalogue_of(const io::Node& input, const DesignRequest& design, Diagnostics& mistakes) {
+  if (!design.catalogue) return catalogue::ropes();
+  const io::Node& node = *io::follow(input, "design.catalogue").node;
+  const auto file = io::read_named(node, *design.catalogue, mistakes);
+  if (!file) return {};
+  if (file->text.size() > io::largest_deck) {
+    io::add(mistakes, node.spot,
+            fmt::format("'{}' has more than {} MB: keep the ropes that may be chosen", file->path,
+                        io::largest_deck >> 20U));
+    return {};
+  }
+  auto rows = catalogue::read_ropes(file->text, file->path);
+  if (rows) return std::move(*rows);
+  for (Diagnostic& d : rows.error()) io::add(mistakes, io::without_text(std::move(d), file->text));
+  return {};
+}
+
+catalogue::RopeFilter filter_of(const DesignRopeRequest& one) {
+  catalogue::RopeFilter filter;
+  filter.construction = one.construction.value_or("");
+  filter.core = one.core.value_or("");
+  filter.standard = one.standard.value_or("");
+  filter.grade = one.grade;
+  filter.min_diameter = one.least_diameter;
+  filter.max_diameter = one.most_diameter;
+  filter.min_trust = one.trust;
+  return filter;
+}
+
+/// A value of a parameter; nothing with a complaint at `path`.
+std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,
+                               std::vector<Complaint>& complaints) {
+  const auto number = parse_quantity(text, parameter.unit);
+  if (!number) {
+    complaints.push_back({path, number.error().message});
+    return {};
+  }
+  if (parameter.unit.is_angle == parameter.field->unit.is_angle && !parameter.field->range.contains(*number)) {
+    complaints.push_back({path, fmt::format("must be {}, not {}", range_text(*parameter.field), text)});
+    return {};
+  }
+  return *number;
+}
+
+void complain_of_company(const DesignUnknownRequest& one, const Parameter& first, const FindParameter& find,
+                         const std::string& path, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < one.along_with.size(); ++i) {
+    const std::string own = fmt::format("{}.along_with[{}]", path, i);
+    const auto other = find(one.along_with[i]);
+    if (!other) {
+      complaints.push_back({own, other.error()});
+    } else if (other->unit.dimension != first.unit.dimension) {
+      complaints.push_back(
+          {own, fmt::format("'{}' is no quantity of the same kind as '{}'", one.along_with[i], one.parameter)});
+    }
+  }
+}
+
+/// Where an unknown may be and is tried; empty with complaints.
+UnknownValues values_of_unknown(const DesignUnknownRequest& one, const FindParameter& find,
+                                std::vector<Complaint>& complaints) {
+  const std::string path = fmt::format("design.unknowns.{}", one.name);
+  UnknownValues own;
+  own.name = one.name;
+  own.parameter = one.parameter;
+  own.along_with = one.along_with;
+  own.price = one.price.value_or(0);
+  if (one.name == "cost" || one.name == "trials") {
+    complaints.push_back({path, fmt::format("design_{} is a value of every design: give it another name", one.name)});
+  }
+  const auto parameter = find(one.parameter);
+  if (!parameter) {
+    complaints.push_back({path + ".parameter", parameter.error()});
+    return own;
+  }
+  own.unit = parameter->unit;
+  complain_of_company(one, *parameter, find, path, complaints);
+  const auto from = value_of(one.from, *parameter, path + ".from", complaints);
+  const auto to = value_of(one.to, *parameter, path + ".to", complaints);
+  if (!from || !to) return own;
+  if (*from == *to) complaints.push_back({path + ".to", "is the same as 'from'"});
+  std::tie(own.low, own.high) = std::minmax(*from, *to);
+  const int steps = one.steps.value_or(one.start ? 0 : 4);
+  for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(*from + (*to - *from) * i / steps);
+  if (!one.start) return own;
+  const auto start = value_of(*one.start, *parameter, path + ".start", complaints);
+  if (!start) return own;
+  if (*start < own.low || *start > own.high) {
+    complaints.push_back({path + ".start", fmt::format("{} is not between {} and {}", *one.start, one.from, one.to)});
+  }
+  if (std::find(own.values.begin(), own.values.end(), *start) == own.values.end()) own.values.push_back(*start);
+  std::sort(own.values.begin(), own.values.end());
+  if (*from > *to) std::reverse(own.values.begin(), own.values.end());
+  return own;
+}
+
+/// The candidates of one rope, in the order of their cost per metre.
+RopeCandidates candidates_of_rope(const DesignRopeRequest& one, Seek seek, const std::vector<RopeRow>& rows,
+                                  std::vector<Complaint>& complaints) {
+  const std::string path = fmt::format("design.ropes.{}", one.name);
+  RopeCandidates own;
+  own.name = one.name;
+  own.modulus = one.modulus;
+  own.rows = catalogue::select_ropes(filter_of(one), rows);
+  if (own.rows.empty()) complaints.push_back({path, "no rope of the catalogue is so: drop a condition"});
+  const bool priced =
+      std::all_of(own.rows.begin(), own.rows.end(), [](const RopeRow& r) { return r.price.has_value(); });
+  if (seek == Seek::cheapest && !priced) {
+    complaints.push_back({"design.seek", "'cheapest' needs a catalogue with 'price_per_m' in every row"});
+  }
+  using Key = std::tuple<double, double, const std::string&>;
+  std::stable_sort(own.rows.begin(), own.rows.end(), [&](const RopeRow& a, const RopeRow& b) {
+    return Key(cost_of(seek, a), a.breaking_force, a.id) < Key(cost_of(seek, b), b.breaking_force, b.id);
+  });
+  own.costs.reserve(own.rows.size());
+  for (const RopeRow& row : own.rows) own.costs.push_back(cost_of(seek, row));
+  return own;
+}
+
+DesignCase case_of(const DesignCaseRequest& one, const DesignRequest& design, const FindParameter& find,
+                   std::vector<Complaint>& complaints) {
+  DesignCase own{one.name, {}};
+  for (const DesignSettingRequest& setting : one.settings) {
+    const std::string path = fmt::format("design.cases.{}.{}", one.name, setting.name);
+    const auto parameter = find(setting.name);
+    if (!parameter) {
+      complaints.push_back({path, parameter.error()});
+      continue;
+    }
+    for (const DesignUnknownRequest& unknown : design.unknowns) {
+      const auto& with = unknown.along_with;
+      if (unknown.parameter != setting.name && std::find(with.begin(), with.end(), setting.name) == with.end())
+        continue;
+      complaints.push_back({path, fmt::format("'{}' is free by the unknown '{}'", setting.name, unknown.name)});
+    }
+    if (const auto value = value_of(setting.value, *parameter, path, complaints)) {
+      own.settings.emplace_back(setting.name, *value);
+    }
+  }
+  return own;
+}
+
+void complain_of_seek(const DesignRequest& design, const DesignParts& parts, std::vector<Complaint>& complaints) {
+  if (design.ropes.empty() && design.sections.empty() && design.unknowns.empty()) {
+    complaints.push_back({"design", "says nothing that is free: name 'ropes', 'sections' or 'unknowns'"});
+  }
+  if (design.of && design.seek != Seek::least_tension) {
+    complaints.push_back({"design.of", "belongs to 'seek: least_tension'"});
+  }
+  if (design.seek == Seek::least_tension && parts.tensions.empty()) {
+    complaints.push_back({"design.seek", fmt::format("{} has no rope whose tension could be least", parts.owner)});
+  } else if (design.of && std::find(parts.tensions.begin(), parts.tensions.end(), *design.of) == parts.tensions.end()) {
+    complaints.push_back({"design.of", fmt::format("{} has no rope '{}'{}", parts.owner, *design.of,
+                                                   did_you_mean(*design.of, parts.tensions))});
+  }
+  const bool priced = !design.ropes.empty() || !design.sections.empty() ||
+                      std::any_of(design.unknowns.begin(), design.unknowns.end(),
+                                  [](const DesignUnknownRequest& u) { return u.price.has_value(); });
+  if (design.seek == Seek::cheapest && !priced) {
+    complaints.push_back({"design.seek", "nothing that is free has a price: give an unknown its 'price'"});
+  }
+}
+
+}  // namespace
+
+DesignSpace design_space(const io::Node& input, const DesignRequest& design, const DesignParts& parts,
+                         Diagnostics& mistakes) {
+  DesignSpace space;
+  std::vector<Complaint> complaints;
+  Diagnostics unreadable;
+  const std::vector<RopeRow> rows = catalogue_of(input, design, unreadable);
+  complain_of_seek(design, parts, complaints);
+  for (const DesignRopeRequest& one : design.ropes) {
+    if (std::find(parts.ropes.begin(), parts.ropes.end(), one.name) == parts.ropes.end()) {
+      complaints.push_back({fmt::format("design.ropes.{}", one.name),
+                            parts.ropes.empty() ? fmt::format("{} has no rope that can be chosen", parts.owner)
+                                                : fmt::format("{} has no rope '{}'{}", parts.owner, one.name,
+                                                              did_you_mean(one.name, parts.ropes))});
+    } else if (unreadable.empty()) {
+      space.ropes.push_back(candidates_of_rope(one, design.seek, rows, complaints));
+    }
+  }
+  for (const DesignSectionRequest& one : design.sections) {
+    space.sections.push_back(candidates_of_section(one, design.seek, parts.sections, parts.owner, complaints));
+  }
+  double places = 1;
+  for (const DesignUnknownRequest& one : design.unknowns) {
+    space.unknowns.push_back(values_of_unknown(one, parts.parameter, complaints));
+    places *= static_cast<double>(space.unknowns.back().values.size());
+  }
+  if (places > most_places) {
+    complaints.push_back(
+        {"design.unknowns", fmt::format("their grid has {:.3g} places, more than {:.0f}: fewer 'steps', "
+                                        "or a 'start' without steps",
+                                        places, most_places)});
+  }
+  for (const DesignCaseRequest& one : design.cases) {
+    space.cases.push_back(case_of(one, design, parts.parameter, complaints));
+  }
+  for (Diagnostic& d : unreadable) io::add(mistakes, std::move(d));
+  io::place(input, complaints, mistakes);
+  return space;
+}
+
+void put_values(const DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const UnknownValues& one = space.unknowns[k];
+    const auto first = parameter(one.parameter);
+    if (!first) continue;
+    const double moved = values[k] - first->value;
+    for (const std::string& path : one.along_with) {
+      const auto other = parameter(path);
+      if (other) other->set(std::isfinite(moved + other->value) ? other->value + moved : values[k]);
+    }
+    first->set(values[k]);
+  }
+}
+
+void put_case(const DesignCase& one, const FindParameter& parameter) {
+  for (const auto& [path, value] : one.settings) {
+    if (const auto found = parameter(path)) found->set(value);
+  }
+}
+
+DesignPlace first_place(const DesignSpace& space) {
+  DesignPlace place;
+  place.choice.assign(space.ropes.size() + space.sections.size(), 0);
+  for (const UnknownValues& one : space.unknowns)
+    place.values.push_back(one.values.empty() ? one.low : one.values.front());
+  return place;
+}
+
+DesignLengths by_the_metre(const DesignRequest& request, const DesignSpace& space, const std::vector<double>& values) {
+  DesignLengths lengths{std::vector<double>(space.ropes.size(), 1), std::vector<double>(space.sections.size(), 1), 0};
+  if (request.seek != Seek::cheapest) return lengths;
+  for (std::size_t k = 0; k < values.size(); ++k) lengths.rest += space.unknowns[k].price * values[k];
+  return lengths;
+}
+
+}  // namespace taut::app

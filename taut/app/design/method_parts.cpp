@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/app/design/design_method.hpp"
+#include "taut/base/gravity.hpp"
+#include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Whether a row is one of the built-in catalogue, so that its id says all.
+bool is_built_in(const catalogue::RopeRow& row) {
+  const auto known = catalogue::find_rope(row.id);
+  return known && known->id == row.id && known->mass_per_length == row.mass_per_length &&
+         known->breaking_force == row.breaking_force && known->area == row.area;
+}
+
+void put_in_loop(closed_loop::Input& in, const std::string& name, const catalogue::RopeRow& row, double modulus) {
+  const bool is_return = name == "return";
+  auto& rope = is_return ? in.return_rope : in.traction_rope;
+  auto& weight = is_return ? in.return_weight : in.traction_weight;
+  double& stiffness = is_return ? in.return_stiffness : in.traction_stiffness;
+  rope.reset();
+  weight.reset();
+  if (is_built_in(row)) {
+    rope = row.id;
+  } else {
+    weight = row.mass_per_length * standard_gravity;
+  }
+  if (std::isfinite(stiffness)) stiffness = modulus * row.area;
+}
+
+/// The return rope runs to the tail and back, the traction rope to the tail.
+double length_in_loop(const closed_loop::Input& in, const std::string& name) {
+  const double height = in.height_difference.value_or(in.span * std::tan(in.slope));
+  const double chord = std::hypot(in.span, height);
+  return name == "return" ? 2 * chord : chord;
+}
+
+/// rope_mass is that of the rope with its cutters: what it has more than the deck's rope stays on the one that is
+/// chosen.
+void put_in_drive(friction_drive::Input& in, const std::string& /*name*/, const catalogue::RopeRow& row,
+                  double modulus) {
+  if (in.rope) {
+    if (const auto before = catalogue::find_rope_in_words(*in.rope)) {
+      in.rope_mass = row.mass_per_length + std::max(0.0, in.rope_mass - before->mass_per_length);
+    }
+  }
+  in.rope.reset();
+  if (is_built_in(row)) in.rope = row.id;
+  in.rope_area = row.area;
+  if (in.rope_stiffness) in.rope_stiffness = modulus * row.area;
+}
+
+double length_in_drive(const friction_drive::Input& in, const std::string& /*name*/) {
+  if (!in.centre_distance) return 1;
+  return 2 * *in.centre_distance + 2 * std::numbers::pi * in.sheave_radius.value_or(0);
+}
+
+double mass_of_take_up(const friction_drive::Input& in) {
+  if (!in.take_up) return 0;
+  return in.take_up->mass.value_or(in.take_up->weight.value_or(0) / standard_gravity);
+}
+
+/// C_1 of half of the extension rope, C_2 of the retraction rope, by their lengths.
+void put_in_boom(boom_ropes::Input& in, const std::string& name, const catalogue::RopeRow& row, double modulus) {
+  if (!in.sliding) return;
+  const bool extension = name == "extension";
+  const double length = extension ? in.sliding->extension_length : in.sliding->retraction_length;
+  const double C = modulus * row.area / length;
+  (extension ? in.extension_stiffness : in.retraction_stiffness) = C;
+  (extension ? in.sliding->extension_stiffness : in.sliding->retraction_stiffness) = C;
+}
+
+double length_in_boom(const boom_ropes::Input& in, const std::string& name) {
+  if (!in.sliding) return 1;
+  return name == "extension" ? 2 * in.sliding->extension_length : in.sliding->retraction_length;
+}
+
+}  // namespace
+
+MethodDesign<closed_loop::Input> design_of_loop() {
+  MethodDesign<closed_loop::Input> d;
+  d.put_rope = put_in_loop;
+  d.rope_length = length_in_loop;
+  d.refuse = [](const closed_loop::Input& in) -> std::string {
+    return in.choose_ropes ? "'choose_ropes' of the input chooses them already: leave one of the two out" : "";
+  };
+  return d;
+}
+
+MethodDesign<friction_drive::Input> design_of_drive() {
+  MethodDesign<friction_drive::Input> d;
+  d.put_rope = put_in_drive;
+  d.rope_length = length_in_drive;
+  d.mass = mass_of_take_up;
+  return d;
+}
+
+MethodDesign<boom_ropes::Input> design_of_boom() {
+  MethodDesign<boom_ropes::Input> d;
+  d.put_rope = put_in_boom;
+  d.rope_length = length_in_boom;
+  d.refuse = [](const boom_ropes::Input& in) -> std::string {
+    return in.sliding ? "" : "the stiffness of a rope follows from its length: give 'sliding' with the lengths";
+  };
+  return d;
+}
+
+MethodDesign<mast_section::Input> design_of_mast() {
+  MethodDesign<mast_section::Input> d;
+  // its forces are given: a rope is chosen by its checks alone
+  d.put_rope = [](mast_section::Input&, const std::string&, const catalogue::RopeRow&, double) {};
+  d.put_section = [](mast_section::Input& in, const std::string& section) { in.section = section; };
+  d.height = [](const mast_section::Input& in) {
+    return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
+  };
+  d.refuse = [](const mast_section::Input& in) -> std::string {
+    return in.choose_section ? "'choose_section' of the input chooses it already: leave one of the two out" : "";
+  };
+  return d;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,187 @@
+#include "taut/app/explain/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "taut/app/job.hpp"
+#include "taut/app/machine_deck.hpp"
+#include "taut/io/deck/read.hpp"
+#include "taut/units/display.hpp"
+
+namespace taut::app {
+namespace {
+
+/// As a deck writes it.
+std::string default_number_text(double si, const Unit& unit) {
+  if (std::isinf(si)) return si > 0 ? ".inf" : "-.inf";
+  return Display().quantity(si, unit);
+}
+
+std::string kind_text(const Field& f) {
+  switch (f.kind) {
+    case FieldKind::number:
+      return f.unit.needs_text() ? std::string(f.unit.shown) : "number";
+    case FieldKind::numbers:
+      return fmt::format("{}, one or a list", f.unit.needs_text() ? f.unit.shown : "number");
+    case FieldKind::whole_number:
+      return "whole number";
+    case FieldKind::flag:
+      return "true or false";
+    case FieldKind::text:
+    case FieldKind::choice:
+      return "text";
+    case FieldKind::record:
+      return "map";
+    case FieldKind::records:
+      return "list of maps";
+    case FieldKind::triple:
+      return fmt::format("[x, y, z], each {}", f.unit.needs_text() ? f.unit.shown : "number");
+    case FieldKind::texts:
+      return "text, one or a list";
+    case FieldKind::named_records:
+      return f.rest ? "map" : "map of names and maps";
+  }
+  return {};
+}
+
+std::string default_of(const Description& d, const Field& f) {
+  if (f.required) return "required";
+  if (const auto number = default_number(d, f)) return default_number_text(*number, f.unit);
+  const std::string text = default_text(d, f);
+  return text.empty() ? "-" : text;
+}
+
+std::string words_of(const Field& f) {
+  std::string words = f.words;
+  std::string choices;
+  for (const std::string& c : f.choices) choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", c);
+  if (!choices.empty()) words += fmt::format(": {}", choices);
+  const std::string range = range_text(f);
+  if (!range.empty()) words += fmt::format(" ({})", range);
+  return words;
+}
+
+using Visit = std::function<void(const std::string& key, const Description&, const Field&)>;
+
+/// Visits a description and its nested ones, with dotted keys.
+void walk(const std::string& prefix, const Description& d, const Visit& visit) {
+  for (const Field& f : d.fields) {
+    const std::string key = prefix + (f.rest ? "NAME" : f.key);
+    visit(key, d, f);
+    if (f.record == nullptr) continue;
+    const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records && !f.rest ? ".NAME." : ".";
+    walk(key + inner, *f.record, visit);
+  }
+}
+
+/// A bar would end the cell of a Markdown table.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+std::string equations(const Result& example) {
+  std::string text;
+  std::set<std::string> seen;
+  for (const Step& s : example.steps) {
+    if (s.kind == Step::Kind::heading) text += fmt::format("\n  {}\n", s.words);
+    if (s.kind != Step::Kind::equation && s.kind != Step::Kind::root) continue;
+    const std::string right = formula_text(s.formula);
+    if (!seen.insert(s.eq + s.symbol + right).second) continue;
+    const std::string number = s.eq.empty() ? "" : fmt::format("({})", s.eq);
+    const std::string line = s.kind == Step::Kind::root ? fmt::format("{}: root of {} = 0", s.symbol, right)
+                                                        : fmt::format("{} = {}", s.symbol, right);
+    text += fmt::format("    {:<8}{}  [{}]\n", number, line, s.unit.symbol);
+  }
+  return text;
+}
+
+/// The keys of a description and its nested ones.
+std::string keys_table(const std::string& head, const Description& description) {
+  std::string text = fmt::format("| {} | unit | default | symbol | meaning |\n|---|---|---|---|---|\n", head);
+  walk("", description, [&](const std::string& key, const Description& d, const Field& f) {
+    const std::string symbol = f.symbol.empty() ? "" : fmt::format("`{}`", f.symbol);
+    text +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", key, kind_text(f), default_of(d, f), symbol, cell(words_of(f)));
+  });
+  return text;
+}
+
+std::string exact_values(const Description& d) {
+  std::string text;
+  for (const Field& f : d.fields) text += fmt::format("  {:<24}{:<8}{}\n", f.key, f.unit.symbol, f.words);
+  return text;
+}
+
+}  // namespace
+
+std::string keys_text(const std::string& prefix, const Description& description) {
+  std::string text;
+  walk(prefix, description, [&](const std::string& key, const Description& d, const Field& f) {
+    text += fmt::format("  {:<31} {:<23} {:<13} {}{}\n", key, kind_text(f), default_of(d, f),
+                        f.symbol.empty() ? "" : f.symbol + ": ", words_of(f));
+  });
+  return text;
+}
+
+std::string explain_text(const MethodEntry& method) {
+  const Method& about = *method.about;
+  const Result example = run(Job{std::string(method.example), about.name + ".yaml", {}});
+  std::string text = fmt::format("{} ({})\n\nSource: {}\n\n{}\n", about.title, about.name, about.source, about.scope);
+  if (!about.limits.empty()) text += "\nLimits\n";
+  for (const std::string& limit : about.limits) text += fmt::format("  - {}\n", limit);
+  text += "\nEquations (numbers of the source; * is a correction)\n";
+  text += equations(example);
+  text += "\nDeck keys below `input:`\n";
+  text += keys_text("", *method.input);
+  text += "\nResult values\n";
+  walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
+    text += fmt::format("  {:<24}{:<8}{}{}\n", key, f.unit.symbol, f.words, f.source.empty() ? "" : "  " + f.source);
+  });
+  if (method.exact != nullptr) text += "\nValues of the exact solution by the engine\n" + exact_values(*method.exact);
+  if (!about.errata.empty()) text += "\nErrata of the source (each with the test that shows it)\n";
+  for (const Erratum& e : about.errata) {
+    text += fmt::format("  {}: printed {}; correct {}. {} [{}]\n", e.where, e.printed, e.correct, e.evidence, e.test);
+  }
+  return text;
+}
+
+std::string reference_markdown(const MethodEntry& method) {
+  const Method& about = *method.about;
+  std::string text = fmt::format("## `method: {}`\n\n{}. Source: {}\n\n", about.name, about.title, about.source);
+  text += keys_table("key below `input:`", *method.input);
+  text += "\n| value | SI unit | meaning | equation |\n|---|---|---|---|\n";
+  walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key, f.unit.symbol, cell(f.words), cell(f.source));
+  });
+  if (method.exact != nullptr) {
+    text += "\n| value of the engine | SI unit | meaning |\n|---|---|---|\n";
+    for (const Field& f : method.exact->fields) {
+      text += fmt::format("| `{}` | {} | {} |\n", f.key, f.unit.symbol, cell(f.words));
+    }
+  }
+  return text + "\n";
+}
+
+std::string reference_guide() {
+  std::string text =
+      "# Reference: deck keys and result names\n\n"
+      "Made from the program's own tables by `taut explain all --markdown`; a test compares this page with them.\n"
+      "A quantity is written with a unit; the unit column shows the usual one. Results (`--json`) are in SI.\n\n"
+      "Every deck has `taut: 1`, and `method:` with `input:` or `machine:` with `analyses:`, and may have `title:`, "
+      "`display:` (kind of quantity to unit) "
+      "and\n"
+      "`include:` (decks whose keys stand under this one's).\n\n";
+  for (const MethodEntry& method : methods()) text += reference_markdown(method);
+  text +=
+      "## `machine:` and `analyses:`\n\nA machine in place of a method; see [machine decks](machine-decks.md), also "
+      "for "
+      "the result tables.\n\n";
+  return text + keys_table("key", MachineDeck::describe()) + "\n";
+}
+
+}  // namespace taut::app

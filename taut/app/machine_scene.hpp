@@ -1,9 +1,0 @@
-#pragma once
-#include "taut/app/machine_run.hpp"
-
-namespace taut::app {
-
-/// Each equilibrium that was found as a machine in space, with the tension along its ropes.
-void add_scenes(const MachineRun& run, Result& r);
-
-}  // namespace taut::app

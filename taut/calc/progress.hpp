@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+namespace taut::app {
+
+/// How far a long calculation is.
+struct Progress {
+  std::string what;   ///< "transient"
+  double done = 0;    ///< 0 .. 1
+  std::string words;  ///< "t = 1.2 s of 10 s"
+};
+
+}  // namespace taut::app

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/suggest.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+/// The ends of ropes at a place: calls `take(reeving, pull of all its copies)`.
+template <class Take>
+void each_end_at(const CheckState& state, const std::string& name, Take&& take) {
+  for (const CheckBranch& b : state.branches) {
+    const model::Reeving& rope = state.model->reevings[at(b.reeving)];
+    if (rope.closed) continue;
+    const int last = static_cast<int>(rope.nodes.size()) - 1;
+    if (b.from == 0 && rope.nodes.front().name == name) take(rope, Vector3(rope.copies * b.on_start));
+    if (b.to == last && rope.nodes.back().name == name) take(rope, Vector3(rope.copies * b.on_end));
+  }
+}
+
+std::vector<std::string> anchors_of(const model::Model& model) {
+  std::vector<std::string> known;
+  for (const model::Reeving& rope : model.reevings) {
+    if (rope.closed) continue;
+    for (const std::string& name : {rope.nodes.front().name, rope.nodes.back().name}) {
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+  }
+  return known;
+}
+
+constexpr const char* fastening =
+    "Lines on stumps and trees: 2.5 wraps, 8 spikes or 6 staples on the first and the last wrap, 2 clips up to 1 in. "
+    "and 3 above (WAC 296-54-569): say 'fastening' of an anchor to have it checked; a skyline does not count as a "
+    "guyline.";
+constexpr double inch = 0.0254;        // m
+constexpr double rule_diameter = 0.5;  // m, of the tree that the rule of thumb speaks of
+
+double elevation(const Vector3& F) { return std::atan2(F.z(), std::hypot(F.x(), F.y())); }
+
+void add_anchor_row(const AnchorStates& s, Result& r) {
+  auto table = std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "anchor_forces"; });
+  if (table == r.tables.end()) {
+    r.tables.push_back(
+        {"anchor_forces",
+         "Largest pull of all ropes together on what holds them, without factors (angle: above the horizontal)",
+         {{"name", si::one},
+          {"force", si::N},
+          {"horizontal", si::N},
+          {"upwards", si::N},
+          {"angle", si::rad},
+          {"where", si::one}},
+         {}});
+    table = std::prev(r.tables.end());
+  }
+  table->rows.push_back(
+      {s.request->name, s.pull.norm(), std::hypot(s.pull.x(), s.pull.y()), s.pull.z(), elevation(s.pull), s.where});
+}
+
+}  // namespace
+
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const model::Model& model,
+                         std::vector<Complaint>& complaints) {
+  const std::vector<std::string> known = anchors_of(model);
+  for (const AnchorCheckRequest& one : anchors) {
+    const std::string path = fmt::format("checks.anchors.{}", one.name);
+    if (std::find(known.begin(), known.end(), one.name) == known.end()) {
+      complaints.push_back({path, fmt::format("no rope ends at '{}'{}", one.name, did_you_mean(one.name, known))});
+    }
+    if (one.fastening && one.fastening->spikes && one.fastening->staples) {
+      complaints.push_back({path + ".fastening", "either 'spikes' or 'staples'"});
+    }
+    if (one.as_strong_as_rope && !one.strength) complaints.push_back({path, "'as_strong_as_rope' needs 'strength'"});
+    if (one.safety_factor != 1 && !one.strength) complaints.push_back({path, "'safety_factor' needs 'strength'"});
+  }
+}
+
+std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors) {
+  std::vector<AnchorStates> all;
+  for (const AnchorCheckRequest& one : anchors) all.emplace_back().request = &one;
+  return all;
+}
+
+void take(const CheckState& state, AnchorStates& anchor) {
+  const double factor = state.moves ? 1 : anchor.request->dynamic_factor;
+  Vector3 F = Vector3::Zero();
+  each_end_at(state, anchor.request->name, [&](const model::Reeving& rope, const Vector3& pull) {
+    F += pull;
+    anchor.strongest_rope = std::max(anchor.strongest_rope, rope.breaking_force * rope.copies);
+    anchor.strength_unknown |= rope.breaking_force == 0;
+    anchor.thickest_rope = std::max(anchor.thickest_rope, rope.diameter);
+  });
+  if (F.norm() == 0) return;
+  if (factor * F.norm() > anchor.force) {
+    anchor.force = factor * F.norm();
+    anchor.pull = F;
+    anchor.factor = factor;
+    anchor.where = state.words;
+  }
+  if (factor * F.z() > anchor.uplift) {
+    anchor.uplift = factor * F.z();
+    anchor.where_uplift = with_factor(state.words, factor);
+  }
+  if (elevation(F) > anchor.angle) {
+    anchor.angle = elevation(F);
+    anchor.where_angle = state.words;
+  }
+}
+
+namespace {
+
+/// Force against what the anchor holds: declared, by its ropes, by the tree's diameter.
+void check_holding(const AnchorStates& s, Result& r) {
+  const AnchorCheckRequest& one = *s.request;
+  const std::string where = with_factor(s.where, s.factor);
+  if (one.strength) {
+    add_part_check(one.name, "anchor_strength", *one.strength / s.force, Sense::at_least, one.safety_factor, si::one,
+                   fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
+                               s.force / 1e3, where),
+                   "user", r);
+  }
+  if (one.as_strong_as_rope) {
+    if (s.strength_unknown) {
+      r.warnings.push_back(
+          fmt::format("{}: the breaking force of a rope fixed to it is not known, 'as_strong_as_rope' looks at the "
+                      "others",
+                      one.name));
+    }
+    add_part_check(one.name, "anchor_as_rope", *one.strength, Sense::at_least, s.strongest_rope, si::N,
+                   "strength of the anchor not below the breaking force of the strongest rope fixed to it", "derived",
+                   r);
+  }
+  if (one.tree_diameter) {
+    const RuleLimit rule = rule_limit("layout.anchor_tree", false);
+    const double share = *one.tree_diameter / rule_diameter;
+    add_part_check(one.name, "anchor_tree", s.force, Sense::at_most, rule.value * share * share, si::N,
+                   fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
+                               *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
+                   rule.trust, r);
+  }
+}
+
+void check_fastening(const AnchorStates& s, Result& r) {
+  if (!s.request->fastening) return;
+  const FasteningRequest& f = *s.request->fastening;
+  const auto check = [&](const std::optional<double>& have, const char* name, const std::string& id) {
+    if (!have) return;
+    const RuleLimit rule = rule_limit(id, true);
+    add_part_check(s.request->name, name, *have, Sense::at_least, rule.value, si::one, rule.words, rule.trust, r);
+  };
+  check(f.wraps, "anchor_wraps", "layout.anchor_wraps");
+  check(f.spikes, "anchor_spikes", "layout.anchor_spikes");
+  check(f.staples, "anchor_staples", "layout.anchor_staples");
+  // a line of unknown diameter counts as a thick one
+  const bool thin = s.thickest_rope > 0 && s.thickest_rope <= inch * (1 + 1e-9);
+  check(f.clips, "anchor_clips", thin ? "layout.anchor_clips.thin" : "layout.anchor_clips.thick");
+}
+
+}  // namespace
+
+void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
+  bool told = false;
+  for (const AnchorStates& s : anchors) {
+    if (s.force == 0) {
+      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
+      r.warnings.push_back(r.unmade.back());
+      continue;
+    }
+    if (!told) r.assumptions.emplace_back(fastening);
+    told = true;
+    add_anchor_row(s, r);
+    check_holding(s, r);
+    check_fastening(s, r);
+    const AnchorCheckRequest& one = *s.request;
+    if (one.uplift) {
+      add_part_check(one.name, "anchor_uplift", s.uplift, Sense::at_most, *one.uplift, si::N,
+                     fmt::format("pull upwards ({})", s.where_uplift), "user", r);
+    }
+    if (one.angle) {
+      add_part_check(one.name, "anchor_angle", s.angle, Sense::at_most, *one.angle, si::rad,
+                     fmt::format("angle of the pull above the horizontal ({})", s.where_angle), "user", r);
+    }
+  }
+}
+
+}  // namespace taut::app

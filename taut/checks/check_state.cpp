@@ -1,0 +1,130 @@
+#include "taut/checks/check_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "taut/machine/state.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+Vector3 level_way(const analysis::SpanResult& span) {
+  Vector3 along(span.end.x() - span.start.x(), span.end.y() - span.start.y(), 0);
+  if (along.norm() > 0) along.normalize();
+  return along;
+}
+
+/// "", "_2": without a name.
+bool is_numbered(const std::string& ending) {
+  return ending.size() < 2 || ending.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
+/// At rest the friction of the machine leaves a band; what holds the rope may have to bear its upper end.
+double up_to(double most, double T) { return T > 0 && most > T ? most / T : 1; }
+
+/// Half of a branch's weight hangs at its end: the part across the branch beside the tension along it.
+Vector3 weight_across(const Vector3& along, double weight) {
+  const Vector3 W = -weight / 2 * up();
+  return W - W.dot(along) * along;
+}
+
+/// Adds a branch in motion; the segments of one branch become one.
+void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving& rope, bool heavy,
+                std::vector<CheckBranch>& all) {
+  const Vector3 way = b.end - b.start;
+  const double length = way.norm();
+  const Vector3 along = length > 0 ? Vector3(way / length) : Vector3::UnitX();
+  const bool sags = !b.curve.empty();  // then its weight is in the tensions at its ends
+  const double weight = heavy && b.whole && !sags ? rope.weight * b.unstretched / (1 + rope.thermal_strain) : 0;
+  const Vector3 hangs = weight_across(along, weight);
+  const Vector3 on_start = b.T_from * (sags ? b.leaves : along) + hangs;
+  const Vector3 on_end = -b.T_to * (sags ? b.arrives : along) + hangs;
+  const double most = std::max(b.T_from, b.T_to);
+  const bool goes_on =
+      !all.empty() && all.back().reeving == b.reeving && all.back().from == b.from && rope.segments > 1;
+  const double unstretched = b.unstretched / (1 + rope.thermal_strain);  // a motion has it at its temperature
+  if (!goes_on) {
+    all.push_back({b.reeving, b.from, b.to, most, (b.T_from + b.T_to) / 2, length, unstretched, b.start, b.end,
+                   on_start, on_end});
+    return;
+  }
+  CheckBranch& one = all.back();
+  one.T = std::max(one.T, most);
+  one.to = b.to;
+  one.end = b.end;
+  one.unstretched += unstretched;
+  one.chord = (one.end - one.start).norm();
+  one.on_end = on_end;
+}
+
+}  // namespace
+
+CheckState state_of(const model::Model& model, const analysis::EquilibriumResult& state, std::string words,
+                    std::string analysis) {
+  CheckState all;
+  all.model = &model;
+  all.words = std::move(words);
+  all.analysis = std::move(analysis);
+  all.rest = &state;
+  for (const analysis::SpanResult& s : state.spans) {
+    const Vector3 along = level_way(s);
+    all.branches.push_back({s.reeving, s.from, s.to, std::max({s.T_from, s.T_to, s.T_from_max, s.T_to_max}),
+                            (s.T_from + s.T_to) / 2, s.chord, s.unstretched, s.start, s.end,
+                            up_to(s.T_from_max, s.T_from) * (s.H * along + s.V_from * up()),
+                            -up_to(s.T_to_max, s.T_to) * (s.H * along + s.V_to * up())});
+  }
+  for (const analysis::ContactResult& c : state.contacts) {
+    const bool lifts = c.state == analysis::ContactState::lifted || c.state == analysis::ContactState::pulled;
+    const model::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, model::in_ground(state.state, place), c.force});
+  }
+  return all;
+}
+
+CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
+                    std::string words, std::string analysis) {
+  const analysis::TransientFrame& f = motion.frames[frame];
+  CheckState all;
+  all.model = &model;
+  all.words = std::move(words);
+  all.analysis = std::move(analysis);
+  all.moves = true;
+  for (const auto& b : f.branches) {
+    const std::size_t rope = at(b.reeving);
+    const bool heavy = rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
+    add_branch(b, model.reevings[rope], heavy, all.branches);
+  }
+  for (const auto& c : f.contacts) {
+    const bool lifts = c.state == analysis::ContactState::lifted || c.state == analysis::ContactState::pulled;
+    const model::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    Vector3 middle = place.at;
+    if (place.body != model::ground) {
+      const auto& body = f.bodies[at(place.body)];
+      middle = body.position + body.orientation * place.at;
+    }
+    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, middle, c.force});
+  }
+  return all;
+}
+
+std::string gap_words(const std::string& what, const analysis::TerrainGap& gap) {
+  return fmt::format(
+      "{}: its clearance is not judged on {:.4g} m, where there is no terrain ({:.4g} m before its first place, {:.4g} "
+      "m "
+      "behind its last one): give the ground under all of it",
+      what, gap.missing(), gap.before, gap.after);
+}
+
+std::string analysis_name(const std::string& ending, const char* kind) {
+  return is_numbered(ending) ? std::string(kind) : ending.substr(1);
+}
+
+std::string analysis_words(const std::string& ending, const char* kind) {
+  if (!is_numbered(ending)) return ending.substr(1);
+  return ending.size() < 2 ? std::string(kind) : fmt::format("{} {}", kind, ending.substr(1));
+}
+
+}  // namespace taut::app

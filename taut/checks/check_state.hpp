@@ -1,0 +1,60 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/machine/model.hpp"
+#include "taut/solve/equilibrium.hpp"
+#include "taut/solve/motion/transient.hpp"
+#include "taut/study/rope_clearance.hpp"
+
+namespace taut::app {
+
+/// A free branch of a rope.
+struct CheckBranch {
+  int reeving = 0, from = 0, to = 0;                             ///< nodes
+  double T = 0;                                                  ///< the largest, the band at rest included, N
+  double mean = 0;                                               ///< of its ends' tensions, N
+  double chord = 0, unstretched = 0;                             ///< m; at the reference temperature
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();        ///< where the free rope begins and ends, m
+  Vector3 on_start = Vector3::Zero(), on_end = Vector3::Zero();  ///< pull of one copy on what is there, N
+};
+
+/// What a rope does at a node between its ends.
+struct CheckContact {
+  int reeving = 0, node = 0;
+  double wrap = 0;                  ///< rad
+  bool lifts = false;               ///< it hangs free or pulls the wrong way
+  Vector3 place = Vector3::Zero();  ///< middle of the round, m
+  Vector3 force = Vector3::Zero();  ///< of one copy on it, N
+};
+
+/// One state of a machine as the checks of its parts see it: an equilibrium, or a moment of a calculated motion.
+struct CheckState {
+  const model::Model* model = nullptr;
+  std::vector<CheckBranch> branches;
+  std::vector<CheckContact> contacts;
+  const analysis::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
+  bool moves = false;
+  std::string words;     ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
+  std::string analysis;  ///< its name in the deck, or its kind
+};
+
+CheckState state_of(const model::Model& model, const analysis::EquilibriumResult& state, std::string words,
+                    std::string analysis);
+
+/// At an output step. A branch that is straight there has half of its weight hanging at each of its ends
+/// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
+CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
+                    std::string words, std::string analysis);
+
+/// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
+std::string gap_words(const std::string& what, const analysis::TerrainGap& gap);
+
+/// The name of an analysis by the ending of its tables: "_drop" is "drop"; "" and "_2" have no name of their own, but
+/// `kind`.
+std::string analysis_name(const std::string& ending, const char* kind);
+
+/// The same for people: "drop"; "load path", "load path 2".
+std::string analysis_words(const std::string& ending, const char* kind);
+
+}  // namespace taut::app

@@ -1,0 +1,22 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/catalogue/rope.hpp"
+#include "taut/checks/checks_deck.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/study/requests/machine_analyses.hpp"
+
+namespace taut::app {
+
+/// What a deck says of a machine and of its checks. The deck outlives it.
+struct CheckedDeck {
+  const model::Machine& machine;
+  const std::vector<AnalysisRequest>& analyses;
+  const std::optional<ChecksRequest>& checks;
+  const std::map<std::string, catalogue::RopeRow>& chosen;  ///< rows of the ropes that a design has put in
+};
+
+}  // namespace taut::app

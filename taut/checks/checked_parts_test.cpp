@@ -1,0 +1,154 @@
+#include "taut/checks/checked_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "test/paths.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::checked_parts_test {
+
+using taut_test::cell;
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::has_check;
+using taut_test::run_text;
+using taut_test::skyline_deck;
+using taut_test::table_of;
+
+constexpr const char* anchors_and_lines =
+    "checks:\n"
+    "  anchors: {stump: {strength: 300 kN}, tower: {strength: 300 kN}}\n"
+    "  lines: {skyline: {break_angles: true}}\n";
+
+// The envelope's own table says the same extremes, and where.
+TEST(CheckedParts, every_state_of_an_envelope) {
+  const Result r = run_text(skyline_deck("  - envelope: {carriage: car, from: 140 m, to: 220 m, steps: 4, loads: [0.5 "
+                                         "t, 2 t], motions: [in, out]}\n") +
+                            anchors_and_lines);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "envelope");
+  const auto largest = [&](const std::string& name, const std::string& what) {
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      if (taut_test::text_cell(t, i, "name") == name && taut_test::text_cell(t, i, "quantity") == what) {
+        return cell(t, i, "max");
+      }
+    }
+    return std::nan("");
+  };
+  const double pull = largest("skyline on stump", "resultant");
+  EXPECT_NEAR(check_of(r, "stump.anchor_strength").value * pull / 300e3, 1, 1e-9);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("envelope, "), std::string::npos);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("2000 kg"), std::string::npos);
+  const Table& angles = table_of(r, "envelope_angles");
+  double wrap = 0;
+  for (std::size_t i = 0; i < angles.rows.size(); ++i) {
+    if (taut_test::text_cell(angles, i, "name") == "skyline on jack1") wrap = cell(angles, i, "max");
+  }
+  EXPECT_GT(wrap, 0);
+  EXPECT_NEAR(check_of(r, "skyline.jack1.break_angle").value, wrap, 1e-9);
+}
+
+TEST(CheckedParts, a_cycle_is_a_load_case_and_a_sweep_is_none) {
+  const Result r = run_text(
+      skyline_deck("  - cycle: {carriage: car, from: 140 m, to: 220 m, steps: 4, phases: [{name: home, load: 2 t, "
+                   "motion: in}]}\n") +
+      anchors_and_lines);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NE(check_of(r, "stump.anchor_strength").rule.find("cycle, home, x = "), std::string::npos);
+}
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  ASSERT_NE(at, std::string::npos) << what;
+  text.replace(at, what.size(), by);
+}
+
+void expect_same_checks(const Result& a, const Result& b) {
+  ASSERT_EQ(a.status, Status::ok) << a.message << to_text(a.errors);
+  ASSERT_EQ(b.status, Status::ok) << b.message << to_text(b.errors);
+  ASSERT_EQ(a.checks.size(), b.checks.size());
+  for (const Check& one : a.checks) {
+    const Check& other = check_of(b, one.name);
+    EXPECT_NEAR(other.value, one.value, 1e-6 * std::max(1.0, std::abs(one.value))) << one.name;
+    EXPECT_NEAR(other.limit, one.limit, 1e-9 * std::abs(one.limit)) << one.name;
+  }
+}
+
+// Ends of the ropes swapped, the machine mirrored, entries in another order: the same checks.
+TEST(CheckedParts, the_same_machine_written_otherwise) {
+  const std::string checks =
+      "checks:\n"
+      "  ropes: {skyline: {field: skyline.ch}, mainline: {safety_factor: 3, dynamic_factor: 1.3}}\n"
+      "  anchors: {stump: {strength: 300 kN, uplift: 50 kN, angle: 30 deg, tree_diameter: 60 cm}, tower: {strength: "
+      "300 "
+      "kN}}\n"
+      "  lines: {skyline: {tail_tree: jack1, break_angles: true, end_masts: [jack2], clearance: true}}\n";
+  const std::string plain = skyline_deck(
+                                "  - envelope: {carriage: car, from: 130 m, to: 220 m, steps: 3, loads: [0 t, 2 "
+                                "t], motions: [in, out]}\n") +
+                            checks;
+  const Result original = run_text(plain);
+  std::string swapped = plain;
+  replace(swapped, "path: [{anchor: stump}, {over: jack1}, {through: car}, {over: jack2}, {anchor: tower}]",
+          "path: [{anchor: tower}, {over: jack2}, {through: car}, {over: jack1}, {anchor: stump}]");
+  replace(swapped, "path: [{drum: winch}, {anchor: car}]", "path: [{anchor: car}, {drum: winch}]");
+  expect_same_checks(original, run_text(swapped));
+  std::string mirrored = plain;
+  replace(mirrored, "tower: [360 m, 0 m, 124 m]", "tower: [-360 m, 0 m, 124 m]");
+  replace(mirrored, "jack1: {at: [110 m", "jack1: {at: [-110 m");
+  replace(mirrored, "jack2: {at: [240 m", "jack2: {at: [-240 m");
+  replace(mirrored, "winch: {at: [362 m", "winch: {at: [-362 m");
+  replace(mirrored, "{x: [0 m, 110 m, 170 m, 240 m, 360 m], z: [-4 m, 22 m, 34 m, 66 m, 106 m]}",
+          "{x: [-360 m, -240 m, -170 m, -110 m, 0 m], z: [106 m, 66 m, 34 m, 22 m, -4 m]}");
+  replace(mirrored, "from: 130 m, to: 220 m", "from: -13000 cm, to: -0.22 km");
+  replace(mirrored, "loads: [0 t, 2 t]", "loads: [2000 kg, 0 t]");
+  expect_same_checks(original, run_text(mirrored));
+}
+
+/// The yarder of the examples with its analyses in another block.
+std::string yarder(const std::string& analyses) {
+  const auto job = read_job((taut_test::source_dir() / "examples/design/yarder_mast.yaml").string());
+  EXPECT_TRUE(job.has_value());
+  std::string text = job->text;
+  const auto from = text.find("  - load_path:");
+  text.replace(from, text.find('\n', from) + 1 - from, analyses);
+  return text;
+}
+
+// The same states as an envelope, a load path or a cycle: the same mast.
+TEST(CheckedParts, a_mast_over_an_envelope_and_a_cycle) {
+  const std::string home = "{return: 1, traction: -1}";
+  const std::string path = "  - load_path: {name: inhaul, carriage: car, from: 170 m, to: 30 m, steps: 7, motion: ";
+  const auto expect_same = [&](const std::string& one, const std::string& other) {
+    const Result a = run_text(yarder(one)), b = run_text(yarder(other));
+    ASSERT_EQ(a.status, Status::ok) << a.message << to_text(a.errors);
+    ASSERT_EQ(b.status, Status::ok) << b.message << to_text(b.errors);
+    for (const char* name : {"mast.section", "mast.shear", "mast.allowable_stress", "guy1.guy_safety", "guy2.slackness",
+                             "stump1.anchor_strength", "mast.top_stiffness"}) {
+      EXPECT_NEAR(check_of(b, name).value / check_of(a, name).value, 1, 1e-6) << name << other;
+    }
+  };
+  expect_same(path + "in}\n",
+              "  - envelope: {name: inhaul, carriage: car, from: 30 m, to: 170 m, steps: 7, motions: [in]}\n");
+  expect_same(
+      path + home + "}\n",
+      "  - cycle: {name: inhaul, carriage: car, from: 170 m, to: 30 m, steps: 7, phases: [{name: home, load: 0 kg, "
+      "motion: " +
+          home + "}]}\n");
+}
+
+TEST(CheckedParts, the_plate_of_a_spar) {
+  const std::string path =
+      "  - load_path: {name: inhaul, carriage: car, from: 30 m, to: 100 m, steps: 1, motion: in}\n";
+  const Result r = run_text(yarder(path), {"checks.masts.mast.plate={guys: 3, guy_strength: 200 kN}"});
+  EXPECT_EQ(check_of(r, "mast.guys_by_plate").value, 2);
+  EXPECT_FALSE(check_of(r, "mast.guys_by_plate").passes);
+  EXPECT_TRUE(check_of(r, "mast.guy_strength_by_plate").passes);  // 0.356 x 18^2 x 1960 N = 226 kN
+  EXPECT_NEAR(check_of(r, "mast.guy_strength_by_plate").value, 226e3, 1e3);
+}
+
+}  // namespace taut::app::checked_parts_test

@@ -1,0 +1,96 @@
+#include "taut/checks/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "taut/calc/verdict.hpp"
+#include "taut/checks/checked_parts.hpp"
+
+namespace taut::app {
+namespace {
+
+/// The part that a check belongs to by its name, "skyline" of "skyline.T_max", where that is a part of the machine.
+std::string part_of(const std::string& name, const std::vector<std::string>& parts) {
+  std::string longest;
+  for (const std::string& part : parts) {
+    if (name.starts_with(part + ".") && part.size() > longest.size()) longest = part;
+  }
+  return longest;
+}
+
+std::vector<std::string> parts_of(const model::Model& model) {
+  std::vector<std::string> parts;
+  parts.reserve(model.reevings.size() + model.beams.size() + model.drums.size() + model.motors.size());
+  for (const model::Reeving& one : model.reevings) parts.push_back(one.name);
+  for (const model::Beam& one : model.beams) parts.push_back(one.name);
+  for (const model::Drum& one : model.drums) parts.push_back(one.name);
+  for (const model::Motor& one : model.motors) parts.push_back(one.name);
+  return parts;
+}
+
+/// Checks that the user answers for.
+void confirm(const std::vector<std::string>& confirmed, Result& r) {
+  for (const std::string& text : confirmed) {
+    bool met = false;
+    for (Check& c : r.checks) {
+      const bool named = c.rule.find(text) != std::string::npos || c.name.find(text) != std::string::npos;
+      met |= named;
+      if (named && is_unverified(c.trust)) c.trust = fmt::format("user: confirmed in the deck ('{}')", text);
+    }
+    if (!met) r.warnings.push_back(fmt::format("'confirmed': no check has '{}' in its name or rule", text));
+  }
+}
+
+/// A check on an unverified number has no limit that this deck accepts.
+void refuse_unverified(Result& r) {
+  for (Check& c : r.checks) {
+    if (!is_unverified(c.trust)) continue;
+    c.rule = fmt::format(
+        "refused ('refuse_unverified'), as it rests on an unverified number ({:.6g} {}): compare it with the source "
+        "named, then give it in the deck as your own or name the source under 'confirmed', or choose a rule that is "
+        "verified; {}",
+        c.limit, c.unit.symbol, c.rule);
+    c.limit = c.utilisation = std::numeric_limits<double>::quiet_NaN();
+    c.passes = false;
+    c.refused = true;
+  }
+}
+
+}  // namespace
+
+void finish_checks(const ChecksRequest& request, Result& r) {
+  confirm(request.confirmed, r);
+  if (request.refuse_unverified) refuse_unverified(r);
+  r.checks = grouped(std::move(r.checks));
+}
+
+std::vector<Complaint> check_complaints(const CheckedDeck& deck, const model::Model& model) {
+  std::vector<Complaint> complaints;
+  if (!deck.checks) return complaints;
+  complain_of_ropes(*deck.checks, deck, model, complaints);
+  complain_of_masts(deck.checks->masts, deck, model, complaints);
+  complain_of_guys(deck.checks->guys, deck, model, complaints);
+  complain_of_anchors(deck.checks->anchors, model, complaints);
+  complain_of_lines(deck.checks->lines, model, complaints);
+  return complaints;
+}
+
+void add_checks(const CheckedDeck& deck, const model::Model& model, const CheckedParts& seen, Result& r) {
+  if (deck.checks) {
+    add_rope_checks(*deck.checks, deck, model, seen.ropes.all(), r);
+    add_machine_masts(seen.masts, deck, model, r);
+    add_guy_checks(seen.guys, deck, model, r);
+    add_anchor_checks(seen.anchors, r);
+    add_line_checks(seen.lines, model, r);
+  }
+  const std::vector<std::string> parts = parts_of(model);
+  for (Check& c : r.checks) {
+    if (c.part.empty()) c.part = part_of(c.name, parts);
+  }
+  finish_checks(deck.checks.value_or(ChecksRequest{}), r);
+  seen.judge.add_scope(r);
+}
+
+}  // namespace taut::app

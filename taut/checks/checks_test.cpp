@@ -1,0 +1,67 @@
+#include "taut/checks/checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "taut/calc/verdict.hpp"
+#include "test/support/guyed_decks.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::checks_test {
+
+using taut_test::check_of;
+using taut_test::guyed;
+using taut_test::run_text;
+
+Result two_checks() {
+  Result r;
+  r.checks.push_back(
+      make_check("a.safety_factor", 5, Sense::at_least, 4, si::one, "by practice", "UNVERIFIED: recalled"));
+  r.checks.push_back(make_check("a.termination", 5, Sense::at_least, 4, si::one, "WAC", "verified"));
+  return r;
+}
+
+TEST(Checks, what_is_unverified_can_be_refused) {
+  ChecksRequest request;
+  request.refuse_unverified = true;
+  Result r = two_checks();
+  finish_checks(request, r);
+  EXPECT_FALSE(check_of(r, "a.safety_factor").passes);
+  EXPECT_TRUE(std::isnan(check_of(r, "a.safety_factor").limit));
+  EXPECT_NE(check_of(r, "a.safety_factor").rule.find("(4 1)"), std::string::npos);  // the number that was not accepted
+  EXPECT_TRUE(check_of(r, "a.termination").passes);
+  EXPECT_TRUE(check_of(r, "a.safety_factor").refused);
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unverified");
+}
+
+TEST(Checks, what_the_user_has_confirmed_rests_on_his_word) {
+  ChecksRequest request;
+  request.refuse_unverified = true;
+  request.confirmed = {"practice", "EN 1234"};
+  Result r = two_checks();
+  finish_checks(request, r);
+  EXPECT_TRUE(check_of(r, "a.safety_factor").passes);
+  EXPECT_EQ(check_of(r, "a.safety_factor").trust, "user: confirmed in the deck ('practice')");
+  EXPECT_EQ(check_of(r, "a.termination").trust, "verified");
+  EXPECT_TRUE(r.message.empty());
+  ASSERT_EQ(r.warnings.size(), 1U);
+  EXPECT_NE(r.warnings[0].find("EN 1234"), std::string::npos);
+}
+
+// From a deck: a mast by EN 1993-1-1, of which class limits and curves are as recalled.
+TEST(Checks, refused_and_confirmed_in_a_deck) {
+  const std::string masts = "  refuse_unverified: true\n  masts: {mast: {load_factor: 1.35}}\n";
+  const Result refused = run_text(guyed(masts));
+  EXPECT_EQ(exit_code(refused), 4);
+  EXPECT_FALSE(check_of(refused, "mast.buckling").passes);
+  EXPECT_EQ(verdict_of(refused)->verdict_class, "unverified");
+  EXPECT_NE(verdict_of(refused)->reason.find("'confirmed'"), std::string::npos);
+  const Result confirmed = run_text(guyed("  confirmed: [EN 1993-1-1]\n" + masts));
+  EXPECT_EQ(exit_code(confirmed), 0) << confirmed.message;
+  EXPECT_TRUE(check_of(confirmed, "mast.buckling").passes);
+}
+
+}  // namespace taut::app::checks_test

@@ -1,0 +1,98 @@
+#include "taut/checks/drive_uses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/index.hpp"
+#include "taut/solve/drives.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Of the way of a rim: below, a rope creeps on it as in every start, above it slips.
+constexpr double least_slip = 0.01;
+
+/// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
+/// A signal is no limit: it changes.
+bool is_limit(const model::Model& m, const model::Reeving& r) {
+  const int motor = r.nodes.front().motor;
+  if (motor < 0 || !m.motors[at(motor)].drive.signal.name.empty()) return false;
+  const bool open = std::any_of(r.nodes.begin(), r.nodes.end(),
+                                [](const model::Node& n) { return n.kind == model::NodeKind::load && n.load.open; });
+  return r.closed && r.given == model::Given::length && r.nodes.front().tension_drop && !open;
+}
+
+void check_drive(const model::Model& m, const analysis::DriveResult& d, std::vector<Check>& made) {
+  const model::Node& own = m.reevings[at(d.reeving)].nodes[at(d.node)];
+  if (std::isfinite(own.law.friction)) {
+    made.push_back(make_check(own.name + ".grip", d.ratio, Sense::at_most, d.limit, si::one,
+                              d.centrifugal > 0
+                                  ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
+                                  : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
+                              "derived"));
+  }
+  if (!is_limit(m, m.reevings[at(d.reeving)])) return;
+  const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[at(d.reeving)].copies;
+  made.push_back(make_check(own.name + ".torque", std::abs(d.torque), Sense::at_most, most, si::N_m,
+                            "the motor's torque", "user"));
+}
+
+void check_drum(const model::Model& m, const analysis::DrumResult& d, std::vector<Check>& made) {
+  const model::Drum& drum = m.drums[at(d.drum)];
+  const std::string& name = drum.name;
+  if (drum.drive.kind == model::DriveKind::torque && drum.drive.signal.name.empty()) {
+    const double most = model::at(drum.drive.signal, 0).value;
+    // the rope's tension follows from it, or it is a limit
+    if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
+      made.push_back(
+          make_check(name + ".torque", d.torque, Sense::at_most, most, si::N_m, "the drum's torque", "user"));
+    }
+  }
+  if (d.length && d.capacity) {
+    made.push_back(make_check(name + ".capacity", *d.length, Sense::at_most, *d.capacity, si::m,
+                              "rope that the drum takes within its flanges", "derived"));
+  }
+  if (d.length && *d.length < 0) {
+    made.push_back(
+        make_check(name + ".length_on_drum", *d.length, Sense::at_least, 0, si::m, "rope left on the drum", "derived"));
+  }
+}
+
+}  // namespace
+
+void DriveUses::take(const model::Model& m, const analysis::EquilibriumResult& state, const std::string& words) {
+  std::vector<Check> made;
+  for (const auto& d : analysis::drives(m, state)) check_drive(m, d, made);
+  for (const auto& d : analysis::drums(m, state)) check_drum(m, d, made);
+  for (Check& check : made) {
+    check.where = words;
+    const auto known = worst_.find(check.name);
+    if (known == worst_.end()) {
+      worst_.emplace(check.name, std::move(check));
+    } else if (check.utilisation > known->second.utilisation) {
+      known->second = std::move(check);
+    }
+  }
+}
+
+void DriveUses::take(const model::Model& m, const analysis::TransientFrame& first,
+                     const std::vector<TransientRecord::Slip>& slips, const std::string& words) {
+  for (std::size_t c = 0; c < slips.size(); ++c) {
+    const model::Node& node = m.reevings[at(first.contacts[c].reeving)].nodes[at(first.contacts[c].node)];
+    const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
+    if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
+    slips_[node.name] = {share, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
+                                            node.name, 100 * share)};
+  }
+}
+
+void DriveUses::add_checks(Result& r) const {
+  for (const auto& [name, check] : worst_) r.checks.push_back(check);
+  for (const auto& [name, slip] : slips_) {
+    if (slip.share > 0) warn_unsafe(r, slip.words);
+  }
+}
+
+}  // namespace taut::app

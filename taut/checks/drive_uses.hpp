@@ -1,0 +1,34 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "taut/calc/result.hpp"
+#include "taut/solve/equilibrium.hpp"
+#include "taut/study/transient_record.hpp"
+
+namespace taut::app {
+
+/// What the driven sheaves and drums of a machine have to bear, over all states that are shown to it: whether friction
+/// holds the rope, whether a motor's torque is enough where it is a limit, whether the drum takes its rope.
+/// docs/theory/drives.md.
+class DriveUses {
+ public:
+  /// `words`: which state it is, "sweep, drive.friction = 0.2".
+  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  /// Of a motion: how far the rope slips on each contact. `first`: its first frame.
+  void take(const model::Model& model, const analysis::TransientFrame& first,
+            const std::vector<TransientRecord::Slip>& slips, const std::string& words);
+
+  /// Each check at its worst; a rope that slips in a motion is an unsafe warning.
+  void add_checks(Result& r) const;
+
+ private:
+  std::map<std::string, Check> worst_;
+  struct Slip {
+    double share = 0;  ///< of the way of the rim
+    std::string words;
+  };
+  std::map<std::string, Slip> slips_;  // the largest of each sheave
+};
+
+}  // namespace taut::app

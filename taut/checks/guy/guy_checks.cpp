@@ -1,0 +1,195 @@
+#include "taut/checks/guy/guy_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/rule.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* by_recalled_gamma = "UNVERIFIED: gamma_Mg = 2.0 of EN 1993-3-1 as recalled";
+constexpr double least_tension = 1;  // N, of a rope without weight
+constexpr const char* by_recalled_window = "UNVERIFIED: 8 to 15 % as recalled";
+
+/// The machine's guys that a name means: one, or all of a rope.
+std::vector<std::string> guys_named(const std::string& name, const CheckedDeck& deck) {
+  std::vector<std::string> own, of_rope;
+  for (const auto& guy : deck.machine.guys) {
+    if (guy.name == name) own.push_back(guy.name);
+    if (guy.rope == name) of_rope.push_back(guy.name);
+  }
+  return own.empty() ? of_rope : own;
+}
+
+const model::Reeving* reeving_named(const model::Model& model, const std::string& name) {
+  const auto found =
+      std::find_if(model.reevings.begin(), model.reevings.end(), [&](const auto& one) { return one.name == name; });
+  return found == model.reevings.end() ? nullptr : &*found;
+}
+
+/// The tension of a rope that is just as long as its chord, by the parabola: (EA (w c cos theta)^2/24)^(1/3), N. Below
+/// it the rope only carries itself.
+double slack_tension(const model::Reeving& rope, const CheckBranch& branch) {
+  const Vector3 chord = branch.end - branch.start;
+  const double across = rope.weight * std::hypot(chord.x(), chord.y());
+  const double T = std::isfinite(rope.stiffness) ? std::cbrt(rope.stiffness * across * across / 24) : HUGE_VAL;
+  return std::max(T, least_tension);
+}
+
+void take_least(double T, double T_slack, const std::string& words, GuyStates& guy) {
+  if (T / T_slack >= guy.reserve) return;
+  guy.reserve = T / T_slack;
+  guy.T_least = T;
+  guy.T_slack = T_slack;
+  guy.where_least = words;
+}
+
+void check_safety(const GuyStates& guy, const std::string& name, double strength, Result& r) {
+  const GuyCheckRequest& request = *guy.request;
+  RuleLimit limit{2, "partial factor of guys, EN 1993-3-1", by_recalled_gamma};
+  if (request.rule) limit = rule_limit(*request.rule, true);
+  if (request.safety_factor) limit = {*request.safety_factor, "the deck's own", "user"};
+  add_part_check(name, "guy_safety", strength / guy.T_max, Sense::at_least, limit.value, si::one,
+                 fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}", strength / 1e3,
+                             guy.T_max / 1e3, guy.where_max, limit.words),
+                 limit.trust, r);
+}
+
+void check_pretension(const GuyCheckRequest& request, const std::string& name, double tension, double strength,
+                      Result& r) {
+  const bool own = request.pretension.size() == 2;
+  const double low = own ? request.pretension[0] : 0.08, high = own ? request.pretension[1] : 0.15;
+  const std::string words = fmt::format("tension as put up, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}",
+                                        tension / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
+  const std::string trust = own ? "user" : by_recalled_window;
+  add_part_check(name, "pretension_min", tension / strength, Sense::at_least, low, si::one, words, trust, r);
+  add_part_check(name, "pretension_max", tension / strength, Sense::at_most, high, si::one, words, trust, r);
+}
+
+}  // namespace
+
+RuleLimit rule_limit(const std::string& id, bool high_end) {
+  const auto row = catalogue::find_rule(id);
+  if (!row || !row->low || !row->high) return {std::nan(""), "there is no such rule", "UNVERIFIED: no such rule"};
+  RuleLimit limit{high_end ? *row->high : *row->low,
+                  fmt::format("{}: {} ({})", row->item, row->text.empty() ? row->id : row->text, row->source),
+                  row->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row->trust_text)
+                                                             : std::string(to_text(row->trust))};
+  if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
+  return limit;
+}
+
+std::string with_factor(const std::string& words, double factor) {
+  return factor == 1 ? words : fmt::format("{}, times {:.4g}", words, factor);
+}
+
+void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
+                    const Unit& unit, std::string rule, std::string trust, Result& r) {
+  Check c = make_check(fmt::format("{}.{}", part, name), value, sense, limit, unit, std::move(rule), std::move(trust));
+  c.part = part;
+  r.checks.push_back(std::move(c));
+}
+
+void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const model::Model& model,
+                      std::vector<Complaint>& complaints) {
+  for (const GuyCheckRequest& one : guys) {
+    const std::string path = fmt::format("checks.guys.{}", one.name);
+    const std::vector<std::string> names = guys_named(one.name, deck);
+    if (names.empty()) {
+      std::vector<std::string> known;
+      known.reserve(deck.machine.guys.size());
+      for (const auto& guy : deck.machine.guys) known.push_back(guy.name);
+      complaints.push_back({path, fmt::format("there is no guy, and no guy of a rope, '{}'{}", one.name,
+                                              did_you_mean(one.name, known))});
+      continue;
+    }
+    if (one.safety_factor && one.rule) complaints.push_back({path + ".rule", "either 'safety_factor' or 'rule'"});
+    if (one.rule) {
+      const auto row = catalogue::find_rule(*one.rule);
+      if (!row) {
+        complaints.push_back({path + ".rule", catalogue::to_text(row.error())});
+      } else if (!row->low || !row->id.starts_with("safety.")) {
+        complaints.push_back({path + ".rule", fmt::format("'{}' is no safety factor with a number", row->id)});
+      }
+    }
+    if (!one.pretension.empty() && (one.pretension.size() != 2 || one.pretension[0] >= one.pretension[1])) {
+      complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
+    }
+    for (const std::string& name : names) {
+      const model::Reeving* rope = reeving_named(model, name);
+      if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
+      complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
+    }
+  }
+}
+
+std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
+                                  const model::Model& model) {
+  std::vector<GuyStates> all;
+  for (const GuyCheckRequest& one : guys) {
+    for (const std::string& name : guys_named(one.name, deck)) {
+      GuyStates& guy = all.emplace_back();
+      guy.request = &one;
+      guy.reeving = static_cast<int>(reeving_named(model, name) - model.reevings.data());
+    }
+  }
+  return all;
+}
+
+void take(const CheckState& state, GuyStates& guy) {
+  const double factor = guy.request->dynamic_factor;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != guy.reeving) continue;
+    if (b.T * factor > guy.T_max) {
+      guy.T_max = b.T * factor;
+      guy.where_max = with_factor(state.words, factor);
+    }
+    take_least(b.mean, slack_tension(state.model->reevings[at(guy.reeving)], b), state.words, guy);
+  }
+}
+
+void take_motion(const CheckState& begins, const analysis::TransientResult& motion, const std::string& words,
+                 GuyStates& guy) {
+  const analysis::Extreme& T = motion.ropes[at(guy.reeving)].T;
+  if (T.max > guy.T_max) {
+    guy.T_max = T.max;
+    guy.where_max = fmt::format("{}, t = {:.4g} s", words, T.t_max);
+  }
+  for (const CheckBranch& b : begins.branches) {
+    if (b.reeving != guy.reeving) continue;
+    take_least(T.min, slack_tension(begins.model->reevings[at(guy.reeving)], b),
+               fmt::format("{}, t = {:.4g} s", words, T.t_min), guy);
+  }
+}
+
+void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const model::Model& model, Result& r) {
+  for (const GuyStates& one : guys) {
+    const model::Reeving& rope = model.reevings[at(one.reeving)];
+    const double strength = one.request->breaking_force.value_or(rope.breaking_force);
+    if (one.T_max > 0) {
+      check_safety(one, rope.name, strength, r);
+    } else {
+      r.unmade.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
+      r.warnings.push_back(r.unmade.back());
+    }
+    if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
+      add_part_check(rope.name, "slackness", one.T_least, Sense::at_least, one.T_slack, si::N,
+                     fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
+                                 "slack and holds nothing ({})",
+                                 one.where_least),
+                     "derived", r);
+    }
+    const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
+                                  [&](const auto& g) { return g.name == rope.name; });
+    if (one.request->check_pretension && guy->install) {
+      check_pretension(*one.request, rope.name, guy->install->tension, strength, r);
+    }
+  }
+}
+
+}  // namespace taut::app

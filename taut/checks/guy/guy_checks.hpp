@@ -1,0 +1,102 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+#include "taut/checks/check_state.hpp"
+#include "taut/checks/checked_deck.hpp"
+#include "taut/checks/guy/guy_checks_deck.hpp"
+#include "taut/study/rope_clearance.hpp"
+
+/// `checks: guys:`, `anchors:`, `lines:` of a machine.
+namespace taut::app {
+
+/// A guy over all states that were shown. Tensions at rest times the dynamic factor, those of motions as they are.
+struct GuyStates {
+  const GuyCheckRequest* request = nullptr;
+  int reeving = 0;
+  double T_max = 0;                 ///< N
+  std::string where_max;            ///< "at rest, times 1.2"
+  double reserve = HUGE_VAL;        ///< least of mean tension over that of a slack guy
+  double T_least = 0, T_slack = 0;  ///< there, N
+  std::string where_least;
+};
+std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
+                                  const model::Model& model);
+void take(const CheckState& state, GuyStates& guy);
+/// Of a whole motion, at all its steps; `begins`: its first output step.
+void take_motion(const CheckState& begins, const analysis::TransientResult& motion, const std::string& words,
+                 GuyStates& guy);
+
+/// A place at which ropes end, over all states that were shown. As above.
+struct AnchorStates {
+  const AnchorCheckRequest* request = nullptr;
+  double force = 0, uplift = -HUGE_VAL, angle = -HUGE_VAL;  ///< N, N, rad
+  Vector3 pull = Vector3::Zero();                           ///< where the force is largest, without a factor, N
+  double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
+  std::string where, where_uplift, where_angle;
+  double strongest_rope = 0;  ///< N, all copies
+  bool strength_unknown = false;
+  double thickest_rope = 0;  ///< m; 0: not known
+};
+std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors);
+void take(const CheckState& state, AnchorStates& anchor);
+
+/// One value over all states.
+struct LineExtreme {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::string where;
+  void largest(double x, const std::string& words) {
+    if (!(x <= value)) *this = {x, words};
+  }
+  void least(double x, const std::string& words) {
+    if (!(x >= value)) *this = {x, words};
+  }
+};
+
+/// A line over its supports, over all states that were shown.
+struct LineStates {
+  const LineCheckRequest* request = nullptr;
+  int reeving = 0;
+  LineExtreme tail_angle, off_line;  ///< rad
+  LineExtreme clearance;             ///< over the ground, at rest, m
+  analysis::TerrainGap gap;          ///< of the line in plan, the largest over all states
+  struct Bend {
+    std::string support;
+    LineExtreme most, least;  ///< rad; negative: lifted by so much
+  };
+  std::vector<Bend> bends;
+};
+std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const model::Model& model);
+void take(const CheckState& state, LineStates& line);
+
+void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const model::Model& model,
+                      std::vector<Complaint>& complaints);
+void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const model::Model& model, Result& r);
+
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const model::Model& model,
+                         std::vector<Complaint>& complaints);
+void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r);
+
+void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::Model& model,
+                       std::vector<Complaint>& complaints);
+void add_line_checks(const std::vector<LineStates>& lines, const model::Model& model, Result& r);
+
+/// A limit of the catalogue's rules with its words and trust.
+struct RuleLimit {
+  double value = 0;
+  std::string words, trust;
+};
+/// `safe_end`: of a range the high end (what must be reached) or the low one.
+RuleLimit rule_limit(const std::string& id, bool high_end);
+
+/// "load path, in, x = 40 m, times 1.2": of a state at rest with the dynamic factor that its forces are raised by.
+std::string with_factor(const std::string& words, double factor);
+
+/// A check that belongs to a part.
+void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
+                    const Unit& unit, std::string rule, std::string trust, Result& r);
+
+}  // namespace taut::app

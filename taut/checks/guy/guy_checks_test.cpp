@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "test/support/guyed_decks.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::guy_checks_test {
+
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::guyed;
+using taut_test::run_text;
+using taut_test::value_of;
+
+TEST(GuyChecks, AllGuysOfARope) {
+  const Result r = run_text(guyed("  guys: {guy: {dynamic_factor: 1.2, pretension: [0.05, 0.09]}}\n"));
+  for (const std::string g : {"g1", "g2", "g3", "g4"}) {
+    const double T = value_of(r, g + ".T_max");
+    EXPECT_NEAR(check_of(r, g + ".guy_safety").value, 200e3 / (1.2 * T), 1e-9 * 200e3 / T);
+    EXPECT_NEAR(check_of(r, g + ".pretension_min").value, 0.1, 1e-12);
+    EXPECT_TRUE(check_of(r, g + ".pretension_min").passes);
+    EXPECT_FALSE(check_of(r, g + ".pretension_max").passes);
+    EXPECT_TRUE(check_of(r, g + ".slackness").passes);
+  }
+  EXPECT_NE(check_of(r, "g1.guy_safety").trust.find("UNVERIFIED"), std::string::npos);
+  const Result own = run_text(guyed("  guys: {g1: {safety_factor: 3}}\n"));
+  EXPECT_EQ(check_of(own, "g1.guy_safety").trust, "user");
+  const Result ruled = run_text(guyed("  guys: {g1: {rule: safety.guyline.ch_at}}\n"));
+  EXPECT_NEAR(check_of(ruled, "g1.guy_safety").limit, 3, 1e-12);
+}
+
+TEST(GuyChecks, SlackGuyIsTold) {
+  const Result r = run_text(guyed("  guys: {guy: {}}\n", "[90 kN, 0 N, -20 kN]"));
+  EXPECT_FALSE(check_of(r, "g3.slackness").passes);
+  EXPECT_TRUE(check_of(r, "g1.slackness").passes);
+  // pulled the other way, the others
+  const Result s = run_text(guyed("  guys: {guy: {}}\n", "[-90 kN, 0 N, -20 kN]"));
+  EXPECT_FALSE(check_of(s, "g1.slackness").passes);
+  EXPECT_TRUE(check_of(s, "g3.slackness").passes);
+}
+
+TEST(GuyChecks, StiffTopAgainstEuler) {
+  const Result r = run_text(guyed("  masts: {mast: {top_criterion: 3}}\n", "[1 N, 0 N, -1 N]"));
+  const auto& c = check_of(r, "mast.top_stiffness");
+  const double I = std::numbers::pi / 64 * (std::pow(0.2191, 4) - std::pow(0.2031, 4));
+  const double N_cr = std::pow(std::numbers::pi / 12, 2) * 210e9 * I;
+  EXPECT_NEAR(c.limit / (3 * N_cr / 12), 1, 1e-5);
+  // four guys, 18 m long: along y 4 (EA/L) (6/18)^2 and the tension's part (T/L) (1 - (6/18)^2); sag takes little
+  const double L = 18, k = 4 * (15e6 / L / 9 + 20e3 / L * 8 / 9);
+  EXPECT_NEAR(c.value / k, 1, 0.02);
+}
+
+// As if nothing held: the tension of a guy in a motion counts as it is, at rest times its factor.
+TEST(GuyChecks, PeakOfAMotionCounts) {
+  const std::string deck = R"(taut: 1
+machine:
+  ropes: {guy: {mass: 0.1 kg/m, stiffness: 1 MN, breaking_force: 100 kN}}
+  points: {top: [0 m, 0 m, 0 m], eye: {body: load, at: [0 m, 0 m, 0 m]}}
+  bodies: {load: {mass: 500 kg, at: [0 m, 0 m, -10 m], free: [x, z]}}
+  guys: {g: {rope: guy, from: top, to: eye, length: 10 m}}
+analyses:
+  - transient: {name: drop, duration: 0.5 s, output_step: 1 ms, start: assembled, damping_ratio: 0, rope_mass: false}
+checks:
+  guys: {g: {safety_factor: 5, dynamic_factor: 1.5}}
+  anchors: {top: {strength: 50 kN, dynamic_factor: 1.5}}
+)";
+  const Result r = run_text(deck);
+  const double W = 500 * 9.80665;  // let go at its natural length: twice the weight
+  EXPECT_NEAR(check_of(r, "g.guy_safety").value * 2 * W / 100e3, 1, 2e-3);
+  EXPECT_NE(check_of(r, "g.guy_safety").rule.find("drop, t = "), std::string::npos);
+  EXPECT_NEAR(check_of(r, "top.anchor_strength").value * 2 * W / 50e3, 1, 2e-3);
+  EXPECT_FALSE(check_of(r, "g.slackness").passes);  // it begins without tension
+  std::string with_rest = deck;
+  with_rest.insert(with_rest.find("  - transient"), "  - equilibrium: {}\n");
+  const Result both = run_text(with_rest);  // 1.5 W is less
+  EXPECT_NEAR(check_of(both, "g.guy_safety").value, check_of(r, "g.guy_safety").value, 1e-9);
+  const Result rest = run_text(with_rest, {"checks.guys.g.dynamic_factor=3"});
+  EXPECT_NEAR(check_of(rest, "g.guy_safety").value * 3 * W / 100e3, 1, 2e-2);  // 3 (W + weight of the rope)
+}
+
+TEST(GuyChecks, MistakesHaveTheirPlace) {
+  expect_mistake(run_text(guyed("  guys: {g9: {}}\n")), "no guy");
+  expect_mistake(run_text(guyed("  guys: {g1: {pretension: [0.2, 0.1]}}\n")), "[0.08, 0.15]");
+  expect_mistake(run_text(guyed("  guys: {g1: {rule: layout.tail_tree_angle}}\n")), "no safety factor");
+}
+
+}  // namespace taut::app::guy_checks_test

@@ -1,0 +1,432 @@
+#include "taut/checks/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/calc/none.hpp"
+#include "taut/checks/rope/rope_uses.hpp"
+#include "taut/math/index.hpp"
+#include "taut/study/load_path.hpp"
+#include "taut/study/rope_clearance.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
+constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
+constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
+
+using analysis::ContactState;
+
+/// "skyline between head and car".
+std::string between(const model::Model& m, const analysis::SpanResult& span) {
+  const model::Reeving& rope = m.reevings[at(span.reeving)];
+  return fmt::format("{} between {} and {}", rope.name, rope.nodes[at(span.from)].name, rope.nodes[at(span.to)].name);
+}
+
+/// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
+std::string too_short(const model::Model& m, const analysis::EquilibriumResult& e, std::size_t reeving) {
+  if (m.reevings[reeving].closed) return {};
+  const auto own = [&](const auto& s) { return at(s.reeving) == reeving; };
+  const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
+  const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
+  if (first == e.spans.end()) return {};
+  const double apart = (last->end - first->start).norm();
+  const double length = e.ropes[reeving].unstretched;
+  if (length >= apart) return {};
+  return fmt::format("; the rope is {:.6g} m long and its ends are {:.6g} m apart", length, apart);
+}
+
+/// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
+std::string beside_its_span(const model::Model& m, const analysis::EquilibriumResult& e, const model::Carriage& car) {
+  const auto& nodes = m.reevings[at(car.reeving)].nodes;
+  const auto n = static_cast<std::size_t>(car.node);
+  const std::size_t after = n + static_cast<std::size_t>(car.rollers);
+  if (n == 0 || after >= nodes.size()) return {};
+  const Vector3 before = model::in_ground(e.state, nodes[n - 1].at);
+  Vector3 way = model::in_ground(e.state, nodes[after].at) - before;
+  way.z() = 0;
+  const Vector3& place = e.state.bodies[at(car.body)].position;
+  const double passed = (place - before).dot(way);
+  if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
+  return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
+                     car.name, place.x(), nodes[n - 1].name, nodes[after].name);
+}
+
+/// Angle by which a body is turned from where the deck has it, rad.
+double turned_by(const model::Model& m, const analysis::EquilibriumResult& e, std::size_t body) {
+  const double trace = (e.state.bodies[body].orientation * m.bodies[body].orientation.transpose()).trace();
+  return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
+}
+
+/// "sheaves a, b" of the names; nothing of none.
+std::string listed(const char* kind, const std::vector<std::string>& names) {
+  return names.empty() ? std::string{} : fmt::format("{} {}", kind, fmt::join(names, ", "));
+}
+
+template <class Things>
+std::vector<std::string> names_of_all(const Things& things) {
+  std::vector<std::string> names;
+  names.reserve(things.size());
+  for (const auto& one : things) names.push_back(one.name);
+  return names;
+}
+
+}  // namespace
+
+void WorstOf::take(double x, const std::string& words, bool least) {
+  if (std::isnan(x) || (!std::isnan(value) && (least ? x >= value : x <= value))) return;
+  value = x;
+  when = words;
+}
+
+Judge::Judge(const CheckedDeck& deck, const model::Model& model)
+    : deck_(std::make_shared<const CheckedDeck>(deck)), model_(&model), beams_(model.beams.size()) {}
+
+void Judge::warn(const std::string& once, const std::string& text, bool unsafe) {
+  if (known_.insert(once).second) warned_.push_back({text, unsafe});
+}
+
+void Judge::take_height(const std::string& part, const std::string& words, double height, double x,
+                        const std::string& where, std::map<std::string, Height>& all) {
+  if (std::isnan(height)) return;
+  Height& worst = all[part];
+  if (height < worst.value) worst = {height, x, words, where};
+}
+
+void Judge::take_heights(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  if (m.terrain.empty()) return;
+  for (const model::Carriage& car : m.carriages) {
+    const Vector3& p = e.state.bodies[at(car.body)].position;
+    const double x = terrain_x(m, p);
+    take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x, words, carriages_);
+  }
+  for (const analysis::SpanResult& span : e.spans) {
+    const analysis::RopeClearance own = analysis::rope_clearance(m, span);
+    const std::string& rope = m.reevings[at(span.reeving)].name;
+    take_height(rope, between(m, span), own.height, terrain_x(m, own.place), words, rope_heights_);
+  }
+}
+
+void Judge::take_beams(const analysis::EquilibriumResult& e, const std::string& words) {
+  for (std::size_t i = 0; i < std::min(e.beams.size(), beams_.size()); ++i) {
+    const analysis::BeamResult& b = e.beams[i];
+    BeamWorst& worst = beams_[i];
+    const bool buckles = std::isfinite(b.critical_factor);
+    worst.M.take(b.points[b.most_bent].M, words);
+    worst.N.take(std::abs(b.points[b.most_pressed].N), words);
+    worst.stress.take(b.points[b.most_stressed].stress, words);
+    worst.top_displacement.take(b.top_displacement, words);
+    worst.N_cr.take(buckles && b.compression > 0 ? b.critical_factor * b.compression : none, words, true);
+    worst.alpha_cr.take(buckles ? b.critical_factor : none, words, true);
+  }
+}
+
+void Judge::take_contacts(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  for (const analysis::ContactResult& c : e.contacts) {
+    const model::Node& node = m.reevings[at(c.reeving)].nodes[at(c.node)];
+    if (c.state == ContactState::lifted) {
+      warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
+    }
+    if (c.state != ContactState::pulled) continue;
+    if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
+      warn(
+          node.name + " pulled",
+          fmt::format("{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other "
+                      "'side', or none",
+                      words, node.name, c.force.norm() / 1e3),
+          true);
+      continue;
+    }
+    warn(node.name + " pulled",
+         node.at.body != model::ground
+             ? fmt::format("{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the "
+                           "carriage more, hang the load lower or between the rollers, or slacken the rope",
+                           words, node.name, c.force.norm() / 1e3)
+             : fmt::format("{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support higher, "
+                           "slacken the rope, or say 'uplift: hold' where a guard holds it",
+                           words, node.name, c.force.z() / 1e3),
+         true);
+  }
+}
+
+bool Judge::may_slack(const std::string& reeving) const {
+  return std::any_of(deck_->machine.reevings.begin(), deck_->machine.reevings.end(),
+                     [&](const auto& one) { return one.may_slack && one.name.value_or(one.rope) == reeving; });
+}
+
+void Judge::take_slack(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  for (const analysis::SpanResult& s : e.spans) {
+    if (!s.slack) continue;
+    const std::string name = between(m, s);
+    warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[at(s.reeving)].name));
+  }
+}
+
+void Judge::take_places(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    // A tower whose guys do not hold it lies down, which is an equilibrium too.
+    if (m.bodies[b].beam >= 0) continue;
+    const double angle = turned_by(m, e, b);
+    if (angle <= fallen_angle) continue;
+    warn(m.bodies[b].name + " fallen",
+         fmt::format("{}: '{}' comes to rest turned by {:.3g} deg from where the deck has it: it falls over, or begins "
+                     "far from its place; hold it by more ropes, or put it where it is meant to stand",
+                     words, m.bodies[b].name, angle * 180 / std::numbers::pi),
+         true);
+  }
+  for (const model::Carriage& car : m.carriages) {
+    const std::string where = beside_its_span(m, e, car);
+    if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
+  }
+}
+
+void Judge::take_ropes(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  shown_ = true;
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);
+    if (worst.where_of_share == words) worst.where_of_share += too_short(m, e, i);
+  }
+}
+
+Judge::RopeWorst& Judge::take_tension(const model::Reeving& rope, double T, const std::string& words) {
+  RopeWorst& worst = ropes_[rope.name];
+  if (!worst.seen || T > worst.T) {
+    worst.T = T;
+    worst.where = words;
+  }
+  worst.seen = true;
+  worst.carries |= T > 0;
+  if (rope.breaking_force <= 0) return worst;
+  if (worst.breaking_force > 0 && T * worst.breaking_force <= worst.T_of_share * rope.breaking_force) return worst;
+  worst.breaking_force = rope.breaking_force;
+  worst.T_of_share = T;
+  worst.where_of_share = words;
+  return worst;
+}
+
+void Judge::take_rest(const model::Model& m, const analysis::TransientResult& still, const std::string& words) {
+  shown_ = true;
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i], still.ropes[i].T.max, words);
+}
+
+void Judge::take(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+  take_ropes(m, e, words);
+  take_heights(m, e, words);
+  take_beams(e, words);
+  take_contacts(m, e, words);
+  take_slack(m, e, words);
+  take_places(m, e, words);
+}
+
+void Judge::take(const model::Model& m, const analysis::TransientResult& motion, const std::string& words) {
+  double broken = std::numeric_limits<double>::infinity();
+  for (const analysis::TransientEvent& event : motion.events) {
+    if (event.what != "break" || event.t >= broken) continue;
+    broken = event.t;
+    preface_ = fmt::format("The deck breaks {} at {:.4g} s", event.where, event.t);
+  }
+  for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
+    if (motion.ropes[i].T.max > 0) ropes_[m.reevings[i].name].carries = true;
+  }
+  // Before the machine has broken nothing is thrown about: a rope that goes slack, or leaves its support, is news.
+  for (const analysis::TransientEvent& event : motion.events) {
+    const bool slack = event.what == "slack";
+    if ((!slack && event.what != "lift_off") || event.t >= broken) continue;
+    const std::string rope = event.where.substr(0, event.where.find(' '));
+    if (slack && may_slack(rope)) continue;
+    warn(event.what + " " + event.where,
+         fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
+         true);
+  }
+}
+
+void Judge::take_moment(const model::Model& m, const analysis::TransientResult& so_far, const std::string& words) {
+  if (m.terrain.empty()) return;
+  if (so_far.frames.size() == 1) {
+    events_seen_ = 0;
+    broken_ = false;
+  }
+  for (; events_seen_ < so_far.events.size(); ++events_seen_) {
+    broken_ = broken_ || so_far.events[events_seen_].what == "break";
+  }
+  if (broken_) return;
+  const analysis::TransientFrame& frame = so_far.frames.back();
+  for (const model::Carriage& car : m.carriages) {
+    const Vector3& p = frame.bodies[at(car.body)].position;
+    const double x = terrain_x(m, p);
+    take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x,
+                fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
+  }
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
+  for (std::size_t i = 0; i < frame.branches.size();) {
+    // a rope in segments has several pieces between two nodes
+    const analysis::TransientFrame::Branch& first = frame.branches[i];
+    const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
+    std::vector<Vector3> places = {first.start};
+    for (; i < frame.branches.size(); ++i) {
+      const analysis::TransientFrame::Branch& piece = frame.branches[i];
+      if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
+      places.insert(places.end(), piece.curve.begin(), piece.curve.end());
+      places.push_back(piece.end);
+    }
+    if (!bears) continue;
+    const model::Reeving& rope = m.reevings[at(first.reeving)];
+    const auto moves = [&](int node) { return rope.nodes[at(node)].at.body != model::ground; };
+    const analysis::RopeClearance own = analysis::rope_clearance(m, places, moves(first.from), moves(first.to));
+    const std::string part =
+        fmt::format("{} between {} and {}", rope.name, rope.nodes[at(first.from)].name, rope.nodes[at(first.to)].name);
+    take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
+  }
+}
+
+std::string Judge::strength_trust(std::size_t reeving) const {
+  const std::string& name = rope_name_of(deck_->machine, reeving);
+  if (deck_->chosen.find(name) == deck_->chosen.end()) {
+    for (const auto& one : deck_->machine.ropes) {
+      if (one.name == name && one.breaking_force) return "user";
+    }
+  }
+  const catalogue::RopeRow row = row_in(*deck_, name);
+  if (row.trust != catalogue::Trust::unverified) return std::string(to_text(row.trust));
+  return row.trust_text.empty() ? "UNVERIFIED: breaking force of the rope" : "UNVERIFIED: " + row.trust_text;
+}
+
+std::vector<std::string> Judge::strength_trusts() const {
+  std::vector<std::string> all;
+  all.reserve(model_->reevings.size());
+  for (std::size_t i = 0; i < model_->reevings.size(); ++i) all.push_back(strength_trust(i));
+  return all;
+}
+
+void Judge::add_tensions(Result& r) const {
+  double worst = 0;
+  std::string where;
+  for (std::size_t i = 0; i < model_->reevings.size(); ++i) {
+    const model::Reeving& rope = model_->reevings[i];
+    const auto found = ropes_.find(rope.name);
+    if (found == ropes_.end() || !found->second.seen) continue;
+    const RopeWorst& own = found->second;
+    if (own.T >= worst) {
+      worst = own.T;
+      where = fmt::format("{}, {}", rope.name, own.where);
+    }
+    const std::string symbol = fmt::format("{}.T_max", rope.name);
+    r.values.push_back(
+        {symbol, own.T, si::N, symbol, fmt::format("largest tension of {} ({})", rope.name, own.where), {}});
+    if (own.breaking_force <= 0 || own.T_of_share <= 0) continue;
+    r.values.push_back({fmt::format("{}.safety_factor", rope.name),
+                        own.breaking_force / own.T_of_share,
+                        si::one,
+                        fmt::format("{}.S", rope.name),
+                        fmt::format("breaking force over the largest tension of {}", rope.name),
+                        {}});
+    Check c = make_check(symbol, own.T_of_share, Sense::at_most, own.breaking_force, si::N,
+                         "minimum breaking force of the rope", strength_trust(i));
+    c.part = rope.name;
+    c.limits = false;
+    c.where = own.where_of_share;
+    r.checks.push_back(std::move(c));
+  }
+  if (model_->reevings.empty()) return;
+  r.values.insert(r.values.begin(), {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({})", where), {}});
+}
+
+void Judge::add_heights(Result& r) const {
+  const auto add = [&](const std::map<std::string, Height>& all, const char* name, const char* symbol,
+                       const char* what) {
+    const Height* least = nullptr;
+    for (const auto& [part, one] : all) {
+      if (!std::isfinite(one.value)) continue;
+      if (least == nullptr || one.value < least->value) least = &one;
+      if (one.value >= 0) continue;
+      Check c = make_check(part + ".ground", one.value, Sense::at_least, 0, si::m,
+                           fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x),
+                           "user");
+      c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
+      c.part = part;
+      c.limits = false;
+      c.where = one.where;
+      r.checks.push_back(std::move(c));
+    }
+    if (least == nullptr) return;
+    r.values.push_back({name,
+                        least->value,
+                        si::m,
+                        symbol,
+                        fmt::format("least height of {} over the ground: {} at x = {:.6g} m ({})", what, least->part,
+                                    least->x, least->where),
+                        {}});
+  };
+  add(carriages_, "clearance_min", "c_min", "a carriage");
+  add(rope_heights_, "rope_clearance_min", "c_r_min", "a rope");
+}
+
+void Judge::add_values(Result& r) const {
+  if (shown_) add_tensions(r);
+  add_heights(r);
+  for (const Warned& one : warned_) {
+    if (one.unsafe) {
+      warn_unsafe(r, one.text);
+    } else {
+      r.warnings.push_back(one.text);
+    }
+  }
+  r.preface = preface_;
+}
+
+void Judge::add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const {
+  const bool limited =
+      std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
+  const bool out = std::find(r.exempt.begin(), r.exempt.end(), part) != r.exempt.end();
+  if (!limited && !out) unjudged.push_back(part);
+}
+
+void Judge::add_scope(Result& r) const {
+  const ChecksRequest asked = deck_->checks.value_or(ChecksRequest{});
+  r.exempt = asked.exempt;
+  std::erase_if(r.checks, [&](const Check& c) {
+    return !c.part.empty() && std::find(r.exempt.begin(), r.exempt.end(), c.part) != r.exempt.end();
+  });
+  const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
+                                   [](const auto& one) { return one.payload.has_value(); });
+  if (payload) {
+    // A state of a payload lies on its own limit, to the tolerance of its search.
+    for (Check& c : r.checks) {
+      if (c.passes || c.refused || !(std::abs(c.utilisation - 1) <= on_own_limit)) continue;
+      c.value = c.limit;
+      c.utilisation = 1;
+      c.passes = true;
+    }
+  }
+  double largest = 0;
+  for (const auto& [name, rope] : ropes_) largest = std::max(largest, rope.T);
+  for (const auto& [name, rope] : ropes_) {
+    if (!rope.carries || (rope.seen && rope.T <= of_largest * largest)) continue;
+    add_scope_of(name, r, r.unjudged);
+  }
+  for (const model::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);
+  const auto add_beside = [&](const char* kind, std::vector<std::string> names) {
+    std::erase_if(names, [&](const std::string& name) {
+      return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == name; });
+    });
+    if (const std::string text = listed(kind, names); !text.empty()) r.beside.push_back(text);
+  };
+  add_beside("sheaves", names_of_all(deck_->machine.sheaves));
+  add_beside("supports", names_of_all(deck_->machine.supports));
+  add_beside("carriages", names_of_all(deck_->machine.carriages));
+  std::vector<std::string> anchors;
+  for (const model::Reeving& rope : model_->reevings) {
+    if (rope.closed) continue;
+    for (const model::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
+      const bool held = end->kind == model::NodeKind::anchor && end->drum < 0 && end->at.body == model::ground;
+      if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
+    }
+  }
+  add_beside("anchors", anchors);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,112 @@
+#pragma once
+#include <limits>
+#include <memory>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+#include "taut/checks/checked_deck.hpp"
+#include "taut/solve/equilibrium.hpp"
+#include "taut/solve/motion/transient.hpp"
+
+namespace taut::app {
+
+/// A quantity at its worst, and the state where it is.
+struct WorstOf {
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no state has it
+  std::string when;
+
+  /// `least`: whether less is worse.
+  void take(double x, const std::string& words, bool least = false);
+};
+
+/// What a beam bears over all states that are judged.
+struct BeamWorst {
+  WorstOf M, N, stress;      ///< largest, N m, N, Pa
+  WorstOf top_displacement;  ///< m
+  WorstOf N_cr, alpha_cr;    ///< least, N, 1
+};
+
+/// What the verdict keeps of every state of every judged analysis: the largest tension of each rope, what is below the
+/// ground, beams at their worst, and what makes a state unsafe. The deck outlives it.
+class Judge {
+ public:
+  Judge(const CheckedDeck& deck, const model::Model& model);
+
+  /// `words`: which state it is, "sweep, loads[0].mass = 40 t". The model may be another one of the same machine, with
+  /// the same ropes or some of them, known by their names.
+  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
+  void take_ropes(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  /// A motion at an output step, the last frame of the result so far: heights of carriages and ropes, up to the first
+  /// break.
+  void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words);
+  /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
+  void take_rest(const model::Model& model, const analysis::TransientResult& still, const std::string& words);
+  /// A motion as a whole: which ropes bear tension, what goes slack.
+  void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
+
+  const std::vector<BeamWorst>& beams() const { return beams_; }
+
+  /// By reeving: how far its breaking force may be trusted, "user" where the deck gives it.
+  std::vector<std::string> strength_trusts() const;
+
+  /// The values T_max, NAME.T_max, NAME.safety_factor, clearance_min, rope_clearance_min over all states, the checks
+  /// that can only fail (breaking force, ground), and the warnings of states.
+  void add_values(Result& r) const;
+
+  /// What the verdict speaks of, once all checks are there: parts without a limit, parts that the deck exempts, parts
+  /// beside the verdict; checks at their very limit by a payload pass.
+  void add_scope(Result& r) const;
+
+ private:
+  struct RopeWorst {
+    double T = 0;  ///< N
+    std::string where;
+    double breaking_force = 0;  ///< of the state in which T is the largest share of it, N; 0: not known
+    double T_of_share = 0;      ///< N
+    std::string where_of_share;
+    bool seen = false;
+    bool carries = false;
+  };
+  struct Height {
+    double value = std::numeric_limits<double>::infinity();  ///< over the ground, m
+    double x = 0;                                            ///< along the terrain, m
+    std::string part, where;                                 ///< "skyline between head and car", "load path, x = 12 m"
+  };
+  struct Warned {
+    std::string text;
+    bool unsafe = false;
+  };
+
+  RopeWorst& take_tension(const model::Reeving& rope, double T, const std::string& words);
+  void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
+                   std::map<std::string, Height>& all);
+  void take_heights(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_beams(const analysis::EquilibriumResult& state, const std::string& words);
+  void warn(const std::string& once, const std::string& text, bool unsafe);
+  void take_contacts(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_slack(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_places(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  std::string strength_trust(std::size_t reeving) const;
+  bool may_slack(const std::string& reeving) const;
+  void add_tensions(Result& r) const;
+  void add_heights(Result& r) const;
+  void add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const;
+
+  std::shared_ptr<const CheckedDeck> deck_;
+  const model::Model* model_;
+  bool shown_ = false;
+  std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
+  std::map<std::string, Height> carriages_, rope_heights_;
+  std::vector<BeamWorst> beams_;
+  std::vector<Warned> warned_;
+  std::set<std::string> known_;  ///< what was warned of already
+  std::string preface_;
+  std::size_t events_seen_ = 0;  ///< of the motion that is shown now
+  bool broken_ = false;          ///< something in it
+};
+
+}  // namespace taut::app

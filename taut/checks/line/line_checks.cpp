@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/suggest.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/math/index.hpp"
+#include "taut/study/rope_clearance.hpp"
+
+namespace taut::app {
+namespace {
+
+const model::Reeving* line_named(const model::Model& model, const std::string& name) {
+  const auto found =
+      std::find_if(model.reevings.begin(), model.reevings.end(), [&](const auto& one) { return one.name == name; });
+  return found == model.reevings.end() ? nullptr : &*found;
+}
+
+/// Supports of a line: contacts that no carriage is.
+std::vector<std::string> supports_of(const model::Model& model, const model::Reeving& rope) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i + 1 < rope.nodes.size(); ++i) {
+    const model::Node& node = rope.nodes[i];
+    const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
+                                   [&](const auto& c) { return node.name.starts_with(c.name); });
+    if (node.kind == model::NodeKind::contact && !rides) names.push_back(node.name);
+  }
+  return names;
+}
+
+double plan_angle(const Vector3& a, const Vector3& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y()));
+}
+
+/// The branches on both sides of a support: the one to the rope's end, and the one on the line's side.
+struct Tail {
+  const CheckBranch* to_anchor = nullptr;
+  const CheckBranch* of_line = nullptr;
+  bool at_end = true;  ///< of the path
+};
+std::optional<Tail> tail_at(const CheckState& state, int reeving, const std::string& support) {
+  const auto& nodes = state.model->reevings[at(reeving)].nodes;
+  const auto is_support = [&](int node) { return nodes[at(node)].name == support; };
+  const int last = static_cast<int>(nodes.size()) - 1;
+  Tail tail;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != reeving) continue;
+    if (is_support(b.from) && b.to == last) {
+      tail.to_anchor = &b;
+      tail.at_end = true;
+    } else if (is_support(b.to) && b.from == 0) {
+      tail.to_anchor = &b;
+      tail.at_end = false;
+    }
+  }
+  if (tail.to_anchor == nullptr) return std::nullopt;
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != reeving || &b == tail.to_anchor) continue;
+    if (is_support(tail.at_end ? b.to : b.from)) tail.of_line = &b;
+  }
+  return tail;
+}
+
+void take_tail(const CheckState& state, LineStates& line) {
+  const auto tail = tail_at(state, line.reeving, *line.request->tail_tree);
+  if (!tail) return;
+  const CheckBranch& b = *tail->to_anchor;
+  const Vector3& pull = tail->at_end ? b.on_start : b.on_end;  // on the tree
+  line.tail_angle.largest(std::atan2(std::abs(pull.z()), std::hypot(pull.x(), pull.y())), state.words);
+  if (tail->of_line != nullptr) {
+    line.off_line.largest(plan_angle(b.end - b.start, tail->of_line->end - tail->of_line->start), state.words);
+  }
+}
+
+void take_bends(const CheckState& state, LineStates& line) {
+  const auto& nodes = state.model->reevings[at(line.reeving)].nodes;
+  for (const CheckContact& c : state.contacts) {
+    if (c.reeving != line.reeving) continue;
+    for (LineStates::Bend& bend : line.bends) {
+      if (nodes[at(c.node)].name != bend.support) continue;
+      bend.most.largest(c.wrap, state.words);
+      // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
+      if (!state.moves || c.lifts) bend.least.least(c.lifts ? -c.wrap : c.wrap, state.words);
+    }
+  }
+}
+
+void take_clearance(const CheckState& state, LineStates& line) {
+  if (state.rest == nullptr) return;
+  const analysis::TerrainGap gap = analysis::terrain_gap(*state.model, state.rest->spans, line.reeving);
+  if (gap.missing() > line.gap.missing()) line.gap = gap;
+  for (const analysis::SpanResult& span : state.rest->spans) {
+    if (span.reeving != line.reeving) continue;
+    const analysis::RopeClearance found = analysis::rope_clearance(*state.model, span);
+    if (std::isnan(found.height)) continue;
+    line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
+  }
+}
+
+void check_clearance(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
+  if (!request.clearance && !request.least_clearance) return;
+  RuleLimit limit = rule_limit("layout.ground_clearance", true);
+  if (request.least_clearance) limit = {*request.least_clearance, "the deck's own", "user"};
+  if (std::isnan(line.clearance.value)) {
+    r.unmade.push_back(fmt::format(
+        "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
+  if (line.gap.missing() > 0) {
+    r.unmade.push_back(gap_words(request.name, line.gap));
+    r.warnings.push_back(r.unmade.back());
+  }
+  add_part_check(request.name, "clearance", line.clearance.value, Sense::at_least, limit.value, si::m,
+                 fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust,
+                 r);
+}
+
+void check_tail(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
+  const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
+                       const char* words) {
+    if (std::isnan(x.value)) return;
+    RuleLimit limit = rule_limit(rule, false);
+    if (own) limit = {*own, "the deck's own", "user"};
+    add_part_check(request.name, name, x.value, Sense::at_most, limit.value, si::rad,
+                   fmt::format("{} ({}); {}", words, x.where, limit.words), limit.trust, r);
+  };
+  add("tail_angle", line.tail_angle, request.tail_angle, "layout.tail_tree_angle",
+      "from the horizontal, between the tail tree and the anchor");
+  add("anchor_off_line", line.off_line, request.off_line, "layout.anchor_off_line",
+      "anchor against the line, seen from above");
+}
+
+void check_bends(const LineStates& line, Result& r) {
+  const LineCheckRequest& request = *line.request;
+  for (const LineStates::Bend& bend : line.bends) {
+    const auto& ends = request.end_masts;
+    const bool end = std::find(ends.begin(), ends.end(), bend.support) != ends.end();
+    if (!std::isnan(bend.most.value)) {
+      const RuleLimit high =
+          rule_limit(end ? "layout.break_angle_loaded_end" : "layout.break_angle_loaded_support", false);
+      add_part_check(request.name, bend.support + ".break_angle", bend.most.value, Sense::at_most, high.value, si::rad,
+                     fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words),
+                     high.trust, r);
+    }
+    if (!std::isnan(bend.least.value)) {
+      const RuleLimit low =
+          rule_limit(request.hold_down ? "layout.break_angle_hold_down" : "layout.break_angle_empty", true);
+      add_part_check(request.name, bend.support + ".least_break_angle", bend.least.value, Sense::at_least, low.value,
+                     si::rad,
+                     fmt::format("least bend over '{}', with the empty line among the states ({}); {}", bend.support,
+                                 bend.least.where, low.words),
+                     low.trust, r);
+    }
+  }
+}
+
+void check_rating(const LineCheckRequest& request, const model::Model& model, Result& r) {
+  const double strength = request.breaking_force.value_or(line_named(model, request.name)->breaking_force);
+  const char* trust = "verified";
+  if (request.limiter) {
+    add_part_check(request.name, "limiter", *request.limiter, Sense::at_most, *request.spar_rating, si::N,
+                   fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
+                               "breaks at {:.4g} kN (WAC 296-54-553)",
+                               strength / 1e3),
+                   trust, r);
+    return;
+  }
+  add_part_check(request.name, "spar_rating", strength, Sense::at_most, *request.spar_rating, si::N,
+                 "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
+                 "fuse (WAC 296-54-553)",
+                 trust, r);
+}
+
+}  // namespace
+
+void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::Model& model,
+                       std::vector<Complaint>& complaints) {
+  for (const LineCheckRequest& one : lines) {
+    const std::string path = fmt::format("checks.lines.{}", one.name);
+    const model::Reeving* rope = line_named(model, one.name);
+    if (rope == nullptr) {
+      std::vector<std::string> known;
+      known.reserve(model.reevings.size());
+      for (const model::Reeving& each : model.reevings) known.push_back(each.name);
+      complaints.push_back({path, fmt::format("there is no reeving '{}'{}", one.name, did_you_mean(one.name, known))});
+      continue;
+    }
+    const std::vector<std::string> supports = supports_of(model, *rope);
+    const auto known = [&](const std::string& name) {
+      return std::find(supports.begin(), supports.end(), name) != supports.end();
+    };
+    if (one.tail_tree &&
+        (supports.empty() || (*one.tail_tree != supports.front() && *one.tail_tree != supports.back()))) {
+      complaints.push_back(
+          {path + ".tail_tree", fmt::format("'{}' is not the first or last support of '{}'{}", *one.tail_tree, one.name,
+                                            did_you_mean(*one.tail_tree, supports))});
+    }
+    if (!one.tail_tree && (one.tail_angle || one.off_line)) {
+      complaints.push_back({path, "'tail_angle' and 'off_line' need 'tail_tree'"});
+    }
+    for (std::size_t i = 0; i < one.end_masts.size(); ++i) {
+      if (known(one.end_masts[i])) continue;
+      complaints.push_back({fmt::format("{}.end_masts[{}]", path, i),
+                            fmt::format("'{}' does not run over a support '{}'{}", one.name, one.end_masts[i],
+                                        did_you_mean(one.end_masts[i], supports))});
+    }
+    if ((one.clearance || one.least_clearance) && model.terrain.empty()) {
+      complaints.push_back({path, "a clearance needs the machine's 'terrain'"});
+    }
+    if (one.limiter && !one.spar_rating) complaints.push_back({path + ".limiter", "needs 'spar_rating'"});
+    if (one.spar_rating && !one.breaking_force && rope->breaking_force == 0) {
+      complaints.push_back({path, "the rope's breaking force is not known: give 'breaking_force'"});
+    }
+  }
+}
+
+std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const model::Model& model) {
+  std::vector<LineStates> all;
+  for (const LineCheckRequest& one : lines) {
+    const model::Reeving* rope = line_named(model, one.name);
+    LineStates& line = all.emplace_back();
+    line.request = &one;
+    line.reeving = static_cast<int>(rope - model.reevings.data());
+    if (!one.break_angles) continue;
+    for (std::string& support : supports_of(model, *rope)) line.bends.push_back({std::move(support), {}, {}});
+  }
+  return all;
+}
+
+void take(const CheckState& state, LineStates& line) {
+  if (line.request->tail_tree) take_tail(state, line);
+  take_bends(state, line);
+  if (line.request->clearance || line.request->least_clearance) take_clearance(state, line);
+}
+
+void add_line_checks(const std::vector<LineStates>& lines, const model::Model& model, Result& r) {
+  for (const LineStates& line : lines) {
+    check_tail(line, r);
+    check_bends(line, r);
+    check_clearance(line, r);
+    if (line.request->spar_rating) check_rating(*line.request, model, r);
+  }
+}
+
+}  // namespace taut::app

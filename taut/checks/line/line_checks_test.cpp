@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "test/support/guyed_decks.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::line_checks_test {
+
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::line_over_tree;
+using taut_test::run_text;
+
+TEST(LineChecks, TailTreeAndAnchor) {
+  const std::string checks =
+      "  lines: {skyline: {tail_tree: tree, break_angles: true, end_masts: [tree], spar_rating: 350 kN}}\n";
+  const Result r = run_text(line_over_tree(checks));
+  const double angle = std::atan2(25, 30);
+  EXPECT_NEAR(check_of(r, "skyline.tail_angle").value, angle, 0.01);
+  EXPECT_NEAR(check_of(r, "skyline.tail_angle").limit, 50 * std::numbers::pi / 180, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.anchor_off_line").value, 0, 1e-6);
+  EXPECT_FALSE(check_of(r, "skyline.spar_rating").passes);
+  EXPECT_NEAR(check_of(r, "skyline.tree.break_angle").limit, std::numbers::pi / 3, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.jack.break_angle").limit, std::numbers::pi / 6, 1e-12);
+  EXPECT_NEAR(check_of(r, "skyline.jack.break_angle").value, std::atan(10.0 / 150) + std::atan(5.0 / 150), 0.05);
+  // 4.5 m off the line in 30 m: 8.53 degrees
+  const Result off = run_text(line_over_tree(checks, "[330 m, 4.5 m, 10 m]"));
+  EXPECT_NEAR(check_of(off, "skyline.anchor_off_line").value, std::atan2(4.5, 30), 0.003);
+  EXPECT_FALSE(check_of(off, "skyline.anchor_off_line").passes);
+  const Result other = run_text(line_over_tree(checks, "[330 m, -4.5 m, 10 m]"));
+  EXPECT_NEAR(check_of(other, "skyline.anchor_off_line").value, check_of(off, "skyline.anchor_off_line").value, 1e-9);
+}
+
+TEST(LineChecks, LimiterTakesTheRopesPlace) {
+  const Result r = run_text(line_over_tree("  lines: {skyline: {spar_rating: 350 kN, limiter: 200 kN}}\n"));
+  EXPECT_TRUE(check_of(r, "skyline.limiter").passes);
+  EXPECT_NEAR(check_of(r, "skyline.limiter").limit, 350e3, 1e-9);
+}
+
+// The empty line is the one that is put up: its bends are those of an installation.
+TEST(LineChecks, TheEmptyLine) {
+  const std::string checks = "checks: {lines: {skyline: {break_angles: true}}}\n";
+  const std::string load = "  - load_path: {carriage: car, from: 130 m, to: 220 m, steps: 3, motion: in}\n";
+  const std::string empty = "  - installation: {reeving: skyline, given: {tension: 60 kN, at: end}}\n";
+  const Result loaded = run_text(taut_test::skyline_deck(load) + checks);
+  const Result both = run_text(taut_test::skyline_deck(load + empty) + checks);
+  const Result bare = run_text(R"(taut: 1
+machine:
+  points: {stump: [0 m, 0 m, 4 m], tower: [360 m, 0 m, 124 m]}
+  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN}}
+  supports:
+    jack1: {at: [110 m, 0 m, 33 m], diameter: 400 mm, friction: 0.1}
+    jack2: {at: [240 m, 0 m, 78 m], friction: 0.1}
+  reevings: [{rope: skyline, path: [{anchor: stump}, {over: jack1}, {over: jack2}, {anchor: tower}], tension_at_end: 60 kN}]
+)" + checks);
+  for (const char* jack : {"jack1", "jack2"}) {
+    const std::string least = fmt::format("skyline.{}.least_break_angle", jack);
+    EXPECT_NEAR(check_of(both, least).value, std::min(check_of(loaded, least).value, check_of(bare, least).value), 1e-6)
+        << jack;
+    EXPECT_NEAR(check_of(both, fmt::format("skyline.{}.break_angle", jack)).value,
+                check_of(loaded, fmt::format("skyline.{}.break_angle", jack)).value, 1e-9);
+  }
+  EXPECT_NE(check_of(both, "skyline.jack2.least_break_angle").rule.find("installation of skyline"), std::string::npos);
+}
+
+// The sag of 100 m at 50 kN and 1 kg/m is 0.245 m: over a hill of 12 m the rope of 20 m is 7.755 m above the ground.
+TEST(LineChecks, ClearanceOverTheGround) {
+  const auto deck = [](const std::string& rest) {
+    return std::string(R"(taut: 1
+machine:
+  ropes: {skyline: {mass: 1 kg/m, stiffness: 30 MN}}
+  points: {left: [0 m, 0 m, 20 m], right: [100 m, 0 m, 20 m]}
+  reevings: [{rope: skyline, path: [{anchor: left}, {anchor: right}], tension_at_start: 50 kN}]
+  terrain: {x: [0 m, 50 m, 100 m], z: [0 m, 12 m, 0 m]}
+checks: {lines: {skyline: )") +
+           rest + "}}\n";
+  };
+  const Result r = run_text(deck("{clearance: true}"));
+  EXPECT_NEAR(check_of(r, "skyline.clearance").value, 8 - 9.80665 * 1e4 / (8 * 50e3), 2e-3);
+  EXPECT_EQ(check_of(r, "skyline.clearance").limit, 7);
+  EXPECT_TRUE(check_of(r, "skyline.clearance").passes);
+  EXPECT_FALSE(check_of(run_text(deck("{least_clearance: 8 m}")), "skyline.clearance").passes);
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {clearance: true}}\n")), "'terrain'");
+}
+
+TEST(LineChecks, MistakesHaveTheirPlace) {
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {tail_tree: jock}}\n")), "did you mean 'jack'");
+  expect_mistake(run_text(line_over_tree("  lines: {skylin: {}}\n")), "did you mean 'skyline'");
+  expect_mistake(run_text(line_over_tree("  lines: {skyline: {limiter: 200 kN}}\n")), "needs 'spar_rating'");
+}
+
+}  // namespace taut::app::line_checks_test

@@ -1,0 +1,238 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "taut/base/suggest.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+#include "taut/machine/state.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double on_top = 1e-6;  // m
+constexpr double places_on_mast = 200;
+constexpr int directions = 16;  // in which the most bent state is looked for
+
+bool carries(const MastCheckRequest& request, const std::string& name) {
+  return std::find(request.carries.begin(), request.carries.end(), name) != request.carries.end();
+}
+
+/// Horizontal unit vectors in which the strong and the weak axis bend.
+std::array<Vector3, 2> axes_of(const MastCheckRequest& request) {
+  const Vector3 strong = Vector3(request.towards[0], request.towards[1], 0).normalized();
+  return {strong, up().cross(strong)};
+}
+
+double height_of_pieces(const MastCheckRequest& request) {
+  double h = request.height.value_or(0);
+  for (const MastPieceRequest& p : request.pieces) h += p.length;
+  return h;
+}
+
+/// A force at a place of the machine as loads of the mast: beside its axis it bends the mast, too.
+void add_pull(const MastCheckRequest& request, const Vector3& place, const Vector3& F, CarriedState& all) {
+  const Vector3 from_foot = place - Vector3(request.foot[0], request.foot[1], request.foot[2]);
+  if (from_foot.z() <= 0) return;  // goes into the ground
+  const auto [strong, weak] = axes_of(request);
+  MastLoadRequest load;
+  // ropes leave their rounds at changing heights; a mast has no more places than it needs
+  const double height = height_of_pieces(request), grid = height / places_on_mast;
+  load.at = std::clamp(std::round(from_foot.z() / grid) * grid, grid, height);
+  const double above = from_foot.z() - *load.at;
+  load.down = -F.z();
+  load.across = F.dot(strong);
+  load.sideways = F.dot(weak);
+  load.moment = load.down * from_foot.dot(strong) + load.across * above;
+  load.sideways_moment = load.down * from_foot.dot(weak) + load.sideways * above;
+  all.loads.push_back(std::move(load));
+}
+
+/// What a section at a height has to bear of a state, to first order.
+struct Borne {
+  double N = 0, M_y = 0, M_z = 0;
+};
+Borne borne_at(const CarriedState& state, double height) {
+  Borne b;
+  for (const MastLoadRequest& l : state.loads) {
+    const double arm = *l.at - height;
+    if (arm < 0) continue;
+    b.N += l.down;
+    b.M_y += l.across * arm + l.moment;
+    b.M_z += l.sideways * arm + l.sideways_moment;
+  }
+  return b;
+}
+
+/// The states of one analysis among which the worst must be: those that press a piece's foot most or bend it most in
+/// any of several directions.
+std::vector<const CarriedState*> outermost(const MastCheckRequest& request,
+                                           const std::vector<const CarriedState*>& states) {
+  std::vector<const CarriedState*> kept;
+  const auto keep = [&](const auto& measure) {
+    const auto* most = *std::max_element(states.begin(), states.end(),
+                                         [&](const auto* a, const auto* b) { return measure(*a) < measure(*b); });
+    if (std::find(kept.begin(), kept.end(), most) == kept.end()) kept.push_back(most);
+  };
+  double foot = 0;
+  std::vector<double> feet = {foot};
+  for (const MastPieceRequest& p : request.pieces) feet.push_back(foot += p.length);
+  if (feet.size() > 1) feet.pop_back();
+  for (const double height : feet) {
+    keep([&](const CarriedState& s) { return borne_at(s, height).N; });
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions;
+      keep([&](const CarriedState& s) {
+        const Borne b = borne_at(s, height);
+        return std::cos(angle) * b.M_y + std::sin(angle) * b.M_z;
+      });
+    }
+  }
+  return kept;
+}
+
+/// Each state as a combination of its own: with the deck's own loads by their factors.
+class Combinations {
+ public:
+  Combinations(const MastCheckRequest& request, const std::vector<CarriedState>& states)
+      : request_(request), states_(states), own_(request) {
+    own_.combinations.clear();
+  }
+
+  MastCheckRequest all() {
+    if (request_.combinations.empty()) {
+      std::vector<MastTerm> own;
+      for (const MastLoadRequest& l : request_.loads) {
+        const bool known = std::any_of(own.begin(), own.end(), [&](const auto& t) { return t.name == l.load_case; });
+        if (!known) own.push_back({l.load_case, request_.load_factor});
+      }
+      for (const std::string& analysis : analyses()) add_states("", own, {analysis, request_.load_factor});
+      return own_;
+    }
+    for (const MastCombinationRequest& c : request_.combinations) {
+      std::vector<MastTerm> own, of_states;
+      for (const MastTerm& t : c.terms) (is_load(t.name) ? own : of_states).push_back(t);
+      for (const MastTerm& t : of_states) add_states(c.name + ": ", own, t);
+      if (of_states.empty()) own_.combinations.push_back(c);
+    }
+    return own_;
+  }
+
+ private:
+  bool is_load(const std::string& name) const {
+    return std::any_of(request_.loads.begin(), request_.loads.end(),
+                       [&](const auto& l) { return l.load_case == name; });
+  }
+  std::vector<std::string> analyses() const {
+    std::vector<std::string> names;
+    for (const CarriedState& s : states_) {
+      if (std::find(names.begin(), names.end(), s.analysis) == names.end()) names.push_back(s.analysis);
+    }
+    return names;
+  }
+
+  void add_states(const std::string& before, const std::vector<MastTerm>& own, const MastTerm& term) {
+    std::vector<const CarriedState*> states;
+    for (const CarriedState& s : states_) {
+      if (s.analysis == term.name) states.push_back(&s);
+    }
+    if (states.empty()) return;
+    for (const CarriedState* s : outermost(request_, states)) {
+      const std::string key = fmt::format("state {}", own_.combinations.size());
+      for (MastLoadRequest load : s->loads) {
+        load.load_case = key;
+        own_.loads.push_back(std::move(load));
+      }
+      std::vector<MastTerm> terms = own;
+      // a motion has its dynamics in it
+      terms.push_back({key, s->moves ? term.factor / request_.dynamic_factor : term.factor});
+      own_.combinations.push_back({before + s->words, std::move(terms)});
+    }
+  }
+
+  const MastCheckRequest& request_;
+  const std::vector<CarriedState>& states_;
+  MastCheckRequest own_;
+};
+
+/// Places of the machine that a mast may carry, and where they are as described.
+std::vector<std::pair<std::string, Vector3>> places_of(const model::Model& model) {
+  std::vector<std::pair<std::string, Vector3>> all;
+  const model::State state = model::initial_state(model);
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) all.emplace_back(node.name, model::in_ground(state, node.at));
+  }
+  return all;
+}
+
+}  // namespace
+
+CarriedState carried_by(const MastCheckRequest& request, const CheckState& state) {
+  CarriedState all{state.words, state.analysis, state.moves, {}};
+  for (const CheckContact& c : state.contacts) {
+    const model::Reeving& rope = state.model->reevings[at(c.reeving)];
+    if (carries(request, rope.nodes[at(c.node)].name)) add_pull(request, c.place, rope.copies * c.force, all);
+  }
+  for (const CheckBranch& b : state.branches) {
+    const model::Reeving& rope = state.model->reevings[at(b.reeving)];
+    if (rope.closed) continue;
+    const int last = static_cast<int>(rope.nodes.size()) - 1;
+    if (b.from == 0 && carries(request, rope.nodes.front().name)) {
+      add_pull(request, b.start, rope.copies * b.on_start, all);
+    }
+    if (b.to == last && carries(request, rope.nodes.back().name)) {
+      add_pull(request, b.end, rope.copies * b.on_end, all);
+    }
+  }
+  return all;
+}
+
+void complain_of_carried(const MastCheckRequest& request, const std::string& path, const model::Model& model,
+                         const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
+  complain_of_own_mast(request, path, LoadsOf::machine, analyses, complaints);
+  if (request.foot.size() != 3) complaints.push_back({path + ".foot", "three numbers are expected: x, y, z"});
+  if (request.towards.size() != 2 || std::hypot(request.towards[0], request.towards[1]) == 0) {
+    complaints.push_back({path + ".towards", "a horizontal direction is expected: [1, 0]"});
+  }
+  const auto places = places_of(model);
+  std::vector<std::string> known;
+  known.reserve(places.size());
+  for (const auto& [name, place] : places) known.push_back(name);
+  for (std::size_t i = 0; i < request.carries.size(); ++i) {
+    const std::string& name = request.carries[i];
+    const std::string at = fmt::format("{}.carries[{}]", path, i);
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) {
+      complaints.push_back({at, fmt::format("no rope runs over or ends at '{}'{}", name, did_you_mean(name, known))});
+      continue;
+    }
+    if (request.foot.size() != 3) continue;
+    const double height = places[static_cast<std::size_t>(found - known.begin())].second.z() - request.foot[2];
+    if (height > height_of_pieces(request) * (1 + on_top) + on_top || height <= 0) {
+      complaints.push_back({at, fmt::format("'{}' is {:.4g} m above the mast's foot, the mast is {:.4g} m high", name,
+                                            height, height_of_pieces(request))});
+    }
+  }
+}
+
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states) {
+  const MastCheckRequest all = Combinations(request, states).all();
+  if (all.combinations.empty()) {
+    MastReport none;
+    none.name = request.name;
+    none.refused = "no analysis found a state of the machine";
+    return none;
+  }
+  MastReport report = own_mast(all, all.loads);
+  report.words.push_back(fmt::format(
+      "{}: under the ropes over and at {}, in those of the deck's {} states that press or bend it most; motions "
+      "without "
+      "the dynamic factor; no torsion by what pulls beside its axis; its own weight {}.",
+      request.name, fmt::join(request.carries, ", "), states.size(), request.own_weight ? "counted" : "left out"));
+  return report;
+}
+
+}  // namespace taut::app

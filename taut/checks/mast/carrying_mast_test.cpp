@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::carrying_mast_test {
+
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::run_text;
+
+/// A load on a rope over a head sheave on a mast of 10 m, pulled by a winch behind; the mast stands in `checks`.
+std::string derrick(const std::string& mast, const std::string& analyses = "  - equilibrium: {motion: at_rest}\n",
+                    const std::string& more = "") {
+  return R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 2 MN, breaking_force: 200 kN}}
+  points: {winch: [-10 m, 0 m, 0 m]}
+  bodies: {load: {mass: 2 t, at: [0.2 m, 0 m, 5 m], free: [z]}}
+  sheaves: {head: {at: [0 m, 0 m, 10 m], diameter: 400 mm, efficiency: 1}}
+  reevings: [{rope: hoist, path: [{anchor: winch}, {over: head}, {anchor: load}], length: 19.3 m}]
+)" + more +
+         "analyses:\n" + analyses + "checks:\n  masts:\n" + mast;
+}
+
+constexpr const char* tube = "section: CHS 219.1x8, steel: S355, height: 10 m, sway: 0, bow: 0, load_factor: 1.35";
+
+// By hand: T = 2 t x g; the rope to the winch leaves the sheave at 45 degrees and a bit.
+TEST(CarryingMast, forces_of_its_ropes) {
+  const Result r = run_text(derrick(std::string("    mast: {") + tube + ", carries: [head]}\n"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const double T = 2000 * 9.80665;
+  const double slope = std::atan2(10, 10) + std::asin(0.2 / std::hypot(10, 10));
+  const double across = -T * std::cos(slope), down = T * (1 + std::sin(slope));
+  const Result own = run_text(
+      "taut: 1\nmethod: mast_section\ninput: {skyline_force: 1 kN, mainline_force: 1 kN, skyline_block_height: 10 m, "
+      "branch_angle: 12 deg, allowable_stress: 160 MPa}\nchecks:\n  masts:\n    mast: {" +
+      std::string(tube) + fmt::format(", loads: [{{down: {:.9g} N, across: {:.9g} N}}]}}\n", down, across));
+  ASSERT_EQ(own.status, Status::ok) << own.message << to_text(own.errors);
+  for (const char* name : {"mast.section", "mast.member", "mast.buckling", "mast.shear"}) {
+    EXPECT_NEAR(check_of(r, name).value / check_of(own, name).value, 1, 1e-6) << name;
+  }
+  // turned by a quarter and with its foot aside: bends by the weight's arm about the other axis
+  const Result aside = run_text(
+      derrick(std::string("    mast: {") + tube + ", carries: [head], foot: [0 m, -0.3 m, 0 m], towards: [0, 1]}\n"));
+  EXPECT_GT(check_of(aside, "mast.section").value, check_of(r, "mast.section").value);
+}
+
+// Dropped from its natural length: twice the force at rest (and a bit, as the rope between has no mass), at its moment.
+TEST(CarryingMast, a_motion_presses_it) {
+  const std::string motion =
+      "  - transient: {name: drop, duration: 0.6 s, output_step: 1 ms, start: assembled, damping_ratio: 0}\n";
+  const double wrap = std::acos(-1.0) / 2 + std::atan2(10, 10) + std::asin(0.2 / std::hypot(10, 10));
+  const double natural = std::sqrt(200 - 0.04) + 0.2 * wrap + 5;
+  const std::string mast = std::string("    mast: {") + tube + ", dynamic_factor: 1.5, carries: [head]}\n";
+  const Result r = run_text(derrick(mast, motion), {fmt::format("machine.reevings[0].length={:.12g} m", natural)});
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NE(check_of(r, "mast.section").rule.find("drop, t = "), std::string::npos);
+  const Result rest = run_text(derrick(mast), {"checks.masts.mast.dynamic_factor=2"});
+  EXPECT_NEAR(check_of(r, "mast.buckling").value / check_of(rest, "mast.buckling").value, 1, 0.01);
+  // combinations name analyses, and loads of the deck come besides
+  const Result both = run_text(
+      derrick("    mast: {section: CHS 219.1x8, steel: S355, height: 10 m, carries: [head], loads: [{case: dead, down: "
+              "20 kN}], combinations: {ULS: {dead: 1.35, drop: 1.5}}}\n",
+              motion));
+  ASSERT_EQ(both.status, Status::ok) << both.message << to_text(both.errors);
+  EXPECT_NE(check_of(both, "mast.section").rule.find("ULS: transient, drop, t = "), std::string::npos);
+}
+
+TEST(CarryingMast, mistakes) {
+  const auto mast = [](const std::string& rest) {
+    return run_text(derrick("    mast: {section: CHS 219.1x8, steel: S355" + rest + "}\n"));
+  };
+  expect_mistake(mast(", height: 10 m, carries: [haed]"), "did you mean 'head'");
+  expect_mistake(mast(", carries: [head]"), "needs 'height'");
+  expect_mistake(mast(", height: 9 m, carries: [head]"), "10 m above the mast's foot");
+  expect_mistake(mast(", height: 10 m, carries: [head], towards: [0, 0]"), "horizontal direction");
+  expect_mistake(mast(", height: 10 m, carries: [head], combinations: {a: {equilibrum: 1.5}}"),
+                 "did you mean 'equilibrium'");
+  expect_mistake(mast(", height: 10 m"), "'carries'");
+}
+
+}  // namespace taut::app::carrying_mast_test

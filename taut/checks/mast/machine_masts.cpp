@@ -1,0 +1,341 @@
+#include "taut/checks/mast/machine_masts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/section_search.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+using model::description::Beam;
+
+std::size_t index_in(const model::Model& model, const std::string& name) {
+  const auto found =
+      std::find_if(model.beams.begin(), model.beams.end(), [&](const model::Beam& b) { return b.name == name; });
+  return static_cast<std::size_t>(found - model.beams.begin());
+}
+
+bool is_own(const MastCheckRequest& request, const CheckedDeck& deck) {
+  return request.beams.empty() && beam_named(deck, request.name) == nullptr;
+}
+
+std::string steel_of(const MastCheckRequest& request, const Beam& beam) {
+  return request.steel ? *request.steel : beam.steel.value_or("");
+}
+
+/// Names that a combination may use; beams don't move.
+std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& analysis, const char* kind) {
+    if (analysis) names.push_back(analysis->name.value_or(kind));
+  };
+  for (const AnalysisRequest& a : deck.analyses) {
+    add(a.equilibrium, "equilibrium");
+    add(a.load_path, "load_path");
+    add(a.envelope, "envelope");
+    add(a.cycle, "cycle");
+    if (with_motions) add(a.transient, "transient");
+  }
+  if (deck.analyses.empty()) names.emplace_back("equilibrium");
+  return names;
+}
+
+void complain_of_terms(const MastCheckRequest& request, const std::string& path, const CheckedDeck& deck,
+                       std::vector<Complaint>& complaints) {
+  const std::vector<std::string> known = analyses_of(deck, false);
+  for (const MastCombinationRequest& c : request.combinations) {
+    const std::string at = fmt::format("{}.combinations.{}", path, c.name);
+    if (c.terms.size() != 1) {
+      complaints.push_back({at,
+                            "of a machine takes one analysis: bent shapes can't be added; put the loads that come "
+                            "together into one analysis"});
+    }
+    for (const MastTerm& t : c.terms) {
+      if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
+      complaints.push_back({fmt::format("{}.{}", at, t.name),
+                            fmt::format("no equilibrium, load_path, envelope or cycle has the name '{}'{}", t.name,
+                                        did_you_mean(t.name, known))});
+    }
+  }
+}
+
+void complain_of_beam(const MastCheckRequest& request, const std::string& name, const std::string& path,
+                      const CheckedDeck& deck, std::vector<Complaint>& complaints) {
+  const Beam* beam = beam_named(deck, name);
+  if (beam == nullptr) {
+    std::vector<std::string> known;
+    known.reserve(deck.machine.beams.size());
+    for (const Beam& b : deck.machine.beams) known.push_back(b.name);
+    complaints.push_back({path + ".beams", fmt::format("there is no beam '{}'{}", name, did_you_mean(name, known))});
+    return;
+  }
+  if (!beam->section) {
+    complaints.push_back({path, fmt::format("beam '{}' has its section by figures, which say nothing of its walls: "
+                                            "EN 1993-1-1 needs a 'section' of the catalogue",
+                                            name)});
+    return;
+  }
+  if (steel_of(request, *beam).empty()) {
+    complaints.push_back({path, fmt::format("beam '{}' has no 'steel': give it here or there", name)});
+    return;
+  }
+  mast_material(request, *beam->section, steel_of(request, *beam), path, complaints);
+}
+
+/// The forces of a beam's section; N of the engine is tension, of the checks compression.
+structure::CrossForces forces_of(const analysis::BeamPoint& p) {
+  return {-p.N, p.shear_y, p.shear_x, p.bends_to_x, p.bends_to_y, p.torsion};
+}
+
+/// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a.
+bool built_crooked(const Beam& beam, const MastMaterial& material, double length) {
+  if (beam.order != model::description::Order::second || !beam.imperfection) return false;
+  const auto curve = structure::curve_of(material.section, material.yield);
+  const bool bowed = std::abs(beam.imperfection->bow.value_or(0)) >= 0.98 * structure::bow_share(curve, true);
+  const bool leans = std::abs(beam.imperfection->sway.value_or(0)) >= 0.98 * structure::sway_of(length);
+  return bowed && leans;
+}
+
+/// One mast of the machine's beams.
+class MachineMast {
+ public:
+  MachineMast(const MastStates& mast, const CheckedDeck& deck, const model::Model& model)
+      : request_(*mast.request), deck_(deck), mast_(mast) {
+    const MastCheckRequest& request = request_;
+    report_.name = request.name;
+    for (std::size_t i = 0; i < mast.beams.size(); ++i) {
+      const Beam& beam = *beam_named(deck, beams_of(request)[i]);
+      lengths_.push_back(model.beams[mast.beams[i]].length);
+      std::vector<Complaint> told_before;
+      report_.materials.push_back(*mast_material(request, *beam.section, steel_of(request, beam), {}, told_before));
+    }
+  }
+
+  MastReport report() {
+    bool crooked = true;
+    for (std::size_t i = 0; i < mast_.beams.size(); ++i) {
+      const Beam& beam = *beam_named(deck_, beams_of(request_)[i]);
+      report_.loaded.mast.parts.push_back(part(report_.materials[i], beam.E));
+      crooked = crooked && built_crooked(beam, report_.materials[i], lengths_[i]);
+    }
+    report_.loaded.mast.members = !crooked;
+    add_cases();
+    if (report_.loaded.cases.empty()) report_.refused = "no analysis found an equilibrium";
+    tell(crooked);
+    if (mast_.beams.size() == 1) report_.in_section = other_section();
+    return std::move(report_);
+  }
+
+ private:
+  structure::MastPart part(const MastMaterial& material, double E) const {
+    structure::MastPart p;
+    p.member.steel = {material.section, material.yield, E, {request_.gamma_M0, request_.gamma_M1}};
+    p.member.curve = curve_of(request_);
+    p.member.y = {request_.buckling_length, {}, request_.C_m};
+    p.member.z = p.member.y;
+    p.allowable_stress = material.allowable_stress;
+    return p;
+  }
+
+  void add_cases() {
+    for (const BeamState& one : mast_.states) {
+      if (request_.combinations.empty()) add_case(one, one.words, request_.load_factor);
+      for (const MastCombinationRequest& c : request_.combinations) {
+        for (const MastTerm& t : c.terms) {
+          if (t.name == one.analysis) add_case(one, fmt::format("{}: {}", c.name, one.words), t.factor);
+        }
+      }
+    }
+  }
+
+  static double inverse_critical(const BeamState& state) {
+    double sum = 0;
+    for (const analysis::BeamResult& beam : state.beams) {
+      const double alpha = beam.critical_factor;
+      if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
+    }
+    return sum;
+  }
+
+  /// The engine has bent the mast under its forces as they are. Under `factor` times them second order bends it more
+  /// than in proportion: (1 - 1/alpha)/(1 - factor/alpha), alpha the critical factor, EN 1993-1-1, (5.4).
+  double magnified(double factor, double inverse, const std::string& words) {
+    bool second = true;
+    for (const std::string& name : beams_of(request_)) {
+      second = second && beam_named(deck_, name)->order == model::description::Order::second;
+    }
+    if (factor * inverse >= 1) {
+      report_.refused = fmt::format(
+          "{}: under {:.4g} times its forces the mast buckles, its critical factor is {:.4g}; "
+          "choose a stiffer section, shorten it, or guy it",
+          words, factor, 1 / inverse);
+      return 1;
+    }
+    return second && factor > 1 ? (1 - inverse) / (1 - factor * inverse) : 1;
+  }
+
+  void add_case(const BeamState& state, const std::string& words, double factor) {
+    structure::MastCase c;
+    c.words = words;
+    const double all = factor * request_.dynamic_factor;
+    // each beam's factor is for its own forces alone: together they buckle not before 1/sum(1/alpha) (Dunkerley)
+    const double together = inverse_critical(state);
+    const double bends = magnified(all, together, words);
+    double height = 0;
+    for (std::size_t i = 0; i < state.beams.size(); ++i) {
+      const analysis::BeamResult& b = state.beams[i];
+      for (const analysis::BeamPoint& p : b.points) {
+        const structure::CrossForces f = forces_of(p);
+        structure::CrossForces design = all * f;
+        for (double* one : {&design.M_y, &design.M_z, &design.V_y, &design.V_z}) *one *= bends;
+        c.stations.push_back({height + p.s, i, f, design, all * f});
+      }
+      height += lengths_[i];
+    }
+    if (!request_.buckling_length && together > 0) {
+      for (const analysis::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / together);
+    }
+    report_.loaded.cases.push_back(std::move(c));
+  }
+
+  void tell(bool crooked) {
+    report_.words.push_back(fmt::format(
+        "{}: forces of the machine's equilibria, load paths, envelopes and cycles times their factors, moments of "
+        "second order by (1 - "
+        "1/alpha_cr)/(1 - factor/alpha_cr) more; {}; N_cr {}.",
+        request_.name,
+        crooked ? "sections are checked in the bent shape with sway and bow as built of EN 1993-1-1, 5.3.2, so that "
+                  "(6.61) is not asked for (5.2.2 (7) a)"
+                : "(6.61) is asked for beside the sections, as the beam has no bow and sway as built of EN 1993-1-1, "
+                  "5.3.2; of second-order moments that is on the safe side",
+        request_.buckling_length ? "from 'buckling_length'" : "from the critical load of the whole machine"));
+  }
+
+  /// The same forces in another section.
+  structure::MastOf other_section() const {
+    const Beam& beam = *beam_named(deck_, beams_of(request_)[0]);
+    const structure::LoadedMast loaded = report_.loaded;
+    const MastCheckRequest request = request_;
+    const std::string steel = steel_of(request, beam);
+    const double I = report_.materials[0].section.I_z;
+    return [request, steel, loaded, I](const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
+      const auto m = mast_material(request, row, steel);
+      if (!m) return std::nullopt;
+      structure::LoadedMast other = loaded;
+      auto& one = other.mast.parts[0];
+      one.member.steel.section = m->section;
+      one.member.steel.yield = m->yield;
+      one.allowable_stress = m->allowable_stress;
+      // a weaker mast holds less, at most in proportion; a stiffer one is not believed to hold more
+      for (auto& c : other.cases) {
+        for (double& N : c.critical_force) N *= std::min(1.0, m->section.I_z / I);
+      }
+      return other;
+    };
+  }
+
+  const MastCheckRequest& request_;
+  const CheckedDeck& deck_;
+  const MastStates& mast_;
+  MastReport report_;
+  std::vector<double> lengths_;
+};
+
+}  // namespace
+
+std::vector<std::string> beams_of(const MastCheckRequest& request) {
+  return request.beams.empty() ? std::vector<std::string>{request.name} : request.beams;
+}
+
+const Beam* beam_named(const CheckedDeck& deck, const std::string& name) {
+  const auto& all = deck.machine.beams;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Beam& b) { return b.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck,
+                                    const model::Model& model) {
+  std::vector<MastStates> all;
+  for (const MastCheckRequest& one : masts) {
+    MastStates& mast = all.emplace_back();
+    mast.request = &one;
+    if (is_own(one, deck)) continue;
+    for (const std::string& name : beams_of(one)) mast.beams.push_back(index_in(model, name));
+  }
+  return all;
+}
+
+void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
+  if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
+  if (mast.beams.empty() || state.rest == nullptr) return;
+  BeamState& one = mast.states.emplace_back(BeamState{state.words, state.analysis, {}});
+  for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
+  if (!mast.request->top_criterion) return;
+  const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");
+  if (!k || *k >= mast.guy_stiffness) return;
+  mast.guy_stiffness = *k;
+  mast.where_stiffness = state.words;
+}
+
+void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const model::Model& model,
+                       std::vector<Complaint>& complaints) {
+  for (const MastCheckRequest& one : masts) {
+    const std::string path = fmt::format("checks.masts.{}", one.name);
+    if (is_own(one, deck)) {
+      if (one.carries.empty()) {
+        complain_of_own_mast(one, path, LoadsOf::deck, {}, complaints);
+      } else {
+        complain_of_carried(one, path, model, analyses_of(deck, true), complaints);
+      }
+      if (one.top_criterion) complaints.push_back({path + ".top_criterion", "is of the guys of a beam of the machine"});
+      if (one.plate) complaints.push_back({path + ".plate", "is of the guys of a beam of the machine"});
+      continue;
+    }
+    const auto refuse = [&](bool given, const char* key) {
+      if (given) complaints.push_back({path + "." + key, "is the machine's: say it of the beam there"});
+    };
+    refuse(!one.loads.empty(), "loads");
+    refuse(!one.carries.empty(), "carries");
+    refuse(one.section.has_value(), "section");
+    refuse(!one.pieces.empty(), "pieces");
+    refuse(one.height.has_value(), "height");
+    refuse(one.own_weight, "own_weight");
+    refuse(one.top_stiffness != 0, "top_stiffness");
+    refuse(one.sway.has_value(), "sway");
+    refuse(one.bow.has_value(), "bow");
+    if (one.allowable_stress && one.safety) {
+      complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
+    }
+    refuse_both_factors(one, path, complaints);
+    for (const std::string& name : beams_of(one)) complain_of_beam(one, name, path, deck, complaints);
+    complain_of_terms(one, path, deck, complaints);
+  }
+}
+
+void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const model::Model& model,
+                       Result& r) {
+  for (const MastStates& mast : masts) {
+    const MastCheckRequest& one = *mast.request;
+    if (mast.beams.empty()) {
+      add_mast_report(one, one.carries.empty() ? own_mast(one, one.loads) : carrying_mast(one, mast.carried), r);
+      continue;
+    }
+    const MastReport report = MachineMast(mast, deck, model).report();
+    add_mast_report(one, report, r);
+    double bending = HUGE_VAL;
+    for (std::size_t i = 0; i < report.materials.size(); ++i) {
+      bending = std::min(bending, beam_named(deck, beams_of(one)[i])->E * report.materials[i].section.I_z);
+    }
+    add_top_check(mast, bending, model, r);
+    add_plate_checks(one, deck, model, r);
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,49 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/checks/check_state.hpp"
+#include "taut/checks/checked_deck.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+
+/// `checks: masts:` of a machine: its beams, and masts that the deck gives beside it.
+namespace taut::app {
+
+/// The beams of a mast in one state.
+struct BeamState {
+  std::string words, analysis;
+  std::vector<analysis::BeamResult> beams;  ///< of the mast, from its base
+};
+
+/// A mast over all states that were shown.
+struct MastStates {
+  const MastCheckRequest* request = nullptr;
+  std::vector<std::size_t> beams;  ///< of the machine; none: it stands in the deck
+  std::vector<BeamState> states;
+  double guy_stiffness = HUGE_VAL;  ///< least of the guys at its top in their weakest direction, N/m
+  std::string where_stiffness;      ///< empty: no guy ever held it
+  std::vector<CarriedState> carried;
+};
+std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck,
+                                    const model::Model& model);
+void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast);
+
+/// Names of the beams of a mast, from its base.
+std::vector<std::string> beams_of(const MastCheckRequest& request);
+const model::description::Beam* beam_named(const CheckedDeck& deck, const std::string& name);
+
+// The guys of a mast: mast_guys.cpp.
+/// The least horizontal stiffness of all guys at a point, in a state, N/m; none: no taut guy is there.
+std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, const std::string& top);
+/// `bending`: least E I of the mast, N m2.
+void add_top_check(const MastStates& mast, double bending, const model::Model& model, Result& r);
+void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model, Result& r);
+
+void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const model::Model& model,
+                       std::vector<Complaint>& complaints);
+void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const model::Model& model,
+                       Result& r);
+
+}  // namespace taut::app

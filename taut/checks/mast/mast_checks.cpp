@@ -1,0 +1,313 @@
+#include "taut/checks/mast/mast_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/catalogue/section_search.hpp"
+#include "taut/catalogue/steel.hpp"
+#include "taut/structure/hollow_section.hpp"
+
+namespace taut::app {
+namespace {
+
+using structure::LoadedMast;
+using structure::MastPlace;
+using structure::MastStation;
+using structure::MastUse;
+
+constexpr const char* recalled_section =
+    "UNVERIFIED: class limits and M_N of hollow sections as recalled, not compared with the standard";
+constexpr const char* recalled_curve = "UNVERIFIED: buckling curve and class limits as recalled; annex B verified";
+
+constexpr double same_place = 1e-4;  // m
+
+const structure::MastCase& case_at(const LoadedMast& m, const MastPlace& at) { return m.cases[at.load_case]; }
+const MastStation& station_at(const LoadedMast& m, const MastPlace& at) { return case_at(m, at).stations[at.station]; }
+
+std::string place_words(const LoadedMast& m, const MastPlace& at) {
+  return fmt::format("{:.4g} m above its base, {}", station_at(m, at).height, case_at(m, at).words);
+}
+
+void add_check(const std::string& part, const char* name, double value, double limit, const Unit& unit,
+               std::string rule, std::string trust, Result& r) {
+  Check c = make_check(fmt::format("{}.{}", part, name), value, Sense::at_most, limit, unit, std::move(rule),
+                       std::move(trust));
+  c.part = part;
+  r.checks.push_back(std::move(c));
+}
+
+void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
+  if (u.slenderness.value == 0) return;  // pulled everywhere
+  const MastPlace& at = u.slenderness.at;
+  const auto& steel = report.loaded.mast.parts[at.part].member.steel;
+  const structure::WallClass wall =
+      structure::section_class(steel.section, steel.yield, station_at(report.loaded, at).design);
+  add_check(report.name, "wall", wall.slenderness, wall.slenderness / u.slenderness.value, si::one,
+            fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
+                        wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
+            recalled_section, r);
+}
+
+void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
+  const LoadedMast& m = report.loaded;
+  const auto& steel = m.mast.parts[u.section.at.part].member.steel;
+  const int section_class =
+      structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
+  add_check(report.name, "section", u.section.value, 1, si::one,
+            fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                        steel.section.name, section_class, steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)",
+                        place_words(m, u.section.at)),
+            recalled_section, r);
+  add_check(report.name, "shear", u.shear.value, 1, si::one,
+            fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+            "UNVERIFIED: shear areas as recalled", r);
+}
+
+void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
+  if (!u.pressed) return;
+  const LoadedMast& m = report.loaded;
+  const auto curve = [&](const MastPlace& at) {
+    const auto& member = m.mast.parts[at.part].member;
+    return to_text(member.curve.value_or(structure::curve_of(member.steel.section, member.steel.yield)));
+  };
+  add_check(report.name, "buckling", u.flexural.value, 1, si::one,
+            fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}", curve(u.flexural.at),
+                        case_at(m, u.flexural.at).words),
+            recalled_curve, r);
+  if (!m.mast.members) return;
+  add_check(report.name, "member", u.member.value, 1, si::one,
+            fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
+                        curve(u.member.at), case_at(m, u.member.at).words),
+            recalled_curve, r);
+}
+
+/// [sigma] of the deck, or as good as the yield stress that it is a share of.
+std::string trust_of_stress(const MastCheckRequest& request, const MastReport& report, std::size_t part) {
+  const std::string& yield = report.materials[std::min(part, report.materials.size() - 1)].trust;
+  return request.safety && yield.starts_with("UNVERIFIED") ? yield : std::string("user");
+}
+
+void add_stress_check(const MastCheckRequest& request, const MastReport& report, const MastUse& u, Result& r) {
+  if (u.stress_use.value == 0) return;
+  const LoadedMast& m = report.loaded;
+  const MastPlace& at = u.stress_use.at;
+  const double allowed = *m.mast.parts[at.part].allowable_stress;
+  add_check(
+      report.name, "allowable_stress", u.stress_use.value * allowed, allowed, si::Pa,
+      fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}", place_words(m, at)),
+      trust_of_stress(request, report, at.part), r);
+}
+
+void add_row(const MastReport& report, const MastUse& u, Result& r) {
+  auto table = std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "masts"; });
+  if (table == r.tables.end()) {
+    r.tables.push_back({"masts",
+                        "Masts at their worst section (design forces, N: compression positive) and as members",
+                        {{"name", si::one},
+                         {"section", si::one},
+                         {"class", si::one},
+                         {"f_y", si::Pa},
+                         {"height", si::m},
+                         {"N", si::N},
+                         {"M_y", si::N_m},
+                         {"M_z", si::N_m},
+                         {"V", si::N},
+                         {"section_use", si::one},
+                         {"buckling", si::one},
+                         {"member", si::one},
+                         {"stress", si::Pa},
+                         {"case", si::one}},
+                        {}});
+    table = std::prev(r.tables.end());
+  }
+  const LoadedMast& m = report.loaded;
+  const MastStation& s = station_at(m, u.section.at);
+  const auto& steel = m.mast.parts[u.section.at.part].member.steel;
+  const double none = std::nan("");
+  table->rows.push_back({report.name, steel.section.name,
+                         static_cast<double>(structure::section_class(steel.section, steel.yield, s.design).value),
+                         steel.yield, s.height, s.design.N, s.design.M_y, s.design.M_z,
+                         std::hypot(s.design.V_y, s.design.V_z), u.section.value, u.pressed ? u.flexural.value : none,
+                         u.pressed && m.mast.members ? u.member.value : none, u.stress.value,
+                         case_at(m, u.section.at).words});
+}
+
+/// Along the height, of all cases: how far the sections are used by both routes.
+void add_profile(const MastReport& report, Result& r) {
+  Plot plot{fmt::format("{}_profile", report.name),
+            fmt::format("How far the sections of {} are used along its height", report.name),
+            "The largest over all cases.",
+            {"use of the section", si::one},
+            {"height above the base", si::m},
+            {},
+            {}};
+  struct At {
+    double height;
+    std::size_t part;
+    double ec3, sigma;
+  };
+  std::vector<At> points;
+  const auto& parts = report.loaded.mast.parts;
+  for (const auto& c : report.loaded.cases) {
+    for (const MastStation& s : c.stations) {
+      Sheet<double> plain;
+      const auto& part = parts[s.part];
+      const double ec3 = structure::cross_section(part.member.steel, s.design, plain).worst();
+      const double stress = structure::elastic_stress(part.member.steel.section, s.service);
+      const double sigma = part.allowable_stress ? stress / *part.allowable_stress : std::nan("");
+      const auto known = std::find_if(points.begin(), points.end(), [&](const At& p) {
+        return p.part == s.part && std::abs(p.height - s.height) < same_place;
+      });
+      if (known == points.end()) {
+        points.push_back({s.height, s.part, ec3, sigma});
+      } else {
+        known->ec3 = std::max(known->ec3, ec3);
+        known->sigma = std::max(known->sigma, sigma);
+      }
+    }
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const At& a, const At& b) { return a.part != b.part ? a.part < b.part : a.height < b.height; });
+  Curve ec3{"EN 1993-1-1, N + M + V", {}, {}}, sigma{"N/A + M/W over [sigma]", {}, {}, true};
+  for (const At& p : points) {
+    ec3.x.push_back(p.ec3);
+    ec3.y.push_back(p.height);
+    sigma.x.push_back(p.sigma);
+    sigma.y.push_back(p.height);
+  }
+  plot.curves.push_back(std::move(ec3));
+  if (!std::isnan(points.front().sigma)) plot.curves.push_back(std::move(sigma));
+  r.figures.emplace_back(std::move(plot));
+}
+
+void write_mast(const MastCheckRequest& request, const MastReport& report, const MastUse& u, Result& r) {
+  Sheet<Num> s("EN 1993-1-1", MastCheckRequest::describe(), &request);
+  const LoadedMast& m = report.loaded;
+  const auto& steel = m.mast.parts[u.section.at.part].member.steel;
+  s.section(fmt::format("{}: its worst section, {}", report.name, place_words(m, u.section.at)));
+  const auto& design = station_at(m, u.section.at).design;
+  write_class(steel.section, steel.yield, design, s);
+  cross_section(steel, design, s);
+  if (u.pressed && m.mast.members) {
+    s.section(fmt::format("{}: the member, {}", report.name, case_at(m, u.member.at).words));
+    const auto& c = case_at(m, u.member.at);
+    member_use(member_in(m.mast, c, u.member.at.part), member_forces(m.mast, c, u.member.at.part), s);
+  }
+  s.move_to(r);
+}
+
+}  // namespace
+
+std::optional<structure::Curve> curve_of(const MastCheckRequest& request) {
+  if (request.curve == MastCurve::by_section) return std::nullopt;
+  return static_cast<structure::Curve>(static_cast<int>(request.curve) - 1);
+}
+
+std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const catalogue::SectionRow& row,
+                                          const std::string& steel) {
+  const auto found = catalogue::find_steel(steel);
+  if (!found) return std::nullopt;
+  const auto yield = catalogue::yield(*found, row.thickness);
+  if (!yield) return std::nullopt;
+  MastMaterial m;
+  m.section = structure::with_thinner_wall(row, request.wall_tolerance);
+  m.yield = *yield;
+  m.allowable_stress = request.allowable_stress;
+  if (request.safety) m.allowable_stress = *yield / *request.safety;
+  m.steel = full_name(*found);
+  m.trust = found->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", found->trust_text)
+                                                         : std::string(to_text(found->trust));
+  return m;
+}
+
+std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const std::string& section,
+                                          const std::string& steel, const std::string& path,
+                                          std::vector<Complaint>& complaints) {
+  const auto row = catalogue::find_section(section);
+  if (!row) {
+    complaints.push_back({path + ".section", to_text(row.error())});
+    return std::nullopt;
+  }
+  const auto found = catalogue::find_steel(steel);
+  if (!found) {
+    complaints.push_back({path + ".steel", to_text(found.error())});
+    return std::nullopt;
+  }
+  const auto yield = catalogue::yield(*found, row->thickness);
+  if (!yield) {
+    complaints.push_back({path + ".steel", to_text(yield.error())});
+    return std::nullopt;
+  }
+  return mast_material(request, *row, steel);
+}
+
+std::string factor_words(const MastCheckRequest& request, const MastReport& report) {
+  std::string words = fmt::format("{}: ", report.name);
+  if (request.combinations.empty()) {
+    words += request.load_factor == 1
+                 ? "EN 1993-1-1 with forces without partial factor (gamma_F = 1)"
+                 : fmt::format("EN 1993-1-1 with forces times gamma_F = {:.4g}", request.load_factor);
+  } else {
+    words += "EN 1993-1-1 with forces times the partial factors of 'combinations'";
+  }
+  words += fmt::format(", dynamic factor {:.4g}, strength over gamma_M0 = {:.4g}, gamma_M1 = {:.4g}",
+                       request.dynamic_factor, request.gamma_M0, request.gamma_M1);
+  if (request.wall_tolerance > 0) words += fmt::format(", walls {:.3g} % thinner", request.wall_tolerance * 100);
+  const MastMaterial& first = report.materials.front();
+  if (first.allowable_stress) {
+    words += fmt::format(
+        "; by [sigma] = {:.4g} MPa forces have no factor, bending is elastic, and f_y/[sigma] = {:.4g} stands for all "
+        "factors, buckling and dynamics together",
+        *first.allowable_stress / 1e6, first.yield / *first.allowable_stress);
+  }
+  return words + ".";
+}
+
+void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r) {
+  if (!report.materials.empty()) r.assumptions.push_back(factor_words(request, report));
+  r.assumptions.insert(r.assumptions.end(), report.words.begin(), report.words.end());
+  const bool factored = request.load_factor != 1 || !request.combinations.empty();
+  if (!factored) {
+    r.warnings.push_back(
+        fmt::format("{} is checked with forces as they are: give 'load_factor' or 'combinations' "
+                    "for a check by EN 1993-1-1 that stands by itself",
+                    report.name));
+  }
+  if (!report.refused.empty()) {
+    add_check(report.name, "section", std::nan(""), 1, si::one, report.refused, "derived", r);
+    r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
+    add_mast_choice(request, report, r);
+    return;
+  }
+  const MastUse u = mast_use(report.loaded.mast, report.loaded.cases);
+  add_wall_check(report, u, r);
+  if (u.refused.empty()) {
+    add_section_checks(report, u, r);
+    add_member_checks(report, u, r);
+  } else {
+    r.warnings.push_back(fmt::format("{}: {}", report.name, u.refused));
+  }
+  add_stress_check(request, report, u, r);
+  for (const MastMaterial& one : report.materials) {
+    if (!one.trust.starts_with("UNVERIFIED")) continue;
+    r.warnings.push_back(fmt::format("{}: f_y of {} is {}", report.name, one.steel, one.trust));
+    break;
+  }
+  const auto value = [&](const char* key, double v, const Unit& unit, const char* words) {
+    const std::string name = fmt::format("{}.{}", report.name, key);
+    r.values.push_back({name, v, unit, name, fmt::format("{} of {}", words, report.name), {}});
+  };
+  if (u.refused.empty()) {
+    value("utilisation", std::max({u.section.value, u.shear.value, u.flexural.value, u.member.value}), si::one,
+          "largest use by EN 1993-1-1");
+    add_row(report, u, r);
+    add_profile(report, r);
+    write_mast(request, report, u, r);
+  }
+  value("service_stress", u.stress.value, si::Pa, "largest |N|/A + M/W without factors");
+  add_mast_choice(request, report, r);
+}
+
+}  // namespace taut::app

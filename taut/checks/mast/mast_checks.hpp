@@ -1,0 +1,86 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+#include "taut/calc/sheet.hpp"
+#include "taut/checks/check_state.hpp"
+#include "taut/checks/mast/mast_checks_deck.hpp"
+#include "taut/structure/column_mast.hpp"
+#include "taut/structure/mast_sizing.hpp"
+
+/// `checks: masts:`: a mast by EN 1993-1-1 and by an allowable stress, from the forces of a machine's beams, from those
+/// that the deck gives, or from a published method.
+namespace taut::app {
+
+/// A steel in the wall that counts: the section, f_y, [sigma], and the trust of both.
+struct MastMaterial {
+  catalogue::SectionRow section;
+  double yield = 0;                        ///< Pa
+  std::optional<double> allowable_stress;  ///< Pa
+  std::string steel;                       ///< "EN 10025-2 S355"
+  std::string trust;                       ///< of the yield stress
+};
+
+/// The section `name` in the steel `steel`; empty with complaints at `path`.section, `path`.steel.
+std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const std::string& section,
+                                          const std::string& steel, const std::string& path,
+                                          std::vector<Complaint>& complaints);
+/// The same for a row of the catalogue; empty where the steel is not made so thick.
+std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const catalogue::SectionRow& row,
+                                          const std::string& steel);
+
+std::optional<structure::Curve> curve_of(const MastCheckRequest& request);
+
+/// What is to be told of a mast.
+struct MastReport {
+  std::string name;
+  structure::LoadedMast loaded;
+  std::vector<MastMaterial> materials;  ///< by part
+  std::string refused;                  ///< why there are no forces
+  std::vector<std::string> words;       ///< how it was computed
+  structure::MastOf in_section;         ///< the same mast in another section, for `choose`
+};
+
+/// Adds checks (part: the mast), values, a table row, lines and a plot.
+void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r);
+
+/// Which factors each route contains.
+std::string factor_words(const MastCheckRequest& request, const MastReport& report);
+
+/// The lightest sections that pass, as a table `mast_sections`.
+void add_mast_choice(const MastCheckRequest& request, const MastReport& report, Result& r);
+
+/// Where the loads of a mast come from that is no beam of the machine.
+enum class LoadsOf { deck, method, machine };
+/// What is wrong with such a mast, at paths below `path`. `analyses`: names of load cases that a machine gives.
+void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
+                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
+
+/// Partial factors in two places.
+void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
+
+/// Such a mast, solved. `loads`: in place of those in the request.
+MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads);
+
+/// What the ropes of a machine do to a mast that carries their sheaves and anchors, in one state.
+struct CarriedState {
+  std::string words, analysis;
+  bool moves = false;
+  std::vector<MastLoadRequest> loads;  ///< by the mast's axes
+};
+CarriedState carried_by(const MastCheckRequest& request, const CheckState& state);
+void complain_of_carried(const MastCheckRequest& request, const std::string& path, const model::Model& model,
+                         const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
+/// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
+/// factor. Of many states those count that bend or press some piece most, in any direction.
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states);
+
+/// The masts of a deck with a published method: those with loads, and of `mast_section` without loads the method's own
+/// resultants on its blocks.
+void complain_of_method_masts(const std::vector<MastCheckRequest>& masts, const std::string& method,
+                              std::vector<Complaint>& complaints);
+void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r);
+
+}  // namespace taut::app

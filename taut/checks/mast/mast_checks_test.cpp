@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "test/paths.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::mast_checks_test {
+
+using namespace taut_test;
+
+std::string case_a(const std::string& mast) {
+  return R"(taut: 1
+method: mast_section
+input:
+  skyline_force: 100 kN
+  mainline_force: 40 kN
+  skyline_block_height: 8 m
+  branch_angle: 12 deg
+  wrap: paper
+  allowable_stress: 160 MPa
+checks:
+  masts:
+    mast: {)" +
+         mast + "}\n";
+}
+
+// Numbers by hand: test/cases/ec3_mast_test.cpp.
+TEST(MastChecks, CaseAByBothRoutes) {
+  const taut::Result r =
+      run_text(case_a("section: CHS 508x16, steel: S355, sway: 0, bow: 0, allowable_stress: 160 MPa"));
+  EXPECT_EQ(exit_code(r), 4);  // [sigma] of the paper
+  EXPECT_NEAR(check_of(r, "mast.member").value, 0.608284, 1e-5);
+  EXPECT_NEAR(check_of(r, "mast.section").value, 0.634255, 1e-5);
+  EXPECT_NEAR(check_of(r, "mast.buckling").value, 0.0350853, 1e-6);
+  EXPECT_NEAR(check_of(r, "mast.wall").value, 31.75, 1e-9);
+  EXPECT_NEAR(check_of(r, "mast.wall").limit, 59.5775, 1e-4);
+  EXPECT_NEAR(check_of(r, "mast.allowable_stress").value, 295.4926e6, 2e3);
+  EXPECT_FALSE(check_of(r, "mast.allowable_stress").passes);
+  EXPECT_EQ(check_of(r, "mast.section").part, "mast");
+  EXPECT_NE(check_of(r, "mast.section").trust.find("UNVERIFIED"), std::string::npos);
+  const auto says = [&](const std::string& text) {
+    return std::any_of(r.assumptions.begin(), r.assumptions.end(),
+                       [&](const std::string& a) { return a.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("gamma_F = 1)"));
+  EXPECT_TRUE(says("f_y/[sigma] = 2.219"));
+  EXPECT_GT(r.steps.size(), 20U);
+}
+
+// A share of a recalled yield stress is no better than that.
+TEST(MastChecks, StressOfARecalledSteelIsMarked) {
+  const taut::Result r = run_text(case_a("section: CHS 508x16, steel: S355 product, safety: 2"));
+  EXPECT_NE(check_of(r, "mast.allowable_stress").trust.find("UNVERIFIED"), std::string::npos);
+  const taut::Result own = run_text(case_a("section: CHS 508x16, steel: S355 product, allowable_stress: 160 MPa"));
+  EXPECT_EQ(check_of(own, "mast.allowable_stress").trust, "user");
+}
+
+TEST(MastChecks, FactorsRaiseTheUse) {
+  const taut::Result r = run_text(case_a("section: CHS 508x16, steel: S355, load_factor: 1.5, dynamic_factor: 1.1"));
+  EXPECT_NEAR(check_of(r, "mast.section").value, 1.069647, 2e-5);
+  EXPECT_EQ(exit_code(r), 4);
+}
+
+TEST(MastChecks, ChoosesTheLightestOfEachShape) {
+  const taut::Result r = run_text(
+      case_a("section: CHS 508x16, steel: S355, load_factor: 1.35, choose: {forming: hot, standard: EN 10210}"));
+  const auto& t = table_of(r, "mast_sections");
+  ASSERT_EQ(t.rows.size(), 8U);  // of the squares two
+  for (std::size_t i = 0; i < t.rows.size(); ++i) EXPECT_LE(cell(t, i, "utilisation"), 1);
+  EXPECT_LE(cell(t, 0, "mass_per_length"), cell(t, 1, "mass_per_length"));
+  // what it names passes when it is checked itself
+  const std::string name = std::get<std::string>(t.rows[0][1]);
+  const taut::Result again = run_text(case_a("section: " + name + ", steel: S355, load_factor: 1.35"));
+  EXPECT_NEAR(value_of(again, "mast.utilisation"), cell(t, 0, "utilisation"), 1e-9);
+  EXPECT_EQ(exit_code(again), 0);
+}
+
+TEST(MastChecks, ClassFourIsRefusedWithWords) {
+  const taut::Result r = run_text(case_a("section: CHS 508x8, steel: S355"));
+  EXPECT_EQ(exit_code(r), 4);
+  EXPECT_FALSE(check_of(r, "mast.wall").passes);
+  EXPECT_FALSE(has_check(r, "mast.member"));
+  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(),
+                          [](const std::string& w) { return w.find("thicker wall") != std::string::npos; }));
+}
+
+const char* const pole = R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}
+  beams:
+    mast: {from: foot, to: head, section: CHS 508x16, steel: S355, mass: 0 kg/m}
+  loads: [{at: mast.top, force: [106508.0225 N, 0 N, -162638.979 N]}]
+checks:
+  masts:
+    mast: {allowable_stress: 400 MPa}
+)";
+
+// The machine's beam as a cantilever is the hand's: exact rotations instead of small ones cost 1e-3.
+TEST(MastChecks, MachineBeamIsTheCantilever) {
+  const taut::Result r = run_text(pole);
+  EXPECT_NEAR(check_of(r, "mast.section").value, 0.634255, 1e-3);
+  // its axial force falls towards the bent top by H times the turn there: 1 % on N_cr
+  EXPECT_NEAR(check_of(r, "mast.buckling").value, 0.0350853, 5e-4);
+  EXPECT_NEAR(check_of(r, "mast.member").value, 0.0350853 + 0.9252614 * 871.3685 / 1375.408, 1e-3);
+  // turned by any angle about its axis: a tube has none
+  const taut::Result turned = run_text(pole, {"machine.loads[0].force=[-63904.8135 N, 85206.418 N, -162638.979 N]"});
+  EXPECT_NEAR(check_of(turned, "mast.section").value, check_of(r, "mast.section").value, 1e-6);
+}
+
+// Two places a hair apart are as good as one: a short piece of the beam must not spoil its critical load.
+TEST(MastChecks, PlacesNearlyTogether) {
+  const auto use = [](const std::string& second) {
+    const taut::Result r = run_text(R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m], p1: {body: mast, at: [0 m, 0 m, 7 m]}, p2: {body: mast, at: [0 m, 0 m, )" +
+                                    second + R"(]}}
+  beams:
+    mast: {from: foot, to: head, section: CHS 219.1x8, steel: S355, mass: 0 kg/m}
+  loads: [{at: mast.top, force: [5 kN, 0 N, -50 kN]}, {at: p1, force: [2 kN, 0 kN, -30 kN]}, {at: p2, force: [2 kN, 0 kN, -30 kN]}]
+checks: {masts: {mast: {load_factor: 1.35}}}
+)");
+    EXPECT_EQ(r.status, taut::Status::ok) << r.message << second;
+    return std::pair{check_of(r, "mast.buckling").value, check_of(r, "mast.section").value};
+  };
+  const auto one = use("7 m");
+  for (const char* near : {"7.000001 m", "7.0001 m", "7.001 m", "6.997 m", "7.01 m"}) {
+    const auto two = use(near);
+    EXPECT_NEAR(two.first / one.first, 1, 2e-3) << near;
+    EXPECT_NEAR(two.second / one.second, 1, 2e-3) << near;
+  }
+}
+
+TEST(MastChecks, CombinationsNameAnalyses) {
+  const std::string deck = std::string(pole) + "      combinations: {one: {equilibrium: 1.5}}\n";
+  std::string text = deck;
+  const auto at = text.find("{allowable_stress: 400 MPa}\n");
+  text.replace(at, 28, "\n");
+  const taut::Result r = run_text(text);
+  const taut::Result plain = run_text(pole);
+  // by hand: 1.5 H tan(kL)/k with 1.5 N is 1322.08 kN m over M_N = 1372.30 kN m; the estimate from alpha_cr is 0.3 %
+  // above
+  EXPECT_NEAR(check_of(r, "mast.section").value, 0.96340, 4e-3);
+  EXPECT_GT(check_of(r, "mast.section").value, 1.5 * check_of(plain, "mast.section").value);
+}
+
+// Two beams, one upon the other, against the column of two pieces, which is factored before it bends.
+TEST(MastChecks, BeamsUponEachOther) {
+  const taut::Result r = run_text(R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], knee: [0 m, 0 m, 6 m], head: [0 m, 0 m, 12 m]}
+  beams:
+    lower: {from: foot, to: knee, section: CHS 508x16, steel: S355, mass: 0 kg/m}
+    upper: {from: lower.top, to: head, section: CHS 323.9x10, steel: S355, mass: 0 kg/m}
+  loads: [{at: upper.top, force: [20 kN, 0 N, -100 kN]}]
+checks:
+  masts:
+    whole: {beams: [lower, upper], load_factor: 1.2}
+    own:
+      pieces: [{length: 6 m, section: CHS 508x16}, {length: 6 m, section: CHS 323.9x10}]
+      steel: S355
+      sway: 0
+      bow: 0
+      load_factor: 1.2
+      loads: [{down: 100 kN, across: 20 kN}]
+)");
+  EXPECT_NEAR(check_of(r, "whole.section").value / check_of(r, "own.section").value, 1, 5e-3);
+  // Dunkerley's critical force is below the true one
+  EXPECT_GT(check_of(r, "whole.buckling").value, check_of(r, "own.buckling").value);
+  EXPECT_LT(check_of(r, "whole.buckling").value, 1.15 * check_of(r, "own.buckling").value);
+}
+
+TEST(MastChecks, BuiltCrookedNeedsNoMemberEquation) {
+  const taut::Result r =
+      run_text(pole, {"machine.beams.mast.imperfection={bow: 0.0034, sway: 0.0036, towards: [1, 0, 0]}"});
+  EXPECT_FALSE(has_check(r, "mast.member"));
+  EXPECT_GT(check_of(r, "mast.section").value, 0.634255);
+}
+
+TEST(MastChecks, SteppedMastWithTwoCasesTogether) {
+  const taut::Result r = run_text(std::string(pole) + R"(    stepped:
+      pieces: [{length: 6 m, section: CHS 508x16}, {length: 6 m, section: CHS 323.9x10}]
+      steel: S355
+      loads:
+        - {case: dead, down: 30 kN}
+        - {case: work, down: 100 kN, across: 20 kN}
+        - {case: work, at: 6 m, across: 10 kN}
+      combinations: {ULS: {dead: 1.35, work: 1.5}}
+)");
+  // first order at the base: 1.5 (20 x 12 + 10 x 6) = 450 kN m, at the step 180 kN m; the bent shape adds some
+  const auto& t = table_of(r, "masts");
+  ASSERT_EQ(t.rows.size(), 2U);
+  EXPECT_NEAR(cell(t, 1, "N"), 1.35 * 30e3 + 1.5 * 100e3, 1);
+  EXPECT_GT(std::abs(cell(t, 1, "M_y")), 180e3);
+  EXPECT_LT(std::abs(cell(t, 1, "M_y")), 280e3);
+  EXPECT_NEAR(cell(t, 1, "height"), 6, 1e-9);
+}
+
+TEST(MastChecks, ExamplesDoWhatTheySay) {
+  const auto run_example = [](const char* name) {
+    const auto job = taut::app::read_job((source_dir() / "examples/design" / name).string());
+    EXPECT_TRUE(job) << name;
+    return job ? taut::app::run(*job) : taut::Result{};
+  };
+  const taut::Result yarder = run_example("yarder_mast.yaml");
+  EXPECT_EQ(exit_code(yarder), 0) << yarder.message << to_text(yarder.errors);
+  EXPECT_LT(check_of(yarder, "mast.section").value, 1);
+  EXPECT_EQ(check_of(yarder, "return.spar_rating").part, "return");
+  const taut::Result both = run_example("mast_case_a.yaml");
+  EXPECT_EQ(exit_code(both), 4) << "with factors the tube is too small by either route";
+  EXPECT_NEAR(check_of(both, "plain.member").value, 0.608284, 1e-5);
+}
+
+TEST(MastChecks, MistakesHaveTheirPlace) {
+  expect_mistake(run_text(case_a("section: CHS 508x16")), "needs 'steel'");
+  expect_mistake(run_text(case_a("section: CHS 508x17, steel: S355")), "CHS 508x1");
+  expect_mistake(run_text(case_a("section: CHS 508x16, steel: S350")), "S355");
+  expect_mistake(run_text(case_a("section: CHS 508x16, steel: S355, load_factor: -1")), "load_factor");
+  expect_mistake(run_text(pole, {"checks.masts.mast.beams=[most]"}), "did you mean 'mast'");
+  expect_mistake(run_text(pole, {"checks.masts.mast.combinations={a: {inhaul: 1.5}}"}), "inhaul");
+  expect_mistake(run_text(pole, {"checks.masts.mast.height=8 m"}), "say it of the beam there");
+  expect_mistake(
+      run_text(pole, {"checks.masts.mast.load_factor=1.4", "checks.masts.mast.combinations={a: {equilibrium: 1.5}}"}),
+      "have the partial factors already");
+  expect_mistake(run_text(pole, {"checks.masts.other={steel: S355, section: CHS 508x16, height: 8 m}"}),
+                 "give its 'loads'");
+}
+
+}  // namespace taut::app::mast_checks_test

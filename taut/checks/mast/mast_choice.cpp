@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/catalogue/section_search.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+
+namespace taut::app {
+namespace {
+
+using catalogue::SectionShape;
+
+constexpr std::size_t told_of_each_shape = 3;
+
+std::vector<SectionShape> shapes_of(const SectionChoice& choice) {
+  if (choice.shape) return {*choice.shape};
+  return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
+}
+
+const char* mast_governing(const structure::MastUse& u) {
+  const double most = u.utilisation();
+  if (!u.refused.empty()) return "class 4";
+  if (u.stress_use.value == most) return "allowable stress";
+  if (u.section.value == most) return "section";
+  if (u.member.value == most) return "member";
+  if (u.flexural.value == most) return "buckling";
+  return "shear";
+}
+
+std::vector<Cell> sized_row(const std::string& mast, const structure::SizedMast& one, double height) {
+  return {mast,
+          one.section.name,
+          one.section.mass_per_length,
+          one.section.mass_per_length * height,
+          one.use.refused.empty() ? one.use.utilisation() : std::nan(""),
+          std::string(mast_governing(one.use)),
+          std::string(to_text(one.section.trust))};
+}
+
+double height_of(const MastReport& report) {
+  double h = 0;
+  for (const auto& c : report.loaded.cases) {
+    for (const auto& s : c.stations) h = std::max(h, s.height);
+  }
+  return h > 0 ? h : std::nan("");
+}
+
+Table& table_in(Result& r) {
+  const auto known =
+      std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "mast_sections"; });
+  if (known != r.tables.end()) return *known;
+  r.tables.push_back({"mast_sections",
+                      "Lightest sections of the catalogue that pass by every route asked for",
+                      {{"mast", si::one},
+                       {"section", si::one},
+                       {"mass_per_length", si::kg_per_m},
+                       {"mass", si::kg},
+                       {"utilisation", si::one},
+                       {"governs", si::one},
+                       {"trust", si::one}},
+                      {}});
+  return r.tables.back();
+}
+
+}  // namespace
+
+void add_mast_choice(const MastCheckRequest& request, const MastReport& report, Result& r) {
+  if (!request.choose) return;
+  if (!report.in_section) {
+    r.warnings.push_back(fmt::format("{}: 'choose' is for a mast of one section and leaves this one out", report.name));
+    return;
+  }
+  const double height = height_of(report);
+  std::optional<structure::SizedMast> best;
+  for (const SectionShape shape : shapes_of(*request.choose)) {
+    catalogue::SectionFilter filter = filter_of(*request.choose);
+    filter.shape = shape;
+    const auto found = structure::size_mast(catalogue::sections_by_mass(filter), report.in_section, told_of_each_shape);
+    for (const auto& one : found.passing) table_in(r).rows.push_back(sized_row(report.name, one, height));
+    if (!found.passing.empty() && (!best || found.passing[0].section.mass_per_length < best->section.mass_per_length)) {
+      best = found.passing[0];
+    }
+    if (found.passing.empty() && found.nearest) {
+      r.warnings.push_back(
+          fmt::format("{}: no {} of the catalogue that 'choose' lets through passes; nearest is {} ({})", report.name,
+                      to_text(shape), found.nearest->section.name, mast_governing(found.nearest->use)));
+    }
+  }
+  if (!best) return;
+  const std::string name = report.name + ".chosen_mass";
+  r.values.push_back({name,
+                      best->section.mass_per_length,
+                      si::kg_per_m,
+                      name,
+                      fmt::format("mass of {}, the lightest that passes, of {}", best->section.name, report.name),
+                      {}});
+  r.assumptions.push_back(fmt::format(
+      "{}: {} ({:.4g} kg/m) is the lightest section of the catalogue that passes; chosen under the forces found here: "
+      "run the deck with it.",
+      report.name, best->section.name, best->section.mass_per_length));
+}
+
+}  // namespace taut::app

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/checks/mast/machine_masts.hpp"
+#include "taut/math/index.hpp"
+#include "taut/rope/guy.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Guys that are fixed to the mast's beams, and the least of their breaking forces (0: one is not known).
+struct MastGuys {
+  int number = 0;
+  double weakest = HUGE_VAL;
+};
+MastGuys guys_of(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model) {
+  const std::vector<std::string> beams = beams_of(request);
+  const auto on_mast = [&](const std::string& place) {
+    return std::any_of(beams.begin(), beams.end(), [&](const std::string& beam) {
+      if (place == beam || place.starts_with(beam + ".")) return true;
+      const auto& points = deck.machine.points;
+      return std::any_of(points.begin(), points.end(),
+                         [&](const auto& p) { return p.name == place && p.body && *p.body == beam; });
+    });
+  };
+  MastGuys all;
+  for (const auto& guy : deck.machine.guys) {
+    if (!on_mast(guy.from) && !on_mast(guy.to)) continue;
+    const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
+                                   [&](const model::Reeving& one) { return one.name == guy.name; });
+    all.number += rope->copies;
+    all.weakest = std::min(all.weakest, rope->breaking_force);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, const std::string& top) {
+  rope::RingStiffness ring;
+  bool any = false;
+  for (const auto& guy : deck.machine.guys) {
+    if (guy.from != top && guy.to != top) continue;
+    for (const CheckBranch& span : state.branches) {
+      const model::Reeving& rope = state.model->reevings[at(span.reeving)];
+      const double length = span.unstretched * (1 + rope.thermal_strain);
+      if (rope.name != guy.name || length >= span.chord) continue;  // slack ones give nothing
+      const Vector3 d = span.end - span.start;
+      rope::GuyLine line;
+      line.length = span.chord;
+      line.slope = std::atan2(d.z(), std::hypot(d.x(), d.y()));
+      line.weight = rope.weight;
+      line.stiffness = rope.stiffness;
+      line.tension = span.mean;
+      rope::RingStiffness one = rope::in_ring(rope::horizontal_stiffness(line), std::atan2(d.y(), d.x()));
+      for (int copy = 0; copy < rope.copies; ++copy) ring = ring + one;
+      any = true;
+    }
+  }
+  if (!any) return std::nullopt;
+  const double mean = (ring.xx + ring.yy) / 2;
+  return mean - std::hypot((ring.xx - ring.yy) / 2, ring.xy);
+}
+
+void add_top_check(const MastStates& mast, double bending, const model::Model& model, Result& r) {
+  const MastCheckRequest& request = *mast.request;
+  if (!request.top_criterion) return;
+  double height = 0;
+  for (const std::size_t beam : mast.beams) height += model.beams[beam].length;
+  const double wanted = *request.top_criterion * structure::euler_load(1, bending, height) / height;
+  add_part_check(
+      request.name, "top_stiffness", std::isfinite(mast.guy_stiffness) ? mast.guy_stiffness : 0, Sense::at_least,
+      wanted, si::N_per_m.in("kN/m"),
+      fmt::format("horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
+                  "mast hinged at both ends; {}",
+                  *request.top_criterion, mast.where_stiffness.empty() ? "no guy holds it" : mast.where_stiffness),
+      "UNVERIFIED: 3 to 4 recalled practice", r);
+}
+
+void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model, Result& r) {
+  if (!request.plate) return;
+  const MastGuys guys = guys_of(request, deck, model);
+  if (request.plate->guys) {
+    add_part_check(request.name, "guys_by_plate", guys.number, Sense::at_least, *request.plate->guys, si::one,
+                   "number of guylines against the plate of the spar (WAC 296-54-553)", "verified", r);
+  }
+  if (!request.plate->guy_strength || guys.number == 0) return;
+  if (guys.weakest == 0) {
+    r.unmade.push_back(
+        fmt::format("{}: the breaking force of a guy is not known: 'plate.guy_strength' is not checked", request.name));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
+  add_part_check(request.name, "guy_strength_by_plate", guys.weakest, Sense::at_least, *request.plate->guy_strength,
+                 si::N, "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)",
+                 "verified", r);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/section_search.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+
+namespace taut::app {
+namespace {
+
+using structure::ColumnMast;
+using structure::MastCombination;
+
+/// The pieces of the request; a mast of one section is one piece.
+std::vector<MastPieceRequest> pieces_of(const MastCheckRequest& request) {
+  if (!request.pieces.empty()) return request.pieces;
+  return {{request.height.value_or(1), request.section.value_or(""), {}}};
+}
+
+double height_of(const MastCheckRequest& request) {
+  double h = 0;
+  for (const MastPieceRequest& p : pieces_of(request)) h += p.length;
+  return h;
+}
+
+std::vector<std::string> cases_of(const std::vector<MastLoadRequest>& loads) {
+  std::vector<std::string> names;
+  for (const MastLoadRequest& l : loads) {
+    if (std::find(names.begin(), names.end(), l.load_case) == names.end()) names.push_back(l.load_case);
+  }
+  return names;
+}
+
+/// One combination: loads of its cases with their factors.
+MastCombination combination(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
+                            const std::string& words, const std::vector<MastTerm>& terms) {
+  MastCombination c;
+  c.words = words;
+  const double height = height_of(request);
+  for (const MastTerm& term : terms) {
+    for (const MastLoadRequest& l : loads) {
+      if (l.load_case != term.name) continue;
+      c.loads.push_back({l.at.value_or(height), l.down, l.across, l.sideways, l.moment, l.sideways_moment});
+      c.factors.push_back(term.factor * request.dynamic_factor);
+    }
+  }
+  return c;
+}
+
+std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
+                                             const std::vector<MastLoadRequest>& loads) {
+  std::vector<MastCombination> all;
+  all.reserve(request.combinations.size());
+  for (const MastCombinationRequest& one : request.combinations) {
+    all.push_back(combination(request, loads, one.name, one.terms));
+  }
+  if (!all.empty()) return all;
+  for (const std::string& name : cases_of(loads)) {
+    all.push_back(combination(request, loads, name, {{name, request.load_factor}}));
+  }
+  return all;
+}
+
+ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
+  ColumnMast m;
+  m.clamped_base = request.base == MastBase::clamped;
+  m.top_stiffness = request.top_stiffness;
+  m.own_weight = request.own_weight;
+  m.weight_factor = request.load_factor;
+  m.gamma = {request.gamma_M0, request.gamma_M1};
+  m.curve = curve_of(request);
+  m.sway = request.sway;
+  m.bow = request.bow;
+  m.C_m = request.C_m;
+  m.combinations = combinations_of(request, loads);
+  return m;
+}
+
+void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
+  if (!request.buckling_length) return;
+  for (auto& part : m.mast.parts) part.member.y.length = part.member.z.length = request.buckling_length;
+  for (auto& c : m.cases) c.critical_force.clear();
+}
+
+std::optional<structure::MastPiece> piece_of(const MastCheckRequest& request, const MastPieceRequest& given,
+                                             const std::string& path, std::vector<Complaint>& complaints,
+                                             std::vector<MastMaterial>& materials) {
+  const std::string steel = request.steel.value_or("");
+  const auto low = mast_material(request, given.section, steel, path, complaints);
+  if (!low) return std::nullopt;
+  materials.push_back(*low);
+  structure::MastPiece p{given.length, low->section, {}, low->yield, low->allowable_stress};
+  if (!given.top) return p;
+  std::vector<Complaint> of_top;
+  const auto high = mast_material(request, *given.top, steel, path, of_top);
+  for (const Complaint& c : of_top) complaints.push_back({path + ".top", c.message});
+  if (!high) return std::nullopt;
+  if (high->section.shape != low->section.shape || high->section.forming != low->section.forming) {
+    complaints.push_back(
+        {path + ".top", "a taper keeps shape and making: a tube ends as a tube, hot-finished as such"});
+    return std::nullopt;
+  }
+  p.top = high->section;
+  p.yield = std::min(p.yield, high->yield);
+  return p;
+}
+
+void complain_of_loads(const MastCheckRequest& request, const std::string& path, double height,
+                       const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < request.loads.size(); ++i) {
+    const MastLoadRequest& l = request.loads[i];
+    if (l.at && *l.at > height * (1 + 1e-9)) {
+      complaints.push_back(
+          {fmt::format("{}.loads[{}].at", path, i), fmt::format("is above the top of the mast at {:.6g} m", height)});
+    }
+  }
+  std::vector<std::string> known = cases_of(request.loads);
+  known.insert(known.end(), analyses.begin(), analyses.end());
+  for (const MastCombinationRequest& c : request.combinations) {
+    const std::string at = fmt::format("{}.combinations.{}", path, c.name);
+    if (c.terms.empty()) complaints.push_back({at, "has no load case: `{work: 1.5}`"});
+    for (const MastTerm& t : c.terms) {
+      if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
+      complaints.push_back({fmt::format("{}.{}", at, t.name),
+                            fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis", t.name,
+                                        did_you_mean(t.name, known))});
+    }
+  }
+}
+
+}  // namespace
+
+void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
+                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
+  const std::size_t before = complaints.size();
+  if (!request.steel) complaints.push_back({path, "needs 'steel', such as S355 (taut list steels)"});
+  if (request.pieces.empty() && !request.section) complaints.push_back({path, "needs 'section' or 'pieces'"});
+  if (!request.pieces.empty() && request.section) {
+    complaints.push_back({path + ".section", "either 'section' with 'height', or 'pieces'"});
+  }
+  if (!request.pieces.empty() && request.height) {
+    complaints.push_back({path + ".height", "the pieces have their lengths already"});
+  }
+  if (request.pieces.empty() && !request.height && loads != LoadsOf::method) {
+    complaints.push_back({path, "needs 'height'"});
+  }
+  if (request.loads.empty() && loads == LoadsOf::deck) {
+    complaints.push_back({path, "is no beam of a machine: give its 'loads', or what of the machine it 'carries'"});
+  }
+  if (request.allowable_stress && request.safety) {
+    complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
+  }
+  if (complaints.size() > before) return;
+  std::vector<MastMaterial> unused;
+  const std::vector<MastPieceRequest> pieces = pieces_of(request);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::string at = request.pieces.empty() ? path : fmt::format("{}.pieces[{}]", path, i);
+    std::vector<Complaint> found;
+    piece_of(request, pieces[i], at, found, unused);
+    for (Complaint& c : found) {
+      if (c.path == at + ".steel") c.path = path + ".steel";
+      complaints.push_back(std::move(c));
+    }
+  }
+  complain_of_loads(request, path, height_of(request), analyses, complaints);
+  refuse_both_factors(request, path, complaints);
+}
+
+void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  if (request.combinations.empty() || request.load_factor == 1 || request.own_weight) return;
+  complaints.push_back({path + ".load_factor", "'combinations' have the partial factors already"});
+}
+
+MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
+  MastReport report;
+  report.name = request.name;
+  ColumnMast column = own_column(request, loads);
+  std::vector<Complaint> told_before;
+  for (const MastPieceRequest& given : pieces_of(request)) {
+    if (auto p = piece_of(request, given, {}, told_before, report.materials)) column.pieces.push_back(*std::move(p));
+  }
+  structure::ColumnMastResult solved = column_mast(column);
+  report.refused = solved.refused;
+  report.loaded = {std::move(solved.mast), std::move(solved.cases)};
+  use_length(request, report.loaded);
+  report.words.push_back(fmt::format(
+      "{}: a column in its bent shape, {} below, its top {}; as built leaning by {:.4g}{}; largest displacement of its "
+      "top {:.4g} mm, critical over present load {:.4g}. Members by moments of first order.",
+      request.name, column.clamped_base ? "clamped" : "hinged",
+      column.top_stiffness == 0          ? "free"
+      : std::isinf(column.top_stiffness) ? "held"
+                                         : "held elastically",
+      solved.sway,
+      solved.bow > 0 ? fmt::format(", with a bow of {:.4g} mm", solved.bow * 1e3)
+                     : std::string(", no bow needed by (5.8)"),
+      solved.top_displacement * 1e3, solved.critical_factor));
+  if (request.pieces.empty()) {
+    report.in_section = [request, column](const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
+      const auto m = mast_material(request, row, *request.steel);
+      if (!m) return std::nullopt;
+      ColumnMast other = column;
+      other.pieces = {{column.pieces.front().length, m->section, {}, m->yield, m->allowable_stress}};
+      structure::ColumnMastResult found = column_mast(other);
+      if (!found.refused.empty()) return std::nullopt;
+      structure::LoadedMast loaded{std::move(found.mast), std::move(found.cases)};
+      use_length(request, loaded);
+      return loaded;
+    };
+  }
+  return report;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "taut/base/suggest.hpp"
+#include "taut/checks/checks.hpp"
+#include "taut/checks/rope/rope_life.hpp"
+#include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_uses.hpp"
+
+namespace taut::app {
+namespace {
+
+/// The reevings that a name of the deck means: one, or all of a rope.
+std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const model::Model& model) {
+  std::vector<std::size_t> own;
+  std::vector<std::size_t> of_rope;
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    if (model.reevings[i].name == name) own.push_back(i);
+    if (rope_name_of(deck.machine, i) == name) of_rope.push_back(i);
+  }
+  return own.empty() ? of_rope : own;
+}
+
+/// Names of what bends the ropes of the machine.
+std::vector<std::string> rounds_of(const model::Model& model) {
+  std::vector<std::string> known;
+  for (const model::Reeving& one : model.reevings) {
+    for (const model::Node& node : one.nodes) {
+      if (node.radius > 0) known.push_back(node.name);
+    }
+  }
+  return known;
+}
+
+void complain_of_places(const RopeCheckRequest& request, const std::string& path, const std::vector<std::string>& known,
+                        std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < request.compensating.size(); ++i) {
+    const std::string& name = request.compensating[i];
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    complaints.push_back({fmt::format("{}.compensating[{}]", path, i),
+                          fmt::format("no rope runs over a sheave '{}'{}", name, did_you_mean(name, known))});
+  }
+}
+
+void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
+  for (rope::Bend& bend : use.bends) {
+    const auto& all = request.compensating;
+    if (std::find(all.begin(), all.end(), bend.name) != all.end()) bend.kind = rope::BendKind::compensating_sheave;
+  }
+}
+
+}  // namespace
+
+void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const model::Model& model,
+                       std::vector<Complaint>& complaints) {
+  for (const RopeCheckRequest& one : request.ropes) {
+    const std::string path = fmt::format("checks.ropes.{}", one.name);
+    const auto reevings = reevings_named(one.name, deck, model);
+    if (reevings.empty()) {
+      std::vector<std::string> known;
+      known.reserve(model.reevings.size());
+      for (const model::Reeving& r : model.reevings) known.push_back(r.name);
+      complaints.push_back(
+          {path, fmt::format("there is no reeving, guy or rope '{}'{}", one.name, did_you_mean(one.name, known))});
+      continue;
+    }
+    const catalogue::RopeRow rope = with_request(row_in(deck, rope_name_of(deck.machine, reevings.front())), one);
+    const std::vector<std::string> rounds = rounds_of(model);
+    rope_rules(one, rope, path, complaints);
+    complain_of_life(one, rope, rounds, path, complaints);
+    complain_of_places(one, path, rounds, complaints);
+  }
+}
+
+void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+  rope::RopeChecks found = rope::check_rope(use, rules);
+  std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
+  r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
+  r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
+  std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
+  if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
+    const std::string name = use.name + ".dynamic_safety_factor";
+    const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;
+    r.values.push_back({name,
+                        use.rope.breaking_force / peak,
+                        si::one,
+                        name,
+                        fmt::format("breaking force over the peak tension of {} ({})", use.name,
+                                    moves ? use.peak_where : rules.dynamic_words),
+                        {}});
+  }
+  Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);
+  rope::write_rope(s, use, rules);
+  s.move_to(r);
+  add_life(request, use, rules, r);
+}
+
+void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const model::Model& model,
+                     const std::vector<rope::RopeUse>& uses, Result& r) {
+  for (const RopeCheckRequest& one : request.ropes) {
+    for (const std::size_t i : reevings_named(one.name, deck, model)) {
+      rope::RopeUse use = uses[i];
+      use.rope = with_request(std::move(use.rope), one);
+      set_compensating(one, use);
+      std::vector<Complaint> told_before;
+      add_checks_of(one, use, rope_rules(one, use.rope, {}, told_before), r);
+    }
+  }
+}
+
+}  // namespace taut::app

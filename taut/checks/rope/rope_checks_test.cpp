@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "taut/catalogue/rope.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::rope_checks_test {
+
+using taut_test::expect_mistake;
+using taut_test::run_text;
+using taut_test::skyline_deck;
+using taut_test::value_of;
+using testing::HasSubstr;
+
+const Check* find(const Result& r, const std::string& name) {
+  const auto at = std::find_if(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
+  EXPECT_NE(at, r.checks.end()) << name << "; " << r.message << to_text(r.errors);
+  return at == r.checks.end() ? nullptr : &*at;
+}
+
+bool has(const Result& r, const std::string& name) {
+  return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
+}
+
+/// A skyline with a load path, and these checks.
+std::string checked(const std::string& checks) {
+  return skyline_deck("  - load_path: {carriage: car, from: 130 m, to: 230 m, steps: 10, motion: in}\nchecks:\n" +
+                      checks);
+}
+
+/// A ground that the mainline does not touch.
+constexpr const char* low_ground = "machine.terrain.z=[-40 m, -40 m, -40 m, -40 m, -40 m]";
+
+TEST(RopeChecks, swiss_skyline) {
+  const Result r = run_text(checked("  ropes: {skyline: {field: skyline.ch, dynamic_factor: 1.2}}"));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  const Check* static_factor = find(r, "skyline.safety_factor");
+  EXPECT_DOUBLE_EQ(static_factor->value, 280e3 / value_of(r, "skyline.T_max"));
+  EXPECT_EQ(static_factor->limit, 3.0);
+  EXPECT_EQ(static_factor->trust, "verified");
+  EXPECT_EQ(static_factor->part, "skyline");
+  const Check* elastic = find(r, "skyline.elastic_limit");
+  EXPECT_DOUBLE_EQ(elastic->value, 1.2 * value_of(r, "skyline.T_max"));
+  EXPECT_DOUBLE_EQ(elastic->limit, 0.60 * 280e3);
+  EXPECT_THAT(elastic->trust, HasSubstr("UNVERIFIED"));
+  EXPECT_FALSE(has(r, "skyline.sheave_ratio"));  // it does not run
+}
+
+TEST(RopeChecks, groups_by_part_worst_first) {
+  const Result r =
+      run_text(checked("  ropes: {skyline: {field: skyline.ch}, mainline: {field: mainline.ch_at}}"), {low_ground});
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < r.checks.size(); ++i) {
+    if (parts.empty() || parts.back() != r.checks[i].part) parts.push_back(r.checks[i].part);
+    if (i > 0 && r.checks[i].part == r.checks[i - 1].part) {
+      EXPECT_LE(r.checks[i].utilisation, r.checks[i - 1].utilisation);
+    }
+  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"skyline", "mainline"}));
+}
+
+// Of a range the safe end: 3 to 5 of a mainline.
+TEST(RopeChecks, safe_end_of_a_range) {
+  const Result r = run_text(checked("  ropes: {mainline: {field: mainline.ch_at}}"));
+  EXPECT_EQ(find(r, "mainline.safety_factor")->limit, 5.0);
+}
+
+TEST(RopeChecks, unverified_numbers_can_be_refused) {
+  const std::string block = "  refuse_unverified: true\n  ropes: {mainline: {field: mainline.ch_at, safety_factor: 3}}";
+  const Result r = run_text(checked(block));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  EXPECT_EQ(exit_code(r), 4);
+  EXPECT_FALSE(find(r, "mainline.safety_factor")->passes);
+  EXPECT_TRUE(std::isnan(find(r, "mainline.safety_factor")->utilisation));
+  EXPECT_TRUE(find(r, "mainline.safety_factor_2")->passes);  // the deck's own
+  EXPECT_TRUE(find(r, "mainline.safety_factor")->refused);
+  const Result own =
+      run_text(checked("  refuse_unverified: true\n"
+                       "  ropes: {mainline: {safety_factor: 3, elastic_limit: 0.6, sheave_weakening: covered}}"),
+               {low_ground});
+  EXPECT_EQ(exit_code(own), 0) << own.message;
+}
+
+TEST(RopeChecks, envelope_counts) {
+  const std::string block =
+      "  - equilibrium: {carriage: car, x: 130 m}\n"
+      "  - envelope: {carriage: car, from: 130 m, to: 220 m, steps: 4, load_at: car, loads: [0 t, 2 t]}\n"
+      "checks:\n  ropes: {skyline: {field: skyline.ch}}";
+  const Result r = run_text(skyline_deck(block));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  EXPECT_NEAR(find(r, "skyline.safety_factor")->value, 280e3 / value_of(r, "skyline.T_max_envelope"), 1e-9);
+}
+
+TEST(RopeChecks, mistakes_have_their_place) {
+  expect_mistake(run_text(checked("  ropes: {skylin: {field: skyline.ch}}")), "did you mean 'skyline'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {field: skyline.hc}}")), "there is no field of use 'skyline.hc'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {field: crane_running}}")), "needs a 'class'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {field: crane_running, class: M9}}")), "has no class 'M9'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {termination: wegde}}")), "there is no termination 'wegde'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {groove: cast_iron}}")), "give 'groove_pressure'");
+  expect_mistake(run_text(checked("  ropes: {skyline: {felt: 1}}")), "'felt' is not a field");
+  expect_mistake(run_text(checked("  ropes: {skyline: {rope: nonsense}}")), "nonsense");
+  expect_mistake(run_text(checked("  ropes: {skyline: {dynamic_factor: 1.2, hoist: {class: HC2, speed: 1 m/s}}}")),
+                 "either 'dynamic_factor' or 'hoist'");
+  const Result placed = run_text(checked("  ropes: {skyline: {field: skyline.hc}}"));
+  ASSERT_EQ(placed.errors.size(), 1U);
+  EXPECT_EQ(placed.errors[0].place.line, 23);
+}
+
+/// A hoist rope of the catalogue over two sheaves from a drum.
+std::string hoist_deck(const std::string& checks) {
+  return R"(taut: 1
+machine:
+  points: {end: [2 m, 0 m, 20 m]}
+  ropes: {hoist: {rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 12 MN}}
+  bodies: {block: {mass: 5 t, at: [1.8 m, 0 m, 5 m], free: [x, z]}}
+  sheaves:
+    head: {at: [1.4 m, 0 m, 20 m], diameter: 400 mm, efficiency: 0.98}
+    hook: {body: block, at: [0 m, 0 m, 0 m], diameter: 320 mm, efficiency: 0.98}
+  drums: {winch: {at: [-8 m, 0 m, 2 m], core_diameter: 300 mm, face_width: 500 mm, length_on_drum: 60 m, layers: auto}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: head}, {over: hook}, {anchor: end}], length: 52 m}]
+analyses: [equilibrium: {motion: hoist}]
+checks:
+)" + checks +
+         "\n";
+}
+
+TEST(RopeChecks, crane_class_sets_factor_and_ratios) {
+  const Result r =
+      run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M5, hoist: {class: HC2, speed: 0.5 m/s}}}"));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  const Check* factor = find(r, "hoist.safety_factor");
+  EXPECT_EQ(factor->limit, 4.5);
+  // K d^2 R = 0.356 x 16^2 x 1960
+  EXPECT_NEAR(factor->value, 178.6e3 / value_of(r, "hoist.T_max"), 1e-3);
+  // the catalogue has d = 16: D/d 20 at the hook, but the maker of 6x36WS asks for 23
+  EXPECT_NEAR(find(r, "hoist.sheave_ratio")->value, 20, 1e-12);
+  EXPECT_EQ(find(r, "hoist.sheave_ratio")->limit, 23);
+  EXPECT_FALSE(find(r, "hoist.sheave_ratio")->passes);
+  EXPECT_NEAR(find(r, "hoist.drum_ratio")->value, 316.0 / 16, 1e-12);
+  EXPECT_FALSE(has(r, "hoist.on_sheave"));
+  EXPECT_NEAR(find(r, "hoist.elastic_limit")->value, (1.10 + 0.34 * 0.5) * value_of(r, "hoist.T_max"), 1e-6);
+}
+
+TEST(RopeChecks, drum_and_groove) {
+  const Result r = run_text(hoist_deck(
+      "  ropes: {hoist: {field: crane_running, class: M3, drum: grooved, groove: cast_steel, rated_pull: 40 kN, "
+      "termination: wedge}}"));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  // the rope to the head sheave lies in the drum's plane: half the face less the rope, over the free rope
+  const double free = std::sqrt(9.4 * 9.4 + 18 * 18 - 0.174 * 0.174);
+  EXPECT_NEAR(find(r, "hoist.fleet_angle")->value, std::atan(0.242 / free), 1e-9);
+  EXPECT_EQ(find(r, "hoist.drum_layers")->value, 2);  // 31 turns of 0.99 m in the first layer
+  EXPECT_NEAR(find(r, "hoist.last_layer_pull")->limit, 40e3 * 0.158 / 0.174, 1e-6);
+  EXPECT_NEAR(find(r, "hoist.groove_pressure")->limit, 7.41e6, 1);
+  EXPECT_EQ(find(r, "hoist.termination")->limit, 0.8);
+  EXPECT_EQ(find(r, "hoist.termination")->value, 0.75);
+}
+
+TEST(RopeChecks, of_a_method) {
+  const std::string deck = R"(taut: 1
+method: closed_loop
+input:
+  span: 250 m
+  slope: 20 deg
+  mode: sag
+  sag: 12 m
+  gathering_force: 15 kN
+  gathering_angle: 30 deg
+  tail_efficiency: 0.9
+  return_rope: "EN 12385-4|6x36-IWRC|20|1770"
+  traction_rope: "EN 12385-4|6x36-IWRC|20|1770"
+checks:
+  ropes: {return: {field: mainline.ch_at, termination: sleeve}, traction: {safety_factor: 3.5}}
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = taut_test::table_of(r, "ropes");
+  EXPECT_NEAR(find(r, "return.safety_factor")->value, taut_test::cell(t, 0, "safety_factor"), 1e-12);
+  EXPECT_NEAR(find(r, "return.termination")->value, 0.95 * taut_test::cell(t, 0, "safety_factor"), 1e-12);
+  EXPECT_NEAR(find(r, "traction.safety_factor")->value, taut_test::cell(t, 1, "safety_factor"), 1e-12);
+  std::string wrong = deck;
+  wrong.replace(wrong.find("{return:"), 8, "{retorn:");
+  expect_mistake(run_text(wrong), "the method has no rope 'retorn': return, traction");
+}
+
+}  // namespace taut::app::rope_checks_test

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "taut/catalogue/construction.hpp"
+#include "taut/catalogue/rule.hpp"
+#include "taut/checks/rope/rope_life.hpp"
+
+namespace taut::app {
+namespace {
+
+using catalogue::RuleRow;
+
+const double not_told = std::nan("");
+
+std::string trust_words(const RuleRow& row) {
+  return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
+                                                   : std::string(catalogue::to_text(row.trust));
+}
+
+/// "M5" is 5; 0: no class.
+int class_number(const RopeCheckRequest& request) {
+  return request.group && request.group->size() == 2 && (*request.group)[0] == 'M' ? (*request.group)[1] - '0' : 0;
+}
+
+/// The row for so many wires in the outer strands.
+std::optional<RuleRow> row_for(const std::string& topic, int wires) {
+  for (RuleRow& row : catalogue::rules_of(topic)) {
+    if (wires <= std::stoi(row.id.substr(row.id.rfind('.') + 1))) return std::move(row);
+  }
+  return std::nullopt;
+}
+
+/// Broken wires that one sees, on 6 and on 30 diameters.
+void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table& t) {
+  const auto construction = catalogue::parse_construction(use.rope.construction);
+  if (!construction) return;
+  const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
+  // strands that do not turn the rope have their outer wires in another layer
+  const bool turns = construction->strands >= 10;
+  const int wires = construction->strands * construction->wires;
+  const int from_class = turns ? 3 : 5;
+  const bool twice = class_number(request) >= from_class;
+  for (const char* topic : {"discard.ordinary", "discard.lang", "discard.rotation_resistant"}) {
+    if (turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
+    const auto row = row_for(topic, wires);
+    if (!row) continue;
+    for (const auto& [length, count] : {std::pair{6, *row->low}, std::pair{30, *row->high}}) {
+      const double most = twice ? 2 * count : count;
+      std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
+      if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
+      t.rows.push_back({row->item, length * (use.rope.diameter > 0 ? use.rope.diameter : not_told), most, not_told,
+                        fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
+                                    turns ? "" : " in the outer strands", why),
+                        trust_words(*row)});
+    }
+  }
+}
+
+void add_diameter(const rope::RopeUse& use, Table& t) {
+  const auto construction = catalogue::parse_construction(use.rope.construction);
+  const bool turns = construction && construction->strands >= 10;
+  const std::string core = turns ? "WSC" : use.rope.core;
+  // of a core that nobody knows the one that allows least
+  const auto row = catalogue::find_rule("discard.diameter." + (core.empty() ? std::string("IWRC") : core));
+  if (!row || !row->low) return;
+  const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : not_told;
+  std::string words = row->text;
+  if (!std::isnan(least)) words += fmt::format(": {:.4g} mm", least * 1e3);
+  if (core.empty()) words += "; core not known";
+  t.rows.push_back({row->item, not_told, not_told, least, std::move(words), trust_words(*row)});
+}
+
+}  // namespace
+
+void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r) {
+  Table t{"discard_" + use.name,
+          fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
+          {{"criterion", si::one},
+           {"on_length", si::m.in("mm")},
+           {"broken_wires", si::one},
+           {"least_diameter", si::m.in("mm")},
+           {"limit", si::one},
+           {"trust", si::one}},
+          {}};
+  add_wires(request, use, t);
+  add_diameter(use, t);
+  for (const RuleRow& row : catalogue::rules_of("discard")) {
+    if (row.low) continue;  // told above
+    t.rows.push_back({row.item, not_told, not_told, not_told, row.text, trust_words(row)});
+  }
+  if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
+    r.warnings.push_back(fmt::format(
+        "{}: broken wires and lost diameter are told in numbers where 'construction' and 'diameter' are known",
+        use.name));
+  }
+  r.tables.push_back(std::move(t));
+}
+
+}  // namespace taut::app

@@ -1,0 +1,74 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "taut/checks/rope/rope_life.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::rope_discard_test {
+
+using taut_test::cell;
+using taut_test::row_of;
+using taut_test::text_cell;
+using testing::HasSubstr;
+
+Table discard(const std::string& construction, const std::string& core, const std::string& group, int layers = 1) {
+  RopeCheckRequest request;
+  if (!group.empty()) request.group = group;
+  rope::RopeUse use;
+  use.name = "hoist";
+  use.rope.construction = construction;
+  use.rope.core = core;
+  use.rope.diameter = 16e-3;
+  use.drums = {{"winch", 1e3, {}, layers, {}, {}}};
+  Result r;
+  add_discard(request, use, r);
+  return r.tables.at(0);
+}
+
+// ISO 4309 as recalled: 216 wires in the outer strands are of the category 201 to 220.
+TEST(RopeDiscard, broken_wires_by_length_lay_and_class) {
+  const Table t = discard("6x36WS", "IWRC", "M4");
+  ASSERT_EQ(t.rows.size(), 10U);
+  const double most[] = {9, 18, 4, 9};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(cell(t, i, "on_length"), (i % 2 == 0 ? 6 : 30) * 16e-3, 1e-12);
+    EXPECT_EQ(cell(t, i, "broken_wires"), most[i]);
+    EXPECT_THAT(text_cell(t, i, "trust"), HasSubstr("UNVERIFIED"));
+  }
+  EXPECT_THAT(text_cell(t, 0, "criterion"), HasSubstr("ordinary lay"));
+  EXPECT_THAT(text_cell(t, 2, "criterion"), HasSubstr("lang lay"));
+  EXPECT_EQ(cell(discard("6x36WS", "IWRC", "M5"), 0, "broken_wires"), 18);
+  // twice only where it lies in layers: over the sheaves the lower number holds
+  const Table layered = discard("6x36WS", "IWRC", "M4", 2);
+  EXPECT_EQ(cell(layered, 1, "broken_wires"), 18);
+  EXPECT_THAT(text_cell(layered, 1, "limit"), HasSubstr("36 on the part that lies in layers"));
+  EXPECT_EQ(cell(discard("6x36WS", "IWRC", ""), 0, "broken_wires"), 9);
+  EXPECT_EQ(cell(discard("6x19S", "IWRC", "M1"), 0, "broken_wires"), 5);  // 114 wires
+  const Table turns = discard("35x7", "WSC", "M3");
+  EXPECT_EQ(cell(turns, 0, "broken_wires"), 4);
+  EXPECT_EQ(cell(turns, 1, "broken_wires"), 8);
+}
+
+TEST(RopeDiscard, lost_diameter_by_core) {
+  const auto least = [](const Table& t) {
+    return cell(t, row_of(t, "criterion", "diameter less than nominal"), "least_diameter");
+  };
+  EXPECT_NEAR(least(discard("6x36WS", "FC", "M4")), 14.4e-3, 1e-12);
+  EXPECT_NEAR(least(discard("6x36WS", "IWRC", "M4")), 14.8e-3, 1e-12);
+  EXPECT_NEAR(least(discard("6x36WS", "", "M4")), 14.8e-3, 1e-12);
+  EXPECT_NEAR(least(discard("18x7", "WSC", "M4")), 15.2e-3, 1e-12);
+}
+
+TEST(RopeDiscard, an_unknown_rope_is_told) {
+  RopeCheckRequest request;
+  rope::RopeUse use;
+  use.name = "hoist";
+  Result r;
+  add_discard(request, use, r);
+  ASSERT_EQ(r.warnings.size(), 1U);
+  EXPECT_EQ(r.tables.at(0).rows.size(), 6U);  // what needs no number, and the diameter's share
+}
+
+}  // namespace taut::app::rope_discard_test

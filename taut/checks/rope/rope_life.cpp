@@ -1,0 +1,188 @@
+#include "taut/checks/rope/rope_life.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/number.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/catalogue/construction.hpp"
+#include "taut/catalogue/rule.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* count_names[] = {"mean_break", "break_10", "discard", "discard_10"};
+
+std::string doubt(const catalogue::RuleRow& row) {
+  return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
+                                                   : std::string(catalogue::to_text(row.trust));
+}
+
+/// "1.278; 0.029; 6.241; -1.613".
+std::array<double, 4> numbers_of(const std::string& text) {
+  std::array<double, 4> all{};
+  std::string_view rest = text;
+  for (double& x : all) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" ;"), rest.size()));
+    const NumberAtFront number = number_at_front(rest);
+    x = number.value;
+    rest.remove_prefix(number.length);
+  }
+  return all;
+}
+
+std::vector<rope::LifeConstants> constants_of(const LifeRequest& life) {
+  std::vector<rope::LifeConstants> all;
+  for (const LifeConstantsRequest& own : life.constants) {
+    if (own.a.size() != 4) continue;
+    all.push_back({count_names[static_cast<int>(own.count)],
+                   {own.a[0], own.a[1], own.a[2], own.a[3]},
+                   "constants of the deck",
+                   "user"});
+  }
+  if (!all.empty()) return all;
+  for (const catalogue::RuleRow& row : catalogue::rules_of("life.feyrer")) {
+    all.push_back({row.id.substr(row.id.rfind('.') + 1), numbers_of(row.text),
+                   fmt::format("{}, of {} ({})", row.item, row.group, row.source), doubt(row)});
+  }
+  return all;
+}
+
+rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules) {
+  const LifeRequest life = request.life.value_or(LifeRequest{});
+  rope::LifeRules all;
+  for (const DutyRequest& one : request.duty) all.duty.push_back({one.name, one.cycles, one.load, one.over});
+  all.constants = constants_of(life);
+  all.bent_length = life.bent_length;
+  all.dynamic_factor = rules.dynamic_factor;
+  const auto construction = catalogue::parse_construction(use.rope.construction);
+  if (life.core_factor) {
+    all.core_factor = *life.core_factor;
+    all.core_words = "f_C of the deck";
+  } else if (construction) {
+    const int strands = construction->strands == 6 ? 6 : 8;
+    const auto row = catalogue::find_rule(fmt::format("life.core.{}.{}", use.rope.core, strands));
+    if (row && row->low) {
+      all.core_factor = *row->low;
+      all.core_words = fmt::format("f_C of {} ({})", row->group, row->source);
+    }
+  }
+  const auto weight = catalogue::find_rule("life.reverse_weight");
+  all.reverse_weight = life.reverse_weight.value_or(weight ? *weight->low : 1);
+  return all;
+}
+
+void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, Result& r) {
+  Table t{"life_" + use.name,
+          fmt::format("Life of {}: bendings n in the wanted life, endured N (Feyrer), damage n/N", use.name),
+          {{"count", si::one},
+           {"duty", si::one},
+           {"bent_on", si::one},
+           {"D_over_d", si::one},
+           {"pull", si::N},
+           {"n", si::one},
+           {"N", si::one},
+           {"damage", si::one}},
+          {}};
+  for (const rope::Life& life : lives) {
+    for (const rope::LifeLine& line : life.lines) {
+      t.rows.push_back(
+          {life.constants->count, line.duty, line.bend, line.ratio, line.pull, line.cycles, line.endures, line.damage});
+    }
+  }
+  r.tables.push_back(std::move(t));
+}
+
+/// Of the number that is doubted most: constants, the weight of reverse bending, the dynamic factor.
+std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& life, const rope::RopeRules& rules) {
+  const auto doubted = [](const std::string& trust) { return trust.starts_with("UNVERIFIED"); };
+  if (doubted(life.constants->trust)) return life.constants->trust;
+  const bool own_weight = request.life && request.life->reverse_weight;
+  if (const auto row = catalogue::find_rule("life.reverse_weight"); life.reversed && !own_weight && row) {
+    if (doubted(doubt(*row))) return doubt(*row);
+  }
+  return doubted(rules.dynamic_trust) ? rules.dynamic_trust : life.constants->trust;
+}
+
+void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,
+                    const rope::RopeUse& use, Result& r) {
+  const std::string name = use.name + ".life";
+  Check c = make_check(name, life.damage, Sense::at_most, 1, si::one,
+                       fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
+                                   life.constants->count, life.constants->words,
+                                   rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
+                       rope::trust_with_rope(trust, use.rope));
+  c.part = use.name;
+  r.checks.push_back(std::move(c));
+  r.values.push_back({name + "_damage",
+                      life.damage,
+                      si::one,
+                      name + "_damage",
+                      fmt::format("damage of {} in the wanted life, {}", use.name, life.constants->count),
+                      {}});
+  r.values.push_back({name + "_repeats",
+                      1 / life.damage,
+                      si::one,
+                      name + "_repeats",
+                      fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count),
+                      {}});
+}
+
+void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+  double most = 0;
+  for (const rope::Bend& bend : use.bends) {
+    if (bend.kind != rope::BendKind::saddle) most = std::max(most, bend.tension);
+  }
+  if (!(most > 0)) return;
+  Check c = make_check(use.name + ".donandt", rules.dynamic_factor * most, Sense::at_most, force, si::N,
+                       "Donandt force: above it wires yield in bending and the life falls off", "user");
+  c.part = use.name;
+  r.checks.push_back(std::move(c));
+}
+
+}  // namespace
+
+void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
+                      const std::vector<std::string>& rounds, const std::string& path,
+                      std::vector<Complaint>& complaints) {
+  if (request.life) {
+    for (std::size_t i = 0; i < request.life->constants.size(); ++i) {
+      if (request.life->constants[i].a.size() == 4) continue;
+      complaints.push_back(
+          {fmt::format("{}.life.constants[{}].a", path, i), "four constants are expected: a0, a1, a2, a3"});
+    }
+  }
+  if (request.duty.empty()) return;
+  if (rope.id.empty()) return;  // chosen later
+  if (!(rope.diameter > 1.4e-3) || !rope.grade) {
+    complaints.push_back({path + ".duty", "a life needs the rope's 'diameter' (over 1.4 mm) and 'grade'"});
+  }
+  for (std::size_t i = 0; i < request.duty.size(); ++i) {
+    for (const std::string& name : request.duty[i].over) {
+      if (rounds.empty() || std::find(rounds.begin(), rounds.end(), name) != rounds.end()) continue;
+      complaints.push_back({fmt::format("{}.duty[{}].over", path, i),
+                            fmt::format("the rope runs over no '{}'{}", name, did_you_mean(name, rounds))});
+    }
+  }
+}
+
+void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+  if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
+  if (request.discard) add_discard(request, use, r);
+  if (request.duty.empty() || !(use.rope.diameter > 1.4e-3) || !use.rope.grade) return;
+  const rope::LifeRules life_rules = rules_of(request, use, rules);
+  const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
+  const auto worst =
+      std::max_element(lives.begin(), lives.end(), [](const auto& a, const auto& b) { return a.damage < b.damage; });
+  if (worst == lives.end() || worst->lines.empty()) {
+    r.warnings.push_back(
+        fmt::format("{}: its life is not computed: no sheave or drum bends it under tension", use.name));
+    return;
+  }
+  add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);
+  add_table(lives, use, r);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,57 @@
+#include "taut/checks/rope/rope_life_deck.hpp"
+
+namespace taut::app {
+
+const Description& DutyRequest::describe() {
+  static const Description d =
+      Describe<DutyRequest>()
+          .field(&DutyRequest::name, "name", "of the duty")
+          .required()
+          .field(&DutyRequest::cycles, "cycles", "n", si::one, "working cycles in the wanted life")
+          .above(0)
+          .at_most(1e12)
+          .required()
+          .field(&DutyRequest::load, "load", "", si::one, "share of the largest tension at each round")
+          .above(0)
+          .at_most(2)
+          .field(&DutyRequest::over, "over", "the rounds that bend the rope in it, by name; without it all");
+  return d;
+}
+
+const Description& LifeConstantsRequest::describe() {
+  static const Description d =
+      Describe<LifeConstantsRequest>()
+          .choice(&LifeConstantsRequest::count, "count",
+                  {{"mean_break", LifeCount::mean_break},
+                   {"break_10", LifeCount::break_10},
+                   {"discard", LifeCount::discard},
+                   {"discard_10", LifeCount::discard_10}},
+                  "the number they give: mean number to the break, that which 90 % reach, and the same to the discard")
+          .field(&LifeConstantsRequest::a, "a", "a_i", si::one, "a0, a1, a2, a3")
+          .required();
+  return d;
+}
+
+const Description& LifeRequest::describe() {
+  static const Description d =
+      Describe<LifeRequest>()
+          .record(&LifeRequest::constants, "constants",
+                  "Feyrer's constants of this rope; without them one recalled set, unverified")
+          .field(&LifeRequest::bent_length, "bent_length", "l", si::m, "of the rope that is bent; without it 60 d")
+          .above(0)
+          .at_most(1e5)
+          .field(&LifeRequest::core_factor, "core_factor", "f_C", si::one,
+                 "endurance factor of core and strands; without it that of the table")
+          .above(0)
+          .at_most(10)
+          .field(&LifeRequest::reverse_weight, "reverse_weight", "", si::one,
+                 "how often a bending counts that turns against the one before; without it 2, unverified")
+          .at_least(1)
+          .at_most(20)
+          .field(&LifeRequest::donandt_force, "donandt_force", "S_D", si::N,
+                 "of this rope over its smallest sheave: above it wires yield in bending")
+          .above(0);
+  return d;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,100 @@
+#include "taut/checks/rope/rope_life.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::rope_life_test {
+
+using taut_test::cell;
+using taut_test::expect_mistake;
+using taut_test::run_text;
+using taut_test::table_of;
+using taut_test::value_of;
+using testing::HasSubstr;
+
+/// A rope over one sheave from a drum to a load, and what is checked of it.
+std::string lift(const std::string& checks) {
+  return R"(taut: 1
+machine:
+  ropes: {hoist: {rope: "EN 12385-4|6x36-IWRC|16|1770", stiffness: 12 MN}}
+  bodies: {load: {mass: 3 t, at: [0.2 m, 0 m, 5 m], free: [x, z]}}
+  sheaves: {head: {at: [0 m, 0 m, 20 m], diameter: 400 mm}}
+  drums: {winch: {at: [-8 m, 0 m, 2 m], core_diameter: 384 mm}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: head}, {anchor: load}], length: 36 m}]
+analyses: [equilibrium: {motion: hoist}]
+checks: {ropes: {hoist: )" +
+         checks + "}}\n";
+}
+
+// One bending at the sheave and half of one at the drum, both with D/d = 25 and nearly the same pull; f_C = 0.81.
+TEST(RopeLife, by_hand) {
+  const Result r = run_text(lift("{duty: [{name: lifts, cycles: 20000}]}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "life_hoist");
+  ASSERT_EQ(t.rows.size(), 2U);
+  const auto sheave = taut_test::row_of(t, "bent_on", "head");
+  const double S = cell(t, sheave, "pull");
+  EXPECT_NEAR(S, value_of(r, "hoist.T_max"), 1e-6 * S);
+  EXPECT_NEAR(cell(t, sheave, "D_over_d"), 25, 1e-12);
+  const double lg =
+      1.278 + (0.029 - 1.613 * std::log10(25)) * std::log10(S / 256) + 6.241 * std::log10(25) + std::log10(0.81);
+  EXPECT_NEAR(std::log10(cell(t, sheave, "N")), lg, 1e-9);
+  EXPECT_EQ(cell(t, sheave, "n"), 20000);
+  EXPECT_EQ(cell(t, taut_test::row_of(t, "bent_on", "winch"), "n"), 10000);
+  double damage = 0;
+  for (std::size_t i = 0; i < t.rows.size(); ++i) damage += cell(t, i, "damage");
+  EXPECT_NEAR(value_of(r, "hoist.life_damage"), damage, 1e-12);
+  EXPECT_NEAR(value_of(r, "hoist.life_repeats"), 1 / damage, 1e-9);
+  const auto life =
+      std::find_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.name == "hoist.life"; });
+  ASSERT_NE(life, r.checks.end());
+  EXPECT_THAT(life->trust, HasSubstr("UNVERIFIED"));
+}
+
+TEST(RopeLife, own_constants_and_the_worst_count) {
+  const Result r =
+      run_text(lift("{duty: [{name: lifts, cycles: 20000, over: [head]}], life: {core_factor: 1, constants: [{count: "
+                    "discard, a: [5, 0, 0, "
+                    "0]}, {count: mean_break, a: [6, 0, 0, 0]}]}}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "hoist.life_damage"), 0.2, 1e-9);
+  EXPECT_EQ(table_of(r, "life_hoist").rows.size(), 2U);
+}
+
+// The constants are the deck's own; that a bending in reverse counts twice is recalled.
+TEST(RopeLife, what_is_recalled_besides_the_constants) {
+  const std::string own = "{duty: [{name: lifts, cycles: 2e4}], life: {constants: [{count: discard, a: [5, 0, 0, 0]}]";
+  const auto trust = [](const std::string& checks, const char* side) {
+    const Result r = run_text(lift(checks), {fmt::format("machine.reevings[0].path[1].side={}", side)});
+    return taut_test::check_of(r, "hoist.life").trust;
+  };
+  const std::string right = trust(own + "}}", "right");
+  const std::string left = trust(own + "}}", "left");
+  EXPECT_NE(right.starts_with("UNVERIFIED"), left.starts_with("UNVERIFIED"));  // one of them turns against the drum
+  EXPECT_EQ(trust(own + ", reverse_weight: 2}}", "left"), "user");
+  EXPECT_EQ(trust(own + ", reverse_weight: 2}}", "right"), "user");
+  EXPECT_THAT(trust(own + ", reverse_weight: 2}, hoist: {class: HC2, speed: 1 m/s}}", "left"), HasSubstr("UNVERIFIED"));
+}
+
+TEST(RopeLife, donandt_and_discard) {
+  const Result r = run_text(lift("{life: {donandt_force: 20 kN}, discard: true}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(exit_code(r), 4);  // 29.4 kN
+  const Table& t = table_of(r, "discard_hoist");
+  EXPECT_EQ(t.rows.size(), 10U);
+}
+
+TEST(RopeLife, mistakes) {
+  expect_mistake(run_text(lift("{duty: [{name: lifts, cycles: 20000, over: [haed]}]}")), "did you mean 'head'");
+  expect_mistake(run_text(lift("{life: {constants: [{count: discard, a: [1, 2]}]}}")), "four constants");
+  expect_mistake(run_text(lift("{duty: [{name: lifts}]}")), "cycles");
+}
+
+}  // namespace taut::app::rope_life_test

@@ -1,0 +1,388 @@
+#include "taut/checks/rope/rope_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
+#include "taut/catalogue/construction.hpp"
+#include "taut/catalogue/rope_words.hpp"
+#include "taut/catalogue/rule.hpp"
+#include "taut/rope/strength.hpp"
+
+namespace taut::app {
+namespace {
+
+using catalogue::RuleRow;
+using rope::Limit;
+
+constexpr double freezing = 273.15;  // K
+
+/// The number that ends the row's id: "temperature.steel.200".
+double degrees_of(const RuleRow& row) {
+  const auto degrees = parse_double(std::string_view(row.id).substr(row.id.rfind('.') + 1));
+  expects(degrees.has_value(), "a rule of temperatures whose id does not end in degrees");
+  return *degrees;
+}
+
+std::string trust_of(const RuleRow& row) {
+  if (row.trust != catalogue::Trust::unverified) return std::string(catalogue::to_text(row.trust));
+  return fmt::format("UNVERIFIED: {}", row.trust_text.empty() ? "not compared with its source" : row.trust_text);
+}
+
+/// "cable logging (CH), standing skyline: MBF / largest tension (SEILAPLAN)".
+std::string words_of(const RuleRow& row) {
+  std::string words = row.field.empty() ? row.item : fmt::format("{}, {}", row.field, row.item);
+  if (!row.group.empty()) words += fmt::format(" {}", row.group);
+  if (!row.text.empty()) words += fmt::format(": {}", row.text);
+  return fmt::format("{} ({})", words, row.source);
+}
+
+/// The end of a range that is safe: the high one of what must be reached, the low one of what must not be passed.
+enum class SafeEnd { low, high };
+Limit limit_of(const RuleRow& row, SafeEnd end) {
+  Limit limit{end == SafeEnd::high ? *row.high : *row.low, words_of(row), trust_of(row)};
+  if (*row.low != *row.high) {
+    const bool angle = row.unit == "rad";
+    const double shown = angle ? std::numbers::pi / 180 : 1;
+    limit.rule +=
+        fmt::format("; of {:.4g} to {:.4g}{} the safe end", *row.low / shown, *row.high / shown, angle ? " deg" : "");
+  }
+  return limit;
+}
+
+std::optional<RuleRow> rule_named(const std::string& id) {
+  const auto row = catalogue::find_rule(id);
+  if (!row) return std::nullopt;
+  return *row;
+}
+
+bool begins(const std::string& id, std::initializer_list<const char*> topics) {
+  return std::any_of(topics.begin(), topics.end(), [&](const char* one) { return id.starts_with(one); });
+}
+
+class RopeRuleReader {
+ public:
+  RopeRuleReader(const RopeCheckRequest& request, const catalogue::RopeRow& rope, std::string path,
+                 std::vector<Complaint>& complaints)
+      : request_(request), rope_(rope), path_(std::move(path)), complaints_(complaints) {}
+
+  rope::RopeRules read() {
+    for (std::size_t i = 0; i < request_.field.size(); ++i) field(request_.field[i], fmt::format("field[{}]", i));
+    if (request_.rope) {
+      const auto row = catalogue::find_rope_in_words(*request_.rope);
+      if (!row) complain("rope", catalogue::to_text(row.error()));
+    }
+    own_factors();
+    dynamics();
+    termination();
+    temperature();
+    ratios();
+    grooves_and_wires();
+    drums();
+    return std::move(rules_);
+  }
+
+ private:
+  void complain(const std::string& key, std::string message) {
+    complaints_.push_back({fmt::format("{}.{}", path_, key), std::move(message)});
+  }
+
+  void no_such_field(const std::string& name, const std::string& key) {
+    std::vector<std::string> known;
+    for (const RuleRow& row : catalogue::rules_of("safety")) {
+      if (row.id == "safety.skyline_elastic_limit") continue;
+      known.push_back(row.id.substr(std::string_view("safety.").size()));
+    }
+    complain(key, to_text(catalogue::LookupError{fmt::format("there is no field of use '{}'", name),
+                                                 catalogue::nearest_names(name, known, catalogue::suggested)}) +
+                      "; taut list rules --name safety");
+  }
+
+  void field(const std::string& given, const std::string& key) {
+    const std::string name = given.starts_with("safety.") ? given.substr(7) : given;
+    std::string id = "safety." + name;
+    if (name == "skyline_elastic_limit") {
+      return complain(key, "is a share of the breaking force, not a safety factor: see 'elastic_limit'");
+    }
+    if (!catalogue::rules_of(id).empty()) {
+      if (!request_.group) return complain(key, fmt::format("'{}' needs a 'class', M1 to M8", name));
+      used_group_ = true;
+      id += "." + *request_.group;
+    }
+    const auto row = rule_named(id);
+    if (!row && used_group_)
+      return complain("class", fmt::format("'{}' has no class '{}': M1 to M8", name, *request_.group));
+    if (!row) return no_such_field(name, key);
+    ids_.push_back(row->id);
+    if (begins(row->id, {"safety.crane_", "safety.ropeway_"})) rules_.factor_covers_bending = true;
+    if (row->id == "safety.crane_running.en13001") {
+      rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+    } else if (row->low) {
+      rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
+    }
+  }
+
+  void own_factors() {
+    if (request_.safety_factor) {
+      rules_.safety_factors.push_back({*request_.safety_factor, "safety factor of the deck", "user"});
+    }
+    if (request_.sheave_weakening != Choose::by_field) {
+      rules_.factor_covers_bending = request_.sheave_weakening == Choose::no;
+    }
+    if (request_.en13001 && !rules_.resistance) {
+      if (const auto row = rule_named("safety.crane_running.en13001")) {
+        rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+      }
+    }
+    if (request_.en13001 && request_.en13001->bends) {
+      rules_.fatigue_history = rope::force_history(request_.en13001->spectrum, *request_.en13001->bends);
+      rules_.fatigue_factor = request_.en13001->factor;
+    }
+  }
+
+  void dynamics() {
+    if (request_.dynamic_factor && request_.hoist) complain("hoist", "either 'dynamic_factor' or 'hoist'");
+    rules_.dynamic_words = "no dynamic factor given";
+    if (request_.dynamic_factor) {
+      rules_.dynamic_factor = *request_.dynamic_factor;
+      rules_.dynamic_words = "dynamic factor of the deck";
+    }
+    if (request_.hoist) hoist(*request_.hoist);
+    if (request_.dynamic_safety_factor) {
+      rules_.dynamic_safety = Limit{*request_.dynamic_safety_factor, "dynamic safety factor of the deck", "user"};
+    }
+    if (request_.elastic_limit) {
+      rules_.elastic_share = Limit{*request_.elastic_limit, "elastic limit of the deck", "user"};
+    } else if (const auto row = rule_named("safety.skyline_elastic_limit")) {
+      rules_.elastic_share = limit_of(*row, SafeEnd::low);
+    }
+  }
+
+  void hoist(const HoistRequest& given) {
+    const int number = static_cast<int>(given.hoisting_class) + 1;
+    const auto least = rule_named(fmt::format("hoist.HC{}.phi2_min", number));
+    const auto slope = rule_named(fmt::format("hoist.HC{}.beta2", number));
+    if (!least || !slope) return;
+    rules_.dynamic_factor = *least->low + *slope->low * given.speed;
+    rules_.dynamic_trust = trust_of(*least);
+    rules_.dynamic_words = fmt::format("phi2 = {} + {} v_h, HC{}, v_h = {:.4g} m/s, {}, unverified", *least->low,
+                                       *slope->low, number, given.speed, least->source);
+  }
+
+  bool fibre() const { return rope_.core == "FC"; }
+
+  void termination() {
+    if (request_.termination_efficiency) {
+      rules_.termination = Limit{*request_.termination_efficiency,
+                                 request_.termination.value_or("the termination") + ", efficiency of the deck", "user"};
+    } else if (request_.termination) {
+      named_termination(*request_.termination);
+    }
+    if (!rules_.termination || !rules_.factor_covers_bending) return;
+    const bool crane =
+        std::any_of(ids_.begin(), ids_.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
+    if (const auto row = rule_named("termination.least_crane"); row && crane) {
+      rules_.least_termination = limit_of(*row, SafeEnd::high);
+    }
+  }
+
+  /// Terminations of the tables, each once.
+  static std::vector<std::string> terminations() {
+    std::vector<std::string> known;
+    for (const RuleRow& row : catalogue::rules_of("termination")) {
+      const std::size_t begin = std::string_view("termination.").size();
+      const std::size_t end = row.id.rfind('.');
+      if (end <= begin || !row.low) continue;
+      const std::string name = row.id.substr(begin, end - begin);
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+    return known;
+  }
+
+  void named_termination(const std::string& given) {
+    const std::vector<std::string> known = terminations();
+    std::string name = given;
+    const auto begins_so = [&](const std::string& one) { return one.starts_with(given); };
+    const bool exact = std::find(known.begin(), known.end(), given) != known.end();
+    // "wedge" means the one whose name begins so
+    if (!exact && std::count_if(known.begin(), known.end(), begins_so) == 1) {
+      name = *std::find_if(known.begin(), known.end(), begins_so);
+    }
+    std::optional<RuleRow> worst;
+    for (const char* core : {"IWRC", "FC"}) {
+      // of a rope whose core nobody knows the weaker one
+      if (!rope_.core.empty() && fibre() != (std::string_view(core) == "FC")) continue;
+      const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
+      if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
+    }
+    if (worst) {
+      rules_.termination = limit_of(*worst, SafeEnd::low);
+    } else if (std::find(known.begin(), known.end(), name) != known.end()) {
+      complain("termination", fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", name));
+    } else {
+      complain("termination", fmt::format("there is no termination '{}' in the tables: {}; or give "
+                                          "'termination_efficiency'",
+                                          given, catalogue::listed(known, 12)));
+    }
+  }
+
+  void temperature() {
+    if (!request_.temperature) return;
+    rules_.temperature = request_.temperature;
+    const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
+    for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
+      const double upto = degrees_of(row) + freezing;
+      rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
+      if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
+      if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
+    }
+    if (!request_.termination) return;
+    for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
+      if (row.group != *request_.termination) continue;
+      const double upto = degrees_of(row) + freezing;
+      rules_.hottest_end = Limit{upto, words_of(row), trust_of(row)};
+    }
+  }
+
+  bool runs() const {
+    if (request_.running != Choose::by_field) return request_.running == Choose::yes;
+    return ids_.empty() || std::any_of(ids_.begin(), ids_.end(), [](const std::string& id) {
+             return !begins(id, {"safety.skyline", "safety.guyline", "safety.crane_stay", "safety.ropeway_track",
+                                 "safety.cableway"});
+           });
+  }
+
+  void ratios() {
+    if (!request_.diameter_ratio.empty()) {
+      if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
+      const Limit sheave{request_.diameter_ratio.front(), "D/d of the deck", "user"};
+      rules_.sheave_ratios = {sheave};
+      rules_.compensating_ratios = {sheave};
+      rules_.drum_ratios = {{request_.diameter_ratio.back(), "D/d of the deck", "user"}};
+      return;
+    }
+    rules_.runs = runs();
+    if (!runs()) return;
+    if (request_.group) {
+      ladder("crane_sheave", rules_.sheave_ratios);
+      ladder("crane_compensating_sheave", rules_.compensating_ratios);
+      ladder("crane_drum", rules_.drum_ratios);
+    }
+    for (const RuleRow& row : catalogue::rules_of("ratio.maker")) {
+      if (!is_for_rope(row.group)) continue;
+      rules_.sheave_ratios.push_back(limit_of(row, SafeEnd::high));
+      rules_.drum_ratios.push_back(limit_of(row, SafeEnd::high));
+    }
+  }
+
+  void ladder(const char* which, std::vector<Limit>& limits) {
+    const auto row = rule_named(fmt::format("ratio.{}.{}", which, *request_.group));
+    if (row) {
+      limits.push_back(limit_of(*row, SafeEnd::high));
+    } else if (limits.empty() && std::string_view(which) == "crane_sheave") {
+      complain("class", fmt::format("there is no class '{}': M1 to M8", *request_.group));
+    }
+  }
+
+  /// "6x36WS IWRC", "18x7 / 19x7": constructions that a maker's advice names.
+  bool is_for_rope(const std::string& group) const {
+    std::size_t at = 0;
+    while (at < group.size()) {
+      const std::size_t end = std::min(group.find('/', at), group.size());
+      std::string one = group.substr(at, end - at);
+      at = end + 1;
+      one.erase(0, one.find_first_not_of(' '));
+      const std::size_t space = one.find(' ');
+      const std::string core = space == std::string::npos ? "" : one.substr(space + 1);
+      const bool core_fits = core.empty() || rope_.core.empty() || core == rope_.core;
+      const std::string asked = one.substr(0, space);
+      // a name without numbers ("compacted") says too little of the strands
+      if (catalogue::parse_construction(asked) && core_fits && !rope_.construction.empty() &&
+          catalogue::matches_construction(asked, rope_.construction)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void grooves_and_wires() {
+    static constexpr const char* names[] = {"", "wood", "cast_iron", "cast_steel", "chilled_iron", "manganese_steel"};
+    const std::string group = catalogue::construction_class(rope_.construction);
+    if (request_.groove_pressure) {
+      rules_.groove_pressure = Limit{*request_.groove_pressure, "groove pressure of the deck", "user"};
+    } else if (request_.groove != Groove::none) {
+      const auto row = rule_named(fmt::format("pressure.{}.{}", names[static_cast<int>(request_.groove)], group));
+      if (row) {
+        rules_.groove_pressure = limit_of(*row, SafeEnd::low);
+      } else {
+        complain("groove", fmt::format("the tables have no groove pressure for {}; give 'groove_pressure'",
+                                       rope_.construction.empty() ? "a rope whose 'construction' is not known"
+                                                                  : "the construction '" + rope_.construction + "'"));
+      }
+    }
+    rules_.bending_modulus = request_.bending_modulus;
+    if (request_.wire_diameter && rope_.diameter > 0) {
+      rules_.wire = Limit{*request_.wire_diameter / rope_.diameter, "of the deck", "user"};
+    } else if (const auto row = rule_named("wire." + group); row && !group.empty()) {
+      rules_.wire = limit_of(*row, SafeEnd::high);
+      rules_.wire->rule = fmt::format("{:.3g} d for class {}", rules_.wire->value, group);
+    }
+  }
+
+  void drums() {
+    rules_.rated_pull = request_.rated_pull;
+    const bool grooved = request_.drum == DrumFace::grooved;
+    if (request_.fleet_angle) {
+      rules_.fleet_angle = Limit{*request_.fleet_angle, "fleet angle of the deck", "user"};
+    } else if (request_.drum != DrumFace::unsaid) {
+      const auto row = rule_named(grooved ? "layout.fleet_angle_grooved" : "layout.fleet_angle_smooth");
+      if (row) rules_.fleet_angle = limit_of(*row, SafeEnd::low);
+    }
+    if (const auto row = rule_named("groove.drum_layers"); row && grooved) {
+      rules_.layers = limit_of(*row, SafeEnd::low);
+    }
+  }
+
+  const RopeCheckRequest& request_;
+  const catalogue::RopeRow& rope_;
+  std::string path_;
+  std::vector<Complaint>& complaints_;
+  std::vector<std::string> ids_;
+  bool used_group_ = false;
+  rope::RopeRules rules_;
+};
+
+}  // namespace
+
+catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request) {
+  if (request.rope) {
+    if (const auto row = catalogue::find_rope_in_words(*request.rope)) rope = *row;
+  }
+  if (request.breaking_force) {
+    rope.breaking_force = *request.breaking_force;
+    rope.trust = catalogue::Trust::verified;
+  }
+  if (request.diameter) rope.diameter = *request.diameter;
+  if (request.construction) {
+    rope.construction = *request.construction;
+    if (const auto parsed = catalogue::parse_construction(*request.construction); parsed && !parsed->core.empty()) {
+      rope.core = parsed->core;
+    }
+  }
+  if (request.core) rope.core = catalogue::parse_core(*request.core).value_or(*request.core);
+  if (request.grade) rope.grade = request.grade;
+  if (request.area) rope.area = *request.area;
+  return rope;
+}
+
+rope::RopeRules rope_rules(const RopeCheckRequest& request, const catalogue::RopeRow& rope, const std::string& path,
+                           std::vector<Complaint>& complaints) {
+  return RopeRuleReader(request, rope, path, complaints).read();
+}
+
+}  // namespace taut::app

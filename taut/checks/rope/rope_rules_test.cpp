@@ -1,0 +1,109 @@
+#include "taut/checks/rope/rope_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace taut::app::rope_rules_test {
+
+catalogue::RopeRow six_strand(const std::string& core) {
+  catalogue::RopeRow rope;
+  rope.id = "mine";
+  rope.construction = "6x36WS";
+  rope.core = core;
+  rope.diameter = 16e-3;
+  return rope;
+}
+
+rope::RopeRules rules_for(const RopeCheckRequest& request, const catalogue::RopeRow& rope) {
+  std::vector<Complaint> complaints;
+  rope::RopeRules rules = rope_rules(request, rope, "checks.ropes.x", complaints);
+  EXPECT_TRUE(complaints.empty()) << complaints.front().path << complaints.front().message;
+  return rules;
+}
+
+std::string complaint_for(const RopeCheckRequest& request, const catalogue::RopeRow& rope) {
+  std::vector<Complaint> complaints;
+  rope_rules(request, rope, "checks.ropes.x", complaints);
+  return complaints.empty() ? std::string() : complaints.front().path + ": " + complaints.front().message;
+}
+
+// US Army TM 5-3810-305-10: sleeve 0.95 with a steel core, 0.925 with fibre; of an unknown core the weaker one.
+TEST(RopeRules, termination_by_core) {
+  RopeCheckRequest request;
+  request.termination = "sleeve";
+  EXPECT_EQ(rules_for(request, six_strand("IWRC")).termination->value, 0.95);
+  EXPECT_EQ(rules_for(request, six_strand("FC")).termination->value, 0.925);
+  EXPECT_EQ(rules_for(request, six_strand("")).termination->value, 0.925);
+  request.termination = "wedge";  // the only one that begins so; of 0.75 to 0.95 the safe end
+  EXPECT_EQ(rules_for(request, six_strand("IWRC")).termination->value, 0.75);
+  request.termination_efficiency = 0.9;
+  EXPECT_EQ(rules_for(request, six_strand("IWRC")).termination->trust, "user");
+  request = {};
+  request.termination = "glue";
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no termination 'glue'"), std::string::npos);
+  request.termination = "swaged_socket";
+  EXPECT_NE(complaint_for(request, six_strand("FC")).find("not listed for a fibre core"), std::string::npos);
+}
+
+TEST(RopeRules, heat_by_core_and_end) {
+  RopeCheckRequest request;
+  request.temperature = 273.15 + 250;
+  request.termination = "socket";
+  const auto steel = rules_for(request, six_strand("IWRC"));
+  EXPECT_NEAR(steel.hottest->value, 673.15, 1e-9);
+  EXPECT_EQ(steel.heat_strength->value, 0.75);
+  EXPECT_NEAR(steel.hottest_end->value, 388.15, 1e-9);
+  EXPECT_NE(steel.hottest_end->trust.find("UNVERIFIED"), std::string::npos);
+  const auto fibre = rules_for(request, six_strand("FC"));
+  EXPECT_NEAR(fibre.hottest->value, 373.15, 1e-9);
+  EXPECT_FALSE(fibre.heat_strength);
+  request.termination = "clips";  // of which the tables say nothing
+  EXPECT_FALSE(rules_for(request, six_strand("IWRC")).hottest_end);
+}
+
+TEST(RopeRules, fields_and_classes) {
+  RopeCheckRequest request;
+  request.field = {"crane_running"};
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("needs a 'class'"), std::string::npos);
+  request.group = "M9";
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("no class 'M9'"), std::string::npos);
+  request.group = "M5";
+  const auto crane = rules_for(request, six_strand("IWRC"));
+  EXPECT_EQ(crane.safety_factors.at(0).value, 4.5);
+  EXPECT_TRUE(crane.factor_covers_bending);
+  EXPECT_FALSE(crane.sheave_ratios.empty());
+  request.field = {"skyline.ch", "skyline.ru"};  // stands: no D/d; 2.5 to 3 the safe end
+  request.group.reset();
+  const auto skyline = rules_for(request, six_strand("IWRC"));
+  EXPECT_EQ(skyline.safety_factors.size(), 2U);
+  EXPECT_EQ(skyline.safety_factors[1].value, 3);
+  EXPECT_TRUE(skyline.sheave_ratios.empty());
+  request.field = {"skylin.ch"};
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("skyline.ch"), std::string::npos);
+}
+
+TEST(RopeRules, one_dynamic_factor) {
+  RopeCheckRequest request;
+  request.dynamic_factor = 1.4;
+  EXPECT_EQ(rules_for(request, six_strand("IWRC")).dynamic_factor, 1.4);
+  request.hoist = HoistRequest{HoistClass::HC3, 0.5};
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("either"), std::string::npos);
+  request.dynamic_factor.reset();
+  EXPECT_NEAR(rules_for(request, six_strand("IWRC")).dynamic_factor, 1.15 + 0.51 * 0.5, 1e-12);
+}
+
+TEST(RopeRules, the_request_goes_before_the_catalogue) {
+  RopeCheckRequest request;
+  request.construction = "8x36WS-IWRC";
+  request.breaking_force = 1e5;
+  request.grade = 1770e6;
+  const auto rope = with_request(six_strand("FC"), request);
+  EXPECT_EQ(rope.core, "IWRC");
+  EXPECT_EQ(rope.breaking_force, 1e5);
+  EXPECT_EQ(rope.trust, catalogue::Trust::verified);  // its user answers for it
+  EXPECT_EQ(rope.diameter, 16e-3);
+}
+
+}  // namespace taut::app::rope_rules_test

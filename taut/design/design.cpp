@@ -1,0 +1,99 @@
+#include "taut/design/design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/design/design_checks.hpp"
+#include "taut/design/design_search.hpp"
+#include "taut/design/design_tables.hpp"
+#include "taut/units/display.hpp"
+
+namespace taut::app {
+namespace {
+
+/// "pull = 60 kN" of each unknown.
+std::string values_in_words(const DesignSpace& space, const std::vector<double>& values) {
+  std::string all;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const UnknownValues& one = space.unknowns[k];
+    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, Display{}.quantity(values[k], one.unit));
+  }
+  return all;
+}
+
+std::string place_in_words(const DesignSpace& space, const DesignPlace& place) {
+  const std::string choice = names_of(space, place.choice);
+  const std::string values = values_in_words(space, place.values);
+  return choice + (choice.empty() || values.empty() ? "" : " with ") + values;
+}
+
+Result no_design(const DesignTask& task, const DesignFound& found) {
+  Result r;
+  r.method_title = task.method_title;
+  r.given = task.given;
+  r.status = Status::infeasible;
+  std::string why = "no choice passes all checks";
+  for (const DesignPoint& point : found.points) {
+    if (point.answer.outcome.status != Status::not_converged || point.answer.ended) continue;
+    r.status = Status::not_converged;
+    why = point.answer.outcome.message;
+  }
+  if (found.ended) {
+    r.interrupted = true;
+    r.status = Status::not_converged;
+    why = fmt::format("interrupted after {:.0f} trials, before any choice passed", found.trials);
+  }
+  r.message = "design: " + why;
+  const analysis::SizingTrial& last = found.nearest.trial;
+  if (!last.governs.empty()) {
+    r.message += fmt::format(
+        "; the nearest, {}, fails by {}{}", place_in_words(task.space, {found.nearest.choice, found.nearest_values}),
+        last.governs,
+        std::isfinite(last.utilisation) ? fmt::format(" (utilisation {:.3g})", last.utilisation) : std::string{});
+  }
+  if (!found.points.empty()) add_runner_ups(task, found.points.front().answer, {}, r);
+  if (found.points.size() > 1) add_trade_off(task, found.points, r);
+  return r;
+}
+
+/// What a reader should know of where the answer lies.
+void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
+  for (std::size_t k = 0; k < found.best.values.size(); ++k) {
+    const UnknownValues& one = task.space.unknowns[k];
+    const double value = found.best.values[k];
+    if (value != one.low && value != one.high) continue;
+    r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: beyond it there may be a better design",
+                                     one.name, Display{}.quantity(value, one.unit)));
+  }
+  for (const std::string& name : task.request.disregard) {
+    Result without = r;
+    disregard({name}, without);
+    if (without.checks.size() == r.checks.size()) {
+      r.warnings.push_back(fmt::format("design: there is no check '{}' to disregard", name));
+    }
+  }
+  if (r.checks.empty()) r.warnings.emplace_back("design: no check holds the choice; the deck asks for none");
+}
+
+}  // namespace
+
+Result run_design(const DesignTask& task) {
+  const DesignFound found = search_design(task);
+  if (!found.feasible) return no_design(task, found);
+  // not asked whether to go on: it is short beside the search, and all that an interrupted one leaves
+  Result r = task.run({found.best.answer.best.choice, found.best.values}, Depth::report, {}).result;
+  add_design(task, found, r);
+  add_warnings(task, found, r);
+  if (found.ended) {
+    r.interrupted = true;
+    r.status = Status::not_converged;
+    r.message =
+        fmt::format("design: interrupted after {:.0f} trials; this is the best design up to there", found.trials);
+  }
+  return r;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,148 @@
+#include "taut/design/sizing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Choice = std::vector<std::size_t>;
+
+/// All choices in the order of their costs. The successors of a choice raise one index, the last one raised or one
+/// behind it, so that each choice comes once.
+class InOrder {
+ public:
+  explicit InOrder(const std::vector<std::vector<double>>& costs) : costs_(costs) { push(Choice(costs.size(), 0), 0); }
+
+  bool next(Choice& choice, double& cost) {
+    if (queue_.empty()) return false;
+    const Entry top = queue_.top();
+    queue_.pop();
+    for (std::size_t k = top.raised; k < costs_.size(); ++k) {
+      Choice after = top.choice;
+      if (++after[k] < costs_[k].size()) push(std::move(after), k);
+    }
+    choice = top.choice;
+    cost = top.cost;
+    return true;
+  }
+
+ private:
+  struct Entry {
+    double cost = 0;
+    Choice choice;
+    std::size_t raised = 0;
+    bool operator<(const Entry& other) const {  // a priority queue has its largest entry on top
+      return cost != other.cost ? cost > other.cost : choice > other.choice;
+    }
+  };
+  void push(Choice choice, std::size_t raised) {
+    double cost = 0;
+    for (std::size_t k = 0; k < choice.size(); ++k) cost += costs_[k][choice[k]];
+    queue_.push({cost, std::move(choice), raised});
+  }
+
+  const std::vector<std::vector<double>>& costs_;
+  std::priority_queue<Entry> queue_;
+};
+
+}  // namespace
+
+SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
+                      const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+                      const SizingOptions& options) {
+  for (const auto& list : costs) {
+    expects(!list.empty() && std::is_sorted(list.begin(), list.end()), "lists of costs ascend and are not empty");
+  }
+  SizingAnswer answer;
+  InOrder order(costs);
+  SizingCandidate one;
+  bool found = false;
+  std::size_t behind = 0;
+  while (order.next(one.choice, one.cost)) {
+    if (found && (answer.above.size() >= options.neighbours || behind >= options.more_trials)) break;
+    if (!found && answer.trials >= options.most_trials) {
+      answer.outcome = not_converged(
+          fmt::format("no choice has passed within {} trials; narrow the candidates down", options.most_trials));
+      return answer;
+    }
+    one.trial = try_one(one.choice);
+    if (one.trial.ended) {
+      answer.ended = true;
+      break;
+    }
+    if (one.trial.skipped) continue;
+    ++(found ? behind : answer.trials);
+    if (one.trial.passes && !found) {
+      found = true;
+      answer.best = one;
+    } else if (one.trial.passes) {
+      answer.above.push_back(one);
+    } else if (!found && options.neighbours > 0) {
+      if (answer.below.size() == options.neighbours) answer.below.erase(answer.below.begin());
+      answer.below.push_back(one);
+    }
+  }
+  if (!found) answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+  return answer;
+}
+
+SizingAnswer least_measured(const std::vector<std::size_t>& counts,
+                            const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+                            const SizingOptions& options) {
+  SizingAnswer answer;
+  double choices = 1;
+  for (const std::size_t n : counts) choices *= static_cast<double>(n);
+  if (choices > static_cast<double>(options.most_trials)) {
+    answer.outcome = not_converged(fmt::format(
+        "what is sought is known of a choice when it is calculated, and {:.6g} choices are more than {}: narrow the "
+        "candidates down",
+        choices, options.most_trials));
+    return answer;
+  }
+  std::vector<SizingCandidate> passed;
+  std::vector<SizingCandidate> failed;
+  Choice choice(counts.size(), 0);
+  for (bool more = choices > 0; more;) {
+    const SizingTrial trial = try_one(choice);
+    if (trial.ended) {
+      answer.ended = true;
+      break;
+    }
+    if (!trial.skipped) {
+      ++answer.trials;
+      (trial.passes ? passed : failed).push_back({choice, trial.measured, trial});
+    }
+    more = false;
+    for (std::size_t k = choice.size(); k-- > 0 && !more;) {
+      more = ++choice[k] < counts[k];
+      if (!more) choice[k] = 0;
+    }
+  }
+  std::stable_sort(passed.begin(), passed.end(), [](const SizingCandidate& a, const SizingCandidate& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.trial.utilisation < b.trial.utilisation;
+  });
+  const auto use = [](const SizingCandidate& c) {
+    return std::isnan(c.trial.utilisation) ? HUGE_VAL : c.trial.utilisation;
+  };
+  std::stable_sort(failed.begin(), failed.end(),
+                   [&](const SizingCandidate& a, const SizingCandidate& b) { return use(a) > use(b); });
+  const auto last = [&](std::size_t n) { return static_cast<std::ptrdiff_t>(std::min(n, options.neighbours)); };
+  answer.below.assign(failed.end() - last(failed.size()), failed.end());
+  if (passed.empty()) {
+    answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+    return answer;
+  }
+  answer.best = passed.front();
+  answer.above.assign(passed.begin() + 1, passed.begin() + 1 + last(passed.size() - 1));
+  return answer;
+}
+
+}  // namespace taut::analysis

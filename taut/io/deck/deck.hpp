@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "taut/io/deck/document.hpp"
+#include "taut/units/display.hpp"
+
+namespace taut::io {
+
+/// What stands around the input of a deck.
+struct Deck {
+  std::string title;
+  std::string method;       ///< one of the methods; empty when the deck names none of them
+  bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
+  Display display;
+  std::optional<Node>
+      others;  ///< of a method's deck: a map with the keys `checks` and `design` alone, where it has any
+  std::shared_ptr<const Reading> reading;  ///< what it names has been read into: includes now, other files later on
+  Node parameters;                         ///< as the deck has them; `input` holds their values already
+  Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
+               ///< with the keys `machine`, `analyses`, `checks` and `design` alone
+};
+
+/// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
+/// and the keys `taut`, `title`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to
+/// `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read
+/// further, to find more of them; it must not be run.
+///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
+///         a name without a folder)
+///   set: "input.cases[0].falls=6" and so on, in order
+///   methods: names that `method:` may have
+std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
+                              const std::vector<std::string>& methods, Diagnostics& mistakes);
+
+/// The same from a document whose includes, overrides and parameters are done.
+Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes);
+
+}  // namespace taut::io

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "taut/catalogue/section_search.hpp"
+#include "taut/catalogue/steel.hpp"
+#include "taut/machine/links/beam_links.hpp"
+
+namespace taut::model {
+namespace {
+
+constexpr double steel_density = 7850;  // kg/m3, EN 1991-1-1
+constexpr double G_by_E = 1 / 2.6;      // nu = 0.3
+
+/// Figures that a section of the catalogue has already.
+void refuse_figures(const description::Beam& given, const std::string& path, std::vector<Complaint>& complaints) {
+  const auto refuse = [&](const std::optional<double>& value, const char* key) {
+    if (!value) return;
+    complaints.push_back(
+        {fmt::format("{}.{}", path, key), "belongs to a section by figures; this one has a 'section'"});
+  };
+  refuse(given.I, "I");
+  refuse(given.I_weak, "I_weak");
+  refuse(given.J, "J");
+  refuse(given.W, "W");
+  refuse(given.W_weak, "W_weak");
+}
+
+void check_steel(const description::Beam& given, const std::optional<double>& wall, const std::string& path,
+                 std::vector<Complaint>& complaints) {
+  if (!given.steel) return;
+  const auto steel = catalogue::find_steel(*given.steel);
+  if (!steel) {
+    complaints.push_back({path + ".steel", to_text(steel.error())});
+    return;
+  }
+  if (!wall) return;
+  const auto yield = catalogue::yield(*steel, *wall);
+  if (!yield) complaints.push_back({path + ".steel", to_text(yield.error())});
+}
+
+}  // namespace
+
+structure::BeamSection section_of(const description::Beam& given, double gravity, std::vector<Complaint>& complaints) {
+  const std::string path = fmt::format("beams.{}", given.name);
+  structure::BeamSection b;
+  if (given.section) {
+    refuse_figures(given, path, complaints);
+    const auto row = catalogue::find_section(*given.section);
+    if (!row) {
+      complaints.push_back({path + ".section", to_text(row.error())});
+      check_steel(given, {}, path, complaints);
+      return structure::tube_section(1, 0.1);  // never used: the deck has a mistake
+    }
+    b = structure::beam_section(*row, {given.E, given.E * G_by_E});
+    b.weight = given.mass.value_or(row->mass_per_length) * gravity;
+    check_steel(given, row->thickness, path, complaints);
+    return b;
+  }
+  if (!given.I) complaints.push_back({path, "a section by figures needs 'I' beside 'A'"});
+  if (given.steel && !given.W) complaints.push_back({path + ".steel", "the stress needs 'W', the section modulus"});
+  check_steel(given, {}, path, complaints);
+  const double I = given.I.value_or(1), weak = given.I_weak.value_or(I);
+  b.area = given.A.value_or(1);
+  b.EA = given.E * b.area;
+  b.EI_x = given.E * I;
+  b.EI_y = given.E * weak;
+  b.GJ = given.E * G_by_E * given.J.value_or(I + weak);
+  b.W_x = given.W.value_or(0);
+  b.W_y = given.W_weak.value_or(b.W_x);
+  b.weight = given.mass.value_or(b.area * steel_density) * gravity;
+  b.round = !given.I_weak && !given.W_weak;
+  return b;
+}
+
+}  // namespace taut::model

@@ -1,0 +1,355 @@
+#include "taut/machine/compile/compile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/machine/compile/carriages.hpp"
+#include "taut/machine/compile/compile_motion.hpp"
+#include "taut/machine/compile/dragged.hpp"
+#include "taut/machine/compile/drives.hpp"
+#include "taut/machine/compile/drums.hpp"
+#include "taut/machine/compile/given.hpp"
+#include "taut/machine/compile/path.hpp"
+#include "taut/machine/compile/room.hpp"
+#include "taut/machine/compile/rope_loads.hpp"
+#include "taut/machine/compile/terrain.hpp"
+#include "taut/machine/links/body_on.hpp"
+#include "taut/machine/links/links.hpp"
+#include "taut/machine/links/motion_links.hpp"
+#include "taut/machine/links/rope_of.hpp"
+#include "taut/machine/links/signals_of.hpp"
+
+namespace taut::model {
+namespace {
+
+Vector3 axis_of(const std::string& letter) {
+  return letter == "x" ? Vector3::UnitX() : letter == "y" ? Vector3::UnitY() : Vector3::UnitZ();
+}
+
+template <class Named>
+std::string hint_for(const std::vector<Named>& all, const std::string& name) {
+  std::vector<std::string> names;
+  names.reserve(all.size());
+  for (const Named& one : all) names.push_back(one.name);
+  const std::string hint = did_you_mean(name, names);
+  return hint.empty() && !names.empty() && names.size() <= 12 ? fmt::format("; there is {}", fmt::join(names, ", "))
+                                                              : hint;
+}
+
+class Compiler {
+ public:
+  explicit Compiler(const Machine& machine)
+      : machine_(machine), links_(machine, complaints_), ropes_(ropes_of(machine, complaints_)) {}
+
+  tl::expected<Model, std::vector<Complaint>> run() {
+    model_.gravity = machine_.gravity;
+    model_.signals = signals_of(machine_, complaints_);
+    add_bodies();
+    add_body_motion(machine_, model_, complaints_);
+    place_bodies_on_others(machine_, model_, complaints_);
+    add_drives(machine_, model_, complaints_);
+    for (const auto& given : machine_.carriages) model_.bodies.push_back(body_of(given));
+    if (complaints_.empty()) {
+      for (const StraightBeam& beam : links_.beams().in_order()) add_beam(model_, beam);
+    }
+    check_axes();
+    for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
+    for (const auto& guy : machine_.guys) add_guy(guy);
+    check_names();
+    check_held();
+    for (std::size_t i = 0; i < machine_.carriages.size(); ++i)
+      model_.carriages.push_back(carriage_of(machine_, i, model_.reevings, stops_, complaints_));
+    if (complaints_.empty()) place_carriages(machine_, stops_, model_);
+    check_drums(machine_, complaints_);
+    check_rope_loads(machine_, complaints_);
+    if (complaints_.empty()) finish_nodes();
+    if (complaints_.empty()) finish_drives(machine_, rope_of_reeving_, model_);
+    if (complaints_.empty()) add_rope_loads(machine_, model_, complaints_);
+    if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
+    add_loads();
+    add_take_ups();
+    if (complaints_.empty()) add_put_ups();
+    if (machine_.terrain) model::add_terrain(*machine_.terrain, links_, model_, complaints_);
+    if (model_.reevings.empty() && machine_.beams.empty())
+      complain("", "the machine has no rope: say 'reevings' or 'guys'");
+    if (!complaints_.empty()) return tl::unexpected(complaints_);
+    return std::move(model_);
+  }
+
+ private:
+  void complain(std::string path, std::string message) { complaints_.push_back({std::move(path), std::move(message)}); }
+
+  Vector3 start_of(const Place& place) const {
+    if (place.body == ground) return place.at;
+    const Body& body = model_.bodies[static_cast<std::size_t>(place.body)];
+    return body.position + body.orientation * place.at;
+  }
+
+  void add_bodies() {
+    for (const auto& given : machine_.bodies) {
+      const std::string path = fmt::format("bodies.{}", given.name);
+      Body body;
+      body.name = given.name;
+      body.position = vector_of(given.at);
+      body.mass = given.mass;
+      body.centre = vector_of(given.centre);
+      std::size_t rotations = 0;
+      for (auto way = given.free.begin(); way != given.free.end(); ++way) {
+        if (std::find(given.free.begin(), way, *way) != way) {
+          complain(path + ".free", fmt::format("'{}' stands there twice", *way));
+          continue;
+        }
+        const bool turns = way->front() == 'r';
+        rotations += turns ? 1 : 0;
+        body.free.push_back(turns ? Freedom{Vector3::Zero(), axis_of(way->substr(1))}
+                                  : Freedom{axis_of(*way), Vector3::Zero()});
+      }
+      if (rotations == 2) complain(path + ".free", "one rotation or all three; two depend on their order");
+      if (given.guide) {
+        const Vector3 guide = vector_of(*given.guide);
+        if (guide.norm() == 0) complain(path + ".guide", "the direction is zero");
+        if (rotations < body.free.size()) complain(path + ".guide", "a body on a guide has none of x, y, z in 'free'");
+        if (guide.norm() > 0) body.free.push_back({guide.normalized(), Vector3::Zero()});
+      }
+      model_.bodies.push_back(std::move(body));
+    }
+  }
+
+  void check_held() {
+    for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
+      const bool held = std::any_of(stops_.begin(), stops_.end(), [&](const std::vector<Stop>& stops) {
+        return std::any_of(stops.begin(), stops.end(),
+                           [&](const Stop& stop) { return stop.node.at.body == static_cast<int>(i); });
+      });
+      // what lies on faces or hangs on a cylinder needs no rope
+      const bool on_beam = links_.beams().hold(static_cast<int>(i));
+      const bool otherwise = !machine_.contacts.empty() || !machine_.actuators.empty() || on_beam;
+      if (held || otherwise || model_.bodies[i].free.empty()) continue;
+      const std::string& name = machine_.bodies[i].name;
+      complain(fmt::format("bodies.{}", name),
+               index_of(machine_.points, name) < 0
+                   ? "may move, but no rope runs to it"
+                   : fmt::format("may move, but no rope runs to it: '{}' in a path is the point of that name", name));
+    }
+  }
+
+  void check_axes() {
+    const auto check = [&](const char* list, const auto& all) {
+      for (const auto& one : all) {
+        if (vector_of(one.axis).norm() == 0) complain(fmt::format("{}.{}.axis", list, one.name), "the axis is zero");
+      }
+    };
+    check("sheaves", machine_.sheaves);
+    check("supports", machine_.supports);
+    check("drums", machine_.drums);
+  }
+
+  const RopeData* rope(const std::string& name, const std::string& path) {
+    const int i = index_of(ropes_, name);
+    if (i >= 0) return &ropes_[static_cast<std::size_t>(i)];
+    complain(path, fmt::format("there is no rope '{}'{}", name, hint_for(ropes_, name)));
+    return nullptr;
+  }
+
+  static void set_rope(Reeving& reeving, const RopeData& rope, double gravity) {
+    reeving.weight = rope.mass * gravity;
+    reeving.mass = rope.mass;
+    reeving.stiffness = rope.stiffness;
+    reeving.breaking_force = rope.breaking_force;
+    reeving.diameter = rope.diameter;
+    reeving.thermal_strain = rope.thermal_strain;
+    reeving.damping_ratio = rope.damping_ratio;
+    reeving.damping_time = rope.damping_time;
+  }
+
+  void add_reeving(const description::Reeving& given, std::size_t i) {
+    const std::string path = fmt::format("reevings[{}]", i);
+    Reeving reeving;
+    reeving.name = given.name.value_or(given.rope);
+    reeving.copies = given.copies;
+    reeving.closed = given.closed;
+    reeving.segments = given.segments;
+    const RopeData* data = rope(given.rope, path + ".rope");
+    if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
+    rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
+    set_given(machine_, model_, given, rope_of_reeving_.back(), path, reeving, complaints_);
+    stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), path, complaints_));
+    model_.reevings.push_back(std::move(reeving));
+  }
+
+  void add_guy(const description::Guy& given) {
+    const std::string path = fmt::format("guys.{}", given.name);
+    const std::vector<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
+    Reeving reeving;
+    reeving.name = given.name;
+    if (const RopeData* data = rope(given.rope, path + ".rope")) set_rope(reeving, *data, machine_.gravity);
+    if (given.install) {
+      const bool top = given.install->at == description::InstallAt::top;
+      reeving.given = top ? Given::tension_at_start : Given::tension_at_end;
+      reeving.value = given.install->tension;
+    } else {
+      reeving.value = given.length.value_or(0);
+    }
+    std::vector<Stop> stops;
+    for (const auto& [key, name] : {std::pair{"from", given.from}, std::pair{"to", given.to}}) {
+      const Target* t = links_.find(name, ends, fmt::format("{}.{}", path, key), complaints_);
+      if (t == nullptr) continue;
+      Stop stop;
+      stop.node.name = name;
+      stop.node.at = t->place;
+      stops.push_back(std::move(stop));
+    }
+    stops_.push_back(std::move(stops));
+    model_.reevings.push_back(std::move(reeving));
+  }
+
+  void check_names() {
+    for (std::size_t i = 0; i < model_.reevings.size(); ++i) {
+      const int first = index_of(model_.reevings, model_.reevings[i].name);
+      if (static_cast<std::size_t>(first) == i) continue;
+      const bool is_guy = i >= machine_.reevings.size();
+      complain(is_guy ? fmt::format("guys.{}", model_.reevings[i].name) : fmt::format("reevings[{}]", i),
+               fmt::format("another rope is called '{}' too; give this one a 'name'", model_.reevings[i].name));
+    }
+  }
+
+  void finish_nodes() {
+    for (std::size_t r = 0; r < stops_.size(); ++r) {
+      std::vector<Stop>& stops = stops_[r];
+      std::vector<Vector3> places;
+      places.reserve(stops.size());
+      for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
+      const bool is_guy = r >= machine_.reevings.size();
+      const bool closed = model_.reevings[r].closed;
+      const std::string path =
+          is_guy ? fmt::format("guys.{}", model_.reevings[r].name) : fmt::format("reevings[{}].path", r);
+      if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
+      set_sides(stops, places, closed);
+      check_room(model_, stops, closed, path, complaints_);
+      set_clamps(stops, places, model_.reevings[r]);
+      for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
+      if (r < machine_.reevings.size() && machine_.reevings[r].install) set_straight(places, model_.reevings[r]);
+    }
+  }
+
+  static void set_straight(const std::vector<Vector3>& places, Reeving& reeving) {
+    reeving.value = 0;
+    for (std::size_t k = 1; k < places.size(); ++k) reeving.value += (places[k] - places[k - 1]).norm();
+  }
+
+  /// Clamps without a length stand at their share of the way, of an endless rope all the way round.
+  static void set_clamps(std::vector<Stop>& stops, const std::vector<Vector3>& places, const Reeving& reeving) {
+    double total = 0;
+    std::vector<double> way = {0};
+    for (std::size_t k = 1; k < places.size(); ++k) way.push_back(total += (places[k] - places[k - 1]).norm());
+    if (reeving.closed && places.size() > 1) total += (places.front() - places.back()).norm();
+    const double length = reeving.given == Given::length ? reeving.value : total;
+    for (std::size_t k = 0; k < stops.size(); ++k) {
+      Node& node = stops[k].node;
+      if (node.kind == NodeKind::clamp && node.length_before == 0) node.length_before = length * way[k] / total;
+    }
+  }
+
+  void add_loads() {
+    for (std::size_t i = 0; i < machine_.loads.size(); ++i) {
+      const description::Load& given = machine_.loads[i];
+      check_name(given, i);
+      const std::string path = fmt::format("loads[{}].at", i);
+      const Target* t = links_.find(given.at, {Thing::body, Thing::carriage, Thing::point, Thing::sheave, Thing::drum},
+                                    path, complaints_);
+      if (t == nullptr) continue;
+      if (t->place.body == ground) {
+        complain(path, fmt::format("'{}' is fixed to the ground: a load there moves nothing; name a body", given.at));
+        continue;
+      }
+      const double mass = given.mass.value_or(0);
+      Vector3 force = given.force ? vector_of(*given.force) : Vector3(-mass * machine_.gravity * up());
+      if (given.dragged) {
+        const auto& along = given.dragged->along;
+        const bool level = along.size() == 2 && std::hypot(along[0], along[1]) > 0;
+        const std::string key = fmt::format("loads[{}].dragged", i);
+        if (!level) complain(key + ".along", "a horizontal direction [x, y] is expected, not zero");
+        if (given.force) complain(key, "belongs to a load with a 'mass'");
+        if (level && !given.force) force = force_of(*given.dragged, mass, machine_.gravity);
+      }
+      const bool hangs = !given.force && !given.dragged;  // a bunch that drags acts by its force alone
+      model_.loads.push_back({t->place, force, hangs ? mass : 0});
+    }
+  }
+
+  /// A load's name is its own: paths and `with` find it by that.
+  void check_name(const description::Load& load, std::size_t i) {
+    if (!load.name) return;
+    const auto earlier = machine_.loads.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool twice =
+        std::any_of(machine_.loads.begin(), earlier, [&](const auto& one) { return one.name == load.name; });
+    const bool other = index_of(machine_.bodies, *load.name) >= 0 || index_of(machine_.carriages, *load.name) >= 0;
+    if (!twice && !other) return;
+    complain(fmt::format("loads[{}].name", i),
+             fmt::format("another {} is called '{}'", twice ? "load" : "body or carriage", *load.name));
+  }
+
+  void add_put_ups() {
+    for (std::size_t i = 0; i < machine_.reevings.size(); ++i) {
+      const auto& given = machine_.reevings[i].install;
+      if (!given) continue;
+      PutUp& put_up = model_.reevings[i].put_up.emplace();
+      put_up.tension = given->tension;
+      put_up.at_end = given->at == description::BaseTensionAt::end;
+      const std::string path = fmt::format("reevings[{}].install.with", i);
+      std::vector<int> loads;
+      for (const std::string& name : given->with) {
+        const auto load = std::find_if(machine_.loads.begin(), machine_.loads.end(),
+                                       [&](const auto& one) { return one.name == name; });
+        if (load != machine_.loads.end()) {
+          put_up.loads.push_back(static_cast<int>(load - machine_.loads.begin()));
+        } else if (const Target* t = links_.find(name, {Thing::body, Thing::carriage}, path, complaints_)) {
+          put_up.bodies.push_back(t->place.body);
+        }
+      }
+      for (const int load : put_up.loads) {
+        const int body = model_.loads[static_cast<std::size_t>(load)].at.body;
+        if (std::find(put_up.bodies.begin(), put_up.bodies.end(), body) != put_up.bodies.end()) continue;
+        complain(path, fmt::format("the load '{}' hangs on '{}': name that too",
+                                   *machine_.loads[static_cast<std::size_t>(load)].name,
+                                   model_.bodies[static_cast<std::size_t>(body)].name));
+      }
+    }
+  }
+
+  void add_take_ups() {
+    for (std::size_t i = 0; i < machine_.take_up.size(); ++i) {
+      const description::TakeUp& given = machine_.take_up[i];
+      const std::string path = fmt::format("take_up[{}]", i);
+      const Target* t = links_.find(given.body, {Thing::body, Thing::carriage}, path + ".body", complaints_);
+      const Vector3 along = vector_of(given.along);
+      if (along.norm() == 0) complain(path + ".along", "the direction is zero");
+      if (t == nullptr || along.norm() == 0) continue;
+      const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
+      model_.loads.push_back({t->place, pull * along.normalized(), 0});
+      if (!given.weight || t->place.body == ground) continue;
+      Body& body = model_.bodies[static_cast<std::size_t>(t->place.body)];
+      if (body.free.size() != 1) continue;
+      const double share = along.normalized().dot(body.free.front().along);
+      body.counterweight += *given.weight * share * share;
+    }
+  }
+
+  const Machine& machine_;
+  std::vector<Complaint> complaints_;
+  Links links_;
+  std::vector<RopeData> ropes_;
+  std::vector<RopeData> rope_of_reeving_;
+  std::vector<std::vector<Stop>> stops_;
+  Model model_;
+};
+
+}  // namespace
+
+tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) { return Compiler(machine).run(); }
+
+}  // namespace taut::model

@@ -1,0 +1,234 @@
+#include "taut/machine/compile/compile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "test/support/complaints.hpp"
+#include "test/support/described.hpp"
+
+namespace taut::model::compile_test {
+
+using namespace described;
+using taut_test::complaints_of;
+
+std::string names_of(const Reeving& r) {
+  std::string names;
+  for (const Node& n : r.nodes) names += n.name + " ";
+  return names;
+}
+
+TEST(Compile, ALineWithItsCarriage) {
+  const auto model = compile(line());
+  ASSERT_TRUE(model) << complaints_of(line());
+  ASSERT_EQ(model->bodies.size(), 1U);
+  EXPECT_EQ(model->bodies[0].free.size(), 3U);
+  EXPECT_NEAR((model->bodies[0].position - Vector3(30, 0, 16)).norm(), 0, 1e-12) << "between head and jack";
+  const Reeving& sky = model->reevings[0];
+  EXPECT_EQ(names_of(sky), "head car jack tail ");
+  EXPECT_EQ(sky.nodes[1].kind, NodeKind::contact);
+  EXPECT_EQ(sky.nodes[2].support, Vector3::UnitZ());
+  EXPECT_EQ(sky.nodes[2].law.friction, 0.1);
+  EXPECT_EQ(sky.nodes[2].law.efficiency, 0);
+  EXPECT_DOUBLE_EQ(sky.weight, 2 * 9.80665);
+  EXPECT_EQ(sky.value, 103);
+  EXPECT_EQ(model->reevings[1].given, Given::tension_at_start);
+  EXPECT_EQ(model->reevings[1].haul, -1) << "to its drum";
+  EXPECT_DOUBLE_EQ(model->reevings[1].nodes[0].radius, 0.2);
+  EXPECT_EQ(model->reevings[1].nodes[0].side, 1) << "wound from above";
+  EXPECT_EQ(model->carriages[0].mainline, 1);
+  EXPECT_EQ(model->carriages[0].node, 1);
+}
+
+TEST(Compile, ARopeLiesHalfItsDiameterAboveTheDrum) {
+  Machine m = line();
+  m.ropes[1].diameter = 0.02;
+  m.drums[0].layer = 3;
+  EXPECT_DOUBLE_EQ(compile(m)->reevings[1].nodes[0].radius, 0.2 + 2.5 * 0.02);
+}
+
+TEST(Compile, WritesTacklesOut) {
+  const std::vector<std::pair<Machine, std::string>> rows = {
+      {tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")}),
+       "lead head block head block head block pin "},
+      {tackle(5, {anchor("lead"), over("head", 5, {"head", "block"}), anchor("eye")}),
+       "lead head block head block head eye "},
+      {tackle(6, {anchor("lead"), over("head"), over("block", 6), anchor("pin")}),
+       "lead head block head block head block pin "},
+      {tackle(6, {anchor("lead"), over("head"), over("block", 6, {"block", "head"}), anchor("pin")}),
+       "lead head block head block head block pin "},
+      {tackle(4, {anchor("pin"), over("block", 4), over("head"), anchor("lead")}), "pin block head block head lead "},
+      {tackle(4, {anchor("pin"), over("block", 4, {"block", "head"}), anchor("lead")}),
+       "pin block head block head lead "},
+      {tackle(2, {anchor("pin"), over("block", 2), anchor("lead")}), "pin block lead "},
+  };
+  for (const auto& [machine, names] : rows) {
+    const auto model = compile(machine);
+    ASSERT_TRUE(model) << complaints_of(machine);
+    const Reeving& r = model->reevings[0];
+    EXPECT_EQ(names_of(r), names);
+    for (const Node& n : r.nodes) {
+      if (n.kind != NodeKind::contact || r.nodes[0].name != "lead") continue;
+      EXPECT_EQ(n.side, 1) << names << n.name;
+    }
+  }
+}
+
+TEST(Compile, SidesFollowTheBendAndMirror) {
+  // a block on a corner: the sheave lies on the inner side
+  for (const double mirror : {1.0, -1.0}) {
+    Machine m = tackle(1, {anchor("lead"), over("head"), anchor("pin")});
+    m.bodies[0].free = {};
+    m.points[0].at = {-10 * mirror, 0, 0};
+    m.points[1].at = {3 * mirror, 0, 0};
+    EXPECT_EQ(compile(m)->reevings[0].nodes[1].side, mirror > 0 ? 1 : -1);
+    m.sheaves[0].axis = {0, -1, 0};
+    EXPECT_EQ(compile(m)->reevings[0].nodes[1].side, mirror > 0 ? -1 : 1);
+    m.reevings[0].path[1].side = description::Side::left;
+    EXPECT_EQ(compile(m)->reevings[0].nodes[1].side, -1);
+  }
+}
+
+TEST(Compile, FreedomsGuidesLoadsAndTemperature) {
+  Machine m = tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")});
+  m.bodies[0].free = {"ry"};
+  m.bodies[0].guide = Triple{0, 0, 2};
+  m.loads = {{"eye", 100.0, {}}, {"hook", {}, Triple{1, 2, 3}}};
+  m.take_up = {{"hook", 50.0, {}, {2, 0, 0}}};
+  m.temperature = 303.15;
+  m.ropes[0].reference_temperature = 283.15;
+  m.gravity = 10;
+  const auto model = compile(m);
+  ASSERT_TRUE(model) << complaints_of(m);
+  ASSERT_EQ(model->bodies[0].free.size(), 2U);
+  EXPECT_EQ(model->bodies[0].free[0].about, Vector3::UnitY());
+  EXPECT_EQ(model->bodies[0].free[1].along, Vector3::UnitZ());
+  EXPECT_EQ(model->loads[0].force, Vector3(0, 0, -1000));
+  EXPECT_EQ(model->loads[0].at.at, Vector3(0, 0, 0.3));
+  EXPECT_EQ(model->loads[1].force, Vector3(1, 2, 3));
+  EXPECT_EQ(model->loads[2].force, Vector3(500, 0, 0));
+  EXPECT_DOUBLE_EQ(model->reevings[0].thermal_strain, 1.2e-5 * 20);
+  m.ropes[0].reference_temperature = {};
+  EXPECT_EQ(compile(m)->reevings[0].thermal_strain, 0) << "its length holds at the machine's temperature";
+}
+
+TEST(Compile, GuysStandBehindTheReevings) {
+  Machine m = line();
+  m.guys = {{"g1", "main", "head", "tail", description::Install{3e3, description::InstallAt::anchor}, {}},
+            {"g2", "main", "tail", "head", {}, 120.0}};
+  const auto model = compile(m);
+  ASSERT_TRUE(model) << complaints_of(m);
+  EXPECT_EQ(model->reevings[2].given, Given::tension_at_end);
+  EXPECT_EQ(model->reevings[2].value, 3e3);
+  EXPECT_EQ(model->reevings[3].given, Given::length);
+  EXPECT_EQ(names_of(model->reevings[3]), "tail head ");
+}
+
+TEST(Compile, ClampsWithoutALengthStandAtTheirShareOfTheWay) {
+  Machine m = line();
+  m.carriages[0].hold = description::Hold::clamped;
+  m.carriages[0].mainline = {};
+  m.reevings.pop_back();
+  const auto model = compile(m);
+  ASSERT_TRUE(model) << complaints_of(m);
+  const double before = std::hypot(30, 6);
+  const double all = std::hypot(60, 12) + std::hypot(40, 8);
+  EXPECT_NEAR(model->reevings[0].nodes[1].length_before, 103 * before / all, 1e-9);
+  m.carriages[0].length_before = 20;
+  EXPECT_EQ(compile(m)->reevings[0].nodes[1].length_before, 20);
+}
+
+TEST(Compile, TellsEachMistakeAtItsPath) {
+  struct Row {
+    void (*spoil)(Machine&);
+    std::string expected;
+  };
+  const std::vector<Row> rows = {
+      {[](Machine& m) { m.points[0].body = "bom"; }, "points.head.body: there is no body 'bom'"},
+      {[](Machine& m) { m.reevings[0].path[0] = anchor("haed"); },
+       "reevings[0].path[0].anchor: there is no point, body, carriage, sheave or support 'haed'; did you mean 'head'?"},
+      {[](Machine& m) { m.reevings[0].path[2] = over("head"); },
+       "reevings[0].path[2].over: 'head' is a point; here a sheave or support is named"},
+      {[](Machine& m) { m.reevings[0].rope = "skylin"; }, "reevings[0].rope: there is no rope 'skylin'; did you mean"},
+      {[](Machine& m) { m.reevings[0].length = {}; }, "reevings[0]: needs one of length"},
+      {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: is told length and tension_at_end"},
+      {[](Machine& m) {
+         m.drums[0].drive = description::Drive{{}, {}, "4 kN", description::Brake::open};
+       },
+       "reevings[1]: is told tension_at_start and the pull of its first drum"},
+      {[](Machine& m) { m.reevings[0].path.pop_back(); }, "reevings[0].path[2]: a rope's first and last"},
+      {[](Machine& m) { m.reevings[0].path[2] = anchor("head"); }, "reevings[0].path[2]: a rope is fixed at its ends"},
+      {[](Machine& m) { m.reevings[0].path[2].parts = 4; }, "reevings[0].path[2].parts: no sheave is beside this one"},
+      {[](Machine& m) {
+         m.reevings[0].path[2] = over("jack", 4, {"jack", "jack"});
+       },
+       "path[2].between: two sheaves"},
+      {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
+       "carriages.car: the path of the rope it rides on goes past"},
+      {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0]: runs over a sheave with a motor: needs two of"},
+      {[](Machine& m) { m.carriages[0].rides = "main"; }, "carriages.car: rides on 'main', but the path of 'skyline'"},
+      {[](Machine& m) { m.carriages[0].mainline = "skyline"; },
+       "carriages.car.mainline: the path of 'skyline' does not"},
+      {[](Machine& m) { m.carriages[0].length_before = 3; }, "carriages.car.length_before: belongs to"},
+      {[](Machine& m) { m.ropes[0].mass = {}; }, "ropes.skyline: says neither"},
+      {[](Machine& m) { m.ropes[0].stiffness = {}; }, "ropes.skyline: lacks its 'stiffness', EA"},
+      {[](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; }, "ropes.skyline.rope: "},
+      {[](Machine& m) {
+         m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}, {}}};
+       },
+       "bodies.hook: may move, but no rope runs to it"},
+      {[](Machine& m) {
+         m.supports[0].axis = {0, 0, 0};
+       },
+       "supports.jack.axis: the axis is zero"},
+      {[](Machine& m) {
+         m.loads = {{"head", 3.0, {}}};
+       },
+       "loads[0].at: 'head' is fixed to the ground"},
+      {[](Machine& m) {
+         m.loads = {{"cat", 3.0, {}}};
+       },
+       "loads[0].at: there is no body"},
+      {[](Machine& m) { m.reevings[1].rope = "skyline"; }, "reevings[1]: another rope is called 'skyline'"},
+      {[](Machine& m) {
+         m.points[1].at = {60, 0, 22};
+       },
+       "reevings[0].path: 'jack' and 'tail' are at the same place"},
+      {[](Machine& m) {
+         m.terrain = description::Terrain{{}, {0, 5, 4}, {0, 0, 0}, {}, {}};
+       },
+       "terrain.x[2]: x has to grow"},
+      {[](Machine& m) {
+         m.terrain = description::Terrain{{}, {0, 5}, {0}, {}, {}};
+       },
+       "terrain.z: 1 heights for 2 places"},
+      {[](Machine& m) { m.reevings.clear(), m.carriages.clear(); }, "the machine has no rope"},
+  };
+  for (const Row& row : rows) {
+    Machine m = line();
+    row.spoil(m);
+    EXPECT_NE(complaints_of(m).find(row.expected), std::string::npos) << row.expected << "\n" << complaints_of(m);
+  }
+  Machine m = tackle(2, {anchor("pin"), over("block", 2), anchor("lead")});
+  m.bodies[0].free = {"rx", "ry"};
+  EXPECT_NE(complaints_of(m).find("bodies.hook.free: one rotation or all three"), std::string::npos);
+  m.bodies[0].free = {"x", "x"};
+  EXPECT_NE(complaints_of(m).find("bodies.hook.free: 'x' stands there twice"), std::string::npos);
+  m.bodies[0].free = {"x"};
+  m.bodies[0].guide = Triple{0, 0, 1};
+  EXPECT_NE(complaints_of(m).find("bodies.hook.guide: a body on a guide"), std::string::npos);
+}
+
+TEST(Compile, TellsAllMistakesAtOnce) {
+  Machine m = line();
+  m.ropes[0].mass = {};
+  m.reevings[0].path[0] = anchor("x");
+  m.reevings[1].tension_at_start = {};
+  m.loads = {{"nothing", 1.0, {}}};
+  const auto model = compile(m);
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().size(), 4U) << complaints_of(m);
+}
+
+}  // namespace taut::model::compile_test

@@ -1,0 +1,66 @@
+#include "taut/machine/compile/drives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "taut/machine/compile/drums.hpp"
+
+namespace taut::model {
+namespace {
+
+/// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it.
+std::optional<double> speed_of(const Drive& drive) {
+  if (drive.kind != DriveKind::speed) return std::nullopt;
+  double speed = std::abs(at(drive.signal, 0).value);
+  if (const auto* sine = std::get_if<Sine>(&drive.signal.law)) speed = std::abs(sine->mean) + std::abs(sine->amplitude);
+  for (const double t : breakpoints(drive.signal)) speed = std::max(speed, std::abs(at(drive.signal, t).value));
+  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
+}
+
+void add_motor(Node& node, Reeving& reeving, const Motor& motor) {
+  if (motor.drive.kind == DriveKind::torque && node.radius > 0) {
+    node.tension_drop = at(motor.drive.signal, 0).value / (node.radius * reeving.copies);
+  }
+  if (const auto speed = speed_of(motor.drive)) reeving.speed = *speed;
+}
+
+void add_drum(const description::Drum& given, const RopeData& rope, Reeving& reeving, Drum& drum) {
+  drum.layer = layer_of(given, rope);
+  const auto speed = speed_of(drum.drive);
+  if (speed && reeving.speed == 0) reeving.speed = *speed;
+}
+
+}  // namespace
+
+void finish_drives(const Machine& machine, const std::vector<RopeData>& ropes, Model& model) {
+  for (std::size_t i = 0; i < model.drums.size(); ++i) {
+    const description::Drum& given = machine.drums[i];
+    Drum& drum = model.drums[i];
+    drum.automatic_layers = given.layers.has_value();
+    drum.width = given.face_width.value_or(0);
+    drum.length_on_drum = given.length_on_drum;
+    drum.wound_at = given.wound_at;
+    drum.pitch = given.pitch.value_or(0);
+    drum.layer_height = given.layer_height.value_or(0);
+    drum.flange_diameter = given.flange_diameter.value_or(0);
+  }
+  for (std::size_t r = 0; r < machine.reevings.size(); ++r) {
+    Reeving& reeving = model.reevings[r];
+    reeving.mass = ropes[r].mass;
+    reeving.diameter = ropes[r].diameter;
+    for (Node& node : reeving.nodes) {
+      if (node.kind != NodeKind::drive) continue;
+      for (const Motor& motor : model.motors) {
+        if (motor.name == node.name) add_motor(node, reeving, motor);
+      }
+    }
+    for (const Node& node : reeving.nodes) {
+      if (node.drum < 0) continue;
+      const auto d = static_cast<std::size_t>(node.drum);
+      add_drum(machine.drums[d], ropes[r], reeving, model.drums[d]);
+    }
+  }
+}
+
+}  // namespace taut::model

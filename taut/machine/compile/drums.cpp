@@ -1,0 +1,81 @@
+#include "taut/machine/compile/drums.hpp"
+
+#include <string>
+#include <utility>
+namespace taut::model {
+namespace {
+
+class Checker {
+ public:
+  Checker(const description::Drum& drum, std::vector<Complaint>& complaints)
+      : drum_(drum), path_("drums." + drum.name), complaints_(complaints) {}
+
+  void check() {
+    if (drum_.layers) {
+      need(drum_.length_on_drum.has_value(), "'layers: auto' needs the 'length_on_drum'");
+      need(drum_.face_width.has_value(), "'layers: auto' needs the 'face_width' between the flanges");
+      need(drum_.core_diameter > 0, "'layers: auto' needs a 'core_diameter'");
+      if (drum_.layer) complain(".layer", "follows from the length on the drum with 'layers: auto'; give one of them");
+    }
+    if (drum_.flange_diameter && *drum_.flange_diameter <= drum_.core_diameter) {
+      complain(".flange_diameter", "is not larger than the core");
+    }
+    const bool turned = drum_.drive && drum_.drive->torque;
+    need(!turned || drum_.core_diameter > 0, "a drum with a torque needs a 'core_diameter'");
+  }
+
+ private:
+  void complain(const char* key, std::string words) { complaints_.push_back({path_ + key, std::move(words)}); }
+  void need(bool there, const char* words) {
+    if (!there) complain("", words);
+  }
+
+  const description::Drum& drum_;
+  std::string path_;
+  std::vector<Complaint>& complaints_;
+};
+
+}  // namespace
+
+void check_drums(const Machine& machine, std::vector<Complaint>& complaints) {
+  for (const description::Drum& drum : machine.drums) Checker(drum, complaints).check();
+}
+
+rope::DrumLayers measures_of(const Drum& drum, double rope_diameter) {
+  rope::DrumLayers m;
+  m.core_diameter = 2 * drum.core_radius;
+  m.rope_diameter = rope_diameter;
+  m.pitch = drum.pitch;
+  m.layer_height = drum.layer_height;
+  m.flange_diameter = drum.flange_diameter;
+  if (rope_diameter > 0 && drum.core_radius > 0 && drum.width >= rope_diameter) m.width = drum.width;
+  return m;
+}
+
+int layer_of(const description::Drum& drum, const RopeData& rope) {
+  if (!drum.layers || !drum.length_on_drum) return drum.layer.value_or(1);
+  Drum model;
+  model.core_radius = drum.core_diameter / 2;
+  model.width = drum.face_width.value_or(0);
+  model.pitch = drum.pitch.value_or(0);
+  model.layer_height = drum.layer_height.value_or(0);
+  const rope::DrumLayers measures = measures_of(model, rope.diameter);
+  if (measures.width == 0) return 1;
+  const double strain = rope.stiffness > 0 ? drum.wound_at.value_or(0) / rope.stiffness : 0;
+  return rope::on_drum(measures, *drum.length_on_drum * (1 + strain)).layer;
+}
+
+double radius_of(const description::Drum& drum, const RopeData& rope) {
+  const double height = drum.layer_height.value_or(rope.diameter);
+  return (drum.core_diameter + rope.diameter) / 2 + (layer_of(drum, rope) - 1) * height;
+}
+
+std::optional<double> pull_of_torque(const description::Drum& drum, const Drive& drive, const RopeData& rope,
+                                     int copies) {
+  const double radius = radius_of(drum, rope);
+  if (drive.kind != DriveKind::torque || !(radius > 0)) return std::nullopt;
+  const double torque = at(drive.signal, 0).value;
+  return torque > 0 ? std::optional(torque / (radius * copies)) : std::nullopt;
+}
+
+}  // namespace taut::model

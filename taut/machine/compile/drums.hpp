@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/machine/links/rope_of.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/rope/drum.hpp"
+
+namespace taut::model {
+
+/// Complains of drums whose keys do not fit together, by the description alone.
+void check_drums(const Machine& machine, std::vector<Complaint>& complaints);
+
+/// The drum with a rope of this diameter on it; width 0 where nothing can be said of layers: the deck does not say it,
+/// or nobody knows the rope's diameter.
+rope::DrumLayers measures_of(const Drum& drum, double rope_diameter);
+
+/// The layer that the rope leaves: as given, or by the rope on the drum, whose turns are longer by the tension at which
+/// they were wound. 1 where nothing says it.
+int layer_of(const description::Drum& drum, const RopeData& rope);
+
+/// Radius of the rope's centre in that layer, m: D/2 + d/2 + (k - 1) h.
+double radius_of(const description::Drum& drum, const RopeData& rope);
+
+/// The tension of the rope by the drum's torque at the start, N: over the radius and the copies; empty where it has
+/// none that pulls.
+std::optional<double> pull_of_torque(const description::Drum& drum, const Drive& drive, const RopeData& rope,
+                                     int copies);
+
+}  // namespace taut::model

@@ -1,0 +1,133 @@
+#include "taut/machine/compile/drums.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "taut/machine/compile/compile.hpp"
+#include "test/support/complaints.hpp"
+
+namespace drums_test {
+
+using namespace taut;
+using namespace taut::model;
+using taut_test::complaints_of;
+using testing::HasSubstr;
+
+RopeData rope16() {
+  RopeData rope;
+  rope.diameter = 0.016;
+  rope.stiffness = 10e6;
+  return rope;
+}
+
+description::Drum winch(double on_drum) {
+  description::Drum d;
+  d.name = "winch";
+  d.core_diameter = 0.3;
+  d.layers = description::Layers::automatic;
+  d.face_width = 0.4;  // 25 turns
+  d.length_on_drum = on_drum;
+  return d;
+}
+
+/// Rope in n full layers, summed turn by turn.
+double full(int layers) {
+  double sum = 0;
+  for (int k = 1; k <= layers; ++k) sum += 25 * std::hypot(2 * M_PI * (0.15 + (k - 0.5) * 0.016), 0.016);
+  return sum;
+}
+
+TEST(Drums, TheLayerFollowsFromTheRopeOnTheDrum) {
+  EXPECT_EQ(layer_of(winch(0), rope16()), 1);
+  for (const int k : {1, 2, 3, 5}) {
+    EXPECT_EQ(layer_of(winch(full(k) - 1e-6), rope16()), k);
+    EXPECT_EQ(layer_of(winch(full(k) + 1e-6), rope16()), k + 1);
+    EXPECT_NEAR(radius_of(winch(full(k) - 1e-6), rope16()), 0.15 + (k - 0.5) * 0.016, 1e-12);
+  }
+}
+
+TEST(Drums, ARopeWoundTightIsShorterUnstretched) {
+  description::Drum d = winch(full(2) / (1 + 30e3 / 10e6) + 1e-6);
+  EXPECT_EQ(layer_of(d, rope16()), 2);
+  d.wound_at = 30e3;
+  EXPECT_EQ(layer_of(d, rope16()), 3);
+}
+
+TEST(Drums, ALayerThatIsGivenStays) {
+  description::Drum d = winch(60);
+  d.layers.reset();
+  EXPECT_EQ(layer_of(d, rope16()), 1);
+  d.layer = 4;
+  EXPECT_EQ(layer_of(d, rope16()), 4);
+  d.layer_height = 0.014;
+  EXPECT_NEAR(radius_of(d, rope16()), 0.158 + 3 * 0.014, 1e-12);
+}
+
+TEST(Drums, ATorqueGivesTheTensionOfEachCopy) {
+  Drive drive;
+  drive.kind = DriveKind::torque;
+  drive.signal = Signal{{}, si::N_m, 4e3};
+  const description::Drum d = winch(full(2) + 1);
+  EXPECT_NEAR(pull_of_torque(d, drive, rope16(), 2).value_or(0), 4e3 / (0.15 + 2.5 * 0.016) / 2, 1e-9);
+  drive.signal = Signal{{}, si::N_m, 0.0};
+  EXPECT_FALSE(pull_of_torque(d, drive, rope16(), 2)) << "nothing pulls yet";
+}
+
+Machine lift() {
+  Machine m;
+  description::Rope rope;
+  rope.name = "line";
+  rope.mass = 0.9;
+  rope.stiffness = 10e6;
+  rope.diameter = 0.016;
+  m.ropes = {rope};
+  description::Body hook;
+  hook.name = "hook";
+  hook.mass = 2000;
+  hook.at = {0, 0, -30};
+  hook.free = {"x", "z"};
+  m.bodies = {hook};
+  m.drums = {winch(60)};
+  description::Reeving r;
+  r.rope = "line";
+  r.path.resize(2);
+  r.path[0].drum = "winch";
+  r.path[1].anchor = "hook";
+  r.length = 30;
+  m.reevings = {r};
+  return m;
+}
+
+TEST(Drums, OfAMachine) {
+  Machine m = lift();
+  const auto model = compile(m);
+  ASSERT_TRUE(model) << complaints_of(m);
+  EXPECT_EQ(model->drums[0].layer, 3);
+  EXPECT_NEAR(model->reevings[0].nodes[0].radius, 0.19, 1e-12);
+  m.reevings[0].length.reset();
+  m.drums[0].drive.emplace();
+  m.drums[0].drive->torque = "4 kN m";
+  const auto pulled = compile(m);
+  ASSERT_TRUE(pulled) << complaints_of(m);
+  EXPECT_EQ(pulled->reevings[0].given, model::Given::tension_at_start);
+  EXPECT_NEAR(pulled->reevings[0].value, 4e3 / 0.19, 1e-9);
+}
+
+TEST(Drums, TellsEachMistakeAtItsPlace) {
+  const std::vector<std::pair<std::function<void(Machine&)>, std::string>> cases = {
+      {[](Machine& m) { m.drums[0].length_on_drum.reset(); }, "drums.winch: 'layers: auto' needs the 'length_on_drum'"},
+      {[](Machine& m) { m.drums[0].face_width.reset(); }, "drums.winch: 'layers: auto' needs the 'face_width'"},
+      {[](Machine& m) { m.drums[0].core_diameter = 0; }, "drums.winch: 'layers: auto' needs a 'core_diameter'"},
+      {[](Machine& m) { m.drums[0].layer = 2; }, "drums.winch.layer: follows from the length on the drum"},
+      {[](Machine& m) { m.drums[0].flange_diameter = 0.2; }, "drums.winch.flange_diameter: is not larger"}};
+  for (const auto& [change, words] : cases) {
+    Machine m = lift();
+    change(m);
+    EXPECT_THAT(complaints_of(m), HasSubstr(words));
+  }
+}
+
+}  // namespace drums_test

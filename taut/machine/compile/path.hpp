@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/machine/links/links.hpp"
+#include "taut/machine/links/rope_of.hpp"
+
+namespace taut::model {
+
+/// One node of a path with what is needed until its side is known.
+struct Stop {
+  Node node;
+  description::Side side = description::Side::automatic;
+  int carriage = -1;  ///< index among the carriages
+  int roller = 0;     ///< of a carriage with several: which one
+  bool grip = false;  ///< where a rope that the carriage does not ride on is fixed to it
+  bool saddle = false;
+  bool drives = false;  ///< has a motor
+};
+
+/// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
+/// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
+/// the first part. Sides are not set. `rope`: lies on a drum half a diameter above the core.
+std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
+                           const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
+
+/// Sets the side of every round. As the deck says; else a saddle carries the rope on its upper side, a sheave lies on
+/// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside
+/// itself, within its own width, is run round in the sense of the one before or behind it, and a drum is wound from
+/// above. Where those do not say either, the branch with a carriage is the upper one (the one on which it rolls before
+/// one to which it is fixed); without one the bend decides, however small; without a bend the branch that arrives is
+/// the upper one. All that does not depend on the axis' sense, and but for the last not on the path's.
+/// `places`: of the stops, in the ground frame.
+void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed);
+
+}  // namespace taut::model

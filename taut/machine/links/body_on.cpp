@@ -1,0 +1,74 @@
+#include "taut/machine/links/body_on.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::model {
+namespace {
+
+/// The body that each one is on; -1: on none, or on one that can't be.
+std::vector<int> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
+  std::vector<std::string> names;
+  names.reserve(machine.bodies.size());
+  for (const auto& body : machine.bodies) names.push_back(body.name);
+  std::vector<int> parents(names.size(), -1);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& given = machine.bodies[i];
+    if (!given.on) continue;
+    const std::string path = fmt::format("bodies.{}.on", given.name);
+    const auto found = std::find(names.begin(), names.end(), *given.on);
+    if (found == names.end()) {
+      complaints.push_back({path, fmt::format("there is no body '{}'{}", *given.on, did_you_mean(*given.on, names))});
+      continue;
+    }
+    parents[i] = static_cast<int>(found - names.begin());
+    if (given.motion) {
+      complaints.push_back({path, "a driven body has its place in the ground frame"});
+    }
+    const auto joined = [&](const auto& beam) { return beam.from == given.name || beam.to == given.name; };
+    if (std::any_of(machine.beams.begin(), machine.beams.end(), joined)) {
+      complaints.push_back({path, "a beam is joined to this body: give its place in the ground frame"});
+    }
+  }
+  return parents;
+}
+
+}  // namespace
+
+void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
+  const std::vector<int> parents = parents_of(machine, complaints);
+  enum class Now { open, under_way, done };
+  std::vector<Now> now(parents.size(), Now::open);
+  for (std::size_t first = 0; first < parents.size(); ++first) {
+    // up to a body that stands, then down again
+    std::vector<std::size_t> chain;
+    for (int i = static_cast<int>(first); i >= 0 && now[static_cast<std::size_t>(i)] != Now::done;
+         i = parents[static_cast<std::size_t>(i)]) {
+      const auto k = static_cast<std::size_t>(i);
+      if (now[k] == Now::under_way) {
+        complaints.push_back(
+            {fmt::format("bodies.{}.on", machine.bodies[k].name), "the bodies stand on each other in a circle"});
+        return;
+      }
+      now[k] = Now::under_way;
+      chain.push_back(k);
+    }
+    std::reverse(chain.begin(), chain.end());
+    for (const std::size_t i : chain) {
+      now[i] = Now::done;
+      if (parents[i] < 0) continue;
+      const Body& under = model.bodies[static_cast<std::size_t>(parents[i])];
+      Body& body = model.bodies[i];
+      body.position = under.position + under.orientation * body.position;
+      body.orientation = under.orientation;
+      for (Freedom& way : body.free) {
+        if (machine.bodies[i].guide && way.about.norm() == 0) way.along = under.orientation * way.along;
+      }
+    }
+  }
+}
+
+}  // namespace taut::model

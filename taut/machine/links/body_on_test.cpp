@@ -1,0 +1,75 @@
+#include "taut/machine/links/body_on.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "taut/machine/compile/compile.hpp"
+
+namespace taut::model::body_on_test {
+
+/// A boom up at 30 degrees with a section on it and a tip on that.
+Machine boom() {
+  Machine m;
+  m.points = {{"far", {}, {0, 0, 30}}, {"nose", "tip", {0, 0, 0}}, {"end", "section", {1, 0, 0}}};
+  m.ropes.emplace_back().name = "rope";
+  m.ropes[0].mass = 1;
+  m.ropes[0].stiffness = 1e6;
+  description::Body tip, section, base;
+  tip.name = "tip";
+  tip.at = {4, 0, 0.5};
+  tip.on = "section";
+  section.name = "section";
+  section.mass = 100;
+  section.at = {2, 0, 0};
+  section.guide = Triple{1, 0, 0};
+  section.on = "base";
+  base.name = "base";
+  base.at = {1, 0, 2};
+  base.motion.emplace().ry = "-30 deg";
+  m.bodies = {tip, section, base};
+  description::Reeving r;
+  r.rope = "rope";
+  r.path.resize(2);
+  r.path[0].anchor = "end";
+  r.path[1].anchor = "far";
+  r.length = 40;
+  m.reevings = {r};
+  return m;
+}
+
+TEST(BodyOn, PlacesAxesAndGuidesAreCarriedOver) {
+  const auto compiled = compile(boom());
+  ASSERT_TRUE(compiled) << compiled.error().front().message;
+  const double c = std::cos(M_PI / 6), s = 0.5;
+  const Body &tip = compiled->bodies[0], &section = compiled->bodies[1];
+  EXPECT_NEAR((section.position - Vector3(1 + 2 * c, 0, 2 + 2 * s)).norm(), 0, 1e-14);
+  EXPECT_NEAR((section.free.at(0).along - Vector3(c, 0, s)).norm(), 0, 1e-14);
+  EXPECT_NEAR((tip.position - Vector3(1 + 6 * c - 0.5 * s, 0, 2 + 6 * s + 0.5 * c)).norm(), 0, 1e-14);
+  EXPECT_NEAR((tip.orientation * Vector3::UnitX() - Vector3(c, 0, s)).norm(), 0, 1e-14);
+}
+
+TEST(BodyOn, MistakesAreToldAtTheirPlace) {
+  const auto told = [](const Machine& m) {
+    const auto compiled = compile(m);
+    return compiled ? std::string() : compiled.error().front().path + ": " + compiled.error().front().message;
+  };
+  Machine m = boom();
+  m.bodies[1].on = "bass";
+  EXPECT_EQ(told(m), "bodies.section.on: there is no body 'bass'; did you mean 'base'?");
+  m = boom();
+  m.bodies[1].on = "tip";
+  EXPECT_NE(told(m).find("in a circle"), std::string::npos) << told(m);
+  m = boom();
+  m.bodies[0].on = "tip";
+  EXPECT_NE(told(m).find("bodies.tip.on: the bodies stand on each other in a circle"), std::string::npos) << told(m);
+  m = boom();
+  m.bodies[2].on = "far";
+  EXPECT_NE(told(m).find("there is no body 'far'"), std::string::npos) << told(m);
+  m = boom();
+  m.bodies[1].guide.reset();
+  m.bodies[1].motion.emplace().x = "1 m";
+  EXPECT_EQ(told(m), "bodies.section.on: a driven body has its place in the ground frame");
+}
+
+}  // namespace taut::model::body_on_test

@@ -1,0 +1,126 @@
+#include "taut/machine/links/links.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/base/suggest.hpp"
+#include "taut/machine/compile/carriages.hpp"
+
+namespace taut::model {
+namespace {
+
+std::string_view words(Thing thing) {
+  switch (thing) {
+    case Thing::point:
+      return "point";
+    case Thing::body:
+      return "body";
+    case Thing::carriage:
+      return "carriage";
+    case Thing::sheave:
+      return "sheave or support";
+    case Thing::drum:
+      return "drum";
+  }
+  return "";
+}
+
+bool among(const std::vector<Thing>& kinds, Thing thing) {
+  return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
+}
+
+}  // namespace
+
+Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
+    : beams_(machine, static_cast<int>(machine.bodies.size() + machine.carriages.size()), complaints) {
+  std::vector<std::string> bodies;
+  bodies.reserve(machine.bodies.size());
+  for (const auto& body : machine.bodies) bodies.push_back(body.name);
+  std::vector<std::string> known = bodies;
+  for (const auto& beam : machine.beams) known.push_back(beam.name);
+  const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
+    Place place{ground, vector_of(one.at)};
+    if (one.body) {
+      const auto at = std::find(bodies.begin(), bodies.end(), *one.body);
+      const auto car = std::find_if(machine.carriages.begin(), machine.carriages.end(),
+                                    [&](const auto& carriage) { return carriage.name == *one.body; });
+      if (at == bodies.end() && car != machine.carriages.end()) {
+        place.body = static_cast<int>(bodies.size() + static_cast<std::size_t>(car - machine.carriages.begin()));
+        if (!pitches(*car) && place.at != Vector3::Zero()) {
+          complaints.push_back({fmt::format("{}.{}.body", list, one.name),
+                                fmt::format("carriage '{}' is a point; give it 'rollers' with a 'wheelbase', or a "
+                                            "'height', to have places on it",
+                                            car->name)});
+        }
+      } else if (at == bodies.end() && beams_.knows(*one.body)) {
+        place = beams_.place(*one.body, place.at);
+      } else if (at == bodies.end()) {
+        complaints.push_back({fmt::format("{}.{}.body", list, one.name),
+                              fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, known))});
+      } else {
+        place.body = static_cast<int>(at - bodies.begin());
+      }
+    }
+    all_.push_back({thing, one.name, index, place});
+  };
+  int index = 0;
+  for (const auto& point : machine.points) add(Thing::point, "points", point, index++);
+  for (const auto& marker : machine.markers) add(Thing::point, "markers", marker, index++);
+  index = 0;
+  for (const auto& name : bodies) all_.push_back({Thing::body, name, index, {index, Vector3::Zero()}}), ++index;
+  const int first_carriage = index;
+  index = 0;
+  for (const auto& car : machine.carriages) {
+    all_.push_back({Thing::carriage, car.name, index, {first_carriage + index, Vector3::Zero()}});
+    ++index;
+  }
+  index = 0;
+  for (const auto& sheave : machine.sheaves) add(Thing::sheave, "sheaves", sheave, index++);
+  for (const auto& support : machine.supports) {
+    const auto twin = std::find_if(machine.sheaves.begin(), machine.sheaves.end(),
+                                   [&](const auto& sheave) { return sheave.name == support.name; });
+    if (twin != machine.sheaves.end()) {
+      complaints.push_back({fmt::format("supports.{}", support.name), "there is a sheave of this name already"});
+    }
+    add(Thing::sheave, "supports", support, index++);
+  }
+  index = 0;
+  for (const auto& drum : machine.drums) add(Thing::drum, "drums", drum, index++);
+  for (const auto& [name, body] : beams_.tops()) all_.push_back({Thing::body, name, body, {body, Vector3::Zero()}});
+}
+
+const Target* Links::find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
+                          std::vector<Complaint>& complaints) const {
+  for (const Thing kind : kinds) {
+    const auto at =
+        std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.thing == kind && t.name == name; });
+    if (at != all_.end()) return &*at;
+  }
+  std::vector<std::string_view> wanted;
+  wanted.reserve(kinds.size());
+  for (const Thing kind : kinds) wanted.push_back(words(kind));
+  const std::string kinds_text = fmt::format("{}", fmt::join(wanted, ", "));
+  const auto other = std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.name == name; });
+  if (other != all_.end()) {
+    complaints.push_back(
+        {path, fmt::format("'{}' is a {}; here a {} is named", name, words(other->thing), kinds_text)});
+    return nullptr;
+  }
+  if (beams_.knows(name)) {
+    complaints.push_back({path, fmt::format("'{}' is a beam: name its free top '{}.top', or a point on it, 'points: "
+                                            "{{p: {{body: {}, at: [...]}}}}'",
+                                            name, name, name)});
+    return nullptr;
+  }
+  std::vector<std::string> names;
+  for (const Target& t : all_) {
+    if (among(kinds, t.thing)) names.push_back(t.name);
+  }
+  std::string hint = did_you_mean(name, names);
+  if (hint.empty() && !names.empty() && names.size() <= 12) hint = fmt::format("; there is {}", fmt::join(names, ", "));
+  complaints.push_back({path, fmt::format("there is no {} '{}'{}", kinds_text, name, hint)});
+  return nullptr;
+}
+
+}  // namespace taut::model

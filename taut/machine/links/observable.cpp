@@ -1,0 +1,286 @@
+#include "taut/machine/links/observable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "taut/machine/links/motion_links.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::model {
+namespace {
+
+struct Named {
+  const char* name;
+  Quantity quantity;
+  Unit unit;
+};
+using ObservableNames = std::vector<Named>;
+
+const ObservableNames of_place = {{"x", Quantity::x, si::m},         {"y", Quantity::y, si::m},
+                                  {"z", Quantity::z, si::m},         {"vx", Quantity::vx, si::m_per_s},
+                                  {"vy", Quantity::vy, si::m_per_s}, {"vz", Quantity::vz, si::m_per_s}};
+const ObservableNames of_body = {{"rx", Quantity::rx, si::rad},   {"ry", Quantity::ry, si::rad},
+                                 {"rz", Quantity::rz, si::rad},   {"wx", Quantity::wx, si::per_s},
+                                 {"wy", Quantity::wy, si::per_s}, {"wz", Quantity::wz, si::per_s}};
+const ObservableNames of_rope = {{"T_start", Quantity::T_start, si::N},
+                                 {"T_end", Quantity::T_end, si::N},
+                                 {"T_max", Quantity::T_max, si::N},
+                                 {"length", Quantity::length, si::m}};
+const ObservableNames of_branch = {{"T", Quantity::branch_T, si::N}, {"length", Quantity::branch_length, si::m}};
+const ObservableNames of_sheave = {{"T_in", Quantity::T_in, si::N},
+                                   {"T_out", Quantity::T_out, si::N},
+                                   {"speed", Quantity::sheave_speed, si::m_per_s},
+                                   {"omega", Quantity::sheave_omega, si::per_s},
+                                   {"angle", Quantity::sheave_angle, si::rad},
+                                   {"slip", Quantity::slip, si::m_per_s}};
+const ObservableNames of_load = {
+    {"T_in", Quantity::T_in, si::N}, {"T_out", Quantity::T_out, si::N}, {"speed", Quantity::slip, si::m_per_s}};
+const ObservableNames of_drum = {{"T", Quantity::drum_T, si::N},
+                                 {"speed", Quantity::drum_speed, si::m_per_s},
+                                 {"length", Quantity::drum_length, si::m},
+                                 {"torque", Quantity::drum_torque, si::N_m},
+                                 {"power", Quantity::drum_power, si::W}};
+const ObservableNames of_contact = {{"N", Quantity::contact_N, si::N},
+                                    {"Ff", Quantity::contact_F, si::N},
+                                    {"speed", Quantity::contact_speed, si::m_per_s},
+                                    {"state", Quantity::contact_state, si::one}};
+const ObservableNames of_actuator = {{"F", Quantity::actuator_F, si::N},
+                                     {"speed", Quantity::actuator_speed, si::m_per_s},
+                                     {"length", Quantity::actuator_length, si::m},
+                                     {"power", Quantity::actuator_power, si::W}};
+const ObservableNames of_energy = {
+    {"kinetic", Quantity::kinetic, si::J},     {"elastic", Quantity::elastic, si::J},
+    {"potential", Quantity::potential, si::J}, {"dissipated", Quantity::dissipated, si::J},
+    {"supplied", Quantity::supplied, si::J},   {"residual", Quantity::residual, si::J}};
+
+const Named* find(const ObservableNames& names, const std::string& name) {
+  const auto at = std::find_if(names.begin(), names.end(), [&](const Named& n) { return name == n.name; });
+  return at == names.end() ? nullptr : &*at;
+}
+
+/// "ext[2].T" -> ext, 2, T. ObservableNames of parts may have dots: the last one counts.
+struct Path {
+  std::string name;
+  std::optional<int> number;
+  std::string quantity;
+};
+
+Path split(const std::string& text) {
+  Path p;
+  const std::size_t dot = text.rfind('.');
+  p.name = text.substr(0, dot);
+  if (dot != std::string::npos) p.quantity = text.substr(dot + 1);
+  const std::size_t open = p.name.rfind('[');
+  if (open != std::string::npos && p.name.back() == ']') {
+    int number = 0;
+    const char* first = p.name.data() + open + 1;
+    const char* last = p.name.data() + p.name.size() - 1;
+    const auto [end, error] = std::from_chars(first, last, number);
+    if (error == std::errc{} && end == last) {
+      p.number = number;
+      p.name.resize(open);
+    }
+  }
+  return p;
+}
+
+class Resolver {
+ public:
+  Resolver(const std::string& text, const Model& model, const Links& links)
+      : text_(text), path_(split(text)), model_(model), links_(links) {}
+
+  /// Empty, with `reason`, when there is nothing of this kind.
+  std::optional<Observable> resolve() {
+    for (const auto attempt :
+         {&Resolver::measure, &Resolver::signal, &Resolver::energy, &Resolver::body, &Resolver::rope, &Resolver::sheave,
+          &Resolver::drum, &Resolver::contact, &Resolver::actuator, &Resolver::place}) {
+      if (auto found = (this->*attempt)()) return found;
+      if (!reason.empty()) return std::nullopt;
+    }
+    if (offered_.empty()) {
+      reason = fmt::format("'{}' names no body, rope, sheave, drum, contact, actuator, point or signal{}", path_.name,
+                           did_you_mean(path_.name, all_names()));
+    } else {
+      reason = fmt::format("'{}' has {}{}", path_.name, fmt::join(offered_, ", "),
+                           path_.quantity.empty() ? "" : fmt::format(", not '{}'", path_.quantity));
+    }
+    return std::nullopt;
+  }
+
+  std::string reason;
+
+ private:
+  std::optional<Observable> make(const ObservableNames& names, int index, int part = -1) {
+    const Named* named = find(names, path_.quantity);
+    if (named != nullptr) return Observable{text_, named->quantity, named->unit, index, part, Vector3::Zero()};
+    for (const Named& n : names) offered_.emplace_back(n.name);
+    return std::nullopt;
+  }
+
+  std::optional<Observable> measure() {
+    const int i = index_of(model_.measures, text_);
+    return i < 0 ? std::nullopt : std::optional(model_.measures[static_cast<std::size_t>(i)]);
+  }
+  std::optional<Observable> signal() {
+    const int i = index_of(model_.signals, text_);
+    if (i < 0) return std::nullopt;
+    return Observable{text_, Quantity::signal, model_.signals[static_cast<std::size_t>(i)].unit, i,
+                      -1,    Vector3::Zero()};
+  }
+  std::optional<Observable> energy() {
+    return path_.name == "energy" && !path_.number ? make(of_energy, -1) : std::nullopt;
+  }
+  std::optional<Observable> body() {
+    const int i = index_of(model_.bodies, path_.name);
+    if (i < 0 || path_.number) return std::nullopt;
+    if (auto found = make(of_place, i)) return found;
+    return make(of_body, i);
+  }
+  std::optional<Observable> rope() {
+    const int i = index_of(model_.reevings, path_.name);
+    if (i < 0) return std::nullopt;
+    if (!path_.number) return make(of_rope, i);
+    const int branches = branch_count(model_.reevings[static_cast<std::size_t>(i)]);
+    if (*path_.number >= 1 && *path_.number <= branches) return make(of_branch, i, *path_.number - 1);
+    reason = fmt::format("'{}' has the branches 1 to {} along its path", path_.name, branches);
+    return std::nullopt;
+  }
+  std::optional<Observable> sheave() {
+    int count = 0;
+    for (std::size_t r = 0; r < model_.reevings.size(); ++r) {
+      const auto& nodes = model_.reevings[r].nodes;
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const bool load = nodes[n].kind == NodeKind::load;
+        const bool over = nodes[n].kind == NodeKind::contact || nodes[n].kind == NodeKind::drive;
+        if (load && nodes[n].name == text_.substr(0, text_.rfind('.'))) {
+          return make(of_load, static_cast<int>(r), static_cast<int>(n));
+        }
+        if (!over || nodes[n].name != path_.name) continue;
+        if (++count == path_.number.value_or(1)) return make(of_sheave, static_cast<int>(r), static_cast<int>(n));
+      }
+    }
+    if (count > 0) reason = fmt::format("ropes run over '{}' {} times: [1] to [{}]", path_.name, count, count);
+    return std::nullopt;
+  }
+  std::optional<Observable> drum() {
+    const int i = index_of(model_.drums, path_.name);
+    return i < 0 || path_.number ? std::nullopt : make(of_drum, i);
+  }
+  std::optional<Observable> contact() {
+    const int i = index_of(model_.contacts, path_.name);
+    return i < 0 || path_.number ? std::nullopt : make(of_contact, i);
+  }
+  std::optional<Observable> actuator() {
+    const int i = index_of(model_.actuators, path_.name);
+    return i < 0 || path_.number ? std::nullopt : make(of_actuator, i);
+  }
+  std::optional<Observable> place() {
+    std::vector<Complaint> unheard;
+    const Target* t = links_.find(path_.name, {Thing::point, Thing::sheave, Thing::drum}, {}, unheard);
+    if (t == nullptr || path_.number) return std::nullopt;
+    auto found = make(of_place, t->place.body);
+    if (found) found->at = t->place.at;
+    return found;
+  }
+
+  std::vector<std::string> all_names() const {
+    std::vector<std::string> names = {"energy"};
+    const auto add = [&](const auto& all) {
+      for (const auto& one : all) names.push_back(one.name);
+    };
+    add(model_.measures), add(model_.signals), add(model_.bodies), add(model_.reevings), add(model_.drums),
+        add(model_.contacts);
+    add(model_.actuators);
+    for (const Reeving& rope : model_.reevings) add(rope.nodes);
+    return names;
+  }
+
+  const std::string& text_;
+  Path path_;
+  const Model& model_;
+  const Links& links_;
+  std::vector<std::string> offered_;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string{} : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::optional<Observable> observable(const std::string& text, const Model& model, const Links& links,
+                                     const std::string& path, std::vector<Complaint>& complaints) {
+  const std::string name = trimmed(text);
+  Resolver resolver(name, model, links);
+  auto found = resolver.resolve();
+  if (!found) complaints.push_back({path, resolver.reason});
+  return found;
+}
+
+std::optional<Condition> condition(const std::string& text, const Model& model, const Links& links,
+                                   const std::string& path, std::vector<Complaint>& complaints) {
+  const std::size_t sign = text.find_first_of("<>");
+  if (sign == std::string::npos || text.find_first_of("<>=", sign + 1) != std::string::npos) {
+    complaints.push_back({path, fmt::format("'{}' is no condition: write 'car.z > 12 m' or 'car.z < 12 m'", text)});
+    return std::nullopt;
+  }
+  const auto of = observable(text.substr(0, sign), model, links, path, complaints);
+  if (!of) return std::nullopt;
+  const auto threshold = parse_quantity(trimmed(text.substr(sign + 1)), of->unit);
+  if (!threshold) {
+    complaints.push_back({path, threshold.error().message});
+    return std::nullopt;
+  }
+  return Condition{*of, text[sign] == '>', *threshold};
+}
+
+std::vector<Observable> usual_observables(const Model& model) {
+  std::vector<Observable> all;
+  const auto add = [&](const std::string& of, const ObservableNames& names, const char* name, std::size_t index,
+                       int part = -1) {
+    const Named* named = find(names, name);
+    all.push_back(
+        {fmt::format("{}.{}", of, name), named->quantity, named->unit, static_cast<int>(index), part, Vector3::Zero()});
+  };
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    for (const char* name : {"T_start", "T_end", "T_max"}) add(model.reevings[i].name, of_rope, name, i);
+  }
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    if (body.of_rope) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto moves = [&](const auto& ways) {
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](const auto& w) { return std::abs(w.along[static_cast<Eigen::Index>(axis)]) > 0; });
+      };
+      if (moves(body.free) || moves(body.driven)) add(body.name, of_place, of_place[axis].name, i);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto turns = [&](const auto& ways) {
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](const auto& w) { return std::abs(w.about[static_cast<Eigen::Index>(axis)]) > 0; });
+      };
+      if (turns(body.free) || turns(body.driven)) add(body.name, of_body, of_body[axis].name, i);
+    }
+  }
+  for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, of_drum, "speed", i);
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
+      const Node& node = model.reevings[r].nodes[n];
+      if (node.motor >= 0) add(node.name, of_sheave, "speed", r, static_cast<int>(n));
+      if (node.kind != NodeKind::load || node.load.part > 0) continue;
+      for (const char* name : {"T_in", "T_out"}) add(node.name, of_load, name, r, static_cast<int>(n));
+    }
+  }
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    for (const char* name : {"N", "Ff"}) add(model.contacts[i].name, of_contact, name, i);
+  }
+  for (std::size_t i = 0; i < model.actuators.size(); ++i) add(model.actuators[i].name, of_actuator, "F", i);
+  return all;
+}
+
+}  // namespace taut::model

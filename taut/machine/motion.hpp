@@ -1,0 +1,197 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/machine/description/measure_keys.hpp"
+#include "taut/machine/description/motion_keys.hpp"
+#include "taut/machine/signal.hpp"
+#include "taut/math/vector.hpp"
+
+/// Parts of a compiled machine that matter when it moves: plain values and indices, as in model.hpp.
+namespace taut::model {
+
+/// A displacement (m, from the body's place at the start) or rotation (rad) of a body that a signal gives.
+struct DrivenWay {
+  Vector3 along = Vector3::Zero();  ///< unit vector in the ground frame, or 0
+  Vector3 about = Vector3::Zero();  ///< unit vector in the ground frame through the body's origin, or 0
+  Signal signal;
+};
+
+/// What turns a drum or a driven sheave.
+enum class DriveKind {
+  held,    ///< does not turn
+  free,    ///< turns without torque
+  speed,   ///< of the rope where it leaves the drum, m/s, taking in > 0; of a sheave's rim, along the path > 0
+  torque,  ///< N m, taking in > 0; of a sheave along the path > 0
+  pull     ///< tension of the rope where it leaves a drum, N
+};
+struct Drive {
+  DriveKind kind = DriveKind::held;
+  Signal signal;       ///< NaN: of a speed that only a motion needs, and whose signal the deck has not got
+  bool brake = false;  ///< set: it does not turn, whatever drives it
+};
+
+/// A drum at the first or last node of one rope or several (Node::drum).
+struct Drum {
+  std::string name;
+  double core_radius = 0;                ///< m
+  int layer = 1;                         ///< that the rope leaves at the start
+  bool automatic_layers = false;         ///< the layer follows the rope on the drum
+  double width = 0;                      ///< between the flanges, m; 0: not known
+  std::optional<double> length_on_drum;  ///< at the start, m
+  std::optional<double> wound_at;        ///< tension at which the rope on it was wound, N; none: that at the start
+  double pitch = 0;                      ///< from wrap to wrap, m; 0: the rope's diameter
+  double layer_height = 0;               ///< m; 0: the rope's diameter
+  double flange_diameter = 0;            ///< m; 0: not limited
+  double inertia = 0;                    ///< kg m2
+  Drive drive;
+};
+
+/// A sheave with a motor (Node::motor).
+struct Motor {
+  std::string name;
+  Drive drive;
+  std::optional<double> working_arc;  ///< part of the wrap that can pull, rad; none: all of it
+};
+
+/// A strip of a plane on a body, or of the ground.
+struct Face {
+  std::string name;
+  int body = -1;
+  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< ends, in the body's frame, m
+  Vector3 normal = Vector3::UnitZ();                     ///< unit, square to from -> to, out of the body
+};
+
+/// A point on a face: unilateral, Stribeck friction f(v) = f_inf + (f_0 - f_inf) exp(-|v|/v_s), with true stiction.
+struct FaceContact {
+  std::string name;
+  int body = -1;                 ///< of the point
+  Vector3 at = Vector3::Zero();  ///< in the body's frame, m
+  int face = 0;
+  double stiffness = 0;                                     ///< N/m
+  double damping = 0;                                       ///< N s/m
+  double tangential_stiffness = 0, tangential_damping = 0;  ///< of the bristle, N/m, N s/m
+  double clearance = 0;                                     ///< m
+  double static_friction = 0;                               ///< f_0
+  double kinetic_friction = 0;                              ///< f_inf
+  double stribeck_speed = 0.01;                             ///< v_s, m/s
+};
+
+using description::ActuatorMode;
+enum class ActuatorKind { force, law, speed };
+
+/// A cylinder between two points.
+struct Actuator {
+  std::string name;
+  int from_body = -1, to_body = -1;
+  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< in the bodies' frames, m
+  ActuatorKind kind = ActuatorKind::force;
+  Signal signal;    ///< force, N; speed, m/s; of a law the reference speed, m/s
+  double F0 = 0;    ///< of a law, N
+  double gain = 0;  ///< of a law, N s/m
+  ActuatorMode mode = ActuatorMode::extend;
+  double lock_stiffness = 0;                                     ///< N/m; 0: rigid
+  double lock_damping = 0;                                       ///< N s/m
+  double force_limit = std::numeric_limits<double>::infinity();  ///< N
+};
+
+/// Changes the unstretched length of a rope at one of its ends.
+struct Tensioner {
+  int reeving = 0;
+  bool at_start = true;
+  Signal change;  ///< m, positive makes the rope longer
+};
+
+/// What can be observed of a moving machine.
+enum class Quantity {
+  x,
+  y,
+  z,
+  vx,
+  vy,
+  vz,  ///< of a place on a body, in the ground frame, m, m/s
+  rx,
+  ry,
+  rz,
+  wx,
+  wy,
+  wz,  ///< of a body: as the table `bodies` gives them, rad; rate of turning about the axes, 1/s
+  T_start,
+  T_end,
+  T_max,  ///< of a rope, N
+  branch_T,
+  branch_length,  ///< of one branch: its largest tension, N; its unstretched length, m
+  length,         ///< of a rope, unstretched, from end to end, without what lies on drums, m
+  T_in,
+  T_out,
+  sheave_speed,
+  sheave_omega,
+  sheave_angle,
+  slip,  ///< N; of the rim along the path m/s, 1/s, rad; rope
+         ///< less rim along the path, m/s
+  drum_T,
+  drum_speed,
+  drum_length,
+  drum_torque,
+  drum_power,  ///< N; taken in, m/s; on it, m; of its drive, N m, W
+  contact_N,
+  contact_F,
+  contact_speed,
+  contact_state,  ///< N, N, m/s; 0 apart, 1 slides, 2 sticks
+  actuator_F,
+  actuator_speed,
+  actuator_length,
+  actuator_power,  ///< N, m/s, m, W
+  kinetic,
+  elastic,
+  potential,
+  dissipated,
+  supplied,
+  residual,  ///< energies of the whole machine, J
+  signal     ///< its value
+};
+
+struct Observable {
+  std::string name;  ///< as the deck writes it: "car.z"
+  Quantity quantity = Quantity::x;
+  Unit unit;
+  int index = -1;  ///< body (-1: ground), reeving, drum, contact, actuator or signal, as the quantity needs it
+  int part = -1;   ///< of a rope: the branch, from 0; of a sheave: its node
+  Vector3 at = Vector3::Zero();  ///< of a place: in its body's frame, m
+  // of a measure
+  int seen_from = -1;  ///< body in whose axes a place or a rotation is seen; -1: the ground
+  double factor = 1, offset = 0;
+  double since = 0;  ///< s
+  description::Relative relative = description::Relative::none;
+  description::Taken taken = description::Taken::automatic;  ///< automatic: nothing stands under its own name
+  int slot = -1;                                             ///< of a measure: its place among what is observed
+  bool has_mean = false;                                     ///< while the quantity `mean_of` lies from .. to
+  double mean_from = 0, mean_to = 0;
+  int mean_of = -1;  ///< index in Model::mean_windows; -1: the time
+};
+
+struct Condition {
+  Observable of;
+  bool above = true;  ///< holds above the threshold; false: below
+  double threshold = 0;
+};
+
+enum class EventKind { breaks, stop, actuator, brake, drive };
+
+struct Event {
+  std::string words;  ///< "break ext"
+  EventKind kind = EventKind::stop;
+  std::optional<double> at;       ///< s
+  std::optional<Condition> when;  ///< as soon as it holds, once
+  double over = 0;                ///< s, of a break
+  int index = -1;                 ///< reeving, actuator, drum
+  int part = -1;                  ///< branch that breaks, from 0; -1: the one with the largest tension then
+  bool brake_set = true;
+  bool of_motor = false;  ///< a drive: `index` is a motor, not a drum
+  ActuatorMode mode = ActuatorMode::lock;
+  Drive drive;
+};
+
+}  // namespace taut::model

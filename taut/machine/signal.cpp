@@ -1,0 +1,123 @@
+#include "taut/machine/signal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+
+namespace taut::model {
+namespace {
+
+SignalValue value_of(double constant, double /*t*/) { return {constant, 0, 0}; }
+
+SignalValue value_of(const Moves& law, double t) {
+  double from = law.from;
+  for (const Move& move : law.moves) {
+    if (t < move.at) break;
+    if (t >= move.at + move.over) {
+      from = move.to;
+      continue;
+    }
+    const double s = (t - move.at) / move.over;
+    const double step = move.to - from;
+    if (!move.smooth) return {from + step * s, step / move.over, 0};
+    const double s2 = s * s;
+    return {from + step * s2 * s * (10 + s * (6 * s - 15)), step * 30 * s2 * (1 + s * (s - 2)) / move.over,
+            step * 60 * s * (1 + s * (2 * s - 3)) / (move.over * move.over)};
+  }
+  return {from, 0, 0};
+}
+
+/// The cubic between two points with given slopes (Hermite), at the share s of the way.
+SignalValue hermite(double h, double y0, double y1, double m0, double m1, double s) {
+  const double d = (y1 - y0) / h;
+  const double a = m0 - d, b = m1 - d;  // deviation of the slopes from the straight line
+  const double r = 1 - s;
+  return {y0 + s * (y1 - y0) + h * s * r * (r * a - s * b), d + a * r * (1 - 3 * s) - b * s * (2 - 3 * s),
+          (a * (6 * s - 4) + b * (6 * s - 2)) / h};
+}
+
+SignalValue value_of(const Curve& law, double t) {
+  if (t < law.t.front()) return {law.value.front(), 0, 0};
+  if (t >= law.t.back()) return {law.value.back(), 0, 0};
+  const auto after = std::upper_bound(law.t.begin(), law.t.end(), t);
+  const auto i = static_cast<std::size_t>(after - law.t.begin()) - 1;
+  const double h = law.t[i + 1] - law.t[i];
+  const double s = (t - law.t[i]) / h;
+  const double step = law.value[i + 1] - law.value[i];
+  if (law.slopes.empty()) return {law.value[i] + s * step, step / h, 0};
+  return hermite(h, law.value[i], law.value[i + 1], law.slopes[i], law.slopes[i + 1], s);
+}
+
+SignalValue value_of(const Sine& law, double t) {
+  const double angle = law.omega * t + law.phase;
+  const double s = law.amplitude * std::sin(angle);
+  return {law.mean + s, law.amplitude * law.omega * std::cos(angle), -law.omega * law.omega * s};
+}
+
+/// Between two breakpoints: a polynomial of degree 5 at most, for which three points of Gauss are exact.
+double integral_of_piece(const Signal& signal, double from, double to) {
+  static const std::array<double, 3> place = {-std::sqrt(0.6), 0, std::sqrt(0.6)};
+  static constexpr std::array<double, 3> weight = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  const double half = (to - from) / 2, middle = (from + to) / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += weight[i] * at(signal, middle + half * place[i]).value;
+  return half * sum;
+}
+
+}  // namespace
+
+SignalValue at(const Signal& signal, double t) {
+  return std::visit([&](const auto& law) { return value_of(law, t); }, signal.law);
+}
+
+double integral(const Signal& signal, double from, double to) {
+  if (const auto* sine = std::get_if<Sine>(&signal.law); sine != nullptr && sine->omega != 0) {
+    // cos a - cos b = 2 sin((a + b)/2) sin((b - a)/2), without cancellation
+    const double half = sine->omega * (to - from) / 2;
+    const double middle = sine->omega * (from + to) / 2 + sine->phase;
+    return sine->mean * (to - from) + 2 * sine->amplitude / sine->omega * std::sin(middle) * std::sin(half);
+  }
+  double sum = 0;
+  double last = from;
+  for (const double t : breakpoints(signal)) {
+    if (t <= from) continue;
+    if (t >= to) break;
+    sum += integral_of_piece(signal, last, t);
+    last = t;
+  }
+  return sum + integral_of_piece(signal, last, to);
+}
+
+std::vector<double> breakpoints(const Signal& signal) {
+  std::vector<double> times;
+  if (const auto* law = std::get_if<Moves>(&signal.law)) {
+    for (const Move& move : law->moves) {
+      times.push_back(move.at);
+      times.push_back(move.at + move.over);
+    }
+  } else if (const auto* curve = std::get_if<Curve>(&signal.law)) {
+    times = curve->t;
+  }
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+Curve smooth_curve(std::vector<double> t, std::vector<double> value) {
+  expects(t.size() >= 2 && t.size() == value.size(), "a curve goes through two points or more");
+  const std::size_t last = t.size() - 1;
+  // m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (d[i-1]/h[i-1] + d[i]/h[i]); m = 0 at both ends
+  std::vector<double> slopes(last + 1, 0.0), upper(last + 1, 0.0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const double before = 1 / (t[i] - t[i - 1]), after = 1 / (t[i + 1] - t[i]);
+    const double right = 3 * ((value[i] - value[i - 1]) * before * before + (value[i + 1] - value[i]) * after * after);
+    const double pivot = 2 * (before + after) - before * upper[i - 1];
+    upper[i] = after / pivot;
+    slopes[i] = (right - before * slopes[i - 1]) / pivot;
+  }
+  for (std::size_t i = last; i-- > 1;) slopes[i] -= upper[i] * slopes[i + 1];
+  return {std::move(t), std::move(value), std::move(slopes)};
+}
+
+}  // namespace taut::model

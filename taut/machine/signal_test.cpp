@@ -1,0 +1,120 @@
+#include "taut/machine/signal.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::model::signal_test {
+
+Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
+  return {"r", si::m_per_s, Moves{from, {{start, to, duration, smooth}}}};
+}
+
+/// Derivatives against central differences, away from breakpoints.
+void expect_derivatives(const Signal& signal, double t) {
+  const double h = 1e-4;
+  const SignalValue before = at(signal, t - h), now = at(signal, t), after = at(signal, t + h);
+  EXPECT_NEAR(now.rate, (after.value - before.value) / (2 * h), 1e-5 * (1 + std::abs(now.rate))) << t;
+  EXPECT_NEAR(now.acceleration, (after.rate - before.rate) / (2 * h), 1e-5 * (1 + std::abs(now.acceleration))) << t;
+}
+
+TEST(Signal, ARampIsHeldBeforeAndAfter) {
+  const Signal r = ramp(1, 3, 2, 4);
+  EXPECT_EQ(at(r, 0).value, 1);
+  EXPECT_EQ(at(r, 4).value, 2);
+  EXPECT_EQ(at(r, 4).rate, 0.5);
+  EXPECT_EQ(at(r, 6).value, 3);
+  EXPECT_EQ(at(r, 6).rate, 0);
+  EXPECT_EQ(at(r, 2).rate, 0.5) << "after the jump of the rate";
+  EXPECT_EQ(breakpoints(r), (std::vector<double>{2, 6}));
+}
+
+TEST(Signal, RopeTakenInByARampIsThatOfTheTackle) {
+  // s(t) = 0.5 t^2 to 0.5 s, then 0.5 m/s
+  const Signal r = ramp(0, 0.5, 0, 0.5);
+  EXPECT_NEAR(integral(r, 0, 0.3), 0.5 * 0.09, 1e-16);
+  EXPECT_NEAR(integral(r, 0, 3), 0.125 + 2.5 * 0.5, 1e-15);
+  EXPECT_NEAR(integral(r, 0.2, 0.4), 0.5 * (0.16 - 0.04), 1e-16);
+}
+
+TEST(Signal, AJumpIsTheNewValueAtOnce) {
+  const Signal jump = ramp(1, 2, 1, 0);
+  EXPECT_EQ(at(jump, 0.999999).value, 1);
+  EXPECT_EQ(at(jump, 1).value, 2);
+  EXPECT_EQ(breakpoints(jump), (std::vector<double>{1}));
+  EXPECT_EQ(integral(jump, 0, 2), 3);
+}
+
+TEST(Signal, ASmoothRampBeginsAndEndsAtRest) {
+  const Signal r = ramp(2, -1, 1, 2, true);
+  for (const double t : {1.0, 3.0 - 1e-12}) {
+    EXPECT_NEAR(at(r, t).rate, 0, 1e-10);
+    EXPECT_NEAR(at(r, t).acceleration, 0, 1e-10);
+  }
+  for (const double t : {1.1, 1.5, 2.0, 2.7}) expect_derivatives(r, t);
+  EXPECT_NEAR(at(r, 2).value, 0.5, 1e-15);
+  EXPECT_NEAR(integral(r, 0, 4), 2 + 2 * 0.5 - 1, 1e-14);
+}
+
+TEST(Signal, MovesFollowEachOther) {
+  const Signal s{"s", si::m, Moves{0, {{1, 2, 1, false}, {2, 5, 2, true}, {6, 0, 0, false}}}};
+  EXPECT_EQ(at(s, 0.5).value, 0);
+  EXPECT_EQ(at(s, 1.5).value, 1);
+  EXPECT_EQ(at(s, 3).value, 3.5);
+  EXPECT_EQ(at(s, 5).value, 5);
+  EXPECT_EQ(at(s, 6).value, 0);
+  EXPECT_EQ(breakpoints(s), (std::vector<double>{1, 2, 4, 6}));
+}
+
+TEST(Signal, ASineAndItsIntegral) {
+  const Signal s{"s", si::N, Sine{3, 2, 5, 0.4}};
+  for (const double t : {0.0, 0.3, 2.0}) expect_derivatives(s, t);
+  const double exact = 3 * 1.7 - 2.0 / 5 * (std::cos(5 * 1.9 + 0.4) - std::cos(5 * 0.2 + 0.4));
+  EXPECT_NEAR(integral(s, 0.2, 1.9), exact, 1e-14);
+  const Signal still{"s", si::N, Sine{3, 2, 0, M_PI / 2}};
+  EXPECT_NEAR(integral(still, 0, 2), 10, 1e-14);
+}
+
+TEST(Signal, ATableIsLinearAndHeldOutside) {
+  const Signal s{"s", si::m, Curve{{1, 2, 4}, {5, 7, 3}, {}}};
+  EXPECT_EQ(at(s, 0).value, 5);
+  EXPECT_EQ(at(s, 1.5).value, 6);
+  EXPECT_EQ(at(s, 3).value, 5);
+  EXPECT_EQ(at(s, 3).rate, -2);
+  EXPECT_EQ(at(s, 9).value, 3);
+  EXPECT_EQ(integral(s, 0, 5), 5 + 6 + 10 + 3);
+}
+
+TEST(Signal, ACubicTableHasContinuousAcceleration) {
+  const Signal s{"s", si::rad, smooth_curve({0, 1, 2.5, 3, 5}, {0, 1, -1, 0.5, 2})};
+  const auto& curve = std::get<Curve>(s.law);
+  for (std::size_t i = 0; i < curve.t.size(); ++i) EXPECT_NEAR(at(s, curve.t[i]).value, curve.value[i], 1e-14);
+  for (const double t : {1.0, 2.5, 3.0}) {
+    EXPECT_NEAR(at(s, t - 1e-9).acceleration, at(s, t + 1e-9).acceleration, 1e-6);
+    EXPECT_NEAR(at(s, t - 1e-9).rate, at(s, t + 1e-9).rate, 1e-6);
+  }
+  EXPECT_NEAR(at(s, 0).rate, 0, 1e-14);
+  EXPECT_NEAR(at(s, 5 - 1e-12).rate, 0, 1e-9);
+  for (const double t : {0.5, 1.7, 2.8, 4.1}) expect_derivatives(s, t);
+}
+
+RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
+  const auto number = [] { return *rc::gen::inRange(-1000, 1000) / 100.0; };
+  Moves moves{number(), {}};
+  double t = 0;
+  for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
+    t += *rc::gen::inRange(0, 200) / 100.0;
+    const double over = *rc::gen::inRange(0, 200) / 100.0;
+    moves.moves.push_back({t, number(), over, *rc::gen::arbitrary<bool>()});
+    t += over;
+  }
+  const Signal s{"s", si::m, moves};
+  const double middle = t * *rc::gen::inRange(0, 100) / 100.0;
+  RC_ASSERT(std::abs(integral(s, 0, middle) + integral(s, middle, t + 1) - integral(s, 0, t + 1)) < 1e-11);
+  const std::vector<double> breaks = breakpoints(s);
+  RC_ASSERT(std::is_sorted(breaks.begin(), breaks.end()));
+}
+
+}  // namespace taut::model::signal_test

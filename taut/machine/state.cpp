@@ -1,0 +1,133 @@
+#include "taut/machine/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "taut/base/expects.hpp"
+#include "taut/rope/tangent.hpp"
+
+namespace taut::model {
+
+Vector3 in_ground(const State& state, const Place& place) {
+  if (place.body == ground) return place.at;
+  const Pose& pose = state.bodies.at(static_cast<std::size_t>(place.body));
+  return pose.position + pose.orientation * place.at;
+}
+
+namespace {
+
+rope::Round round_at(const State& state, const Node& node) {
+  const Vector3 centre = in_ground(state, node.at);
+  if (node.radius == 0) return rope::point(centre);
+  const bool moves = node.at.body != ground;
+  const Matrix3 turned =
+      moves ? state.bodies[static_cast<std::size_t>(node.at.body)].orientation : Matrix3(Matrix3::Identity());
+  return rope::sheave(centre, turned * node.axis, node.radius, node.side);
+}
+
+/// A straight branch: its length, and its directions as angles on its rounds.
+rope::TangentLine line_between(const State& state, const Node& from, const Node& to) {
+  const rope::Round a = round_at(state, from), b = round_at(state, to);
+  if (const auto line = rope::tangent_line(a, b)) return *line;
+  rope::TangentLine centres;
+  centres.length = (b.centre - a.centre).norm();
+  return centres;
+}
+
+/// Lengths of the branches of a rope at one common tension, after the parabola: each its line, longer by c (w b)^2/(24
+/// T^2) and shorter by the stretch.
+double length_at(const Reeving& reeving, const rope::TangentLine& line, double T) {
+  const double across = std::hypot(line.to.x() - line.from.x(), line.to.y() - line.from.y());
+  const double sag = reeving.weight * across / T;
+  return line.length * (1 + sag * sag / 24) / (1 + T / reeving.stiffness);
+}
+
+/// A line's length at a tension without sag; see taut_length.
+double without_sag(const Reeving& reeving, const rope::TangentLine& line, double T) {
+  return std::isinf(reeving.stiffness) ? length_at(reeving, line, 2 * T) : line.length / (1 + T / reeving.stiffness);
+}
+
+/// The tension at which they add up to `total`; the logarithm of the tension halved.
+double common_tension(const Reeving& reeving, const std::vector<rope::TangentLine>& lines, double total) {
+  double longest = 0;
+  for (const rope::TangentLine& line : lines) longest = std::max(longest, line.length);
+  const double weight = reeving.weight * longest;
+  double low = std::log(1e-2 * weight);
+  double high = std::log(std::isinf(reeving.stiffness) ? 1e6 * weight : std::max(weight, reeving.stiffness));
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    double sum = 0;
+    for (const rope::TangentLine& line : lines) sum += length_at(reeving, line, std::exp(middle));
+    (sum > total ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
+}  // namespace
+
+Model with_sides(Model model, const State& state) {
+  for (std::size_t r = 0; r < std::min(model.reevings.size(), state.sides.size()); ++r) {
+    std::vector<Node>& nodes = model.reevings[r].nodes;
+    if (state.sides[r].size() != nodes.size()) continue;
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].side = state.sides[r][k];
+  }
+  return model;
+}
+
+double straight_length(const State& state, const Node& from, const Node& to) {
+  return line_between(state, from, to).length;
+}
+
+double taut_length(const State& state, const Reeving& reeving, const Node& from, const Node& to, double tension) {
+  return without_sag(reeving, line_between(state, from, to), tension);
+}
+
+State initial_state(const Model& model) {
+  State state;
+  for (const Body& body : model.bodies) state.bodies.push_back({body.position, body.orientation});
+  for (const Reeving& reeving : model.reevings) {
+    expects(reeving.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
+    state.touched.emplace_back(reeving.nodes.size(), true);
+    const auto count = static_cast<std::size_t>(branch_count(reeving));
+    std::vector<rope::TangentLine> lines;
+    double straight = 0, arcs = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      lines.push_back(line_between(state, reeving.nodes[k], reeving.nodes[(k + 1) % reeving.nodes.size()]));
+      straight += lines.back().length;
+    }
+    for (std::size_t k = reeving.closed ? 0 : 1; k < count; ++k) {
+      const Node& node = reeving.nodes[k];
+      double wrap = rope::wrap_angle(node.side, lines[(k + count - 1) % count].angle_to, lines[k].angle_from);
+      if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
+      arcs += node.radius * (wrap + 2 * std::numbers::pi * node.turns);
+    }
+    const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
+    const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;
+    std::vector<BranchState> branches(count);
+    const bool given_tension = reeving.given == Given::tension_at_start || reeving.given == Given::tension_at_end;
+    if (reeving.given == Given::length && reeving.weight > 0 && left > 0) {
+      const double T = common_tension(reeving, lines, left);
+      double sum = 0;
+      for (std::size_t k = 0; k < count; ++k) sum += branches[k].length = length_at(reeving, lines[k], T);
+      for (BranchState& branch : branches) branch.length *= left / sum;
+    } else if (given_tension) {
+      for (std::size_t k = 0; k < count; ++k) branches[k].length = without_sag(reeving, lines[k], reeving.value);
+    } else {
+      for (std::size_t k = 0; k < count; ++k) branches[k].length = scale * lines[k].length;
+    }
+    state.branches.push_back(std::move(branches));
+  }
+  for (const Beam& beam : model.beams) {
+    std::vector<PieceState>& pieces = state.beams.emplace_back();
+    for (const BeamPiece& piece : beam.pieces) {
+      PieceState& s = pieces.emplace_back();
+      const bool moves = piece.start.body != ground;
+      s.axes = moves ? Matrix3(state.bodies[static_cast<std::size_t>(piece.start.body)].orientation * piece.start_axes)
+                     : piece.start_axes;
+    }
+  }
+  return state;
+}
+
+}  // namespace taut::model

@@ -1,0 +1,13 @@
+#pragma once
+#include <optional>
+
+#include "taut/machine/model.hpp"
+
+namespace taut::model {
+
+/// The machine without one of its ropes, for an analysis at rest: the indices of the other ropes follow, carriages that
+/// it pulled have no such rope any more, and what belongs to motion alone (events, tensioners, observed quantities) is
+/// gone. Empty where a carriage rides on that rope or is fixed to it.
+std::optional<Model> without_rope(Model model, int reeving);
+
+}  // namespace taut::model

@@ -1,0 +1,23 @@
+#pragma once
+#include "taut/machine/model.hpp"
+#include "taut/mechanics/branch.hpp"
+
+namespace taut::analysis {
+
+/// The turn of a rope at a node. Derivatives by the unit vectors along the path before and after it.
+struct Bend {
+  double wrap = 0;  ///< rad; negative where the rope would have to pass through the air above its support
+  Vector3 by_in = Vector3::Zero(), by_out = Vector3::Zero();
+};
+
+/// On a round: about its axis (`end`), in [-pi/2, 3 pi/2) + 2 pi turns. At a point: the angle between the directions;
+/// with a support, negative where the rope presses away from it.
+Bend bend(const model::Node& node, const BranchEnd& end, const Vector3& in, const Vector3& out);
+
+/// ln(T_out/T_in) for a flow along the path, and its derivative by the wrap.
+struct Loss {
+  double log = 0, by_wrap = 0;
+};
+Loss loss(const model::ContactLaw& law, double wrap);
+
+}  // namespace taut::analysis

@@ -1,0 +1,161 @@
+#include "taut/mechanics/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using model::NodeKind;
+
+int count(std::size_t n) { return static_cast<int>(n); }
+
+void check(const model::Reeving& rope) {
+  expects(rope.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
+  expects(!rope.closed || rope.nodes.front().kind == NodeKind::drive, "a closed rope begins at its drive");
+  const bool torque = rope.given == model::Given::torque;
+  expects(!rope.closed || torque || rope.given == model::Given::length, "a closed rope is given by length or torque");
+  expects(!torque || (rope.closed && rope.nodes.front().tension_drop), "a given torque needs a closed rope's drive");
+}
+
+/// Which way along the path the force of a load points.
+int sense_of(const model::Reeving& rope, const model::RopeLoad& load, int flow) {
+  return load.by_motion ? load.sense * (flow == 0 ? rope.haul : flow) : load.sense;
+}
+
+/// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
+bool has_row(const model::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
+
+void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vector<bool>& touched,
+              const std::vector<int>& flow) {
+  check(rope);
+  std::vector<int> nodes;
+  for (int k = 0; k < count(rope.nodes.size()); ++k) {
+    if (touched[at(k)]) nodes.push_back(k);
+  }
+  const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
+  Layout::Rope r;
+  r.first = count(l.links.size());
+  r.count = links;
+  r.first_turn = count(l.turns.size());
+  for (int k = 0; k < links; ++k) {
+    l.links.push_back({index, nodes[at(k)], nodes[at((k + 1) % count(nodes.size()))], l.size + k});
+  }
+  int row = l.size;
+  const auto is_open = [](const model::Node& node) { return node.kind == NodeKind::load && node.load.open; };
+  if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + links;
+  for (int k = rope.closed ? 0 : 1; k < links; ++k) {
+    const int node = nodes[at(k)];
+    const NodeKind kind = rope.nodes[at(node)].kind;
+    expects(kind != NodeKind::anchor && (!rope.closed || (kind == NodeKind::drive) == (k == 0)),
+            "anchors stand at the ends of a rope, its drive at the start of a closed one");
+    const int before = k > 0 ? r.first + k - 1 : r.first + links - 1;
+    const bool drives = kind == NodeKind::drive;
+    int runs = flow.empty() || drives ? 0 : flow[at(node)];
+    if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[at(node)].load, runs);
+    if (drives) r.drive = count(l.turns.size());
+    l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs,
+                       flow.empty() ? 0 : flow[at(node)]});
+  }
+  r.turn_count = count(l.turns.size()) - r.first_turn;
+  r.row = row;
+  l.size += links + (r.open_load >= 0 ? 1 : 0);
+  l.ropes.push_back(r);
+}
+
+int turn_at(const Layout& l, int reeving, int node) {
+  const auto turn = std::find_if(l.turns.begin(), l.turns.end(),
+                                 [&](const Layout::Turn& t) { return t.reeving == reeving && t.node == node; });
+  expects(turn != l.turns.end(), "a carriage rides on its rope");
+  return count(static_cast<std::size_t>(turn - l.turns.begin()));
+}
+
+/// The rope whose length or tension follows from a carriage's place; -1: none.
+int gives_way(const model::Model& model, const model::Carriage& carriage) {
+  const auto by_length = [&](int rope) { return model.reevings.at(at(rope)).given == model::Given::length; };
+  const bool both = carriage.mainline >= 0 && carriage.haulback >= 0;
+  if (both && !by_length(carriage.mainline) && by_length(carriage.haulback)) return carriage.haulback;
+  return carriage.mainline >= 0 ? carriage.mainline : carriage.haulback;
+}
+
+void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribed) {
+  const model::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
+  const int turn = turn_at(l, carriage.reeving, carriage.node);
+  const int rope = gives_way(model, carriage);
+  l.coordinate_body = carriage.body;
+  l.coordinate_along = prescribed.along;
+  if (prescribed.z) {
+    l.height_row = l.ropes.at(at(carriage.reeving)).row;
+    l.height = *prescribed.z;
+  }
+  if (model.reevings[at(carriage.reeving)].nodes[at(carriage.node)].kind == NodeKind::clamp) {
+    l.coordinate_row = l.turns[at(turn)].row;
+  } else if (carriage.grip_reeving >= 0) {
+    l.coordinate_row = l.turns[at(turn_at(l, carriage.grip_reeving, carriage.grip_node))].row;
+  } else if (rope >= 0) {
+    l.coordinate_row = l.ropes.at(at(rope)).row;
+  } else {
+    l.hold_turn = turn;
+    l.hold_last = turn_at(l, carriage.reeving, carriage.node + carriage.rollers - 1);
+    l.hold = l.coordinate_row = l.size++;
+  }
+}
+
+/// The scales of force and length.
+void measure(Layout& l, const model::Model& model, const model::State& state) {
+  for (const model::Body& body : model.bodies) l.heaviest = std::max(l.heaviest, body.mass * model.gravity);
+  for (const model::Load& load : model.loads) l.heaviest = std::max(l.heaviest, load.force.norm());
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      l.heaviest = std::max({l.heaviest, node.load.force, std::abs(node.tension_drop.value_or(0))});
+    }
+  }
+  for (const Layout::Link& link : l.links) {
+    const model::Reeving& rope = model.reevings[at(link.reeving)];
+    const Vector3 chord =
+        model::in_ground(state, rope.nodes[at(link.to)].at) - model::in_ground(state, rope.nodes[at(link.from)].at);
+    l.length = std::max(l.length, chord.norm());
+    l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
+    if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
+  }
+  for (const model::Beam& beam : model.beams) {
+    l.length = std::max(l.length, beam.length);
+    if (!beam.pieces.empty()) l.heaviest = std::max(l.heaviest, beam.length * beam.pieces.front().rod.section.weight);
+  }
+  if (l.length == 0) l.length = 1;
+}
+
+void add_beams(Layout& l, const model::Model& model) {
+  for (std::size_t b = 0; b < model.beams.size(); ++b) {
+    for (std::size_t k = 0; k < model.beams[b].pieces.size(); ++k) {
+      const bool hinged = model.beams[b].pieces[k].start_hold == model::BeamHold::hinged;
+      l.pieces.push_back({count(b), count(k), l.size, hinged});
+      l.size += l.pieces.back().count();
+    }
+  }
+}
+
+}  // namespace
+
+Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
+              const std::vector<std::vector<int>>& flow) {
+  Layout l;
+  for (int b = 0; b < count(model.bodies.size()); ++b) {
+    l.first_dof.push_back(count(l.dofs.size()));
+    for (const model::Freedom& way : model.bodies[at(b)].free) l.dofs.push_back({b, way});
+  }
+  l.first_dof.push_back(count(l.dofs.size()));
+  l.size = count(l.dofs.size());
+  for (int r = 0; r < count(model.reevings.size()); ++r) {
+    add_rope(l, model.reevings[at(r)], r, state.touched[at(r)], flow.empty() ? std::vector<int>{} : flow[at(r)]);
+  }
+  if (prescribed) prescribe(l, model, *prescribed);
+  add_beams(l, model);
+  measure(l, model, state);
+  return l;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "taut/machine/model.hpp"
+#include "taut/machine/state.hpp"
+#include "taut/mechanics/prescribed.hpp"
+
+namespace taut::analysis {
+
+/// Which unknown and which equation is where. Unknowns: the freedoms of the bodies, the unstretched length of each
+/// branch, the open load of a rope, the hold of a prescribed carriage. Equations: the balance of each freedom, then for
+/// each rope the law of each contact or drive or the place of each clamp or load and what is given of the rope, last
+/// the prescribed coordinate.
+struct Layout {
+  struct Dof {
+    int body = 0;
+    model::Freedom way;
+  };
+  /// A branch between two touched nodes; its length is unknown `unknown`. Of a rope that hardly stretches its force is
+  /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); -1: the force follows from the
+  /// length.
+  struct Link {
+    int reeving = 0, from = 0, to = 0, unknown = 0;
+    int force = -1;
+  };
+  /// A touched node between two links. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and the
+  /// sense along the path of a load's force.
+  struct Turn {
+    int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
+    int runs = 0;  ///< the sense in which the rope runs here, of a drive too: +1 along the path, 0 at rest
+  };
+  /// A whole rope: links first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
+  struct Rope {
+    int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
+    int drive = -1;      ///< turn of its drive; -1: none
+    int open_load = -1;  ///< unknown force of its open load; -1: none
+  };
+
+  /// A piece of a beam. Unknowns: the force at its start, then the moment there; at a hinged start the torque and a
+  /// turn of the section. Rows: place and turn of its end (at a ball joint the moment), at a hinged start the twist.
+  struct Piece {
+    int beam = 0, piece = 0, unknown = 0;
+    bool hinged = false;  ///< at its start
+    int count() const { return hinged ? 7 : 6; }
+  };
+
+  std::vector<Dof> dofs;       ///< unknown and row i
+  std::vector<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
+  std::vector<Link> links;
+  std::vector<Turn> turns;
+  std::vector<Rope> ropes;
+  std::vector<Piece> pieces;  ///< the last unknowns and rows
+  int size = 0;
+  int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
+  int coordinate_body = model::ground;
+  Vector3 coordinate_along = Vector3::UnitX();  ///< along which the coordinate is measured
+  int height_row = -1;                          ///< where its height is prescribed: its rope's row; -1: nowhere
+  double height = 0;                            ///< m
+  int hold = -1;                                ///< unknown; -1: none
+  int hold_turn = -1, hold_last = -1;           ///< the first and last turn along whose track it pulls
+  double heaviest = 0;                          ///< largest weight or load, N: a scale
+  double length = 0;                            ///< longest span, m: a scale
+  double stiffest = 0;                          ///< largest finite EA of a rope, N
+  double loose = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
+};
+
+/// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.
+Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
+              const std::vector<std::vector<int>>& flow);
+
+}  // namespace taut::analysis

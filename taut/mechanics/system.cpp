@@ -1,0 +1,287 @@
+#include "taut/mechanics/system.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/index.hpp"
+#include "taut/mechanics/beam_piece.hpp"
+#include "taut/mechanics/rope_load.hpp"
+#include "taut/mechanics/stiff_branch.hpp"
+
+namespace taut::analysis {
+namespace {
+
+const model::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
+
+/// Adds a force that acts at `place` to the balance of the freedoms of a body.
+void add_force(const System& s, const Configuration& c, int body, const Vector3& place, const Vector3& force,
+               Eigen::VectorXd& residual) {
+  if (body == model::ground) return;
+  const Vector3 arm = place - c.bodies[at(body)].position;
+  for (int i = s.layout.first_dof[at(body)]; i < s.layout.first_dof[at(body) + 1]; ++i) {
+    const model::Freedom& way = s.layout.dofs[at(i)].way;
+    residual[i] += force.dot(way.along) + way.about.dot(arm.cross(force));
+  }
+}
+
+void add_dead_forces(const System& s, const Configuration& c, Eigen::VectorXd& residual) {
+  for (std::size_t b = 0; b < s.model.bodies.size(); ++b) {
+    const model::Body& body = s.model.bodies[b];
+    if (body.free.empty()) continue;
+    const model::Pose& pose = c.bodies[b];
+    add_force(s, c, static_cast<int>(b), pose.position + pose.orientation * body.centre,
+              -body.mass * s.model.gravity * up(), residual);
+  }
+  for (const model::Load& load : s.model.loads) {
+    if (load.at.body == model::ground) continue;
+    const model::Pose& pose = c.bodies[at(load.at.body)];
+    add_force(s, c, load.at.body, pose.position + pose.orientation * load.at.at, load.force, residual);
+  }
+}
+
+void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Branch& b = e.branches[k];
+    if (b.slack) continue;
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = reeving_of(s, link.reeving);
+    const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+    e.largest_force = std::max({e.largest_force, rope.copies * std::abs(b.T_from), rope.copies * std::abs(b.T_to)});
+    add_force(s, c, from.at.body, end_at(from, c.bodies).centre + b.offset_from, rope.copies * b.pull_from, e.residual);
+    add_force(s, c, to.at.body, end_at(to, c.bodies).centre + b.offset_to, -rope.copies * b.pull_to, e.residual);
+  }
+}
+
+/// What the tensions beside a drive are off its torque, N.
+double drop_misfit(const System& s, const Evaluation& e, int turn) {
+  const Layout::Turn& t = s.layout.turns[at(turn)];
+  return e.branches[at(t.before)].T_to - e.branches[at(t.after)].T_from - node_of(s, t).tension_drop.value_or(0);
+}
+
+/// Whether the row of a turn is a length.
+bool is_length(const System& s, const Layout::Turn& t) {
+  const model::NodeKind kind = node_of(s, t).kind;
+  const auto& also = reeving_of(s, t.reeving).also;
+  return kind == model::NodeKind::clamp || kind == model::NodeKind::load ||
+         (kind == model::NodeKind::drive && also && also->first == model::Given::length);
+}
+
+/// Laws of the contacts, places of the clamps, given quantities.
+void add_laws(const System& s, const Configuration& c, Evaluation& e) {
+  for (const Layout::Rope& rope : s.layout.ropes) {
+    const model::Reeving& reeving = reeving_of(s, s.layout.links[at(rope.first)].reeving);
+    double length = 0;
+    int link = rope.first;
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
+      const Layout::Turn& turn = s.layout.turns[at(t)];
+      for (; link < turn.after; ++link) length += c.links[at(link)].length;
+      const model::Node& node = node_of(s, turn);
+      const double T_in = e.branches[at(turn.before)].T_to, T_out = e.branches[at(turn.after)].T_from;
+      if (node.kind == model::NodeKind::clamp) {
+        e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
+      } else if (node.kind == model::NodeKind::contact) {
+        const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
+        e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
+      }
+      length += arc(s, e, t).length;
+    }
+    for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
+    const auto open = [&](model::Given given, double value) {
+      switch (given) {
+        case model::Given::length:
+          return length - value * (1 + reeving.thermal_strain);
+        case model::Given::tension_at_start:
+          return e.branches[at(rope.first)].T_from - value;
+        case model::Given::tension_at_end:
+          return e.branches[at(rope.first + rope.count - 1)].T_to - value;
+        case model::Given::torque:
+          break;
+      }
+      return drop_misfit(s, e, rope.drive);
+    };
+    e.residual[rope.row] = open(reeving.given, reeving.value);
+    if (rope.drive < 0 || s.layout.turns[at(rope.drive)].row < 0) continue;
+    e.residual[s.layout.turns[at(rope.drive)].row] =
+        reeving.also ? open(reeving.also->first, reeving.also->second) : drop_misfit(s, e, rope.drive);
+  }
+}
+
+/// The prescribed coordinate, and the force that holds the carriage there.
+void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
+  if (s.layout.coordinate_row < 0) return;
+  const int body = s.layout.coordinate_body;
+  e.residual[s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[at(body)].position) - s.coordinate;
+  if (s.layout.height_row >= 0) e.residual[s.layout.height_row] = c.bodies[at(body)].position.z() - s.layout.height;
+  if (s.layout.hold < 0) return;
+  add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
+}
+
+void keep_shape(const model::Reeving& rope, const Branch& branch, model::BranchState& link) {
+  link.length = branch.length;
+  link.leaves = branch.leaves;
+  link.arrives = branch.arrives;
+  link.force = rope.weight > 0 ? std::optional(branch.span.force) : std::nullopt;
+}
+
+}  // namespace
+
+const model::Node& node_of(const System& s, const Layout::Turn& t) {
+  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+}
+
+rope::CatenaryRope rope_of(const model::Reeving& reeving, double length) {
+  return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};
+}
+
+BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies) {
+  BranchEnd end{node.at.at, node.axis, node.side < 0 ? -node.radius : node.radius};
+  if (node.at.body != model::ground) {
+    const model::Pose& pose = bodies[at(node.at.body)];
+    end.centre = pose.position + pose.orientation * node.at.at;
+    end.axis = pose.orientation * node.axis;
+  }
+  return end;
+}
+
+ArcLength arc(const System& s, const Evaluation& e, int turn) {
+  const Layout::Turn& t = s.layout.turns[at(turn)];
+  const model::Node& node = node_of(s, t);
+  const bool runs = s.losses > 0 || node.kind == model::NodeKind::drive;
+  return arc_length({.radius = node.radius,
+                     .wrap = e.bends[at(turn)].wrap,
+                     .T_in = e.branches[at(t.before)].T_to,
+                     .T_out = e.branches[at(t.after)].T_from,
+                     .stiffness = reeving_of(s, t.reeving).stiffness,
+                     .friction = node.law.friction,
+                     .flow = runs ? t.runs : 0});
+}
+
+Vector3 track(const System& s, const Evaluation& e) {
+  const int before = s.layout.turns[at(s.layout.hold_turn)].before;
+  const int after = s.layout.turns[at(s.layout.hold_last)].after;
+  return (e.branches[at(before)].arrives + e.branches[at(after)].leaves).normalized();
+}
+
+Vector3 hold_place(const System& s, const Configuration& c) {
+  const auto place = [&](int turn) { return end_at(node_of(s, s.layout.turns[at(turn)]), c.bodies).centre; };
+  return (place(s.layout.hold_turn) + place(s.layout.hold_last)) / 2;
+}
+
+std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& e) {
+  e.branches.resize(s.layout.links.size());
+  e.bends.resize(s.layout.turns.size());
+  e.residual.setZero(s.layout.size);
+  e.largest_force = s.layout.heaviest;
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = reeving_of(s, link.reeving);
+    if (link.force >= 0) {
+      const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
+      if (!stiff) return NoBranch{static_cast<int>(k), rope::NoCatenary::not_converged};
+      e.branches[k] = *stiff;
+      keep_shape(rope, *stiff, c.links[k]);
+      c.links[k].force = stiff->span.force;
+      continue;
+    }
+    auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[at(link.from)], c.bodies),
+                               end_at(rope.nodes[at(link.to)], c.bodies), c.links[k]);
+    if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
+    e.branches[k] = *branch;
+    keep_shape(rope, *branch, c.links[k]);
+  }
+  for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
+    const Layout::Turn& turn = s.layout.turns[t];
+    const model::Node& node = node_of(s, turn);
+    e.bends[t] =
+        bend(node, end_at(node, c.bodies), e.branches[at(turn.before)].arrives, e.branches[at(turn.after)].leaves);
+  }
+  add_dead_forces(s, c, e.residual);
+  add_ropes(s, c, e);
+  add_laws(s, c, e);
+  add_rope_loads(s, c, e);
+  add_coordinate(s, c, e);
+  add_beams(s, c, e);
+  return std::nullopt;
+}
+
+Change change_of(const System& system, const Configuration& c, const Evaluation& e,
+                 const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step) {
+  Change change{step, std::vector<rope::CatenaryForce>(columns.size())};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (!c.links[k].force || system.layout.links[k].force >= 0) continue;
+    Vector3 pull = Vector3::Zero();
+    double length = 0;
+    for (int i = 0; i < columns[k].count; ++i) {
+      pull += columns[k].pull_from[at(i)] * step[columns[k].unknown[at(i)]];
+      length += columns[k].length[at(i)] * step[columns[k].unknown[at(i)]];
+    }
+    const rope::Span& span = e.branches[k].span;
+    const double half = span.rope.weight * length / 2;
+    change.force[k] = {span.along.dot(pull), pull.z() + half};
+  }
+  return change;
+}
+
+void move(const System& s, const Configuration& c, const Change& change, double part, Configuration& moved) {
+  moved = c;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const Layout::Dof& dof = s.layout.dofs[i];
+    const double by = part * change.step[static_cast<Eigen::Index>(i)];
+    model::Pose& pose = moved.bodies[at(dof.body)];
+    pose.position += by * dof.way.along;
+    if (dof.way.about == Vector3::Zero()) continue;
+    pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;
+  }
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    model::BranchState& link = moved.links[k];
+    link.length += part * change.step[s.layout.links[k].unknown];
+    if (const int force = s.layout.links[k].force; force >= 0) {
+      const int count = force_count(reeving_of(s, s.layout.links[k].reeving));
+      moved.forces[k].head(count) += part * change.step.segment(force, count);
+      continue;
+    }
+    if (!link.force) continue;
+    const rope::CatenaryForce& by = change.force[k];
+    // a force that would turn round is no start
+    if (link.force->H + part * by.H > 0.1 * link.force->H) {
+      link.force->H += part * by.H;
+      link.force->V += part * by.V;
+    }
+  }
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const int open = s.layout.ropes[r].open_load;
+    if (open >= 0) moved.open_loads[r] += part * change.step[open];
+  }
+  if (s.layout.hold >= 0) moved.hold += part * change.step[s.layout.hold];
+  move_beams(s, change.step, part, moved);
+}
+
+Misfit misfit(const System& s, const Evaluation& e) {
+  Misfit m;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool moment = s.layout.dofs[i].way.about != Vector3::Zero();
+    m.force = std::max(m.force, std::abs(e.residual[static_cast<Eigen::Index>(i)]) / (moment ? s.layout.length : 1));
+  }
+  const auto length = [&](int row) { m.length = std::max(m.length, std::abs(e.residual[row])); };
+  const auto force = [&](int row) { m.force = std::max(m.force, std::abs(e.residual[row])); };
+  for (const Layout::Turn& turn : s.layout.turns) {
+    if (turn.row < 0) continue;
+    is_length(s, turn) ? length(turn.row) : force(turn.row);
+  }
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const int row = s.layout.ropes[r].row;
+    const bool place = row == s.layout.coordinate_row || row == s.layout.height_row;
+    s.model.reevings[r].given == model::Given::length || place ? length(row) : force(row);
+  }
+  if (s.layout.hold >= 0) length(s.layout.coordinate_row);
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    m.span = std::max(m.span, e.branches[k].closure);
+    const Layout::Link& link = s.layout.links[k];
+    for (int i = 0; link.force >= 0 && i < force_count(reeving_of(s, link.reeving)); ++i) length(link.force + i);
+  }
+  add_beam_misfit(s, e, m.force, m.length);
+  return m;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,118 @@
+#include "taut/report/figure/svg_drawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+namespace svg_drawing_test {
+
+using namespace taut;
+using namespace taut::report;
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::string svg(std::vector<Shape> shapes, Unit unit = si::m, double vertical = 1) {
+  return drawing_svg({"d", "Title <&>", "", std::move(shapes), unit, vertical}, Display{});
+}
+
+/// Corners of the first path with this stroke.
+std::vector<std::pair<double, double>> corners(const std::string& text, const std::string& stroke) {
+  const std::regex path("<path d=\"([^\"]*)\"[^>]*stroke=\"" + stroke + "\"");
+  std::smatch m;
+  std::vector<std::pair<double, double>> all;
+  if (!std::regex_search(text, m, path)) return all;
+  const std::string d = m[1];
+  const std::regex point("[ML](-?[0-9.]+) (-?[0-9.]+)");
+  for (std::sregex_iterator it(d.begin(), d.end(), point), end; it != end; ++it) {
+    all.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+  }
+  return all;
+}
+
+bool is_clean(const std::string& text) {
+  return text.find("nan") == std::string::npos && text.find("inf") == std::string::npos;
+}
+
+TEST(SvgDrawing, IsToScaleWithUpUp) {
+  const auto p = corners(svg({Polyline{{{0, 0}, {30, 0}, {30, 40}}, Role::structure}}), "#333b44");
+  ASSERT_EQ(p.size(), 3U);
+  const double x = p[1].first - p[0].first;
+  const double y = p[2].second - p[1].second;
+  EXPECT_GT(x, 0);
+  EXPECT_LT(y, 0);
+  EXPECT_NEAR(y / x, -40.0 / 30.0, 0.01);
+}
+
+TEST(SvgDrawing, StretchesHeightsAndSaysSo) {
+  const Drawing d{"d", "", "", {Polyline{{{0, 0}, {300, 0}, {300, 4}}, Role::structure}}, si::m, 5};
+  const auto p = corners(drawing_svg(d, Display{}), "#333b44");
+  EXPECT_NEAR((p[2].second - p[1].second) / (p[1].first - p[0].first), -5 * 4.0 / 300, 0.002);
+  EXPECT_NE(scale_words(d).find("5 times"), std::string::npos);
+  EXPECT_EQ(scale_words({}), "");
+}
+
+TEST(SvgDrawing, ArrowsAreAsLongAsTheirForces) {
+  const std::string text = svg({Polyline{{{0, 0}, {10, 0}}, Role::structure}, ForceArrow{{0, 0}, 0, 2000, "A"},
+                                ForceArrow{{5, 0}, 0, 1000, "B", Role::second_force}});
+  const auto a = corners(text, "#b3261e");
+  const auto b = corners(text, "#7b3fa0");
+  ASSERT_EQ(a.size(), 2U);
+  ASSERT_EQ(b.size(), 2U);
+  const double shaft_a = a[0].second - a[1].second;  // ends inside the head, 7.2 pixels before the tip
+  const double shaft_b = b[0].second - b[1].second;
+  EXPECT_NEAR((shaft_a + 7.2) / (shaft_b + 7.2), 2, 0.02);
+  EXPECT_NE(text.find("= 2 kN"), std::string::npos);
+}
+
+TEST(SvgDrawing, AForcePolygonCloses) {
+  const std::string text =
+      svg({ForceArrow{{0, 0}, 3000, 0, "H"}, ForceArrow{{3000, 0}, 0, 4000, "V", Role::second_force},
+           ForceArrow{{0, 0}, 3000, 4000, "R", Role::highlight}},
+          si::N);
+  EXPECT_NE(text.find("= 5 kN"), std::string::npos);
+  const auto v = corners(text, "#7b3fa0");
+  const auto h = corners(text, "#b3261e");
+  EXPECT_NEAR(v[0].first, h[1].first + 7.2, 0.3);  // V starts where H ends
+}
+
+TEST(SvgDrawing, ATowardsArrowEndsAtItsPoint) {
+  const std::string text =
+      svg({Polyline{{{0, 0}, {10, 0}}, Role::ground}, ForceArrow{{0, 0}, 0, 500, "N", Role::force, true}});
+  EXPECT_GT(corners(text, "#b3261e")[0].second, 20);  // its tail is below the ground
+}
+
+TEST(SvgDrawing, NothingOfABadShapeReachesThePage) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const std::string text =
+      svg({Polyline{{{nan, 0}, {1, inf}, {0, 0}, {1, 1}}}, Circle{{0, 0}, nan}, Circle{{0, 0}, 1, Role::body, inf, 0},
+           ForceArrow{{nan, 0}, 1, 1, "x"}, ForceArrow{{0, 0}, nan, 1, "x"}, ForceArrow{{0, 0}, 0, 0, "zero"},
+           DimensionLine{{0, 0}, {0, 0}, 1, "none"}, DimensionLine{{0, nan}, {0, 0}, 1, "none"},
+           AngleMark{{0, 0}, nan, 0, 1, "a"}, AngleMark{{0, 0}, 1, 0, 1e300, "a"}, Label{{inf, 0}, "gone"},
+           Label{{0, 0}, "<script>"}});
+  EXPECT_TRUE(is_clean(text));
+  EXPECT_EQ(text.find("<script>"), std::string::npos);
+  EXPECT_NE(text.find("zero"), std::string::npos);
+}
+
+TEST(SvgDrawing, EmptyAndDegenerateDrawings) {
+  EXPECT_NE(svg({}).find("Nothing to draw"), std::string::npos);
+  EXPECT_TRUE(is_clean(svg({Label{{5, 5}, "alone"}})));
+  EXPECT_TRUE(is_clean(svg({Polyline{{{0, 0}, {1e-9, 0}}}})));
+  EXPECT_TRUE(is_clean(svg({Polyline{{{0, 0}, {1e9, 1e-9}}}})));
+  EXPECT_TRUE(is_clean(svg({Polyline{{{0, 0}, {1, 1}}}}, si::m, nan)));
+}
+
+TEST(SvgDrawing, FitsAPageWithItsLabels) {
+  std::vector<Shape> shapes{Polyline{{{0, 0}, {100, 3}}, Role::rope}};
+  for (int i = 0; i < 8; ++i) {
+    shapes.emplace_back(Label{{100, 3.0 * i}, "a rather long label at the right end, number " + std::to_string(i)});
+  }
+  const std::string text = svg(shapes);
+  std::smatch m;
+  ASSERT_TRUE(std::regex_search(text, m, std::regex("width=\"([0-9]+)\" height=\"([0-9]+)\"")));
+  EXPECT_LE(std::stod(m[1]), 760);
+}
+
+}  // namespace svg_drawing_test

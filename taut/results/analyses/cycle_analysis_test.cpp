@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include "test/support/machine_decks.hpp"
+
+namespace cycle_analysis_test {
+
+using namespace taut_test;
+using taut::Result;
+using taut::Status;
+using taut::Table;
+
+/// A carriage drawn up a rope by a rope without weight, without losses: the winch's work is the change of energy.
+std::string incline(const std::string& phases, int steps, const std::string& speed = "") {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{low: [0 m, 0 m, 0 m], high: [200 m, 0 m, 60 m]}}
+  ropes:
+    track: {{mass: 2 kg/m, stiffness: 30 MN}}
+    pull: {{mass: 0 kg/m, stiffness: 4 MN}}
+  drums: {{winch: {{at: [200 m, 0 m, 60 m], core_diameter: 1 mm}}}}
+  carriages: {{car: {{mass: 300 kg, rides: track, hold: rolling, mainline: pull}}}}
+  reevings:
+    - {{rope: track, path: [{{anchor: low}}, {{through: car}}, {{anchor: high}}], length: 211 m}}
+    - {{rope: pull, path: [{{drum: winch}}, {{anchor: car}}], length: 100 m}}
+analyses:
+  - cycle: {{carriage: car, from: 60 m, to: 150 m, steps: {}{}, phases: [{}]}}
+)",
+                     steps, speed, phases);
+}
+
+/// Energy of the incline in a state: weights, the track's own, and what both ropes store, J.
+double energy_at(double x, double load) {
+  const std::string deck = incline("{name: a}", 1);
+  const Result r = run_text(deck, {fmt::format("analyses=[{{equilibrium: {{carriage: car, x: {:.17g} m}}}}]", x),
+                                   fmt::format("machine.loads=[{{at: car, mass: {} kg}}]", load)});
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  double energy = (300 + load) * 9.80665 * value_of(r, "car.z");
+  const Table& spans = table_of(r, "spans");
+  for (std::size_t i = 0; i < spans.rows.size(); ++i) {
+    const bool track = text_cell(spans, i, "rope") == "track";
+    const double w = track ? 2 * 9.80665 : 0, EA = track ? 30e6 : 4e6;
+    const double L = cell(spans, i, "unstretched"), H = cell(spans, i, "H"), V = cell(spans, i, "V_from");
+    // by summation along the rope: height from the start, and T^2/2EA
+    const double start = text_cell(spans, i, "from") == "low"     ? 0
+                         : text_cell(spans, i, "from") == "winch" ? 60
+                                                                  : value_of(r, "car.z");
+    constexpr int pieces = 20000;
+    double z = start;
+    for (int k = 0; k < pieces; ++k) {
+      const double ds = L / pieces, V_mid = V + w * (k + 0.5) * ds, T = std::hypot(H, V_mid);
+      const double rise = V_mid / T * (1 + T / EA) * ds;
+      energy += w * ds * (z + rise / 2) + T * T / (2 * EA) * ds;
+      z += rise;
+    }
+  }
+  return energy;
+}
+
+TEST(CycleAnalysis, TheWinchsWorkIsTheChangeOfEnergy) {
+  // what is wound up takes its own stored energy T^2/2EA along: the winch gives T (1 + T/EA) dL, of which T + T^2/2EA
+  // stays in the machine
+  const Result r = run_text(incline("{name: up, motion: in, load: 1200 kg}", 180));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& positions = table_of(r, "cycle");
+  double wound = 0;
+  for (std::size_t i = 1; i < positions.rows.size(); ++i) {
+    const double T = (cell(positions, i, "winch.pull") + cell(positions, i - 1, "winch.pull")) / 2;
+    const double way =
+        cell(table_of(r, "cycle_work"), 0, "rope_taken_in") / (static_cast<double>(positions.rows.size()) - 1);
+    wound += T * T / (2 * 4e6) * way;
+  }
+  const double change = energy_at(150, 1200) - energy_at(60, 1200);
+  const double energy = value_of(r, "winch.energy");
+  EXPECT_GT(wound, 0);
+  EXPECT_NEAR((energy - wound) / change, 1, 2e-5);
+  EXPECT_NEAR(energy, cell(table_of(r, "cycle_work"), 0, "energy"), 1e-9 * energy);
+  // the trapezoids converge with the square of the step
+  const double coarse = value_of(run_text(incline("{name: up, motion: in, load: 1200 kg}", 10)), "winch.energy");
+  const double finer = value_of(run_text(incline("{name: up, motion: in, load: 1200 kg}", 20)), "winch.energy");
+  EXPECT_NEAR((coarse - energy) / (finer - energy), 4, 0.5);
+}
+
+TEST(CycleAnalysis, UpAndDownAgainWithoutLossIsNothing) {
+  const Result r =
+      run_text(incline("{name: up, motion: in, load: 800 kg}, {name: down, motion: out, load: 800 kg}", 24));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "cycle_energy") / value_of(r, "winch.pull_max"), 0, 1e-5);
+  const Table& t = table_of(r, "cycle_work");
+  EXPECT_NEAR(cell(t, 0, "energy") + cell(t, 1, "energy"), 0, 1e-3);
+  EXPECT_NEAR(cell(t, 0, "pull_mean") / cell(t, 1, "pull_mean"), 1, 1e-8);
+  EXPECT_NEAR(cell(table_of(r, "cycle"), 0, "x"), 60, 0);
+  EXPECT_NEAR(cell(table_of(r, "cycle"), 25, "x"), 150, 0) << "the second phase goes back";
+}
+
+TEST(CycleAnalysis, PowerIsPullTimesSpeedOfTheRope) {
+  const Result r = run_text(incline("{name: up, motion: in, load: 800 kg}", 90, ", speed: 2 m/s"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "cycle");
+  const double way = cell(t, 90, "way");
+  EXPECT_NEAR(value_of(r, "cycle_time"), way / 2, 1e-9);
+  EXPECT_NEAR(cell(table_of(r, "cycle_work"), 0, "duration"), way / 2, 1e-9);
+  // mean power times time is the energy, and the largest is between the largest pull with and without the rope's way
+  const double P = value_of(r, "winch.power_max"), F = value_of(r, "winch.pull_max");
+  EXPECT_GT(P, value_of(r, "winch.energy") / (way / 2));
+  EXPECT_NEAR(P / (2 * F), 1, 0.02);
+}
+
+TEST(CycleAnalysis, AClosedCycleEndsWithTheRopeThatItBeganWith) {
+  for (const double load_down : {800.0, 200.0}) {
+    std::string deck = incline(fmt::format("{{name: up, motion: {{track: -1}}, load: 800 kg}}, "
+                                           "{{name: down, motion: {{track: 1}}, load: {} kg}}",
+                                           load_down),
+                               24);
+    deck.replace(deck.find("length: 211 m"), 13, "tension_at_end: 60 kN");
+    const Result r = run_text(deck, {"machine.carriages.car.friction=0.2"});
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    const Table& t = table_of(r, "cycle_work");
+    double taken = 0, energy = 0;
+    for (int i = 0; i < static_cast<int>(t.rows.size()); ++i) {
+      if (text_cell(t, i, "winch") != "high") continue;
+      taken += cell(t, i, "rope_taken_in");
+      energy += cell(t, i, "energy");
+    }
+    EXPECT_EQ(std::abs(taken) < 1e-6, load_down == 800) << taken;
+    EXPECT_NEAR(energy / (60e3 * (1 + 60e3 / 30e6)), taken / (1 + 60e3 / 30e6), 1e-6);
+  }
+}
+
+TEST(CycleAnalysis, LossesCostEnergyBothWays) {
+  const std::string loss = "machine.carriages.car.friction=0.2";
+  const std::string phases = "{name: up, motion: in, load: 800 kg}, {name: down, motion: out, load: 800 kg}";
+  const Result r = run_text(incline(phases, 24), {loss});
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const double without = value_of(run_text(incline(phases, 24)), "winch.pull_max");
+  EXPECT_GT(value_of(r, "winch.pull_max"), 1.1 * without);
+  EXPECT_GT(value_of(r, "cycle_energy"), 0.1 * without * 90) << "both ways cost";
+}
+
+TEST(CycleAnalysis, TellsEachMistakeAtItsPlace) {
+  const std::string good = incline("{name: up, motion: in}", 10);
+  expect_mistake(run_text(good, {"analyses[0].cycle.carriage=cat"}), "there is no carriage 'cat'; did you mean 'car'?");
+  expect_mistake(run_text(good, {"analyses[0].cycle.phases[0].motion=inn"}),
+                 "phases[0].motion: there is no motion 'inn'");
+  expect_mistake(run_text(good, {"analyses[0].cycle.to=60 m"}), "phases[0]: its carriage does not move");
+  expect_mistake(run_text(good, {"analyses[0].cycle.speed=2"}), "speed");
+  expect_mistake(run_text(good, {"analyses[0].cycle.phases[0]={motion: in}"}), "lacks 'name'");
+}
+
+}  // namespace cycle_analysis_test

@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "taut/checks/checked_parts.hpp"
+#include "taut/checks/motion_checks.hpp"
+#include "taut/results/analyses/machine_analysis.hpp"
+#include "taut/results/motion/transient_run.hpp"
+#include "taut/results/motion/transient_scene.hpp"
+#include "taut/solve/modes.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::Mode;
+using analysis::ModeKind;
+using analysis::ModeSet;
+using analysis::Sheaves;
+
+constexpr std::size_t most_modes_drawn = 6;
+
+struct ModesRun {
+  std::string ending;
+  ModesRequest request;
+  model::Model model;
+  analysis::ModesResult result;
+};
+
+std::string mode_kind_words(ModeKind kind) {
+  switch (kind) {
+    case ModeKind::swings:
+      return "swings";
+    case ModeKind::creeps:
+      return "creeps back";
+    case ModeKind::free:
+      return "nothing brings it back";
+    case ModeKind::unstable:
+      return "unstable";
+  }
+  return {};
+}
+
+std::string sheaves_words(const ModesRun& run, const ModeSet& set) {
+  if (run.result.sets.size() == 1) return "no loss";
+  return set.sheaves == Sheaves::stuck ? "stuck" : "released";
+}
+
+/// "" for the first set, "_released".
+std::string mode_set_ending(const ModeSet& set) { return set.sheaves == Sheaves::stuck ? "" : "_released"; }
+
+void add_modes_table(const ModesRun& run, Result& r) {
+  Table t;
+  t.name = "modes" + run.ending;
+  t.title = "Vibrations: frequencies and damping, ropes stuck on sheaves with a loss and released";
+  t.columns = {{"sheaves", si::one},  {"mode", si::one},          {"frequency", si::per_s}, {"period", si::s},
+               {"damped", si::per_s}, {"damping_ratio", si::one}, {"kind", si::one},        {"moves_most", si::one}};
+  for (const ModeSet& set : run.result.sets) {
+    for (std::size_t i = 0; i < set.modes.size(); ++i) {
+      const Mode& mode = set.modes[i];
+      const double period = mode.frequency > 0 ? 1 / mode.frequency : std::nan("");
+      const std::string who =
+          mode.largest >= 0 ? run.model.bodies[static_cast<std::size_t>(mode.largest)].name : "ropes";
+      t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), mode.frequency, period, mode.damped,
+                        mode.kind == ModeKind::free ? std::nan("") : mode.damping, mode_kind_words(mode.kind), who});
+    }
+  }
+  r.tables.push_back(std::move(t));
+}
+
+constexpr double mode_rounding = 1e-10;  ///< beside the largest shift, which is 1
+
+void add_mode_shapes(const ModesRun& run, Result& r) {
+  Table t;
+  t.name = "mode_shapes" + run.ending;
+  t.title = "Shapes: shifts of the bodies' origins and turns (rad per metre of the largest shift)";
+  t.columns = {{"sheaves", si::one}, {"mode", si::one}, {"body", si::one}, {"x", si::one}, {"y", si::one},
+               {"z", si::one},       {"rx", si::one},   {"ry", si::one},   {"rz", si::one}};
+  for (const ModeSet& set : run.result.sets) {
+    for (std::size_t i = 0; i < set.modes.size(); ++i) {
+      for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+        if (run.model.bodies[b].free.empty()) continue;
+        const Mode::Motion& m = set.modes[i].bodies[b];
+        t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), run.model.bodies[b].name});
+        for (const Vector3& v : {m.shift, m.turn}) {
+          for (const double x : v) t.rows.back().emplace_back(std::abs(x) < mode_rounding ? 0 : x);
+        }
+      }
+    }
+  }
+  if (!t.rows.empty()) r.tables.push_back(std::move(t));
+}
+
+void add_mode_values(const ModesRun& run, Result& r) {
+  for (const ModeSet& set : run.result.sets) {
+    for (std::size_t i = 0; i < set.modes.size(); ++i) {
+      const Mode& mode = set.modes[i];
+      const std::string end = fmt::format("{}{}{}", i + 1, mode_set_ending(set), run.ending);
+      const std::string words = run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set));
+      r.values.push_back({"frequency_" + end,
+                          mode.frequency,
+                          si::per_s,
+                          "f_" + end,
+                          fmt::format("undamped frequency of mode {}{}", i + 1, words),
+                          {}});
+      if (mode.kind == ModeKind::free) continue;
+      r.values.push_back({"damping_" + end,
+                          mode.damping,
+                          si::one,
+                          "zeta_" + end,
+                          fmt::format("damping of mode {} as a share of the critical one{}", i + 1, words),
+                          {}});
+    }
+  }
+}
+
+/// The side from which most is seen: the broadest of xz and yz, and xy where the machine lies flat.
+std::array<int, 2> mode_view(const analysis::TransientFrame& rest, const analysis::TransientFrame& moved) {
+  Vector3 low = Vector3::Constant(1e300), high = -low, shift = Vector3::Zero();
+  for (std::size_t i = 0; i < rest.branches.size(); ++i) {
+    for (const Vector3& p : {rest.branches[i].start, rest.branches[i].end}) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    shift += (moved.branches[i].start - rest.branches[i].start).cwiseAbs() +
+             (moved.branches[i].end - rest.branches[i].end).cwiseAbs();
+  }
+  for (std::size_t i = 0; i < rest.inside.size(); ++i) {
+    for (std::size_t k = 0; k < rest.inside[i].size(); ++k) {
+      shift += (moved.inside[i][k] - rest.inside[i][k]).cwiseAbs();
+    }
+  }
+  const Vector3 size = high - low;
+  const bool sideways = shift.y() > 2 * shift.x() && shift.y() > 2 * shift.z();
+  if (sideways && size.x() > size.z()) return {0, 1};
+  return {sideways || size.y() > size.x() ? 1 : 0, 2};
+}
+
+Drawing mode_drawing(const ModesRun& run, const ModeSet& set, std::size_t index) {
+  const Mode& mode = set.modes[index];
+  const auto axes = mode_view(run.result.rest, mode.shape);
+  const auto point = [&](const Vector3& p) { return Point{p[axes[0]], p[axes[1]]}; };
+  Drawing d;
+  d.name = fmt::format("mode{}{}_{}", run.ending, mode_set_ending(set), index + 1);
+  const std::string period = mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back";
+  d.title = fmt::format("Mode {}: {}{}", index + 1, period,
+                        run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set)));
+  d.caption = axes[1] == 2 ? "At rest and displaced, not to scale." : "Plan, at rest and displaced, not to scale.";
+  d.legend = {{Role::hidden, "at rest"}, {Role::highlight, "displaced"}};
+  const auto lines = [&](const analysis::TransientFrame& frame, Role role) {
+    for (const RopePart& part : rope_parts(run.model, frame)) {
+      Polyline line;
+      line.role = role;
+      for (const Vector3& p : part.points) line.points.push_back(point(p));
+      if (line.points.size() > 1) d.shapes.emplace_back(std::move(line));
+    }
+    for (const model::Reeving& rope : run.model.reevings) {
+      for (const model::Node& node : rope.nodes) {
+        if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+        const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
+        d.shapes.emplace_back(
+            Polyline{{point(body.position), point(body.position + body.orientation * node.at.at)}, role, false, false});
+      }
+    }
+  };
+  lines(run.result.rest, Role::hidden);
+  lines(mode.shape, Role::highlight);
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const auto& b : run.result.rest.branches) {
+    low = low.cwiseMin(b.start).cwiseMin(b.end);
+    high = high.cwiseMax(b.start).cwiseMax(b.end);
+  }
+  for (const HeldPart& part : held_parts(run.model, mode.shape, run.result.rest)) {
+    const bool seen = part.radius > 0 && std::abs(part.axis[3 - axes[0] - axes[1]]) > 0.5;
+    d.shapes.emplace_back(
+        Circle{point(part.at), seen ? part.radius : (high - low).norm() / 200, Role::highlight, 0, 0, !seen});
+    d.shapes.emplace_back(Label{point(part.at), part.name});
+  }
+  return d;
+}
+
+void add_mode_warnings(const ModesRun& run, Result& r) {
+  for (const ModeSet& set : run.result.sets) {
+    for (std::size_t i = 0; i < set.modes.size(); ++i) {
+      if (set.modes[i].kind != ModeKind::unstable) continue;
+      r.warnings.push_back(fmt::format("mode {} grows: the machine does not stay where it is (sheaves {})", i + 1,
+                                       sheaves_words(run, set)));
+    }
+  }
+  if (run.result.sets.size() < 2) return;
+  r.assumptions.push_back(
+      fmt::format("Vibrations: stuck means that {} hold the rope by their losses, released that they let it run.",
+                  fmt::join(run.result.sets.front().held, ", ")));
+}
+
+void add_modes(const ModesRun& run, Result& r) {
+  note_failure(r, run.result.outcome, run.request.name ? fmt::format("modes, {}", *run.request.name) : "modes");
+  if (!run.result.outcome.ok()) return;
+  add_modes_table(run, r);
+  add_mode_shapes(run, r);
+  add_mode_values(run, r);
+  for (const ModeSet& set : run.result.sets) {
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < set.modes.size() && drawn < most_modes_drawn; ++i) {
+      if (set.modes[i].shape.branches.empty()) continue;
+      r.figures.emplace_back(mode_drawing(run, set, i));
+      ++drawn;
+    }
+  }
+  add_mode_warnings(run, r);
+}
+
+}  // namespace
+
+Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p) {
+  ModesRun run;
+  run.ending = ending_of(p, "modes", request.name, path);
+  run.request = request;
+  check_inertia(p.machine, p.model, p.complaints);
+  check_masses(p.machine, p.model, request.rope_mass, p.complaints);
+  return [run](MachineRun& machine, Result& r) {
+    if (r.interrupted) return;
+    ModesRun one = run;
+    one.model = machine.model;
+    analysis::ModesOptions o;
+    const bool settled = one.request.start == TransientRequest::Start::settled;
+    o.start = settled ? analysis::Start::settled : analysis::Start::assembled;
+    o.most = one.request.count;
+    o.damping_ratio = one.request.damping_ratio;
+    o.rope_mass = one.request.rope_mass;
+    o.branches = branches_of(one.request.branches);
+    one.result = analysis::modes(one.model, o);
+    if (one.result.outcome.ok()) {
+      machine.checked->take_rest(one.model, one.result.rest, o.rope_mass, analysis_words(one.ending, "modes"),
+                                 analysis_name(one.ending, "modes"));
+    }
+    add_modes(one, r);
+  };
+}
+
+}  // namespace taut::app

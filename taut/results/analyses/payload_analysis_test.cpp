@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "test/support/machine_decks.hpp"
+
+namespace payload_analysis_test {
+
+using namespace taut_test;
+using taut::Result;
+using taut::Status;
+using taut::Table;
+
+std::string payload_of(const std::string& limits, double from, double to, int steps) {
+  return skyline_deck(
+      fmt::format("  - payload: {{carriage: car, from: {} m, to: {} m, steps: {}, motion: in, "
+                  "limits: {{{}}}, most: 30 t}}",
+                  from, to, steps, limits));
+}
+
+/// A single state with this load on the carriage: the witness of a payload.
+Result state_of(double x, double mass) {
+  return run_text(skyline_deck(fmt::format("  - equilibrium: {{carriage: car, x: {:.17g} m, motion: in}}", x)),
+                  {fmt::format("machine.loads[0].mass={:.17g} kg", mass)});
+}
+
+struct Case {
+  std::string limit, governing;
+  double from, to;
+  double (*value)(const Result&);  ///< what must not exceed 1
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {
+      {"skyline: {safety_factor: 3.5}", "tension of 'skyline'", 140, 170,
+       [](const Result& r) { return value_of(r, "skyline.T_max") / (280e3 / 3.5); }},
+      {"skyline: {tension: 70 kN}", "tension of 'skyline'", 130, 170,
+       [](const Result& r) { return value_of(r, "skyline.T_max") / 70e3; }},
+      {"winch: {pull: 4 kN}", "pull of 'mainline' at 'winch'", 150, 225,
+       [](const Result& r) { return value_of(r, "mainline.T_start") / 4e3; }},
+      {"clearance: 3 m", "clearance of 'car'", 150, 190,
+       [](const Result& r) { return 1 + (3 - value_of(r, "clearance_min")) / 100; }},
+      {"break_angle: 27 deg", "break angle at 'jack1'", 138, 148,
+       [](const Result& r) {
+         const Table& t = table_of(r, "sheaves");
+         return cell(t, row_of(t, "name", "jack1"), "wrap") / (27 * M_PI / 180);
+       }},
+  };
+  return all;
+}
+
+TEST(PayloadAnalysis, TheGoverningLimitIsReachedAndALittleMoreBreaksIt) {
+  for (const Case& one : cases()) {
+    SCOPED_TRACE(one.limit);
+    const Result r = run_text(payload_of(one.limit, one.from, one.to, 3));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    const Table& t = table_of(r, "payload");
+    ASSERT_EQ(t.rows.size(), 4U);
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      const double x = cell(t, i, "x"), mass = cell(t, i, "payload");
+      EXPECT_EQ(text_cell(t, i, "governing"), one.governing);
+      ASSERT_GT(mass, 100) << "x " << x;
+      EXPECT_NEAR(one.value(state_of(x, mass)), 1, 1e-6) << "x " << x;
+      EXPECT_GT(one.value(state_of(x, 1.001 * mass)), 1) << "x " << x;
+      EXPECT_NEAR(cell(t, i, "skyline.T_max") / value_of(state_of(x, mass), "skyline.T_max"), 1, 1e-7);
+    }
+  }
+}
+
+TEST(PayloadAnalysis, TheLeastOfAllLimitsGoverns) {
+  std::string together;
+  std::vector<std::vector<double>> alone;
+  for (const Case& one : cases()) {
+    if (one.limit.find("safety_factor") != std::string::npos) continue;
+    together += (together.empty() ? "" : ", ") + one.limit;
+    const Result r = run_text(payload_of(one.limit, 140, 200, 6));
+    alone.emplace_back();
+    for (std::size_t i = 0; i < 7; ++i) alone.back().push_back(cell(table_of(r, "payload"), i, "payload"));
+  }
+  const Result all = run_text(payload_of(together, 140, 200, 6));
+  ASSERT_EQ(all.status, Status::ok) << all.message << to_text(all.errors);
+  const Table& t = table_of(all, "payload");
+  double least = 1e9, where = 0;
+  for (std::size_t i = 0; i < 7; ++i) {
+    double expected = 1e9;
+    for (const auto& one : alone) expected = std::min(expected, one[i]);
+    EXPECT_NEAR(cell(t, i, "payload") / std::max(1.0, expected), expected / std::max(1.0, expected), 1e-6);
+    if (expected < least) {
+      least = expected;
+      where = cell(t, i, "x");
+    }
+  }
+  EXPECT_NEAR(value_of(all, "payload_min"), least, 1e-5 * least);
+  EXPECT_EQ(value_of(all, "payload_min_x"), where);
+}
+
+TEST(PayloadAnalysis, DirectionOfTheWayAndUnitsDoNotCount) {
+  const Result a = run_text(payload_of("skyline: {tension: 70 kN}, clearance: 4 m", 130, 220, 9));
+  const Result b = run_text(payload_of("clearance: 400 cm, skyline: {tension: 70000 N}", 220, 130, 9));
+  ASSERT_EQ(a.status, Status::ok) << a.message << to_text(a.errors);
+  const Table &there = table_of(a, "payload"), &back = table_of(b, "payload");
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(cell(there, i, "payload"), cell(back, 9 - i, "payload"), 1e-5 * cell(there, i, "payload"));
+    EXPECT_EQ(text_cell(there, i, "governing"), text_cell(back, 9 - i, "governing"));
+  }
+}
+
+TEST(PayloadAnalysis, ARuleIsALimitAndACheckWithItsTrust) {
+  const Result r = run_text(payload_of("skyline: {rule: safety.skyline.ch}", 140, 180, 4));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto check = std::find_if(r.checks.begin(), r.checks.end(),
+                                  [](const taut::Check& c) { return c.name == "skyline.payload_T_max"; });
+  ASSERT_NE(check, r.checks.end());
+  EXPECT_NEAR(check->limit, 280e3 / 3, 1e-6);
+  EXPECT_NEAR(check->utilisation, 1, 1e-9);
+  EXPECT_FALSE(check->trust.empty());
+  EXPECT_NE(check->rule.find("SEILAPLAN"), std::string::npos);
+  // a weaker limit beside the rule breaks it: exit code 4
+  EXPECT_EQ(exit_code(run_text(payload_of("skyline: {safety_factor: 2.5, rule: safety.skyline.ch}", 140, 180, 4))), 4);
+}
+
+TEST(PayloadAnalysis, NothingCanBeCarriedIsAnAnswer) {
+  const Result r = run_text(payload_of("clearance: 30 m", 140, 180, 2));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(value_of(r, "payload_min"), 0);
+  ASSERT_FALSE(r.warnings.empty());
+  EXPECT_NE(r.warnings.back().find("nothing can be carried from x = 140 m to 180 m (3 places)"), std::string::npos)
+      << r.warnings.back();
+  EXPECT_EQ(exit_code(r), 4) << "a line that carries nothing at some place fails";
+}
+
+TEST(PayloadAnalysis, TellsEachMistakeAtItsPlace) {
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"skylin: {tension: 70 kN}", "limits.skylin: there is no rope and no drum 'skylin'; did you mean 'skyline'?"},
+      {"skyline: {pull: 70 kN}", "limits.skyline.pull: is a limit of a drum; a rope has 'tension'"},
+      {"winch: {tension: 70 kN}", "limits.winch.tension: is a limit of a rope; a drum has 'pull'"},
+      {"skyline: {tension: 70}", "tension: a force needs its unit"},
+      {"skyline: {rule: safety.skylin.ch}", "limits.skyline.rule: "},
+      {"skyline: {rule: ratio.crane_drum.M1}", "is not a safety factor"},
+      {"skyline: {rule: safety.mainline.ch_at}", "give a 'safety_factor' within it"},
+      {"skyline: {}", "says no limit"},
+      {"clearence: 3 m", "'clearence' is not a field of limits; did you mean 'clearance'?"},
+      {"skyline: {tensoin: 3 kN}", "'tensoin' is not a field of skyline; did you mean 'tension'?"},
+      {"", "say at least one limit"},
+  };
+  for (const auto& [limits, expected] : rows) expect_mistake(run_text(payload_of(limits, 140, 180, 2)), expected);
+  const std::string good = payload_of("clearance: 3 m", 140, 180, 2);
+  expect_mistake(run_text(good, {"analyses[0].payload.carriage=cart"}), "there is no carriage 'cart'");
+  expect_mistake(run_text(good, {"machine.ropes.skyline={mass: 1 kg/m, stiffness: 20 MN}",
+                                 "analyses[0].payload.limits={skyline: {safety_factor: 3}}"}),
+                 "the breaking force of 'skyline' is not known");
+}
+
+}  // namespace payload_analysis_test

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include "test/support/machine_decks.hpp"
+
+/// The analysis `pretension` and slow motions from decks: results, and mistakes at their places.
+namespace pretension_analysis_test {
+
+using namespace taut_test;
+using taut::Result;
+using taut::Status;
+
+/// A ring between two ropes of 20 m, which a floor holds where the deck has one.
+std::string ring_deck(const std::string& analyses, bool floor = false) {
+  const std::string contacts = R"(
+  faces: {floor: {from: [-1 m, 0 m, 0 m], to: [1 m, 0 m, 0 m]}}
+  markers: {sole: {body: ring, at: [0 m, 0 m, 0 m]}}
+  contacts: [{point: sole, face: floor, stiffness: 10000 MN/m, static_friction: 0.3}]
+  measures: {out: {of: ring.x}}
+)";
+  return fmt::format(R"(taut: 1
+machine:
+  gravity: 10 m/s^2
+  ropes: {{wire: {{mass: 0 kg/m, stiffness: 2 MN}}}}
+  bodies: {{ring: {{mass: 500 kg, at: [0 m, 0 m, 0 m], free: [x{}]}}}}
+  points: {{a: [-20 m, 0 m, 0 m], b: [20 m, 0 m, 0 m]}}
+  reevings:
+    - {{rope: wire, name: left, path: [{{anchor: a}}, {{anchor: ring}}], tension_at_start: 10 kN}}
+    - {{rope: wire, name: right, path: [{{anchor: ring}}, {{anchor: b}}], length: 19.9 m}}
+{}analyses:
+{}
+)",
+                     floor ? ", z" : "", floor ? contacts : "", analyses);
+}
+
+bool has_mistake(const Result& r, const std::string& words) {
+  return std::any_of(r.errors.begin(), r.errors.end(),
+                     [&](const auto& e) { return e.message.find(words) != std::string::npos; });
+}
+
+TEST(PretensionAnalysis, PullsRopesInTurn) {
+  const Result r = run_text(ring_deck(
+      "  - pretension: {rounds: 2, pull: [{rope: left, force: 30 kN}, {rope: right, end: end, take_up: -5 mm}]}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto& t = table_of(r, "tensioning");
+  ASSERT_EQ(t.rows.size(), 5U);
+  EXPECT_NEAR(cell(t, 1, "left.T_start"), 30e3, 1e-3);
+  EXPECT_NEAR(cell(t, 1, "right.T_end"), 30e3, 1e-3);
+  EXPECT_EQ(text_cell(t, 2, "pulled"), "right");
+  EXPECT_NEAR(cell(t, 2, "taken_out"), -5e-3, 1e-12);
+  EXPECT_NEAR(cell(t, 4, "taken_out_in_all"), -10e-3, 1e-12);
+  EXPECT_NEAR(value_of(r, "right.pretension_taken_out"), -10e-3, 1e-12);
+  EXPECT_NEAR(value_of(r, "right.pretension_length"), 19.91, 1e-9);
+  EXPECT_NEAR(value_of(r, "left.pretension_T_start"), cell(t, 4, "left.T_start"), 1e-9);
+  EXPECT_NEAR(value_of(r, "right.T_max"), 30e3, 1e-3) << "every state of the pulling counts, not the last alone";
+}
+
+TEST(PretensionAnalysis, PullsUntilSomethingSlides) {
+  const Result r =
+      run_text(ring_deck("  - pretension: {name: slow, pull: [{rope: left, until: out, moves: 0.01 mm}, {rope: right, "
+                         "end: end, until: out, moves: 0.01 mm}]}",
+                         true));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto& t = table_of(r, "tensioning_slow");
+  for (const std::size_t i : {1U, 2U}) {
+    const double difference = cell(t, i, "left.T_start") - cell(t, i, "right.T_end");
+    EXPECT_NEAR(difference, (i == 1 ? 1 : -1) * 0.3 * 5000, 3);
+  }
+  EXPECT_NEAR(value_of(r, "out_1_slow"), cell(t, 1, "out"), 0);
+}
+
+TEST(PretensionAnalysis, LengthsThatKeepRopesTautUnderAllLoads) {
+  const Result r = run_text(ring_deck(R"(  - pretension:
+      least:
+        ropes: [left, right]
+        tension: 2 kN
+        cases:
+          - {name: right, loads: [{at: ring, force: [5 kN, 0 N, 0 N]}]}
+          - {name: left, loads: [{at: ring, force: [-5 kN, 0 N, 0 N]}]})"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto& t = table_of(r, "least_tension");
+  ASSERT_EQ(t.rows.size(), 2U);
+  const double L = 40 / (2 + 9e3 / 2e6);
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_NEAR(cell(t, i, "T_least"), 2e3, 1e-2);
+    EXPECT_NEAR(cell(t, i, "unstretched"), L, 1e-7);
+  }
+  EXPECT_EQ(text_cell(t, 0, "governed_by"), "left");
+  EXPECT_NEAR(value_of(r, "left.pretension_T_least"), 2e3, 1e-2);
+}
+
+TEST(PretensionAnalysis, MistakesAreToldAtTheirPlaces) {
+  struct Case {
+    const char *deck, *words;
+    bool floor;
+  };
+  for (const Case& c :
+       {Case{"  - pretension: {pull: [{rope: lft, force: 30 kN}]}", "did you mean 'left'", false},
+        Case{"  - pretension: {pull: [{rope: left}]}", "force", false},
+        Case{"  - pretension: {pull: [{rope: left, force: 30 kN, take_up: 1 mm}]}", "force", false},
+        Case{"  - pretension: {pull: []}", "list is empty", false},
+        Case{"  - pretension: {pull: [{rope: left, until: out}]}", "needs 'moves'", true},
+        Case{"  - pretension: {pull: [{rope: left, until: out, moves: 3 kN}]}", "kN", true},
+        Case{"  - pretension: {pull: [{rope: left, force: 3 kN, moves: 3 mm}]}", "belongs to 'until'", false},
+        Case{"  - pretension: {least: {ropes: [left, left], tension: 1 kN}}", "named twice", false},
+        Case{"  - pretension: {least: {ropes: [left], tension: 1 kN, cases: [{name: a, loads: [{at: nowhere, mass: 1 "
+             "kg}]}]}}",
+             "nowhere", false},
+        Case{"  - pretension: {least: {ropes: [left], tension: 1 kN}}", "without contacts", true},
+        Case{"  - transient: {duration: 1 s, start: sliding}", "needs 'slid'", true},
+        Case{"  - transient: {duration: 1 s, slid: [{drum: w, by: 1 m}]}", "belongs to a start 'sliding'", true},
+        Case{"  - transient: {duration: 1 s, start: sliding, slid: [{drum: w, by: 1 m}]}", "there is no drum 'w'",
+             true},
+        Case{"  - transient: {duration: 1 s, quasi_static: true, method: verlet}", "its own steps", true}}) {
+    const Result r = run_text(ring_deck(c.deck, c.floor));
+    EXPECT_EQ(r.status, Status::bad_deck) << c.deck;
+    EXPECT_TRUE(has_mistake(r, c.words)) << c.deck << to_text(r.errors);
+  }
+}
+
+/// What is asked for can be impossible: that is no mistake of the deck.
+TEST(PretensionAnalysis, WhatCannotBeReachedIsTold) {
+  const Result r = run_text(ring_deck("  - pretension: {longest: 1 mm, pull: [{rope: left, force: 900 kN}]}", true));
+  EXPECT_EQ(r.status, Status::infeasible);
+  EXPECT_NE(r.message.find("pull 1, 'left'"), std::string::npos) << r.message;
+}
+
+TEST(PretensionAnalysis, SlowMotionsSayHowTheyAreMeant) {
+  const Result r = run_text(ring_deck("  - transient: {duration: 1 s, output_step: 0.1 s, quasi_static: true}", true));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(std::any_of(r.assumptions.begin(), r.assumptions.end(),
+                          [](const std::string& one) { return one.find("quasi-static") != std::string::npos; }));
+  EXPECT_EQ(text_cell(table_of(r, "energy"), 4, "form"), "damped where it fell");
+}
+
+}  // namespace pretension_analysis_test

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/math/index.hpp"
+#include "taut/results/analyses/machine_analysis.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::Condition;
+using Kind = Condition::Kind;
+
+/// The free span of a rope with the longest chord, where the deck names none.
+int longest_span(const model::Model& m, int reeving) {
+  const model::State state = model::initial_state(m);
+  const auto& nodes = m.reevings[at(reeving)].nodes;
+  int longest = 0;
+  double most = -1;
+  for (int k = 0; k < model::branch_count(m.reevings[at(reeving)]); ++k) {
+    const auto& next = nodes[at(k + 1) % nodes.size()];
+    const double chord = (model::in_ground(state, next.at) - model::in_ground(state, nodes[at(k)].at)).norm();
+    if (chord <= most) continue;
+    most = chord;
+    longest = k;
+  }
+  return longest;
+}
+
+class Resolver {
+ public:
+  Resolver(const GivenRequest& request, int carriage, std::string path, Preparation& p)
+      : request_(request), carriage_(carriage), path_(std::move(path)), p_(p) {}
+
+  Condition resolve() {
+    Condition c;
+    c.reeving = reeving_of(p_, request_.reeving, path_ + ".reeving");
+    for (const std::string& name : request_.of) c.of.push_back(reeving_of(p_, name, path_ + ".of"));
+    const bool known = c.reeving >= 0 && std::all_of(c.of.begin(), c.of.end(), [](int r) { return r >= 0; });
+    if (!known) return {};
+    c.at_end = request_.at == RopeEnd::end;
+    if (carriage_ >= 0 && p_.model.carriages[at(carriage_)].mainline == c.reeving) {
+      complain("reeving",
+               fmt::format("the place of '{}' decides the length of its mainline; name the rope it rides on, "
+                           "or another, and the mainline with 'of'",
+                           p_.model.carriages[at(carriage_)].name));
+    }
+    if (p_.model.reevings[at(c.reeving)].given == model::Given::torque && !request_.loop_length) {
+      complain("reeving", "its rope is given by a torque already");
+    }
+    if (request_.winch_pull) pull(c);
+    if (request_.loop_length) length(c);
+    if (request_.sag) sag(c);
+    if (!request_.winch_pull && !request_.loop_length && !request_.sag) free(c);
+    if (request_.efficiency && !request_.winch_pull) complain("efficiency", "belongs to a 'winch_pull'");
+    if (request_.span && !request_.sag) complain("span", "belongs to a 'sag'");
+    if (!request_.of.empty() && !request_.winch_pull && !request_.loop_length) {
+      complain("of", "belongs to a 'winch_pull' or a 'loop_length'");
+    }
+    return c;
+  }
+
+ private:
+  void complain(const std::string& key, std::string message) {
+    p_.complaints.push_back({path_ + "." + key, std::move(message)});
+  }
+
+  void pull(Condition& c) {
+    c.value = *request_.winch_pull * request_.efficiency.value_or(1);
+    if (c.of.size() > 1) complain("of", "a winch pulls one rope");
+    const bool own = c.of.empty() || (c.of.size() == 1 && c.of.front() == c.reeving);
+    const int pulled = own ? c.reeving : c.of.front();
+    if (p_.model.reevings[at(pulled)].closed) complain("winch_pull", "an endless rope has no end for a winch");
+    c.kind = !own ? Kind::tension_of : c.at_end ? Kind::tension_at_end : Kind::tension_at_start;
+  }
+
+  void length(Condition& c) {
+    c.value = *request_.loop_length;
+    const bool own = c.of.empty() || (c.of.size() == 1 && c.of.front() == c.reeving);
+    if (!own && std::find(c.of.begin(), c.of.end(), c.reeving) == c.of.end()) {
+      complain("of", fmt::format("'{}', whose length follows, is not part of the loop", request_.reeving));
+    }
+    c.kind = own ? Kind::length : Kind::length_of;
+  }
+
+  void sag(Condition& c) {
+    c.value = *request_.sag;
+    c.kind = carriage_ >= 0 && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
+    if (c.kind == Kind::sag_at_carriage) return;
+    const int spans = model::branch_count(p_.model.reevings[at(c.reeving)]);
+    c.span = request_.span ? *request_.span - 1 : longest_span(p_.model, c.reeving);
+    if (c.span >= spans) complain("span", fmt::format("'{}' has {} free spans", request_.reeving, spans));
+  }
+
+  void free(Condition& c) {
+    c.kind = Kind::free_running;
+    if (!request_.free_running) return complain("free_running", "false says nothing: give one of the modes");
+    if (carriage_ < 0) return complain("free_running", "needs 'carriage' and 'x': where it is to stand");
+    const model::Carriage& car = p_.model.carriages[at(carriage_)];
+    const bool clamped = p_.model.reevings[at(car.reeving)].nodes[at(car.node)].kind == model::NodeKind::clamp;
+    if (car.mainline >= 0 || clamped) {
+      complain("free_running", fmt::format("'{}' is {}", car.name, clamped ? "clamped" : "held by its mainline"));
+    }
+  }
+
+  const GivenRequest& request_;
+  int carriage_;
+  std::string path_;
+  Preparation& p_;
+};
+
+}  // namespace
+
+analysis::Condition condition_of(const GivenRequest& request, int carriage, const std::string& path, Preparation& p) {
+  return Resolver(request, carriage, path, p).resolve();
+}
+
+}  // namespace taut::app

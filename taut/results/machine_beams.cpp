@@ -1,0 +1,244 @@
+#include "taut/results/machine_beams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/calc/none.hpp"
+#include "taut/catalogue/section_search.hpp"
+#include "taut/catalogue/steel.hpp"
+#include "taut/checks/checked_parts.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::BeamPoint;
+using analysis::BeamResult;
+using analysis::EquilibriumResult;
+
+constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
+
+const std::string& name_of(const model::Model& m, const BeamResult& b) {
+  return m.beams[static_cast<std::size_t>(b.beam)].name;
+}
+
+double critical_force(const BeamResult& b) {
+  return std::isfinite(b.critical_factor) && b.compression > 0 ? b.critical_factor * b.compression : none;
+}
+
+Table beams(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"beams",
+          "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",
+          {{"name", si::one},
+           {"s", si::m},
+           {"x", si::m},
+           {"y", si::m},
+           {"z", si::m},
+           {"N", si::N},
+           {"V", si::N},
+           {"M", si::N_m},
+           {"torsion", si::N_m},
+           {"stress", si::Pa},
+           {"w", si::m.in("mm")}},
+          {}};
+  for (const BeamResult& b : e.beams) {
+    for (const BeamPoint& p : b.points) {
+      t.rows.push_back(
+          {name_of(m, b), p.s, p.place.x(), p.place.y(), p.place.z(), p.N, p.V, p.M, p.torsion, p.stress, p.w});
+    }
+  }
+  return t;
+}
+
+Table ends(const model::Model& m, const EquilibriumResult& e) {
+  Table t{"beam_ends",
+          "Beams: largest values, force and moment of what the base stands on, critical axial force",
+          {{"name", si::one},
+           {"M_max", si::N_m},
+           {"at", si::m},
+           {"N_base", si::N},
+           {"N_max", si::N},
+           {"stress_max", si::Pa},
+           {"top_displacement", si::m.in("mm")},
+           {"N_cr", si::N},
+           {"alpha_cr", si::one},
+           {"Rx", si::N},
+           {"Ry", si::N},
+           {"Rz", si::N},
+           {"Mx", si::N_m},
+           {"My", si::N_m},
+           {"Mz", si::N_m}},
+          {}};
+  for (const BeamResult& b : e.beams) {
+    const Vector3 &F = b.base_force, &M = b.base_moment;
+    t.rows.push_back({name_of(m, b), b.points[b.most_bent].M, b.points[b.most_bent].s, b.points.front().N,
+                      std::abs(b.points[b.most_pressed].N), b.points[b.most_stressed].stress, b.top_displacement,
+                      critical_force(b), std::isfinite(b.critical_factor) ? b.critical_factor : none, F.x(), F.y(),
+                      F.z(), M.x(), M.y(), M.z()});
+  }
+  return t;
+}
+
+/// Yield and buckling can only fail: a beam that passes them has no limit yet.
+void add_fact(const std::string& beam, const std::string& where, Check check, Result& r) {
+  check.part = beam;
+  check.limits = false;
+  check.where = where;
+  r.checks.push_back(std::move(check));
+}
+
+void check_stress(const model::description::Beam& given, const WorstOf& stress, Result& r) {
+  if (!given.steel || std::isnan(stress.value)) return;
+  const auto steel = catalogue::find_steel(*given.steel);
+  if (!steel) return;
+  double yield = catalogue::yield(*steel);
+  std::string where = "thinnest range";
+  if (given.section) {
+    const auto row = catalogue::find_section(*given.section);
+    const auto own = row ? catalogue::yield(*steel, row->thickness) : catalogue::Found<double>(yield);
+    if (row && own) {
+      yield = *own;
+      where = fmt::format("t = {:.4g} mm", row->thickness * 1e3);
+    }
+  }
+  const bool unverified = steel->trust == catalogue::Trust::unverified;
+  const std::string trust =
+      unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
+  add_fact(given.name, stress.when,
+           make_check(given.name + ".stress_max", stress.value, Sense::at_most, yield, si::Pa,
+                      fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
+                                  full_name(*steel), where),
+                      trust),
+           r);
+}
+
+void check_buckling(const model::description::Beam& given, const WorstOf& factor, Result& r) {
+  if (std::isnan(factor.value)) return;
+  if (given.order == model::description::Order::first) {
+    add_fact(given.name, factor.when,
+             make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, first_order_factor, si::one,
+                        "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
+                        "verified"),
+             r);
+    return;
+  }
+  add_fact(given.name, factor.when,
+           make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, 1, si::one,
+                      "critical over present axial force, in the state found (bending of second order is in the stress "
+                      "already)",
+                      "derived"),
+           r);
+}
+
+void add_worst(const model::description::Beam& given, const BeamWorst& worst, Result& r) {
+  const auto add = [&](const char* key, const WorstOf& w, const Unit& unit, const char* words) {
+    if (std::isnan(w.value)) return;
+    const std::string name = fmt::format("{}.{}", given.name, key);
+    r.values.push_back({name, w.value, unit, name, fmt::format("{} of {} ({})", words, given.name, w.when), {}});
+  };
+  add("M_max", worst.M, si::N_m, "largest bending moment");
+  add("N_max", worst.N, si::N, "largest axial force, pulled or pressed,");
+  add("stress_max", worst.stress, si::Pa, "largest |N|/A + M/W");
+  add("top_displacement", worst.top_displacement, si::m.in("mm"), "displacement of the far end");
+  add("N_cr", worst.N_cr, si::N, "least critical axial force");
+  add("alpha_cr", worst.alpha_cr, si::one, "critical over present axial force");
+  check_stress(given, worst.stress, r);
+  check_buckling(given, worst.alpha_cr, r);
+}
+
+void add_base(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
+  const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
+                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+  if (first == run.equilibria.end()) return;
+  const BeamResult& b = first->result.beams[i];
+  const auto add = [&](const char* key, double value, const Unit& unit, const char* words) {
+    const std::string name = fmt::format("{}.{}", given.name, key);
+    r.values.push_back({name, value, unit, name, fmt::format("{} of {} ({})", words, given.name, first->words), {}});
+  };
+  add("N_base", b.points.front().N, si::N, "axial force at the base, tension positive,");
+  const std::array<const char*, 3> forces = {"Rx", "Ry", "Rz"}, moments = {"Mx", "My", "Mz"};
+  for (int k = 0; k < 3; ++k) {
+    add(forces[static_cast<std::size_t>(k)], b.base_force[k], si::N, "force on the base");
+    add(moments[static_cast<std::size_t>(k)], b.base_moment[k], si::N_m, "moment on the base");
+  }
+}
+
+/// A bow or lean that the load takes back helps; the other sense is the one to look at.
+void warn_of_sense(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
+  if (!given.imperfection) return;
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    const auto& pieces = run.model.beams[i].pieces;
+    const BeamResult& b = one.result.beams[i];
+    const bool sways = given.imperfection->sway.value_or(0) != 0;
+    Vector3 sense;
+    if (given.imperfection->towards) {
+      const auto& t = *given.imperfection->towards;
+      sense = {t[0], t[1], t[2]};
+    } else {
+      sense = pieces.front().reference_axes.col(0);
+    }
+    sense *= sways ? *given.imperfection->sway : given.imperfection->bow.value_or(0);
+    const Vector3 moved = sways ? b.points.back().deflection
+                                : Vector3(b.points[b.points.size() / 2].deflection -
+                                          (b.points.front().deflection + b.points.back().deflection) / 2);
+    if (moved.dot(sense) >= 0) continue;
+    r.warnings.push_back(
+        fmt::format("{}: the imperfection of '{}' is against its deflection and helps it: turn 'towards' round",
+                    one.words, given.name));
+    return;
+  }
+}
+
+}  // namespace
+
+bool told(const model::Body& body) { return body.beam < 0 || body.name.ends_with(".top"); }
+
+void add_beam_tables(const MachineRun& run, Result& r) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok() || one.result.beams.empty()) continue;
+    for (Table t : {beams(one.model, one.result), ends(one.model, one.result)}) {
+      t.name += one.ending;
+      if (run.equilibria.size() > 1) t.title += fmt::format(" ({})", one.words);
+      r.tables.push_back(std::move(t));
+    }
+  }
+}
+
+void add_beam_values(const model::Machine& machine, const MachineRun& run, Result& r) {
+  for (std::size_t i = 0; i < run.model.beams.size(); ++i) {
+    const auto given = std::find_if(machine.beams.begin(), machine.beams.end(),
+                                    [&](const auto& one) { return one.name == run.model.beams[i].name; });
+    if (given == machine.beams.end()) continue;
+    add_worst(*given, run.checked->judge.beams()[i], r);
+    add_base(*given, run, i, r);
+    warn_of_sense(*given, run, i, r);
+    if (!given->section) continue;
+    const auto row = catalogue::find_section(*given->section);
+    if (!row || row->trust != catalogue::Trust::unverified) continue;
+    r.warnings.push_back(fmt::format("{} is an unverified row of the catalogue ({}): compare it with the maker's table",
+                                     row->name, row->trust_text));
+  }
+}
+
+std::vector<std::string> beam_assumptions(const model::Machine& machine) {
+  std::vector<std::string> all;
+  for (const auto& beam : machine.beams) {
+    const bool first = beam.order == model::description::Order::first;
+    std::string text = fmt::format("Beam {}: elastic, plane sections, no shear deformation, {}; ", beam.name,
+                                   first ? "balance on the straight axis (first order)"
+                                         : "balance on the bent axis (second order, exact rotations)");
+    if (beam.imperfection) {
+      const double bow = beam.imperfection->bow.value_or(0), sway = beam.imperfection->sway.value_or(0);
+      text += fmt::format("as built bowed by {:.4g} of its length and leaning by {:.4g}, free of stress", bow, sway);
+    } else {
+      text += "as built straight: without 'imperfection' a pressed beam looks stronger than it is";
+    }
+    if (!beam.section && !beam.mass) text += "; its mass is A times 7850 kg/m3";
+    all.push_back(text + ". No local buckling, no plasticity.");
+  }
+  return all;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "test/support/machine_decks.hpp"
+
+namespace machine_beams_test {
+
+using namespace taut_test;
+
+/// A pole of figures, pressed and pushed at its top.
+std::string pole(const std::string& beam, const std::string& more = "") {
+  return R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}
+  beams:
+    mast: {from: foot, to: head, A: 50 cm^2, I: 5000 cm^4, E: 200 GPa, mass: 0 kg/m)" +
+         beam + R"(}
+  loads: [{at: mast.top, force: [3 N, 4 N, -300 kN]}]
+)" + more;
+}
+
+TEST(MachineBeams, PoleIsTheBeamColumnWithoutAnyRope) {
+  const taut::Result r = run_text(pole(""), {"machine.beams.mast.A=1000000 cm^2"});  // hardly shortened
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  const double EI = 200e9 * 5000e-8, N = 300e3, k = std::sqrt(N / EI), M = 5 * std::tan(k * 8) / k;
+  EXPECT_NEAR(value_of(r, "mast.M_max"), M, 1e-6 * M);
+  EXPECT_NEAR(value_of(r, "mast.N_base"), -N, 1e-4 * N);
+  EXPECT_NEAR(value_of(r, "mast.Mx"), 0.8 * M, 1e-6 * M);
+  EXPECT_NEAR(value_of(r, "mast.My"), -0.6 * M, 1e-6 * M);
+  EXPECT_NEAR(value_of(r, "mast.Rz"), N, 1e-6 * N);
+  EXPECT_NEAR(value_of(r, "mast.top.x"), 0.6 * (M - 5 * 8) / N, 1e-9);
+  EXPECT_NEAR(value_of(r, "mast.N_cr"), std::pow(std::numbers::pi / 16, 2) * EI, 100);
+  const taut::Result s = run_text(pole(""));
+  EXPECT_EQ(table_of(s, "beams").rows.size(), 17U);
+  EXPECT_EQ(table_of(s, "bodies").rows.size(), 1U);
+  EXPECT_NEAR(cell(table_of(s, "beams"), 8, "s"), 4, 1e-12);
+}
+
+TEST(MachineBeams, FirstOrderIsStatics) {
+  const taut::Result r = run_text(pole(", order: first, elements: 3"));
+  EXPECT_EQ(exit_code(r), 4) << "alpha_cr is below 10";
+  EXPECT_NEAR(value_of(r, "mast.M_max"), 40, 1e-8);
+  EXPECT_EQ(table_of(r, "beams").rows.size(), 4U);
+}
+
+TEST(MachineBeams, BucklingIsExitThree) {
+  const taut::Result r = run_text(pole(", base: hinge"));
+  EXPECT_EQ(exit_code(r), 3);
+  EXPECT_NE(r.message.find("'mast'"), std::string::npos) << r.message;
+  const taut::Result s = run_text(pole(""), {"machine.loads[0].force=[0 N, 0 N, -450 kN]"});
+  EXPECT_EQ(exit_code(s), 3);
+  EXPECT_NE(s.message.find("buckles"), std::string::npos) << s.message;
+}
+
+const char* const guyed = R"(taut: 1
+machine:
+  ropes: {guy: {mass: 1.2 kg/m, stiffness: 15 MN, breaking_force: 180 kN}}
+  points:
+    foot: [1 m, 2 m, 3 m]
+    head: [1 m, 2 m, 15 m]
+    a1: [-12 m, 8 m, 4 m]
+    a2: [-12 m, -4 m, 2 m]
+    a3: [5 m, 14 m, 3 m]
+    a4: [5 m, -10 m, 3 m]
+    lug: {body: mast, at: [0.2 m, 0 m, 11 m]}
+  beams:
+    mast: {from: foot, to: head, section: "CHS 219.1x8", steel: S355, base: hinge, imperfection: 0.0033}
+  guys:
+    g1: {rope: guy, from: mast.top, to: a1, install: {tension: 12 kN, at: top}}
+    g2: {rope: guy, from: mast.top, to: a2, install: {tension: 12 kN, at: anchor}}
+    g3: {rope: guy, from: lug, to: a3, install: {tension: 9 kN, at: top}}
+    g4: {rope: guy, from: lug, to: a4, install: {tension: 9 kN, at: top}}
+  loads: [{at: mast.top, force: [30 kN, 3 kN, -40 kN]}]
+)";
+
+TEST(MachineBeams, GuysAreInstalledOnTheUnloadedMastThenKept) {
+  const taut::Result unloaded =
+      run_text(guyed, {"machine.loads[0].force=[0 N, 0 N, 0 N]", "machine.gravity=1e-9 m/s^2"});
+  const taut::Result r = run_text(guyed);
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  ASSERT_EQ(exit_code(unloaded), 0) << unloaded.message;
+  EXPECT_GT(value_of(r, "g1.T_max"), 20e3);
+  EXPECT_GT(value_of(r, "mast.top.x"), 1.001);
+  EXPECT_LT(cell(table_of(r, "closure"), 0, "balance"), 1e-4);
+  EXPECT_GT(r.checks.size(), 5U);
+  // a lug off the axis, 11 m up: two sections at its height, and the moment jumps there
+  const auto& beams = table_of(r, "beams");
+  bool jumps = false;
+  for (std::size_t i = 1; i < beams.rows.size(); ++i) {
+    const bool twice = std::abs(cell(beams, i, "s") - cell(beams, i - 1, "s")) < 1e-9;
+    jumps = jumps || (twice && std::abs(cell(beams, i, "M") - cell(beams, i - 1, "M")) > 100);
+  }
+  EXPECT_TRUE(jumps);
+}
+
+TEST(MachineBeams, PlacesCountFromTheBaseOrTheTop) {
+  std::string deck = guyed;
+  const taut::Result r = run_text(deck);
+  const std::string lug = "lug: {body: mast, at: [0.2 m, 0 m, 11 m]}";
+  deck.replace(deck.find(lug), lug.size(),
+               "lug: {body: mast, at: [20 cm, 0 m, 1100 cm]}\n    high: {body: mast.top, at: [0 m, 0 m, 0 m]}");
+  deck.replace(deck.find("{at: mast.top,"), 14, "{at: high,");
+  const taut::Result s = run_text(deck);
+  ASSERT_EQ(exit_code(s), 0) << s.message << to_text(s.errors);
+  EXPECT_NEAR(value_of(s, "mast.M_max"), value_of(r, "mast.M_max"), 1e-7 * value_of(r, "mast.M_max"));
+  EXPECT_NEAR(value_of(s, "g3.T_max"), value_of(r, "g3.T_max"), 1e-3);
+}
+
+TEST(MachineBeams, JibOnAMastInAnyOrder) {
+  const std::string mast = "    mast: {from: foot, to: head, section: \"CHS 219.1x8\"}\n";
+  const std::string jib = "    jib: {from: mast.top, to: tip, section: \"RHS 200x100x8\"}\n";
+  const auto deck = [&](const std::string& beams) {
+    return "taut: 1\nmachine:\n  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 5 m], tip: [0 m, 3 m, 5 m]}\n  "
+           "beams:\n" +
+           beams + "  loads: [{at: jib.top, force: [0 N, 0 N, -5 kN]}]\n";
+  };
+  const taut::Result r = run_text(deck(mast + jib)), s = run_text(deck(jib + mast));
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "mast.Mx"), value_of(s, "mast.Mx"), 1e-6 * value_of(r, "mast.Mx"));
+  EXPECT_NEAR(value_of(r, "jib.top.z"), value_of(s, "jib.top.z"), 1e-9);
+  EXPECT_GT(value_of(r, "jib.M_max"), 5e3 * 3);
+  EXPECT_LT(value_of(r, "jib.M_max"), 5.8e3 * 3);
+}
+
+TEST(MachineBeams, StressAboveTheYieldIsACheckThatFails) {
+  const taut::Result r =
+      run_text(guyed, {"machine.loads[0].force=[30 kN, 3 kN, -40 kN]", "machine.beams.mast.section=CHS 60.3x4"});
+  EXPECT_NE(exit_code(r), 0);
+  EXPECT_NE(exit_code(r), 2) << to_text(r.errors);
+}
+
+TEST(MachineBeams, MistakesAreToldAtTheirPlace) {
+  const auto mistake = [](const std::string& set, const std::string& told) {
+    expect_mistake(run_text(guyed, {set}), told);
+  };
+  mistake("machine.beams.mast.section=CHS 219.1x88", "no section");
+  mistake("machine.beams.mast.steel=S356", "S355");
+  mistake("machine.beams.mast.elements=0", "elements");
+  mistake("machine.beams.mast.to=foot", "same place");
+  mistake("machine.beams.mast.from=fot", "did you mean 'foot'");
+  mistake("machine.beams.mast.from=mast.top", "on the beam itself");
+  mistake("machine.beams.mast.base=ball", "clamped");
+  mistake("machine.beams.mast.I=3 cm^4", "belongs to a section by figures");
+  mistake("machine.beams.mast.imperfection={bow: 0.003, towards: [0, 0, 1]}", "no part across");
+  mistake("machine.beams.mast.imperfection=0.3", "0.05");
+  mistake("machine.guys.g1.from=mast", "'mast.top'");
+  mistake("machine.points.lug.body=mats", "did you mean 'mast'");
+  expect_mistake(run_text(pole(""), {"machine.beams.mast.I=0 cm^4"}), "I");
+  expect_mistake(run_text(pole(""), {"machine.beams.mast.E=0 GPa"}), "E");
+  expect_mistake(run_text(pole(", steel: S355")), "'W'");
+  expect_mistake(run_text(pole(", section: \"CHS 219.1x8\"")), "section");
+  expect_mistake(run_text(pole("", "  bodies: {mast: {mass: 3 kg}}\n")), "already");
+  expect_mistake(run_text(pole(", top: clamped, imperfection: {sway: 0.003}")), "free top");
+}
+
+}  // namespace machine_beams_test

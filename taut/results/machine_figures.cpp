@@ -1,0 +1,334 @@
+#include "taut/results/machine_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "taut/calc/none.hpp"
+#include "taut/results/machine_beams.hpp"
+#include "taut/results/machine_tables.hpp"
+#include "taut/study/rope_clearance.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::EquilibriumResult;
+
+constexpr int points_per_span = 32;
+/// Machines narrower than this part of their length need no plan.
+constexpr double least_width = 1e-3;
+
+/// A view: which horizontal direction goes to the right, and which one up.
+struct View {
+  Vector3 right = Vector3::UnitX();
+  Vector3 above = up();
+  bool plan = false;
+  Point point(const Vector3& v) const { return {v.dot(right), v.dot(above)}; }
+};
+
+struct Box {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 high = -low;
+  void add(const Vector3& v) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  Vector3 size() const { return high - low; }
+};
+
+std::vector<Vector3> line_of(const analysis::SpanResult& s) {
+  if (s.slack || s.shape.rope.weight <= 0 || !(s.shape.rope.length > 0)) return {s.start, s.end};
+  std::vector<Vector3> line;
+  for (int i = 0; i <= points_per_span; ++i) {
+    line.emplace_back(s.start + rope::point_at(s.shape, s.shape.rope.length * i / points_per_span));
+  }
+  return line;
+}
+
+Box box_of(const EquilibriumResult& e) {
+  Box box;
+  for (const auto& s : e.spans) {
+    for (const Vector3& v : line_of(s)) box.add(v);
+  }
+  for (const auto& line : beam_lines(e)) {
+    for (const Vector3& v : line) box.add(v);
+  }
+  return box;
+}
+
+/// What holds the ropes somewhere: all forces of one name at one place.
+struct Held {
+  Vector3 at = Vector3::Zero();
+  double radius = 0;
+  Vector3 force = Vector3::Zero();
+  bool moves = false;
+};
+
+std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResult& e) {
+  std::map<std::string, Held> all;
+  const auto add = [&](int reeving, int n, const Vector3& force) {
+    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
+    const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    Held& h = all[node.name];
+    h.at = model::in_ground(e.state, node.at);
+    h.radius = std::max(h.radius, node.radius);
+    h.force += force * rope.copies;
+    h.moves = node.at.body != model::ground && !m.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+  };
+  const auto is_anchor = [&](int reeving, int n) {
+    return m.reevings[static_cast<std::size_t>(reeving)].nodes[static_cast<std::size_t>(n)].kind ==
+           model::NodeKind::anchor;
+  };
+  for (const auto& s : e.spans) {
+    if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
+    if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, pull_on_end(s));
+  }
+  for (const auto& c : e.contacts) {
+    const auto& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
+    if (rope.nodes[static_cast<std::size_t>(c.node)].kind != model::NodeKind::load) add(c.reeving, c.node, c.force);
+  }
+  return all;
+}
+
+void draw_ground(Drawing& d, const model::Model& m, const View& view, const Box& box) {
+  // seen along the profile, or not at all
+  if (view.plan || m.terrain.empty() || std::abs(view.right.dot(m.terrain_along)) < 1 - 1e-9) return;
+  const double margin = 0.03 * box.size().norm();
+  const double low = std::min(view.point(box.low).x, view.point(box.high).x) - margin;
+  const double high = std::max(view.point(box.low).x, view.point(box.high).x) + margin;
+  Polyline ground;
+  ground.role = Role::ground;
+  for (const auto& p : m.terrain) {
+    const double x = view.point(m.terrain_from + p.x * m.terrain_along).x;
+    if (x >= low && x <= high) ground.points.push_back({x, p.z});
+  }
+  if (ground.points.size() > 1) d.shapes.emplace_back(std::move(ground));
+}
+
+void draw_ropes(Drawing& d, const EquilibriumResult& e, const View& view) {
+  for (const auto& s : e.spans) {
+    Polyline line;
+    line.role = s.reeving == 0 ? Role::rope : Role::second_rope;
+    for (const Vector3& v : line_of(s)) line.points.push_back(view.point(v));
+    d.shapes.emplace_back(std::move(line));
+  }
+}
+
+/// Bodies as lines from their origin to where ropes hold them.
+void draw_bodies(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
+  std::set<std::pair<int, std::string>> drawn;
+  for (const model::Reeving& rope : m.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+      if (!drawn.insert({node.at.body, node.name}).second) continue;
+      const Vector3& origin = e.state.bodies[static_cast<std::size_t>(node.at.body)].position;
+      Polyline line;
+      line.role = Role::structure;
+      line.points = {view.point(origin), view.point(model::in_ground(e.state, node.at))};
+      d.shapes.emplace_back(std::move(line));
+    }
+  }
+}
+
+/// Beams as they stand, and beside them with deflections so many times as large.
+void draw_beams(Drawing& d, const EquilibriumResult& e, const View& view, double times) {
+  const auto draw = [&](const std::vector<std::vector<Vector3>>& lines, Role role) {
+    for (const auto& points : lines) {
+      Polyline line;
+      line.role = role;
+      for (const Vector3& v : points) line.points.push_back(view.point(v));
+      d.shapes.emplace_back(std::move(line));
+    }
+  };
+  draw(beam_lines(e), Role::structure);
+  if (times > 0) draw(beam_lines(e, times), Role::highlight);
+}
+
+void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
+  for (const auto& [name, h] : held_of(m, e)) {
+    const bool round = h.radius > 0 && !view.plan;
+    d.shapes.emplace_back(Circle{view.point(h.at), round ? h.radius : size / 300, Role::body, 0, 0, !round});
+    d.shapes.emplace_back(Label{view.point(h.at), name});
+    if (h.moves) continue;  // its ropes are in balance with its weight
+    const Point f = view.point(h.force);
+    d.shapes.emplace_back(ForceArrow{view.point(h.at), f.x, f.y, "F", Role::force, false});
+  }
+}
+
+/// Forces along the ropes; a rate as one arrow in the middle of its parts.
+void draw_rope_loads(Drawing& d, const EquilibriumResult& e, const model::Model& m, const View& view) {
+  for (std::size_t i = 0; i < e.rope_loads.size();) {
+    const auto load_of = [&](std::size_t k) -> const model::Node& {
+      const auto& one = e.rope_loads[k];
+      return m.reevings[static_cast<std::size_t>(one.reeving)].nodes[static_cast<std::size_t>(one.node)];
+    };
+    const std::string name = load_of(i).name.substr(0, load_of(i).name.find('['));
+    Vector3 force = Vector3::Zero(), place = Vector3::Zero();
+    std::size_t last = i;
+    for (; last < e.rope_loads.size() && load_of(last).name.substr(0, load_of(last).name.find('[')) == name; ++last) {
+      force += e.rope_loads[last].force;
+      place += e.rope_loads[last].at;
+    }
+    place /= static_cast<double>(last - i);
+    const Point f = view.point(force);
+    if (std::hypot(f.x, f.y) > 0) {
+      d.shapes.emplace_back(ForceArrow{view.point(place), f.x, f.y, name, Role::second_force, false});
+    }
+    i = last;
+  }
+}
+
+void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
+  const auto draw = [&](const model::Place& place, const Vector3& force, const char* label) {
+    const Point f = view.point(force);
+    if (std::hypot(f.x, f.y) <= 0) return;
+    d.shapes.emplace_back(
+        ForceArrow{view.point(model::in_ground(e.state, place)), f.x, f.y, label, Role::second_force, false});
+  };
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    const model::Body& body = m.bodies[i];
+    const auto index = static_cast<int>(i);
+    if (body.free.empty()) continue;
+    // what hangs at the same place as the body's own weight is one arrow with it
+    Vector3 own = -body.mass * m.gravity * up();
+    for (const model::Load& load : m.loads) {
+      if (load.at.body != index) continue;
+      if ((load.at.at - body.centre).norm() == 0) {
+        own += load.force;
+      } else {
+        draw(load.at, load.force, "P");
+      }
+    }
+    draw({index, body.centre}, own, body.mass > 0 ? "W" : "P");
+  }
+}
+
+Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View& view, const std::string& words) {
+  const Box box = box_of(e);
+  const bool plan = view.plan;
+  Drawing d;
+  d.name = plan ? "plan" : "machine";
+  d.title = plan ? "Plan" : "Side view";
+  d.caption = fmt::format("{}. Forces as they are seen in this view.", words);
+  d.legend = {{Role::rope, m.reevings.empty() ? "rope" : m.reevings.front().name},
+              {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
+              {Role::force, "ropes on what holds them"},
+              {Role::second_force, "weights and loads"},
+              {Role::ground, "ground"}};
+  const double times = shown_times(e, box.size().norm());
+  if (times > 0) d.legend.emplace_back(Role::highlight, fmt::format("beams, deflections {:g} times", times));
+  draw_ground(d, m, view, box);
+  draw_bodies(d, m, e, view);
+  draw_beams(d, e, view, times);
+  draw_ropes(d, e, view);
+  draw_holders(d, m, e, view, box.size().norm());
+  draw_weights(d, m, e, view);
+  draw_rope_loads(d, e, m, view);
+  return d;
+}
+
+void add_drawings(const model::Model& m, const EquilibriumResult& e, const std::optional<Vector3>& line,
+                  const std::string& words, Result& r) {
+  const Box box = box_of(e);
+  const Vector3 size = box.size();
+  // seen across its longer horizontal side, or across the line that the ground or a load path follows
+  const Vector3 longer = size.y() > size.x() ? Vector3(Vector3::UnitY()) : Vector3(Vector3::UnitX());
+  const Vector3 right = line ? *line : longer;
+  r.figures.emplace_back(drawing_of(m, e, {right}, words));
+  const Vector3 aside = up().cross(right);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& s : e.spans) {
+    for (const Vector3& v : {s.start, s.end}) {
+      low = std::min(low, v.dot(aside));
+      high = std::max(high, v.dot(aside));
+    }
+  }
+  if (high - low <= least_width * std::max(size.x(), size.y())) return;
+  r.figures.emplace_back(drawing_of(m, e, {Vector3::UnitX(), Vector3::UnitY(), true}, words));
+}
+
+Plot plot(const LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
+  Plot p;
+  p.name = name + run.ending;
+  p.title = fmt::format("{}, {}", title, run.words);
+  p.x = {"x of the carriage", si::m};
+  p.y = y;
+  return p;
+}
+
+template <class Of>
+Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dashed = false) {
+  Curve c;
+  c.label = label;
+  c.dashed = dashed;
+  for (const LoadPathPart& part : run.parts) {
+    for (const auto& point : part.result.points) {
+      c.x.push_back(point.x);
+      c.y.push_back(point.at.outcome.ok() ? of(point) : none);
+    }
+  }
+  return c;
+}
+
+void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
+  Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {"tension", si::N});
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
+  }
+  r.figures.emplace_back(std::move(tensions));
+  Plot way = plot(run, "load_path_height", "Way of the carriage", {"height", si::m});
+  way.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.z; }));
+  if (!m.terrain.empty()) {
+    way.curves.push_back(curve(
+        run, "ground", [](const auto& p) { return p.z - p.clearance; }, true));
+    Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {"clearance", si::m});
+    clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
+    clearance.curves.push_back(
+        curve(run, "lowest rope", [&](const auto& p) { return analysis::rope_clearance(m, p.at).height; }));
+    clearance.marks.push_back({0, 0, "ground", true});
+    r.figures.emplace_back(std::move(way));
+    r.figures.emplace_back(std::move(clearance));
+    return;
+  }
+  r.figures.emplace_back(std::move(way));
+}
+
+double largest_tension(const EquilibriumResult& e) {
+  double T = 0;
+  for (const auto& rope : e.ropes) T = std::max(T, rope.T_max);
+  return T;
+}
+
+/// The direction that the ground or a load path follows, where the deck says one across the axes.
+std::optional<Vector3> line_of(const MachineRun& run) {
+  const Vector3 x = Vector3::UnitX();
+  if (!run.model.terrain.empty() && run.model.terrain_along != x) return run.model.terrain_along;
+  for (const LoadPathRun& path : run.paths) {
+    if (path.along != x) return path.along;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_figures(const MachineRun& run, Result& r) {
+  const std::vector<Answer> all = answers_of(run);
+  if (all.empty()) return;
+  const bool has_equilibrium = all.front().point == nullptr && !run.equilibria.empty();
+  const Answer drawn =
+      has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
+        return largest_tension(*a.result) < largest_tension(*b.result);
+      });
+  add_drawings(*drawn.model, *drawn.result, line_of(run),
+               (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
+  for (const LoadPathRun& path : run.paths) add_plots(run.model, path, r);
+  add_path_plots(run, r);
+}
+
+}  // namespace taut::app

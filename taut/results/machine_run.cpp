@@ -1,0 +1,53 @@
+#include "taut/results/machine_run.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/checks/checked_parts.hpp"
+
+namespace taut::app {
+
+std::vector<Answer> answers_of(const MachineRun& run) {
+  std::vector<Answer> all;
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words});
+  }
+  for (const LoadPathRun& one : run.paths) {
+    for (const LoadPathPart& part : one.parts) {
+      for (const auto& point : part.result.points) {
+        if (!point.at.outcome.ok()) continue;
+        all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x)});
+      }
+    }
+  }
+  for (const bool explores : {false, true}) {
+    for (const OtherAnswer& one : run.others) {
+      if (one.explores == explores && (!explores || all.empty())) {
+        all.push_back({&one.model, &one.result, nullptr, one.words});
+      }
+    }
+  }
+  return all;
+}
+
+void show_answers(const MachineRun& run, CheckedParts& checked) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok() || !one.judged) continue;
+    const std::string name = analysis_name(one.ending, "equilibrium");
+    const std::string words =
+        one.ending.empty() ? one.words : fmt::format("{}, {}", analysis_words(one.ending, "equilibrium"), one.words);
+    checked.take(one.model, one.result, words, name);
+  }
+  for (const LoadPathRun& one : run.paths) {
+    if (!one.judged) continue;
+    for (const LoadPathPart& part : one.parts) {
+      for (const auto& point : part.result.points) {
+        if (!point.at.outcome.ok()) continue;
+        const std::string words =
+            fmt::format("{}, {}, x = {:.6g} m", analysis_words(one.ending, "load path"), one.words, point.x);
+        checked.take(part.model, point.at, words, analysis_name(one.ending, "load_path"));
+      }
+    }
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,63 @@
+#include "taut/results/machine_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "taut/results/machine_tables.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr int scene_points_per_span = 32;
+
+std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+SceneLine line_of(const model::Model& m, const analysis::SpanResult& s) {
+  const model::Reeving& rope = m.reevings[static_cast<std::size_t>(s.reeving)];
+  SceneLine line{fmt::format("{}[{}]", rope.name, s.from + 1), s.reeving == 0 ? Role::rope : Role::second_rope, {}, {}};
+  std::vector<std::array<double, 3>> points;
+  std::vector<double> tension;
+  const bool sags = !s.slack && s.shape.rope.weight > 0 && s.shape.rope.length > 0;
+  const int parts = sags ? scene_points_per_span : 1;
+  for (int i = 0; i <= parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    const Vector3 at = sags ? Vector3(s.start + rope::point_at(s.shape, share * s.shape.rope.length))
+                            : Vector3(s.start + share * (s.end - s.start));
+    points.push_back(scene_point(at));
+    // along a catenary V grows evenly with the unstretched length
+    tension.push_back(sags ? std::hypot(s.H, s.V_from + share * (s.V_to - s.V_from))
+                           : s.T_from + share * (s.T_to - s.T_from));
+  }
+  line.points.push_back(std::move(points));
+  line.tension.push_back(std::move(tension));
+  return line;
+}
+
+Scene scene_of(const EquilibriumRun& one) {
+  Scene scene;
+  scene.name = "machine" + one.ending;
+  scene.t = {0};
+  for (const auto& s : one.result.spans) scene.lines.push_back(line_of(one.model, s));
+  for (std::size_t i = 0; i < one.model.bodies.size(); ++i) {
+    scene.points.push_back({one.model.bodies[i].name, 0, {scene_point(one.result.state.bodies[i].position)}, {}});
+  }
+  std::set<std::string> known;
+  for (const model::Reeving& rope : one.model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (!known.insert(node.name).second) continue;
+      scene.points.push_back({node.name, node.radius, {scene_point(model::in_ground(one.result.state, node.at))}, {}});
+    }
+  }
+  return scene;
+}
+
+}  // namespace
+
+void add_scenes(const MachineRun& run, Result& r) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (one.result.outcome.ok()) r.scenes.push_back(scene_of(one));
+  }
+}
+
+}  // namespace taut::app

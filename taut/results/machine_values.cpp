@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/results/machine_beams.hpp"
+#include "taut/results/machine_tables.hpp"
+#include "taut/results/put_up.hpp"
+
+namespace taut::app {
+namespace {
+
+void add_places(const MachineRun& run, Result& r) {
+  const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
+                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+  if (first == run.equilibria.end()) return;
+  for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
+    const model::Body& body = run.model.bodies[i];
+    if (body.free.empty() || body.of_rope || !told(body)) continue;
+    const Vector3& p = first->result.state.bodies[i].position;
+    const auto add = [&](const char* axis, double value) {
+      const std::string name = fmt::format("{}.{}", body.name, axis);
+      r.values.push_back({name, value, si::m, name, fmt::format("place of {} ({})", body.name, first->words), {}});
+    };
+    add("x", p.x());
+    add("y", p.y());
+    add("z", p.z());
+  }
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const std::string name = fmt::format("{}.unstretched", run.model.reevings[i].name);
+    r.values.push_back({name,
+                        first->result.ropes[i].unstretched,
+                        si::m,
+                        name,
+                        fmt::format("unstretched length of {} ({})", run.model.reevings[i].name, first->words),
+                        {}});
+  }
+}
+
+/// Tensions at both ends of each rope, of every equilibrium.
+void add_ends(const MachineRun& run, Result& r) {
+  for (const EquilibriumRun& one : run.equilibria) {
+    if (!one.result.outcome.ok()) continue;
+    for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+      const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
+      const auto first = std::find_if(one.result.spans.begin(), one.result.spans.end(), own);
+      const auto last = std::find_if(one.result.spans.rbegin(), one.result.spans.rend(), own);
+      const auto add = [&](const char* end, int n, double T) {
+        const model::Reeving& rope = one.model.reevings[i];
+        const std::string name = fmt::format("{}.{}{}", rope.name, end, one.ending);
+        r.values.push_back({name,
+                            T,
+                            si::N,
+                            name,
+                            fmt::format("tension of {} at {} ({})", rope.name,
+                                        rope.nodes[static_cast<std::size_t>(n)].name, one.words),
+                            {}});
+      };
+      add("T_start", first->from, first->T_from);
+      add("T_end", last->to, last->T_to);
+    }
+  }
+}
+
+}  // namespace
+
+void add_values(const MachineRun& run, Result& r) {
+  if (answers_of(run).empty()) return;
+  add_places(run, r);
+  add_ends(run, r);
+  add_drive_values(run, r);
+}
+
+std::vector<std::string> assumptions_of(const model::Machine& m) {
+  std::vector<std::string> all = {
+      "Ropes are elastic catenaries between tangent points, without bending stiffness; weight per unstretched length; "
+      "the "
+      "rope's weight on a sheave counts as length, not as load.",
+      "Statics: losses act against the motion that the analysis names; at rest without loss, with the band between "
+      "both "
+      "directions where friction decides."};
+  for (const auto& car : m.carriages) {
+    std::string held =
+        car.mainline ? fmt::format("held by {}", *car.mainline) : "held along its track where a place is prescribed";
+    all.push_back(
+        car.hold == model::description::Hold::clamped
+            ? fmt::format("Carriage {}: clamped to {}; tensions before and behind it differ.", car.name, car.rides)
+            : fmt::format("Carriage {}: rolls on {} with {} tensions on both sides, {}; a point, its rollers' "
+                          "radius and distance not counted.",
+                          car.name, car.rides, car.friction > 0 ? "friction between the" : "equal", held));
+  }
+  for (const auto& drum : m.drums) {
+    const bool thin = std::any_of(m.reevings.begin(), m.reevings.end(), [&](const auto& r) {
+      const bool on = std::any_of(r.path.begin(), r.path.end(), [&](const auto& e) { return e.drum == drum.name; });
+      const auto rope =
+          std::find_if(m.ropes.begin(), m.ropes.end(), [&](const auto& one) { return one.name == r.rope; });
+      return on && rope != m.ropes.end() && !rope->diameter && !rope->rope;
+    });
+    if (thin)
+      all.push_back(
+          fmt::format("Drum {}: its rope's diameter is not known; the rope lies on the core's radius.", drum.name));
+  }
+  const auto runs = [](const auto& one) { return one.motor && one.motor->speed; };
+  if (std::any_of(m.sheaves.begin(), m.sheaves.end(), runs)) {
+    all.emplace_back(
+        "A rope with a speed carries the centrifugal tension m v^2 where the motion makes it run; supports, contact "
+        "laws "
+        "and its shape know the tension less that. At rest it stands.");
+  }
+  if (!m.rope_loads.empty()) {
+    all.emplace_back(
+        "Forces along a rope act at a share of the unstretched rope of their span; a rate is divided into equal point "
+        "forces, each in the middle of its part.");
+  }
+  if (!m.guys.empty()) {
+    all.emplace_back(
+        "Guys are put up on the unloaded machine with its bodies held where they are given; then their "
+        "lengths are kept.");
+  }
+  for (std::string& text : tension_assumptions(m)) all.push_back(std::move(text));
+  for (std::string& text : beam_assumptions(m)) all.push_back(std::move(text));
+  return all;
+}
+
+}  // namespace taut::app

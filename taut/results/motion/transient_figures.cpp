@@ -1,0 +1,325 @@
+#include "taut/results/motion/transient_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "taut/results/motion/transient_scene.hpp"
+#include "taut/results/motion/transient_tables.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::TransientFrame;
+
+constexpr std::size_t most_curves_in_plot = 6;
+constexpr std::size_t most_events = 10;
+constexpr double label_room = 0.03;  ///< of the time shown, between two marked events
+constexpr std::size_t most_readouts = 8;
+constexpr std::size_t buckets = 240;       ///< of the thinned plots
+constexpr double least_plan_width = 1e-3;  ///< machines narrower than this part of their length need no plan
+
+struct PlaneView {
+  int right = 0;
+  int above = 2;
+  Point point(const Vector3& v) const { return {v[right], v[above]}; }
+  /// Sense in which a turn about `axis` is seen: +1 counter-clockwise; 0: not seen from its side.
+  double sense(const Vector3& axis) const {
+    const double seen = axis.dot(Vector3::Unit(right).cross(Vector3::Unit(above)));
+    return std::abs(seen) < 0.5 ? 0 : seen > 0 ? 1 : -1;
+  }
+};
+
+/// How far everything comes over the whole motion.
+Vector3 size_of(const TransientRun& run) {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 high = -low;
+  for (const auto& frame : run.result.frames) {
+    for (const auto& b : frame.branches) {
+      low = low.cwiseMin(b.start).cwiseMin(b.end);
+      high = high.cwiseMax(b.start).cwiseMax(b.end);
+      for (const Vector3& p : b.curve) low = low.cwiseMin(p);
+    }
+  }
+  return high - low;
+}
+
+std::vector<PlaneView> views_of(const TransientRun& run) {
+  const Vector3 size = size_of(run);
+  std::vector<PlaneView> views = {{size.y() > size.x() ? 1 : 0, 2}};
+  if (std::min(size.x(), size.y()) > least_plan_width * size.maxCoeff()) views.push_back({0, 1});
+  return views;
+}
+
+/// Lines from the origin of each body to what sits on it.
+std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const TransientFrame& frame) {
+  std::vector<std::array<Vector3, 2>> lines;
+  std::set<std::pair<int, std::string>> drawn;
+  for (const model::Reeving& rope : m.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+      if (!drawn.insert({node.at.body, node.name}).second) continue;
+      const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
+      lines.push_back({body.position, body.position + body.orientation * node.at.at});
+    }
+  }
+  for (const model::Face& face : m.faces) {
+    const auto* body = face.body == model::ground ? nullptr : &frame.bodies[static_cast<std::size_t>(face.body)];
+    const auto place = [&](const Vector3& at) -> Vector3 {
+      return body == nullptr ? at : Vector3(body->position + body->orientation * at);
+    };
+    lines.push_back({place(face.from), place(face.to)});
+  }
+  for (const auto& actuator : frame.actuators) lines.push_back({actuator.from, actuator.to});
+  return lines;
+}
+
+Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
+  const model::Model& m = run.model;
+  const TransientFrame& frame = run.result.frames[index];
+  Drawing d;
+  d.name = fmt::format("motion{}_{}", run.ending, index);
+  d.title = title;
+  d.caption = view.above == 2 ? "Forces of the ropes on what holds them, and where they move it." : "Plan.";
+  d.legend = {{Role::rope, m.reevings.front().name},
+              {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
+              {Role::force, "ropes on what holds them"}};
+  for (const auto& [from, to] : body_lines(m, frame)) {
+    d.shapes.emplace_back(Polyline{{view.point(from), view.point(to)}, Role::structure, false, false});
+  }
+  for (const RopePart& part : rope_parts(m, frame)) {
+    Polyline line;
+    line.role = part.reeving == 0 ? Role::rope : Role::second_rope;
+    for (const Vector3& p : part.points) line.points.push_back(view.point(p));
+    if (line.points.size() > 1) d.shapes.emplace_back(std::move(line));
+  }
+  const double size = size_of(run).norm();
+  for (const HeldPart& part : held_parts(m, frame, run.result.frames.front())) {
+    const bool round = part.radius > 0 && view.sense(part.axis) != 0;
+    const Point at = view.point(part.at);
+    d.shapes.emplace_back(Circle{at, round ? part.radius : size / 300, Role::body, 0, 0, !round});
+    d.shapes.emplace_back(Label{at, part.name});
+    const Point f = view.point(part.force);
+    if (std::hypot(f.x, f.y) > 0) d.shapes.emplace_back(ForceArrow{at, f.x, f.y, "F", Role::force, false});
+  }
+  return d;
+}
+
+/// The frame next to the moment of the largest tension of all.
+std::size_t tightest(const TransientRun& run) {
+  const auto& ropes = run.result.ropes;
+  const auto most =
+      std::max_element(ropes.begin(), ropes.end(), [](const auto& a, const auto& b) { return a.T.max < b.T.max; });
+  if (most == ropes.end()) return 0;
+  const auto away = [&](const auto& frame) { return std::abs(frame.t - most->T.t_max); };
+  const auto& frames = run.result.frames;
+  const auto nearest =
+      std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(nearest - frames.begin());
+}
+
+void add_drawings(const TransientRun& run, Result& r) {
+  const std::size_t last = run.result.frames.size() - 1;
+  const std::size_t peak = tightest(run);
+  const PlaneView view = views_of(run).front();
+  std::vector<std::pair<std::size_t, std::string>> chosen = {{0, "the start"}};
+  if (peak != 0 && peak != last) chosen.emplace_back(peak, "near the largest tension");
+  if (last != 0) chosen.emplace_back(last, peak == last ? "the end, with the largest tension" : "the end");
+  for (const auto& [index, words] : chosen) {
+    r.figures.emplace_back(
+        drawing_of(run, index, view, fmt::format("t = {:.4g} s, {}", run.result.frames[index].t, words)));
+  }
+}
+
+/// Driven sheaves and rope loads: where they begin to slip or hold, the machine does something else.
+std::set<std::string> gripping_places(const model::Model& model) {
+  std::set<std::string> names;
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      if (node.motor >= 0 || (node.kind == model::NodeKind::load && node.load.part == 0)) names.insert(node.name);
+    }
+  }
+  return names;
+}
+
+/// The events that change the course of things, without repetition.
+std::vector<std::pair<double, std::string>> main_events(const TransientRun& run) {
+  static const std::vector<std::string> main = {"break",    "stop",  "drive", "brake",   "actuator",
+                                                "lift_off", "slack", "taut",  "contact", "apart"};
+  std::vector<std::pair<double, std::string>> all;
+  std::set<std::string> told;
+  const std::set<std::string> gripping = gripping_places(run.model);
+  for (const auto& e : run.result.events) {
+    const bool grips = (e.what == "slip" || e.what == "stick") && gripping.contains(e.where);
+    if (!grips && std::find(main.begin(), main.end(), e.what) == main.end()) continue;
+    // "brake of winch set" says what it is itself
+    std::string words = e.where.starts_with(e.what) ? e.where : fmt::format("{} {}", e.what, e.where);
+    if (!told.insert(words).second || all.size() >= most_events) continue;
+    all.emplace_back(e.t, std::move(words));
+  }
+  return all;
+}
+
+/// Those of them whose words have room beside each other; what is done to the machine goes before what follows from it.
+std::vector<std::pair<double, std::string>> marked_events(const TransientRun& run) {
+  auto all = main_events(run);
+  const auto follows = [](const auto& e) {
+    return e.second.starts_with("slack") || e.second.starts_with("taut") || e.second.starts_with("apart");
+  };
+  std::stable_partition(all.begin(), all.end(), [&](const auto& e) { return !follows(e); });
+  const double room = label_room * (run.result.t_end - run.result.frames.front().t);
+  std::vector<std::pair<double, std::string>> marked;
+  for (auto& e : all) {
+    const bool free = std::none_of(marked.begin(), marked.end(),
+                                   [&](const auto& other) { return std::abs(other.first - e.first) < room; });
+    if (free) marked.push_back(std::move(e));
+  }
+  return marked;
+}
+
+Animation animation_of(const TransientRun& run, const PlaneView& view) {
+  const auto& frames = run.result.frames;
+  Animation a;
+  a.name = fmt::format("motion{}{}", run.ending, view.above == 2 ? "" : "_plan");
+  a.title = view.above == 2 ? "The motion, side view" : "The motion, plan";
+  a.caption = "It plays in real time; drag the slider to any time.";
+  a.t = times_of(run);
+  a.events = main_events(run);
+  for (const auto& frame : frames) {
+    const auto bodies = body_lines(run.model, frame);
+    const auto ropes = rope_parts(run.model, frame);
+    const auto held = held_parts(run.model, frame, frames.front());
+    if (a.lines.empty()) {
+      a.lines.resize(bodies.size() + ropes.size());
+      for (std::size_t i = 0; i < bodies.size(); ++i) a.lines[i].role = Role::structure;
+      for (std::size_t i = 0; i < ropes.size(); ++i) {
+        a.lines[bodies.size() + i].role = ropes[i].reeving == 0 ? Role::rope : Role::second_rope;
+      }
+      for (const HeldPart& part : held) {
+        a.rounds.push_back({part.name, Role::body, view.sense(part.axis) != 0 ? part.radius : 0, {}, {}});
+      }
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      a.lines[i].points.push_back({view.point(bodies[i][0]), view.point(bodies[i][1])});
+    }
+    for (std::size_t i = 0; i < ropes.size(); ++i) {
+      std::vector<Point> points;
+      for (const Vector3& p : ropes[i].points) points.push_back(view.point(p));
+      a.lines[bodies.size() + i].points.push_back(std::move(points));
+    }
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      a.rounds[i].at.push_back(view.point(held[i].at));
+      a.rounds[i].angle.push_back(view.sense(held[i].axis) * held[i].turned);
+    }
+  }
+  for (std::size_t i = 0; i < run.model.observed.size() && a.readouts.size() < most_readouts; ++i) {
+    const model::Observable& o = run.model.observed[i];
+    const bool end = o.quantity == model::Quantity::T_start || o.quantity == model::Quantity::T_end;
+    if (!end) a.readouts.push_back({o.name, o.unit, run.result.observed[i]});
+  }
+  return a;
+}
+
+/// Frames that a plot shows: of each bucket those in which a curve is smallest or largest, so that no peak is lost.
+std::vector<std::size_t> shown_frames(const std::vector<const std::vector<double>*>& curves, std::size_t count) {
+  std::set<std::size_t> shown = {0, count - 1};
+  if (count <= 2 * buckets) {
+    for (std::size_t i = 0; i < count; ++i) shown.insert(i);
+  }
+  for (std::size_t b = 0; count > 2 * buckets && b < buckets; ++b) {
+    const std::size_t from = b * count / buckets, to = std::max((b + 1) * count / buckets, from + 1);
+    for (const auto* curve : curves) {
+      const auto [low, high] = std::minmax_element(curve->begin() + static_cast<std::ptrdiff_t>(from),
+                                                   curve->begin() + static_cast<std::ptrdiff_t>(to));
+      shown.insert(static_cast<std::size_t>(low - curve->begin()));
+      shown.insert(static_cast<std::size_t>(high - curve->begin()));
+    }
+  }
+  return {shown.begin(), shown.end()};
+}
+
+struct OverTime {
+  std::string label;
+  std::vector<double> values;  ///< at each output step
+};
+
+Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y, const std::vector<OverTime>& curves) {
+  Plot p;
+  p.title = title;
+  p.caption = fmt::format("Every line written down: time{}.csv.", run.ending);
+  p.x = {"time", si::s};
+  p.y = y;
+  std::vector<const std::vector<double>*> all;
+  all.reserve(curves.size());
+  for (const OverTime& one : curves) all.push_back(&one.values);
+  const std::vector<std::size_t> shown = shown_frames(all, run.record.count());
+  const std::vector<double> t = run.record.lines()->column(0);
+  for (const OverTime& one : curves) {
+    Curve c;
+    c.label = one.label;
+    for (const std::size_t i : shown) {
+      c.x.push_back(t[i]);
+      c.y.push_back(one.values[i]);
+    }
+    p.curves.push_back(std::move(c));
+  }
+  for (const auto& [at, words] : marked_events(run)) p.marks.push_back({at, 0, words, false, true});
+  return p;
+}
+
+void add_plots(const TransientRun& run, Result& r) {
+  const auto& observed = run.model.observed;
+  std::vector<bool> done(observed.size(), false);
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    if (done[i]) continue;
+    std::vector<OverTime> curves;
+    for (std::size_t k = i; k < observed.size() && curves.size() < most_curves_in_plot; ++k) {
+      if (done[k] || observed[k].unit.symbol != observed[i].unit.symbol) continue;
+      done[k] = true;
+      curves.push_back({observed[k].name, run.record.lines()->column(1 + k)});
+    }
+    const std::string kind(observed[i].unit.kind);
+    const std::string title =
+        fmt::format("Over time: {}{}", kind, run.ending.empty() ? "" : ", " + run.ending.substr(1));
+    r.figures.emplace_back(plot_of(run, title, {kind, observed[i].unit}, curves));
+  }
+}
+
+void add_energy_plot(const TransientRun& run, Result& r) {
+  std::vector<OverTime> curves = {{"kinetic", {}}, {"elastic, change", {}}, {"potential, change", {}}, {"supplied", {}},
+                                  {"lost", {}},    {"residual", {}}};
+  const LongRows& energy = run.record.energy();
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].values = energy.column(i);
+  for (const std::size_t stored : {1U, 2U}) {
+    std::vector<double>& values = curves[stored].values;
+    const double first = values.front();
+    for (double& x : values) x -= first;
+  }
+  Plot p = plot_of(run, "Energy since the start", {"energy", si::J}, curves);
+  p.name = "energy_over_time" + run.ending;
+  p.caption = "What was supplied is what is stored more than at the start, what was lost, and the residual.";
+  r.figures.emplace_back(std::move(p));
+}
+
+}  // namespace
+
+Drawing drawing_at(const TransientRun& run, std::size_t frame, const std::string& title) {
+  return drawing_of(run, frame, views_of(run).front(), title);
+}
+
+void add_transient_figures(const TransientRun& run, Result& r) {
+  add_drawings(run, r);
+  if (run.result.frames.size() > 1) {
+    for (const PlaneView& view : views_of(run)) r.figures.emplace_back(animation_of(run, view));
+  }
+  add_plots(run, r);
+  add_energy_plot(run, r);
+  r.scenes.push_back(scene_of(run));
+}
+
+}  // namespace taut::app

@@ -1,0 +1,234 @@
+#include "taut/results/motion/transient_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace taut::app {
+namespace {
+
+using analysis::TransientFrame;
+
+constexpr double arc_step = 0.3;  ///< rad
+constexpr double largest_arc = 40;
+
+Matrix3 orientation_of(const TransientFrame& frame, int body) {
+  return body == model::ground ? Matrix3(Matrix3::Identity())
+                               : frame.bodies[static_cast<std::size_t>(body)].orientation;
+}
+
+Vector3 place_of(const TransientFrame& frame, const model::Place& place) {
+  if (place.body == model::ground) return place.at;
+  const auto& body = frame.bodies[static_cast<std::size_t>(place.body)];
+  return body.position + body.orientation * place.at;
+}
+
+const TransientFrame::Contact* contact_at(const TransientFrame& frame, int reeving, int node) {
+  for (const auto& c : frame.contacts) {
+    if (c.reeving == reeving && c.node == node) return &c;
+  }
+  return nullptr;
+}
+
+/// The rope on a round from where it arrives, without that point and the last one.
+void add_arc(const model::Node& node, const TransientFrame& frame, double wrap, double tension, RopePart& part) {
+  if (node.radius <= 0 || part.points.empty() || !(wrap > 0)) return;
+  const Vector3 centre = place_of(frame, node.at);
+  const Vector3 axis = orientation_of(frame, node.at.body) * node.axis;
+  const Vector3 arm = part.points.back() - centre;
+  const int steps = static_cast<int>(std::ceil(std::min(wrap, largest_arc) / arc_step));
+  for (int i = 1; i <= steps; ++i) {
+    const double turned = node.side * wrap * i / steps;
+    part.points.emplace_back(centre + Eigen::AngleAxisd(turned, axis) * arm);
+    part.tension.push_back(tension);
+  }
+}
+
+double radius_now(const model::Model& m, const model::Node& node, const TransientFrame& frame) {
+  if (node.drum < 0 || static_cast<std::size_t>(node.drum) >= frame.drums.size()) return node.radius;
+  const model::Drum& drum = m.drums[static_cast<std::size_t>(node.drum)];
+  const int layer = frame.drums[static_cast<std::size_t>(node.drum)].layer;
+  if (drum.layer < 1 || layer == drum.layer) return node.radius;
+  // the deck's radius is core + (layer - 1/2) d of its own layer
+  const double d = (node.radius - drum.core_radius) / (drum.layer - 0.5);
+  return drum.core_radius + (layer - 0.5) * d;
+}
+
+class Parts {
+ public:
+  Parts(const model::Model& model, const TransientFrame& frame, const TransientFrame& first)
+      : model_(model), frame_(frame), first_(first) {}
+
+  std::vector<HeldPart> all() {
+    for (std::size_t r = 0; r < model_.reevings.size(); ++r) {
+      const model::Reeving& rope = model_.reevings[r];
+      for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
+        HeldPart& part = part_of(rope.nodes[n]);
+        const TransientFrame::Contact* c = contact_at(frame_, static_cast<int>(r), static_cast<int>(n));
+        if (c != nullptr) {
+          part.force += rope.copies * c->force;
+          part.turned = rope.nodes[n].side * c->angle;
+        }
+        if (rope.nodes[n].drum >= 0) turn_drum(part, rope.nodes[n], n == 0);
+      }
+    }
+    for (const auto& b : frame_.branches) add_ends(b);
+    drop_rounding();
+    return std::move(parts_);
+  }
+
+ private:
+  HeldPart& part_of(const model::Node& node) {
+    const auto at = index_.find(node.name);
+    if (at != index_.end()) {
+      HeldPart& part = parts_[at->second];
+      part.radius = std::max(part.radius, node.radius);
+      return part;
+    }
+    index_[node.name] = parts_.size();
+    HeldPart part;
+    part.name = node.name;
+    part.at = place_of(frame_, node.at);
+    part.radius = radius_now(model_, node, frame_);
+    part.axis = orientation_of(frame_, node.at.body) * node.axis;
+    part.moves = node.at.body != model::ground && !model_.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+    parts_.push_back(std::move(part));
+    return parts_.back();
+  }
+
+  /// Forces that are nothing beside the others.
+  void drop_rounding() {
+    double largest = 0;
+    for (const HeldPart& part : parts_) largest = std::max(largest, part.force.norm());
+    for (HeldPart& part : parts_) {
+      if (part.force.norm() < 1e-9 * largest) part.force.setZero();
+    }
+  }
+
+  /// Rope that is taken in at the start of a path runs against it.
+  void turn_drum(HeldPart& part, const model::Node& node, bool at_start) const {
+    const auto i = static_cast<std::size_t>(node.drum);
+    if (i >= frame_.drums.size() || part.radius <= 0) return;
+    const double taken = frame_.drums[i].content - first_.drums[i].content;
+    part.turned = node.side * (at_start ? -1 : 1) * taken / part.radius;
+  }
+
+  void add_ends(const TransientFrame::Branch& b) {
+    const model::Reeving& rope = model_.reevings[static_cast<std::size_t>(b.reeving)];
+    const Vector3 way = b.end - b.start;
+    if (!b.whole || way.norm() == 0) return;
+    const auto is_anchor = [&](int n) {
+      return rope.nodes[static_cast<std::size_t>(n)].kind == model::NodeKind::anchor;
+    };
+    // of a rope in segments only the outer ones end at a node
+    const auto near = [&](int n, const Vector3& end) {
+      const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+      return (end - place_of(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
+    };
+    if (is_anchor(b.from) && near(b.from, b.start)) {
+      part_of(rope.nodes[static_cast<std::size_t>(b.from)]).force += rope.copies * b.T_from * b.leaves;
+    }
+    if (is_anchor(b.to) && near(b.to, b.end)) {
+      part_of(rope.nodes[static_cast<std::size_t>(b.to)]).force -= rope.copies * b.T_to * b.arrives;
+    }
+  }
+
+  const model::Model& model_;
+  const TransientFrame& frame_;
+  const TransientFrame& first_;
+  std::vector<HeldPart> parts_;
+  std::map<std::string, std::size_t> index_;
+};
+
+std::array<double, 3> moving_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+void add_lines(const TransientRun& run, Scene& scene) {
+  for (std::size_t i = 0; i < run.result.frames.size(); ++i) {
+    const std::vector<RopePart> parts = rope_parts(run.model, run.result.frames[i]);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (i == 0) {
+        const model::Reeving& rope = run.model.reevings[static_cast<std::size_t>(parts[k].reeving)];
+        scene.lines.push_back({fmt::format("{}[{}]", rope.name, parts[k].from + 1),
+                               parts[k].reeving == 0 ? Role::rope : Role::second_rope,
+                               {},
+                               {}});
+      }
+      std::vector<std::array<double, 3>> points;
+      for (const Vector3& p : parts[k].points) points.push_back(moving_point(p));
+      scene.lines[k].points.push_back(std::move(points));
+      scene.lines[k].tension.push_back(parts[k].tension);
+    }
+  }
+}
+
+void add_points(const TransientRun& run, Scene& scene) {
+  const auto& frames = run.result.frames;
+  for (const auto& body : run.model.bodies) scene.points.push_back({body.name, 0, {}, {}});
+  const std::size_t bodies = scene.points.size();
+  for (const HeldPart& part : held_parts(run.model, frames.front(), frames.front())) {
+    scene.points.push_back({part.name, part.radius, {}, {}});
+  }
+  for (const auto& frame : frames) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+      scene.points[i].at.push_back(moving_point(frame.bodies[i].position));
+      scene.points[i].velocity.push_back(moving_point(frame.bodies[i].velocity));
+    }
+    const std::vector<HeldPart> parts = held_parts(run.model, frame, frames.front());
+    for (std::size_t i = 0; i < parts.size(); ++i) scene.points[bodies + i].at.push_back(moving_point(parts[i].at));
+  }
+}
+
+}  // namespace
+
+std::vector<RopePart> rope_parts(const model::Model& m, const TransientFrame& frame) {
+  std::vector<RopePart> parts;
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    for (int k = 0; k < model::branch_count(m.reevings[r]); ++k) parts.push_back({static_cast<int>(r), k, {}, {}});
+  }
+  const auto part_at = [&](int reeving, int from) -> RopePart* {
+    for (RopePart& part : parts) {
+      if (part.reeving == reeving && part.from == from) return &part;
+    }
+    return nullptr;
+  };
+  for (const auto& b : frame.branches) {
+    RopePart* part = part_at(b.reeving, b.from);
+    if (part == nullptr || !b.whole) continue;
+    if (part->points.empty()) {
+      part->points.push_back(b.start);
+      part->tension.push_back(b.T_from);
+    }
+    for (std::size_t i = 0; i < b.curve.size(); ++i) {
+      const double share = static_cast<double>(i + 1) / static_cast<double>(b.curve.size() + 1);
+      part->points.push_back(b.curve[i]);
+      part->tension.push_back(b.T_from + share * (b.T_to - b.T_from));
+    }
+    part->points.push_back(b.end);
+    part->tension.push_back(b.T_to);
+  }
+  for (const auto& c : frame.contacts) {
+    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
+    const auto count = model::branch_count(rope);
+    RopePart* before = part_at(c.reeving, rope.closed ? (c.node + count - 1) % count : c.node - 1);
+    if (before != nullptr) add_arc(rope.nodes[static_cast<std::size_t>(c.node)], frame, c.wrap, c.T_out, *before);
+  }
+  return parts;
+}
+
+std::vector<HeldPart> held_parts(const model::Model& m, const TransientFrame& frame, const TransientFrame& first) {
+  return Parts(m, frame, first).all();
+}
+
+Scene scene_of(const TransientRun& run) {
+  Scene scene;
+  scene.name = "motion" + run.ending;
+  for (const auto& frame : run.result.frames) scene.t.push_back(frame.t);
+  add_lines(run, scene);
+  add_points(run, scene);
+  return scene;
+}
+
+}  // namespace taut::app

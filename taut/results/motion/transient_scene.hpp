@@ -1,0 +1,32 @@
+#pragma once
+#include "taut/results/motion/transient_run.hpp"
+
+namespace taut::app {
+
+/// Where something round or a body is in one frame, and what the ropes do to it.
+struct HeldPart {
+  std::string name;
+  Vector3 at = Vector3::Zero();
+  double radius = 0;
+  Vector3 axis = Vector3::UnitY();  ///< in the ground frame
+  double turned = 0;                ///< rad, right-handed about the axis, against the body that carries it
+  Vector3 force = Vector3::Zero();  ///< of all ropes on it, all copies, N
+  bool moves = false;               ///< on a body that is free
+};
+
+/// The free parts of the ropes in one frame, each with the arc behind it: points from node to node.
+struct RopePart {
+  int reeving = 0, from = 0;
+  std::vector<Vector3> points;  ///< m; empty: broken
+  std::vector<double> tension;  ///< N, by point
+};
+
+std::vector<RopePart> rope_parts(const model::Model& model, const analysis::TransientFrame& frame);
+/// In the order of their first node along the ropes; each name once.
+std::vector<HeldPart> held_parts(const model::Model& model, const analysis::TransientFrame& frame,
+                                 const analysis::TransientFrame& first);
+
+/// All frames as a scene in space.
+Scene scene_of(const TransientRun& run);
+
+}  // namespace taut::app

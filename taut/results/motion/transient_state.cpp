@@ -1,0 +1,273 @@
+#include "taut/results/motion/transient_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "taut/units/display.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::DynamicState;
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;
+
+/// What JSON has no number for.
+Json json_number(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+double number_in(const Json& j) {
+  if (!j.is_string()) return j.get<double>();
+  const auto text = j.get<std::string>();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  return text == "-inf" ? -infinity : infinity;
+}
+
+Json numbers(const std::vector<double>& all) {
+  Json list = Json::array();
+  for (const double x : all) list.push_back(json_number(x));
+  return list;
+}
+std::vector<double> numbers_in(const Json& j) {
+  std::vector<double> all;
+  for (const Json& x : j) all.push_back(number_in(x));
+  return all;
+}
+
+Json vector(const Vector3& v) { return {json_number(v.x()), json_number(v.y()), json_number(v.z())}; }
+Vector3 vector_in(const Json& j) { return {number_in(j.at(0)), number_in(j.at(1)), number_in(j.at(2))}; }
+
+Json vectors(const std::vector<Vector3>& all) {
+  Json list = Json::array();
+  for (const Vector3& v : all) list.push_back(vector(v));
+  return list;
+}
+std::vector<Vector3> vectors_in(const Json& j) {
+  std::vector<Vector3> all;
+  for (const Json& v : j) all.push_back(vector_in(v));
+  return all;
+}
+
+Json matrix(const Matrix3& m) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < 3; ++i) rows.push_back(vector(m.row(i).transpose()));
+  return rows;
+}
+Matrix3 matrix_in(const Json& j) {
+  Matrix3 m;
+  for (Eigen::Index i = 0; i < 3; ++i) m.row(i) = vector_in(j.at(static_cast<std::size_t>(i))).transpose();
+  return m;
+}
+
+Json signal(const model::Signal& s) {
+  Json j = {{"name", s.name}, {"unit", s.unit.symbol}};
+  if (const auto* constant = std::get_if<double>(&s.law)) j["constant"] = json_number(*constant);
+  if (const auto* moves = std::get_if<model::Moves>(&s.law)) {
+    Json list = Json::array();
+    for (const model::Move& m : moves->moves)
+      list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), m.smooth});
+    j["moves"] = {{"from", json_number(moves->from)}, {"list", std::move(list)}};
+  }
+  if (const auto* curve = std::get_if<model::Curve>(&s.law)) {
+    j["curve"] = {{"t", numbers(curve->t)}, {"value", numbers(curve->value)}, {"slopes", numbers(curve->slopes)}};
+  }
+  if (const auto* sine = std::get_if<model::Sine>(&s.law)) {
+    j["sine"] = numbers({sine->mean, sine->amplitude, sine->omega, sine->phase});
+  }
+  return j;
+}
+
+model::Signal signal_in(const Json& j) {
+  model::Signal s;
+  s.name = j.at("name").get<std::string>();
+  const auto symbol = j.at("unit").get<std::string>();
+  for (const Unit& unit : display_kinds()) {
+    if (unit.symbol == symbol) s.unit = unit;
+  }
+  if (j.contains("constant")) s.law = number_in(j["constant"]);
+  if (j.contains("moves")) {
+    model::Moves moves;
+    moves.from = number_in(j["moves"].at("from"));
+    for (const Json& m : j["moves"].at("list")) {
+      moves.moves.push_back({number_in(m.at(0)), number_in(m.at(1)), number_in(m.at(2)), m.at(3).get<bool>()});
+    }
+    s.law = std::move(moves);
+  }
+  if (j.contains("curve")) {
+    const Json& c = j["curve"];
+    s.law = model::Curve{numbers_in(c.at("t")), numbers_in(c.at("value")), numbers_in(c.at("slopes"))};
+  }
+  if (j.contains("sine")) {
+    const std::vector<double> x = numbers_in(j["sine"]);
+    s.law = model::Sine{x.at(0), x.at(1), x.at(2), x.at(3)};
+  }
+  return s;
+}
+
+Json drives(const std::vector<model::Drive>& all) {
+  Json list = Json::array();
+  for (const model::Drive& d : all) {
+    list.push_back({{"kind", static_cast<int>(d.kind)}, {"brake", d.brake}, {"signal", signal(d.signal)}});
+  }
+  return list;
+}
+std::vector<model::Drive> drives_in(const Json& j) {
+  std::vector<model::Drive> all;
+  for (const Json& d : j) {
+    const int kind = d.at("kind").get<int>();
+    if (kind < 0 || kind > static_cast<int>(model::DriveKind::pull)) throw std::out_of_range("kind of a drive");
+    all.push_back({static_cast<model::DriveKind>(kind), signal_in(d.at("signal")), d.at("brake").get<bool>()});
+  }
+  return all;
+}
+
+Json bodies(const DynamicState& state) {
+  Json list = Json::array();
+  for (const auto& b : state.bodies) {
+    list.push_back({{"position", vector(b.position)},
+                    {"orientation", matrix(b.orientation)},
+                    {"velocity", vector(b.velocity)},
+                    {"spin", vector(b.spin)}});
+  }
+  return list;
+}
+
+Json ropes(const DynamicState& state) {
+  Json list = Json::array();
+  for (const auto& r : state.ropes) {
+    list.push_back({{"length", numbers(r.length)},
+                    {"whole", r.whole},
+                    {"angle", numbers(r.angle)},
+                    {"spin", numbers(r.spin)},
+                    {"passed", numbers(r.passed)},
+                    {"wrap", numbers(r.wrap)},
+                    {"inside", vectors(r.inside)},
+                    {"inside_velocity", vectors(r.inside_velocity)},
+                    {"leaves", vectors(r.leaves)},
+                    {"arrives", vectors(r.arrives)},
+                    {"lumped", numbers(r.lumped)}});
+  }
+  return list;
+}
+
+Json drums(const DynamicState& state) {
+  Json list = Json::array();
+  for (const auto& d : state.drums)
+    list.push_back({{"content", json_number(d.content)}, {"layer", d.layer}, {"strain", numbers(d.strain)}});
+  return list;
+}
+
+DynamicState state_in(const Json& j) {
+  DynamicState s;
+  s.t = number_in(j.at("t"));
+  for (const Json& b : j.at("bodies")) {
+    s.bodies.push_back({vector_in(b.at("position")), matrix_in(b.at("orientation")), vector_in(b.at("velocity")),
+                        vector_in(b.at("spin"))});
+  }
+  for (const Json& r : j.at("ropes")) {
+    DynamicState::Rope rope;
+    rope.length = numbers_in(r.at("length"));
+    rope.whole = r.at("whole").get<std::vector<std::uint8_t>>();
+    rope.angle = numbers_in(r.at("angle"));
+    rope.spin = numbers_in(r.at("spin"));
+    rope.passed = numbers_in(r.at("passed"));
+    rope.wrap = numbers_in(r.at("wrap"));
+    rope.inside = vectors_in(r.at("inside"));
+    rope.inside_velocity = vectors_in(r.at("inside_velocity"));
+    if (r.contains("leaves")) rope.leaves = vectors_in(r.at("leaves"));
+    if (r.contains("arrives")) rope.arrives = vectors_in(r.at("arrives"));
+    if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
+    s.ropes.push_back(std::move(rope));
+  }
+  for (const Json& d : j.at("drums"))
+    s.drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
+  s.force = numbers_in(j.at("force"));
+  s.happened = j.at("happened").get<std::vector<std::uint8_t>>();
+  s.drum_drive = drives_in(j.at("drum_drive"));
+  s.motor_drive = drives_in(j.at("motor_drive"));
+  for (const Json& mode : j.at("actuator_mode")) {
+    const int value = mode.get<int>();
+    if (value < 0 || value > static_cast<int>(model::ActuatorMode::free)) throw std::out_of_range("mode");
+    s.actuator_mode.push_back(static_cast<model::ActuatorMode>(value));
+  }
+  s.damping_time = numbers_in(j.at("damping_time"));
+  if (j.contains("memory")) s.memory = numbers_in(j.at("memory"));
+  return s;
+}
+
+template <class All>
+Json names(const All& all) {
+  Json list = Json::array();
+  for (const auto& one : all) list.push_back(one.name);
+  return list;
+}
+
+/// Why a state does not fit a machine; empty when it does.
+std::string misfit(const DynamicState& s, const Json& j, const model::Model& m) {
+  const auto same = [&](const char* key, const Json& own) { return j.at("machine").at(key) == own; };
+  if (!same("bodies", names(m.bodies)) || s.bodies.size() != m.bodies.size()) return "its bodies are others";
+  if (!same("ropes", names(m.reevings)) || s.ropes.size() != m.reevings.size()) return "its ropes are others";
+  if (!same("drums", names(m.drums)) || s.drum_drive.size() != m.drums.size()) return "its drums are others";
+  if (s.motor_drive.size() != m.motors.size()) return "its driven sheaves are others";
+  if (s.actuator_mode.size() != m.actuators.size()) return "its actuators are others";
+  if (s.happened.size() != m.events.size()) return "its events are others";
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    const std::size_t nodes = m.reevings[i].nodes.size();
+    const auto parts =
+        static_cast<std::size_t>(model::branch_count(m.reevings[i])) * static_cast<std::size_t>(m.reevings[i].segments);
+    const DynamicState::Rope& r = s.ropes[i];
+    const bool by_branch = r.length.size() == parts && r.whole.size() == parts;
+    if (!by_branch || r.angle.size() != nodes || r.spin.size() != nodes || r.passed.size() != nodes ||
+        r.wrap.size() != nodes || r.inside.size() != r.inside_velocity.size()) {
+      return fmt::format("rope '{}' runs over other sheaves, or in other segments", m.reevings[i].name);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string to_json(const DynamicState& state, const model::Model& model) {
+  Json j;
+  j["taut_state"] = format;
+  j["machine"] = {{"bodies", names(model.bodies)}, {"ropes", names(model.reevings)}, {"drums", names(model.drums)}};
+  j["t"] = json_number(state.t);
+  j["bodies"] = bodies(state);
+  j["ropes"] = ropes(state);
+  j["drums"] = drums(state);
+  j["force"] = numbers(state.force);
+  j["happened"] = state.happened;
+  j["drum_drive"] = drives(state.drum_drive);
+  j["motor_drive"] = drives(state.motor_drive);
+  j["actuator_mode"] = Json::array();
+  for (const model::ActuatorMode mode : state.actuator_mode) j["actuator_mode"].push_back(static_cast<int>(mode));
+  j["damping_time"] = numbers(state.damping_time);
+  j["memory"] = numbers(state.memory);
+  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+tl::expected<DynamicState, std::string> state_from_json(const std::string& text, const model::Model& model) {
+  const Json j = Json::parse(text, nullptr, false);
+  if (j.is_discarded() || !j.is_object() || !j.contains("taut_state")) {
+    return tl::unexpected(std::string("it is no saved state of a transient"));
+  }
+  try {
+    if (j.at("taut_state").get<int>() != format) return tl::unexpected(std::string("it is of another version of taut"));
+    DynamicState state = state_in(j);
+    if (const std::string why = misfit(state, j, model); !why.empty()) {
+      return tl::unexpected(fmt::format("it is of another machine: {}", why));
+    }
+    return state;
+  } catch (const std::exception&) {
+    return tl::unexpected(std::string("it is damaged: a part is missing or of another kind"));
+  }
+}
+
+}  // namespace taut::app

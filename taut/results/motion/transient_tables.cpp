@@ -1,0 +1,354 @@
+#include "taut/results/motion/transient_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/base/expects.hpp"
+#include "taut/catalogue/rule.hpp"
+
+namespace taut::app {
+namespace {
+
+using analysis::EnergyLedger;
+
+void add_series(const TransientRun& run, Result& r) {
+  Table t;
+  t.name = "time" + run.ending;
+  t.title = "Observed quantities over time";
+  t.columns.push_back({"t", si::s});
+  for (const model::Observable& o : run.model.observed) t.columns.push_back({o.name, o.unit});
+  t.long_rows = run.record.lines();
+  r.series.push_back(std::move(t));
+}
+
+void add_events(const TransientRun& run, Result& r) {
+  Table t;
+  t.name = "events" + run.ending;
+  t.title = "Events";
+  t.columns = {{"t", si::s}, {"what", si::one}, {"where", si::one}, {"values", si::one}};
+  for (const auto& e : run.result.events) {
+    std::string values;
+    for (const auto& [symbol, value] : e.values) {
+      values += fmt::format("{}{} = {:.6g}", values.empty() ? "" : ", ", symbol, value);
+    }
+    t.rows.push_back({e.t, e.what, e.where, std::move(values)});
+  }
+  r.tables.push_back(std::move(t));
+}
+
+/// What a measure is in one number, under its own name.
+void add_measure(const TransientRun& run, const model::Observable& o, const analysis::Extreme& e, Result& r) {
+  using model::description::Taken;
+  if (o.taken == Taken::automatic) return;
+  const auto [x, words] = o.taken == Taken::mean  ? std::pair{e.mean, "mean"}
+                          : o.taken == Taken::min ? std::pair{e.min, "smallest value"}
+                          : o.taken == Taken::max ? std::pair{e.max, "largest value"}
+                                                  : std::pair{e.end, "value at the end"};
+  const std::string name = o.name + run.ending;
+  if (std::isfinite(x)) {
+    r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {}});
+  } else {
+    r.warnings.push_back(
+        fmt::format("{} has no mean: the motion never comes to where it is taken ({})", o.name, words_of(run)));
+  }
+}
+
+void add_envelope(const TransientRun& run, Result& r) {
+  Table t;
+  t.name = run.envelope + run.ending;
+  t.title = "Envelope: smallest and largest over all steps (SI)";
+  t.columns = {{"quantity", si::one}, {"unit", si::one}, {"min", si::one}, {"t_min", si::s},
+               {"max", si::one},      {"t_max", si::s},  {"end", si::one}};
+  for (std::size_t i = 0; i < run.result.extremes.size(); ++i) {
+    const model::Observable& o = run.model.observed[i];
+    const analysis::Extreme& e = run.result.extremes[i];
+    const std::string unit = o.unit.symbol == "1" ? "" : std::string(o.unit.symbol);
+    t.rows.push_back({o.name, unit, e.min, e.t_min, e.max, e.t_max, e.end});
+    const auto value = [&](const char* ending, double x, const std::string& words) {
+      if (!std::isfinite(x)) return;
+      const std::string name = fmt::format("{}_{}{}", o.name, ending, run.ending);
+      r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {}});
+    };
+    value("min", e.min, fmt::format("smallest value, at t = {:.6g} s,", e.t_min));
+    value("max", e.max, fmt::format("largest value, at t = {:.6g} s,", e.t_max));
+    value("end", e.end, fmt::format("value at the end, t = {:.6g} s,", run.result.t_end));
+    add_measure(run, o, e, r);
+  }
+  r.tables.push_back(std::move(t));
+}
+
+void add_energy(const TransientRun& run, Result& r) {
+  const EnergyLedger &first = run.result.frames.front().energy, &last = run.result.frames.back().energy;
+  Table t;
+  t.name = "energy" + run.ending;
+  t.title = "Energy: what the machine holds, what was supplied and lost since the start";
+  t.columns = {{"form", si::one}, {"at_start", si::J}, {"at_end", si::J}};
+  const auto add = [&](const char* form, double EnergyLedger::*part) {
+    t.rows.push_back({std::string(form), first.*part, last.*part});
+  };
+  add("kinetic", &EnergyLedger::kinetic);
+  add("elastic", &EnergyLedger::elastic);
+  add("potential", &EnergyLedger::potential);
+  add("supplied by drives", &EnergyLedger::supplied);
+  add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &EnergyLedger::damped);
+  add("slip of ropes on sheaves", &EnergyLedger::slipped);
+  add("bearings of sheaves", &EnergyLedger::bearings);
+  const bool jolts = std::any_of(run.result.events.begin(), run.result.events.end(), [](const auto& event) {
+    return event.what == "brake" || event.what == "drive" || event.what == "layer";
+  });
+  add(jolts ? "broken ropes, jolts by brakes and drives" : "broken ropes", &EnergyLedger::broken);
+  add("contacts", &EnergyLedger::contacts);
+  const auto add_if_any = [&](const char* form, double EnergyLedger::*part, double of_turnover) {
+    if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
+  };
+  add_if_any("weight of slack ropes", &EnergyLedger::slack, 1e-5);
+  add_if_any("flanges, where ropes leave rounds askew", &EnergyLedger::askew, 1e-5);
+  add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical, 0);
+  add("residual", &EnergyLedger::residual);
+  r.tables.push_back(std::move(t));
+  const std::string share = "energy_residual" + run.ending;
+  if (last.turnover > 0) {
+    r.values.push_back({share,
+                        last.residual / last.turnover,
+                        si::one,
+                        share,
+                        "energy that the ledger can't account for, over the largest that was stored, supplied or lost",
+                        {}});
+  }
+}
+
+/// What the steps leave open beyond the tolerance.
+void warn_of_errors(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  const double tolerance = energy_tolerance(run);
+  const bool in_steps = run.options.step > 0 || run.options.quasi_static;
+  const char* const better = in_steps ? "take a shorter 'step'" : "compare 'method: reference'";
+  if (!(result.open <= tolerance)) {
+    warn_unsafe(r, fmt::format("{}: the energy ledger is open by {:.2g} % of the turnover at t = {:.4g} s, tolerance "
+                               "{:.2g} %: {}",
+                               words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better));
+  }
+  if (result.tension_error > tolerance) {
+    warn_unsafe(r,
+                fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "
+                            "{}",
+                            words_of(run), 100 * result.tension_error, 100 * tolerance, better));
+  }
+}
+
+/// "between head and block"
+std::string branch_words(const model::Reeving& rope, int branch) {
+  const auto k = static_cast<std::size_t>(std::max(branch, 0) / std::max(1, rope.segments));
+  if (k + 1 > rope.nodes.size()) return {};
+  return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
+}
+
+void add_ropes(const TransientRun& run, Result& r) {
+  Table t;
+  t.name = "dynamic" + run.ending;
+  t.title = "Ropes: peak over static tension";
+  t.columns = {{"rope", si::one},  {"T_static", si::N}, {"T_max", si::N},           {"t_max", si::s},
+               {"where", si::one}, {"T_min", si::N},    {"dynamic_factor", si::one}};
+  double worst = 0;
+  std::string where;
+  for (std::size_t i = 0; i < run.result.ropes.size(); ++i) {
+    const analysis::RopeExtreme& e = run.result.ropes[i];
+    const model::Reeving& rope = run.model.reevings[i];
+    const double factor = e.T_static > 0 ? e.T.max / e.T_static : std::nan("");
+    t.rows.push_back({rope.name, e.T_static, e.T.max, e.T.t_max, branch_words(rope, e.branch), e.T.min, factor});
+    const std::string name = fmt::format("{}.dynamic_factor{}", rope.name, run.ending);
+    if (std::isfinite(factor)) {
+      r.values.push_back({name,
+                          factor,
+                          si::one,
+                          name,
+                          fmt::format("peak over static tension of {} ({})", rope.name, words_of(run)),
+                          {}});
+    }
+    if (e.T.max > worst) {
+      worst = e.T.max;
+      where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, branch_words(rope, e.branch), e.T.t_max);
+    }
+    if (rope.breaking_force > 0) {
+      Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, Sense::at_most,
+                           rope.breaking_force, si::N, "minimum breaking force of the rope", run.strength_trust[i]);
+      c.part = rope.name;
+      c.limits = false;
+      c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
+      r.checks.push_back(std::move(c));
+    }
+  }
+  r.tables.push_back(std::move(t));
+  const auto known = std::find_if(r.values.begin(), r.values.end(), [](const Value& v) { return v.name == "T_max"; });
+  if (known != r.values.end() && known->value >= worst) return;
+  if (known != r.values.end()) r.values.erase(known);
+  r.values.insert(r.values.begin(),
+                  {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({}; {})", where, words_of(run)), {}});
+}
+
+/// How much of the way of each driven rim its rope did not go along with, over all that was written down.
+void add_slip_shares(const TransientRun& run, Result& r) {
+  const std::vector<TransientRecord::Slip>& slips = run.record.slips();
+  for (std::size_t c = 0; c < slips.size(); ++c) {
+    const auto& first = run.result.frames.front().contacts[c];
+    const model::Node& node =
+        run.model.reevings[static_cast<std::size_t>(first.reeving)].nodes[static_cast<std::size_t>(first.node)];
+    if (node.motor < 0) continue;
+    const auto [slipped, rim] = slips[c];
+    if (!(rim > 0)) continue;
+    const std::string name = fmt::format("{}.slip_share{}", node.name, run.ending);
+    const std::string words = fmt::format("way that the rope slips on {}, as a share of the way of its rim", node.name);
+    r.values.push_back({name, slipped / rim, si::one, name, fmt::format("{} ({})", words, words_of(run)), {}});
+  }
+}
+
+/// Peak over static against phi2 of EN 13001-2.
+void check_hoist_factor(const TransientRun& run, Result& r) {
+  if (!run.request.hoist_factor) return;
+  const HoistFactor& asked = *run.request.hoist_factor;
+  const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
+                                 [&](const model::Reeving& one) { return one.name == asked.rope; });
+  if (rope == run.model.reevings.end()) return;
+  const analysis::RopeExtreme& e = run.result.ropes[static_cast<std::size_t>(rope - run.model.reevings.begin())];
+  const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
+  const auto phi2_min = catalogue::find_rule(id + ".phi2_min");
+  const auto beta2 = catalogue::find_rule(id + ".beta2");
+  expects(phi2_min && beta2, "the table of rules has the hoisting classes");
+  const double phi2 = *catalogue::value_of(*phi2_min) + *catalogue::value_of(*beta2) * asked.speed;
+  r.checks.push_back(
+      make_check(fmt::format("{}.phi2{}", asked.rope, run.ending), e.T_static > 0 ? e.T.max / e.T_static : HUGE_VAL,
+                 Sense::at_most, phi2, si::one,
+                 fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
+                             static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
+                 phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)));
+}
+
+std::string slid_words(const TransientRun& run) {
+  std::string ways;
+  for (const analysis::Slid& slid : run.options.slid) {
+    const auto index = static_cast<std::size_t>(slid.index);
+    const std::string& name = slid.drum ? run.model.drums[index].name : run.model.actuators[index].name;
+    const char* verb = slid.drum ? (slid.by > 0 ? "taken in" : "let out") : slid.by > 0 ? "extended" : "retracted";
+    ways += fmt::format("{}{} has {} {:.4g} m", ways.empty() ? "" : ", ", name, verb, std::abs(slid.by));
+  }
+  return fmt::format("starts sliding: at rest, with the friction that is left when slowly {}", ways);
+}
+
+std::string start_words(const TransientRun& run) {
+  if (run.options.from) return fmt::format("goes on from a saved state at t = {:.6g} s", run.options.from->t);
+  switch (run.options.start) {
+    case analysis::Start::settled:
+      return "starts settled: at rest in equilibrium, without loss";
+    case analysis::Start::sliding:
+      return slid_words(run);
+    case analysis::Start::assembled:
+      break;
+  }
+  return "starts assembled: as described, at rest";
+}
+
+std::string scheme_words(const TransientRun& run) {
+  if (run.options.quasi_static) return "quasi-static: an equilibrium at the end of every step, with friction";
+  switch (run.options.method) {
+    case analysis::TimeMethod::verlet:
+      return "velocity Verlet";
+    case analysis::TimeMethod::reference:
+      return fmt::format("the reference, IDA of SUNDIALS, tolerance {:.1e}", run.options.tolerance);
+    default:
+      return run.options.step > 0 ? std::string("generalised-alpha with a fixed step")
+                                  : fmt::format("generalised-alpha, tolerance {:.1e}", run.options.tolerance);
+  }
+}
+
+/// Events that did not happen while the motion lasted: one with a time is told as a warning.
+void add_missed_events(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  if (!result.outcome.ok() || result.interrupted) return;
+  const std::string name = words_of(run);
+  for (std::size_t i = 0; i < run.model.events.size() && i < result.state.happened.size(); ++i) {
+    const model::Event& event = run.model.events[i];
+    if (result.state.happened[i]) continue;
+    if (event.at) {
+      r.warnings.push_back(fmt::format("{}: '{}' at {:.6g} s does not happen: the motion ends at {:.6g} s", name,
+                                       event.words, *event.at, result.t_end));
+    } else {
+      r.assumptions.push_back(fmt::format("{}: '{}' does not happen: its condition on {} never holds.", name,
+                                          event.words, event.when->of.name));
+    }
+  }
+}
+
+/// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
+std::string weight_words(const TransientRun& run, std::size_t reeving) {
+  const model::Reeving& rope = run.model.reevings[reeving];
+  if (!run.options.rope_mass || rope.segments > 1 || !(rope.weight > 0)) return {};
+  double most = 0;
+  for (const auto& branch : run.result.frames.front().branches) {
+    if (branch.reeving != static_cast<int>(reeving) || !branch.whole || !branch.curve.empty()) continue;
+    const double T = (branch.T_from + branch.T_to) / 2;
+    most = std::max(most, T > 0 ? rope.weight * branch.unstretched / T : 1.0);
+  }
+  if (most <= run.options.light) return {};
+  const std::string much = most < 1 ? fmt::format("{:.0f} % of", 100 * most) : std::string("more than");
+  return fmt::format(
+      "; straight, though a free part of it weighs {} its tension at the start ('branches: catenary' lets it sag)",
+      much);
+}
+
+void add_words(const TransientRun& run, Result& r) {
+  const analysis::TransientResult& result = run.result;
+  const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
+  std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
+                                  result.largest_step, result.rejected);
+  if (explicit_steps) steps += fmt::format("; stable below {:.3g} s at the start", result.stability_limit);
+  r.assumptions.push_back(fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run), scheme_words(run), steps));
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const double beta = i < result.damping_time.size() ? result.damping_time[i] : 0;
+    const double omega = i < result.frequency.size() ? result.frequency[i] : 0;
+    const bool lumped = i < result.mass_lumped.size() && result.mass_lumped[i];
+    const int sagging = i < result.sagging.size() ? result.sagging[i] : 0;
+    const int all = model::branch_count(run.model.reevings[i]);
+    const std::string hangs =
+        sagging == 0 ? std::string()
+                     : fmt::format("{} its free parts hang as the catenary at rest between their ends; ",
+                                   sagging == all ? std::string("all") : fmt::format("{} of {} of", sagging, all));
+    const std::string damping =
+        beta <= 0   ? "without damping"
+        : omega > 0 ? fmt::format("damping time {:.4g} s, from its lowest stretching mode of {:.4g} rad/s", beta, omega)
+                    : fmt::format("damping time {:.4g} s", beta);
+    r.assumptions.push_back(fmt::format(
+        "Rope {} in motion: {}; {}{}{}.", run.model.reevings[i].name, damping, hangs,
+        lumped ? "half of each free part's mass at each of its ends" : "its own mass not counted between its ends",
+        weight_words(run, i)));
+  }
+  add_missed_events(run, r);
+  if (run.request.save && result.interrupted) {
+    r.warnings.push_back(
+        fmt::format("the saved state is that of t = {:.6g} s, where it was interrupted", result.t_end));
+  }
+}
+
+}  // namespace
+
+std::vector<double> times_of(const TransientRun& run) {
+  std::vector<double> t;
+  t.reserve(run.result.frames.size());
+  for (const auto& frame : run.result.frames) t.push_back(frame.t);
+  return t;
+}
+
+void add_transient_tables(const TransientRun& run, Result& r) {
+  add_series(run, r);
+  add_ropes(run, r);
+  check_hoist_factor(run, r);
+  add_slip_shares(run, r);
+  add_envelope(run, r);
+  add_events(run, r);
+  add_energy(run, r);
+  warn_of_errors(run, r);
+  add_words(run, r);
+}
+
+}  // namespace taut::app

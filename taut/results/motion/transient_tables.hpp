@@ -1,0 +1,14 @@
+#pragma once
+#include "taut/results/motion/transient_run.hpp"
+
+namespace taut::app {
+
+/// The series `time` (t and every observed quantity), the tables `events`, `envelope`, `energy`, `dynamic` (peak over
+/// static by rope), the values NAME_min, NAME_max, NAME_end and ROPE.dynamic_factor, the check of each rope against its
+/// breaking force, what the numbers rest on, and warnings. All names end as the run does.
+void add_transient_tables(const TransientRun& run, Result& r);
+
+/// Frames' times.
+std::vector<double> times_of(const TransientRun& run);
+
+}  // namespace taut::app

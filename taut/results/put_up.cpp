@@ -1,0 +1,142 @@
+#include "taut/results/put_up.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "taut/checks/checked_parts.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A tension that a rope has at one of its ends in every state.
+struct HeldTension {
+  double tension = 0;  ///< N
+  bool at_end = false;
+};
+
+std::vector<HeldTension> held_tensions(const model::description::Reeving& rope) {
+  std::vector<HeldTension> all;
+  if (rope.tension_at_start) all.push_back({*rope.tension_at_start, false});
+  if (rope.tension_at_end) all.push_back({*rope.tension_at_end, true});
+  return all;
+}
+
+std::string deck_name_of(const model::description::Reeving& rope) { return rope.name.value_or(rope.rope); }
+
+const char* end_name(bool at_end) { return at_end ? "end" : "start"; }
+
+bool has_take_up(const model::Machine& machine, const std::string& body) {
+  return std::any_of(machine.take_up.begin(), machine.take_up.end(), [&](const auto& t) { return t.body == body; });
+}
+
+/// Whether something at this end of a rope can hold a tension: a drum, a take-up, or a body that may move.
+bool can_hold(const model::Machine& machine, const model::Model& model, const model::Node& end) {
+  if (end.drum >= 0) return true;
+  if (end.at.body == model::ground) return false;
+  const model::Body& body = model.bodies[at(end.at.body)];
+  return !body.free.empty() || has_take_up(machine, body.name);
+}
+
+}  // namespace
+
+Outcome put_up_lines(model::Model& model, std::vector<analysis::PutUpLine>& lines) {
+  lines = analysis::put_up(model);
+  return lines.empty() ? Outcome{} : lines.back().at.outcome;
+}
+
+std::string put_up_words(const model::Model& model, const analysis::PutUpLine& line) {
+  const model::Reeving& rope = model.reevings[at(line.reeving)];
+  std::vector<std::string> with;
+  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[at(body)].name);
+  return with.empty() ? fmt::format("{} as put up, empty", rope.name)
+                      : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
+}
+
+void add_put_up(const model::Model& model, const std::vector<analysis::PutUpLine>& lines, Result& r) {
+  if (lines.empty()) return;
+  Table t{
+      "put_up",
+      "Lines as they are put up; lengths at the reference temperature, as cut, and under these tensions; the length "
+      "is kept from there on",
+      {{"rope", si::one},
+       {"state", si::one},
+       {"T_start", si::N},
+       {"T_end", si::N},
+       {"H", si::N},
+       {"unstretched", si::m},
+       {"installed", si::m},
+       {"stretched", si::m}},
+      {}};
+  for (const analysis::PutUpLine& one : lines) {
+    const std::string& name = model.reevings[at(one.reeving)].name;
+    const std::string words = put_up_words(model, one);
+    t.rows.push_back(
+        {name, words, one.at.T_start, one.at.T_end, one.at.H, one.at.unstretched, one.at.cut, one.at.stretched});
+    const auto value = [&](const char* what, double v, const Unit& unit, const std::string& label) {
+      const std::string full = fmt::format("{}.{}", name, what);
+      r.values.push_back({full, v, unit, full, label, {}});
+    };
+    value("base_tension", one.at_end ? one.at.T_end : one.at.T_start, si::N,
+          fmt::format("base tension: at its {}, {}", end_name(one.at_end), words));
+    value("cut_length", one.at.cut, si::m,
+          fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up; kept from there on",
+                      name));
+  }
+  r.tables.push_back(std::move(t));
+}
+
+void show_put_up(const model::Model& model, const std::vector<analysis::PutUpLine>& lines, CheckedParts& checked) {
+  for (const analysis::PutUpLine& one : lines) {
+    if (!one.at.outcome.ok()) continue;
+    checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[at(one.reeving)].name,
+                       put_up_words(model, one));
+  }
+}
+
+std::vector<std::string> tension_assumptions(const model::Machine& machine) {
+  std::vector<std::string> all;
+  for (const auto& rope : machine.reevings) {
+    for (const HeldTension& held : held_tensions(rope)) {
+      all.push_back(
+          fmt::format("Rope {}: its tension at its {} is held at {:.6g} kN in every state at rest, as by a "
+                      "counterweight or a winch "
+                      "that holds its pull; a motion begins with it.",
+                      deck_name_of(rope), end_name(held.at_end), held.tension / 1000));
+    }
+    if (!rope.install) continue;
+    const bool at_end = rope.install->at == model::description::BaseTensionAt::end;
+    all.push_back(fmt::format(
+        "Rope {}: put up {} with {:.6g} kN at its {}, at the machine's temperature; its unstretched length is kept in "
+        "all other states.",
+        deck_name_of(rope),
+        rope.install->with.empty() ? "empty" : fmt::format("with {}", fmt::join(rope.install->with, ", ")),
+        rope.install->tension / 1000, end_name(at_end)));
+  }
+  return all;
+}
+
+std::vector<std::string> held_tension_warnings(const model::Machine& machine, const model::Model& model) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < machine.reevings.size(); ++i) {
+    const auto& rope = machine.reevings[i];
+    const std::string name = deck_name_of(rope);
+    const bool rides = std::any_of(machine.carriages.begin(), machine.carriages.end(),
+                                   [&](const auto& car) { return car.rides == name; });
+    if (!rides) continue;
+    const auto& nodes = model.reevings[i].nodes;
+    for (const HeldTension& held : held_tensions(rope)) {
+      const model::Node& end = held.at_end ? nodes.back() : nodes.front();
+      if (can_hold(machine, model, end)) continue;
+      all.push_back(fmt::format(
+          "tension_at_{} of '{}': the tension at '{}' is held at {:.6g} kN in every state at rest, and no drum or "
+          "take-up is there; for a line with fixed ends give install: {{tension: {:.6g} kN, at: {}}}",
+          end_name(held.at_end), name, end.name, held.tension / 1000, held.tension / 1000, end_name(held.at_end)));
+    }
+  }
+  return all;
+}
+
+}  // namespace taut::app

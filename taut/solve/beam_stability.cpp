@@ -1,0 +1,315 @@
+#include "taut/solve/beam_stability.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "taut/math/index.hpp"
+#include "taut/mechanics/beam_piece.hpp"
+#include "taut/solve/definite.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Vector12 = Eigen::Matrix<double, 12, 1>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+
+constexpr int elements = 16;  ///< of a whole beam at least
+constexpr double largest_factor = 1000;
+constexpr double factor_precision = 1e-5;
+constexpr double hardly_any = 1e-9;  ///< a factor
+constexpr int every = -1;            ///< beam
+
+/// How a cross-section moves: its displacement and turn by each coordinate that moves it.
+using SectionMotion = std::vector<std::pair<int, Vector6>>;
+
+/// A straight element: its stiffness without force, and what a unit of its factor adds.
+struct Element {
+  int beam = 0;
+  SectionMotion from, to;
+  Matrix12 elastic, geometric;
+};
+
+/// A force with an arm on a body: turning the body turns the arm.
+struct Arm {
+  int beam = 0;
+  SectionMotion body;
+  Vector3 arm, force;
+};
+
+/// Bending in one plane: displacement along the local axis a, slope sign * turn about the axis r.
+void add_plane(Matrix12& K, int a, int r, double sign, const Eigen::Matrix4d& plane) {
+  const std::array<int, 4> index = {a, 3 + r, 6 + a, 9 + r};
+  const std::array<double, 4> factor = {1, sign, 1, sign};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      K(index[i], index[j]) += factor[i] * factor[j] * plane(static_cast<int>(i), static_cast<int>(j));
+    }
+  }
+}
+
+Eigen::Matrix4d bending(double EI, double l) {
+  Eigen::Matrix4d K;
+  K << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l, -6 * l,
+      4 * l * l;
+  return EI / (l * l * l) * K;
+}
+
+Eigen::Matrix4d tightening(double N, double l) {
+  Eigen::Matrix4d K;
+  K << 36, 3 * l, -36, 3 * l, 3 * l, 4 * l * l, -3 * l, -l * l, -36, -3 * l, 36, -3 * l, 3 * l, -l * l, -3 * l,
+      4 * l * l;
+  return N / (30 * l) * K;
+}
+
+void add_bar(Matrix12& K, int i, double stiffness) {
+  K(i, i) += stiffness;
+  K(6 + i, 6 + i) += stiffness;
+  K(i, 6 + i) -= stiffness;
+  K(6 + i, i) -= stiffness;
+}
+
+void fill_matrices(Element& e, const structure::BeamSection& b, const structure::RodState& from,
+                   const structure::RodState& to) {
+  const Vector3 chord = to.place - from.place;
+  const double l = chord.norm();
+  Matrix3 axes;
+  axes.col(2) = chord / l;
+  axes.col(0) = (from.axes.col(0) - axes.col(2) * axes.col(2).dot(from.axes.col(0))).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  const double N = (from.force + to.force).dot(axes.col(2)) / 2;
+  Matrix12 K = Matrix12::Zero(), G = Matrix12::Zero(), T = Matrix12::Zero();
+  add_plane(K, 0, 1, 1, bending(b.EI_x, l));
+  add_plane(K, 1, 0, -1, bending(b.EI_y, l));
+  add_bar(K, 2, b.EA / l);
+  add_bar(K, 5, b.GJ / l);
+  add_plane(G, 0, 1, 1, tightening(N, l));
+  add_plane(G, 1, 0, -1, tightening(N, l));
+  for (int k = 0; k < 4; ++k) T.block<3, 3>(Eigen::Index{3} * k, Eigen::Index{3} * k) = axes.transpose();
+  e.elastic = T.transpose() * K * T;
+  e.geometric = T.transpose() * G * T;
+}
+
+/// The machine in pieces: coordinates of the sections within the beams first, then those of the bodies.
+class StiffnessAssembly {
+ public:
+  StiffnessAssembly(const System& s, const Configuration& c, const Eigen::MatrixXd& rest, std::vector<int> coordinates)
+      : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
+    // coordinates of the bodies are negative until the number of the others is known
+    for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
+    collect();
+  }
+
+  /// With the forces of one beam, or of every one, multiplied.
+  bool definite(int beam, double factor) const {
+    SkylineMatrix K(inner_ + static_cast<int>(rest_.rows()));
+    for (const Term& t : terms_) {
+      const bool scaled = t.beam >= 0 && (beam == every || beam == t.beam);
+      K.add(t.row, t.column, t.elastic + (scaled ? factor : 1) * t.geometric);
+    }
+    return K.definite();
+  }
+
+ private:
+  /// What an entry of the stiffness is made of.
+  struct Term {
+    int row = 0, column = 0, beam = -1;
+    double elastic = 0, geometric = 0;
+  };
+
+  int index(int i) const { return i < 0 ? inner_ - 1 - i : i; }
+
+  void collect() {
+    for (int i = 0; i < rest_.rows(); ++i) {
+      for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, -1, (rest_(i, j) + rest_(j, i)) / 2, 0});
+    }
+    for (const Element& e : elements_) {
+      std::vector<std::pair<int, Vector12>> all;
+      for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
+      for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
+      for (const auto& [i, a] : all) {
+        const Vector12 elastic = e.elastic * a, geometric = e.geometric * a;
+        for (const auto& [j, b] : all) {
+          if (j <= i) terms_.push_back({i, j, e.beam, b.dot(elastic), b.dot(geometric)});
+        }
+      }
+    }
+    for (const Arm& arm : arms_) {
+      for (const auto& [i, a] : arm.body) {
+        for (const auto& [j, b] : arm.body) {
+          if (index(j) > index(i)) continue;
+          const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
+          const double value =
+              -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
+          terms_.push_back({index(i), index(j), arm.beam, 0, value});
+        }
+      }
+    }
+  }
+
+  SectionMotion body_motion(int body, const Vector3& arm) const {
+    SectionMotion m;
+    if (body == model::ground) return m;
+    for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
+      if (coordinates_[at(i)] < 0) continue;
+      const model::Freedom& way = s_.layout.dofs[at(i)].way;
+      Vector6 v;
+      v << way.along + way.about.cross(arm), way.about;
+      m.emplace_back(-1 - coordinates_[at(i)], v);
+    }
+    return m;
+  }
+
+  /// A joint: the body's displacement, turns of its own about `own`, the body's turn about the rest.
+  SectionMotion joint(SectionMotion body, const std::vector<Vector3>& own) {
+    for (auto& [i, v] : body) {
+      for (const Vector3& axis : own) v.tail<3>() -= axis * axis.dot(v.tail<3>());
+    }
+    for (const Vector3& axis : own) {
+      Vector6 v;
+      v << Vector3::Zero(), axis;
+      body.emplace_back(inner_++, v);
+    }
+    return body;
+  }
+
+  SectionMotion free_section() {
+    SectionMotion m;
+    for (int i = 0; i < 6; ++i) m.emplace_back(inner_++, Vector6::Unit(i));
+    return m;
+  }
+
+  Vector3 arm_of(const model::Place& place) const {
+    return place.body == model::ground ? Vector3(Vector3::Zero())
+                                       : Vector3(c_.bodies[at(place.body)].orientation * place.at);
+  }
+
+  void add_piece(std::size_t k) {
+    const Layout::Piece& p = s_.layout.pieces[k];
+    const model::Beam& beam = s_.model.beams[at(p.beam)];
+    const model::BeamPiece& piece = beam.pieces[at(p.piece)];
+    std::vector<structure::RodState> all = {piece_start(s_, c_, k)};
+    structure::RodPiece rod = piece.rod;
+    const double share = (rod.to - rod.from) / beam.length;
+    const int count = std::max(2, static_cast<int>(std::ceil(elements * share)));
+    const int each = std::max(1, (rod.steps + count - 1) / count);
+    rod.steps = count * each;
+    along(rod, all.front(), &all);
+    const Matrix3 axes = all.front().axes;
+    SectionMotion from = body_motion(piece.start.body, arm_of(piece.start));
+    add_arm(p.beam, piece.start, all.front().force);
+    if (p.hinged) from = joint(from, {axes.col(0), axes.col(1)});
+    for (int i = 1; i <= count; ++i) {
+      Element e;
+      e.beam = p.beam;
+      e.from = from;
+      if (i < count) {
+        e.to = free_section();
+      } else {
+        e.to = body_motion(piece.end.body, arm_of(piece.end));
+        if (piece.end_hold == model::BeamHold::hinged) {
+          e.to = joint(e.to, {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
+        }
+      }
+      fill_matrices(e, piece.rod.section, all[at((i - 1) * each)], all[at(i * each)]);
+      from = e.to;
+      elements_.push_back(std::move(e));
+    }
+    add_arm(p.beam, piece.end, -all.back().force);
+  }
+
+  void add_arm(int beam, const model::Place& place, const Vector3& force) {
+    if (place.body == model::ground || place.at == Vector3::Zero()) return;
+    arms_.push_back({beam, body_motion(place.body, Vector3::Zero()), arm_of(place), force});
+  }
+
+  const System& s_;
+  const Configuration& c_;
+  const Eigen::MatrixXd& rest_;
+  std::vector<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
+  std::vector<Element> elements_;
+  std::vector<Arm> arms_;
+  std::vector<Term> terms_;
+  int inner_ = 0;
+};
+
+double critical_factor(const StiffnessAssembly& machine, int beam, bool stable) {
+  double low = 0, high = 1;
+  if (stable) {
+    low = 1;
+    for (high = 2; machine.definite(beam, high); high *= 2) {
+      if (high > largest_factor) return std::numeric_limits<double>::infinity();
+      low = high;
+    }
+  } else if (!machine.definite(beam, hardly_any)) {
+    return 0;
+  }
+  while (high - low > factor_precision * high) {
+    const double middle = (low + high) / 2;
+    (machine.definite(beam, middle) ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// The machine without its beams, and without what prescribes a place: its ropes as long as they are. `kept`: the
+/// freedom along which a force held a carriage; -1: none.
+Layout without_beams(const Layout& layout, int& kept) {
+  Layout bare = layout;
+  bare.pieces.clear();
+  if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
+  for (Layout::Link& link : bare.links) link.force = -1;  // these unknowns stand behind the beams'
+  kept = -1;
+  if (bare.hold >= 0) {
+    --bare.size;  // the last one before the beams
+    double most = 0;
+    for (int i = bare.first_dof[at(bare.coordinate_body)]; i < bare.first_dof[at(bare.coordinate_body) + 1]; ++i) {
+      const double along = std::abs(bare.dofs[at(i)].way.along.dot(bare.coordinate_along));
+      if (along > most) most = along, kept = i;
+    }
+  }
+  bare.hold = bare.coordinate_row = bare.height_row = -1;
+  return bare;
+}
+
+}  // namespace
+
+std::optional<BeamStability> beam_stability(const System& s, const Configuration& c, bool factors) {
+  int kept = -1;
+  const Layout bare = without_beams(s.layout, kept);
+  const System rest{s.model, bare, s.coordinate, s.losses};
+  Configuration now = c;
+  Evaluation e;
+  if (evaluate(rest, now, e)) return std::nullopt;
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  jacobian(rest, now, e, J, columns);
+  std::vector<int> coordinates(s.layout.dofs.size(), -1), order, left;
+  for (int i = 0; i < bare.size; ++i) {
+    if (i >= static_cast<int>(coordinates.size())) {
+      order.push_back(i);
+    } else if (i != kept) {
+      coordinates[at(i)] = static_cast<int>(left.size());
+      left.push_back(i);
+    }
+  }
+  const auto eliminated = static_cast<int>(order.size());
+  order.insert(order.end(), left.begin(), left.end());
+  const std::optional<Eigen::MatrixXd> condensed = condense(J, order, eliminated);
+  if (!condensed) return std::nullopt;
+  const Eigen::MatrixXd stiffness = -*condensed;
+  const StiffnessAssembly machine(s, c, stiffness, coordinates);
+  BeamStability result;
+  result.stable = machine.definite(every, 1);
+  if (result.stable && !factors) return result;
+  const double together = result.stable ? 0 : critical_factor(machine, every, false);
+  for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
+    const double own = critical_factor(machine, b, result.stable);
+    result.factors.push_back(own > 0 ? own : together);
+  }
+  return result;
+}
+
+}  // namespace taut::analysis

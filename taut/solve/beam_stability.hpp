@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "taut/mechanics/system.hpp"
+
+namespace taut::analysis {
+
+struct BeamStability {
+  bool stable = true;           ///< the machine's tangent stiffness is positive (neutral ways not counted)
+  std::vector<double> factors;  ///< by beam: see BeamResult::critical_factor; 0: not stable without its forces either
+};
+
+/// Tangent stiffness of the machine around an equilibrium: ropes and dead forces as in the Jacobian, the unknowns that
+/// are no places eliminated; each beam by short straight elements on its deflected axis, with the textbook's geometric
+/// stiffness of their axial forces (Przemieniecki, Theory of Matrix Structural Analysis, 1968, ch. 15), so that it may
+/// buckle between what holds it. With losses, which make it unsymmetric, its symmetric part. A carriage prescribed by
+/// its ropes may move as they let it; one that a force holds may not. Empty where the ropes alone leave it
+/// undetermined.
+/// `factors`: where it is stable too; without them only whether it is.
+std::optional<BeamStability> beam_stability(const System& system, const Configuration& c, bool factors = true);
+
+}  // namespace taut::analysis

@@ -1,0 +1,120 @@
+#include "taut/solve/beam_stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "taut/machine/compile/beam_build.hpp"
+#include "test/support/configured.hpp"
+#include "test/support/machines.hpp"
+
+/// Critical factors of hand-set states, without any equilibrium solved: the textbook's struts, and a stiff mast on a
+/// hinge that ropes hold like springs.
+namespace taut::analysis::beam_stability_test {
+
+using model::BeamHold;
+using model::BeamTop;
+using namespace taut_test;
+
+/// The machine as it is described, each beam with the same compression along it.
+std::optional<BeamStability> pressed(const model::Model& m, const Vector3& force, bool factors = true) {
+  const model::State state = model::initial_state(m);
+  const Layout layout = analysis::layout(m, state, std::nullopt, no_flow(m));
+  Configuration c = configuration_of(layout, state);
+  for (model::PieceState& piece : c.pieces) piece.force = force;
+  return beam_stability({m, layout}, c, factors);
+}
+
+/// A strut along `axis` whose far end slides along it.
+model::Model strut(BeamHold base, BeamTop top, const Vector3& axis, double length) {
+  model::Model m;
+  model::Body slide = body("slide", length * axis, 0, "");
+  slide.free.push_back({axis, Vector3::Zero()});
+  m.bodies.push_back(slide);
+  model::StraightBeam b;
+  b.name = "strut";
+  b.to = {0, Vector3::Zero()};
+  b.section = structure::tube_section(0.2, 0.008);
+  b.section.EI_y *= 1.5;  // it buckles towards x
+  b.section.EA *= 1e5;    // and keeps its length
+  b.base = base;
+  b.top = top;
+  model::add_beam(m, b);
+  return m;
+}
+
+TEST(BeamStability, StrutsBuckleAtTheTextbooksLoads) {
+  constexpr double pi = std::numbers::pi, clamped_hinged = 4.493409457909064;  // tan x = x
+  const double length = 7, EI = structure::tube_section(0.2, 0.008).EI_x;
+  const struct {
+    BeamHold base;
+    BeamTop top;
+    double kl;
+  } cases[] = {{BeamHold::hinged, BeamTop::hinged, pi},
+               {BeamHold::clamped, BeamTop::hinged, clamped_hinged},
+               {BeamHold::hinged, BeamTop::clamped, clamped_hinged},
+               {BeamHold::clamped, BeamTop::clamped, 2 * pi}};
+  for (const Vector3& axis : {Vector3(0, 0, 1), Vector3(0.48, 0.6, 0.64)}) {
+    for (const auto& [base, top, kl] : cases) {
+      const double critical = kl * kl * EI / (length * length);
+      const model::Model m = strut(base, top, axis, length);
+      for (const double share : {0.2, 0.99, 1.01, 3.0}) {
+        const auto found = pressed(m, -share * critical * axis);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->stable, share < 1) << kl << " " << share;
+        EXPECT_NEAR(found->factors.at(0) * share, 1, 2e-4) << kl << " " << share;
+      }
+      const auto pulled = pressed(m, critical * axis);
+      ASSERT_TRUE(pulled);
+      EXPECT_TRUE(pulled->stable && std::isinf(pulled->factors.at(0)));
+      const auto asked = pressed(m, -0.5 * critical * axis, false);
+      ASSERT_TRUE(asked);
+      EXPECT_TRUE(asked->stable && asked->factors.empty());
+    }
+  }
+}
+
+/// Four level ropes hold the top of a hinged mast that does not bend: leaning by d it is pulled back by
+/// (2 EA/L_0 + 2 T/L) d, and falls at N = (2 EA/L_0 + 2 T/L) h.
+TEST(BeamStability, AStiffMastOnAHingeFallsWhereItsRopesGiveWay) {
+  const double h = 11, L = 20, EA = 4e5;
+  for (const double T : {5e3, 60e3}) {
+    model::Model m;
+    model::StraightBeam b;
+    b.name = "mast";
+    b.to.at = {0, 0, h};
+    b.section = structure::tube_section(0.5, 0.02);
+    for (double* stiffness : {&b.section.EI_x, &b.section.EI_y, &b.section.EA, &b.section.GJ}) *stiffness *= 1e5;
+    b.base = BeamHold::hinged;
+    model::add_beam(m, b);
+    const double unstretched = L / (1 + T / EA);
+    for (const auto& [x, y] : {std::pair{L, 0.0}, {-L, 0.0}, {0.0, L}, {0.0, -L}}) {
+      m.reevings.push_back(reeve("guy", {anchor("a", {x, y, h}), anchor_on("top", 0)}, unstretched, 0, EA));
+    }
+    const double critical = (2 * EA / unstretched + 2 * T / L) * h;
+    for (const double share : {0.3, 0.995, 1.005}) {
+      const auto found = pressed(m, {0, 0, -share * critical});
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->stable, share < 1) << T << " " << share;
+      EXPECT_NEAR(found->factors.at(0) * share, 1, 1e-4) << T << " " << share;
+    }
+  }
+}
+
+/// Two masts on hinges side by side, joined by nothing: each has its own factor.
+TEST(BeamStability, EachBeamHasItsOwnFactor) {
+  model::Model m = strut(BeamHold::hinged, BeamTop::hinged, up(), 7),
+               other = strut(BeamHold::hinged, BeamTop::hinged, up(), 5);
+  m.bodies.push_back(other.bodies[0]);
+  other.beams[0].pieces[0].end.body = 1;
+  m.beams.push_back(other.beams[0]);
+  const double EI = structure::tube_section(0.2, 0.008).EI_x;
+  const double first = std::pow(std::numbers::pi / 7, 2) * EI, second = std::pow(std::numbers::pi / 5, 2) * EI;
+  const auto found = pressed(m, {0, 0, -0.5 * first});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->factors.at(0), 2, 4e-4);
+  EXPECT_NEAR(found->factors.at(1), 2 * second / first, 1e-3);
+}
+
+}  // namespace taut::analysis::beam_stability_test

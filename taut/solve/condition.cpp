@@ -1,0 +1,212 @@
+#include "taut/solve/condition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
+#include "taut/math/roots.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Kind = Condition::Kind;
+
+double end_tension(const EquilibriumResult& r, int reeving, bool at_end) {
+  double T = 0;
+  for (const SpanResult& s : r.spans) {
+    if (s.reeving != reeving) continue;
+    if (!at_end) return s.T_from;
+    T = s.T_to;
+  }
+  return T;
+}
+
+/// Whether the rope's own length or tension is what is given: no search.
+bool direct(Kind kind) {
+  return kind == Kind::tension_at_start || kind == Kind::tension_at_end || kind == Kind::length;
+}
+
+constexpr double first_step = 1e-3;         ///< of the length, of the tension's logarithm
+constexpr double search_tolerance = 1e-12;  ///< a taut span's sag goes with many times its length's error
+constexpr double least_step = 1e-7;
+constexpr int most_search_steps = 60;
+
+/// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
+class ConditionSearch {
+ public:
+  ConditionSearch(const model::Model& model, const Condition& condition, EquilibriumOptions options,
+                  const std::optional<model::State>& start)
+      : condition_(condition),
+        options_(std::move(options)),
+        near_(start),
+        first_(model.reevings[at(condition.reeving)].value) {
+    best.model = model;
+  }
+
+  /// NaN where there is no equilibrium.
+  double operator()(double u) {
+    model::Model varied = best.model;
+    model::Reeving& rope = varied.reevings[at(condition_.reeving)];
+    rope.value = rope.given == model::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
+    EquilibriumResult r = equilibrium(varied, options_, near_);
+    if (!r.outcome.ok()) {
+      failed = r.outcome;
+      return std::nan("");
+    }
+    near_ = r.state;
+    const double open = misfit(varied, r);
+    if (!(std::abs(open) > best_misfit)) {
+      best_misfit = std::abs(open);
+      best = {std::move(varied), std::move(r)};
+    }
+    return open;
+  }
+
+  Conditioned best;
+  Outcome failed;
+
+ private:
+  double misfit(const model::Model& model, const EquilibriumResult& r) const {
+    switch (condition_.kind) {
+      case Kind::sag_at_carriage:
+        return sag_of_carriage(model, r, options_.prescribed->carriage) - condition_.value;
+      case Kind::sag_of_span: {
+        int n = 0;
+        for (const SpanResult& s : r.spans) {
+          if (s.reeving == condition_.reeving && n++ == condition_.span) return sag_at_middle(s) - condition_.value;
+        }
+        return std::nan("");
+      }
+      case Kind::tension_of:
+        return end_tension(r, condition_.of.front(), condition_.at_end) - condition_.value;
+      case Kind::length_of: {
+        double length = -condition_.value;
+        for (const int rope : condition_.of) length += r.ropes[at(rope)].unstretched;
+        return length;
+      }
+      default:
+        break;
+    }
+    // along the track; its horizontal part keeps its sign
+    return r.hold.norm() * (r.hold.dot(options_.prescribed->along) < 0 ? -1 : 1);
+  }
+
+  Condition condition_;
+  EquilibriumOptions options_;
+  std::optional<model::State> near_;
+  double first_;
+  double best_misfit = std::numeric_limits<double>::infinity();
+};
+
+/// From u = 0 on, one way: steps that double until the sign changes, halved where there is no equilibrium.
+std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double at_zero, double way) {
+  double known = 0, step = first_step;
+  for (int i = 0; i < most_search_steps && step > least_step; ++i) {
+    const double next = known + way * step;
+    const double open = next > -1 ? search(next) : std::nan("");
+    if (std::isnan(open)) {
+      step /= 4;
+      continue;
+    }
+    if ((open < 0) != (at_zero < 0)) return std::minmax(known, next);
+    known = next;
+    step *= 2;
+    if (std::abs(known) > 20) break;
+  }
+  return std::nullopt;
+}
+
+std::string_view words(Kind kind) {
+  switch (kind) {
+    case Kind::free_running:
+      return "where the carriage stands by itself";
+    case Kind::tension_of:
+      return "with this winch pull";
+    case Kind::length_of:
+      return "with this length of the loop";
+    default:
+      return "with this sag";
+  }
+}
+
+}  // namespace
+
+double sag_at_middle(const SpanResult& span) {
+  if (span.slack || span.shape.rope.weight <= 0) return 0;
+  return rope::sag_at(span.shape, std::hypot(span.shape.chord.x(), span.shape.chord.y()) / 2);
+}
+
+double sag_of_carriage(const model::Model& model, const EquilibriumResult& r, int carriage) {
+  const model::Carriage& car = model.carriages.at(at(carriage));
+  const SpanResult *before = nullptr, *after = nullptr;
+  // a carriage of several rollers has spans of its own between them
+  const auto& nodes = model.reevings[at(car.reeving)].nodes;
+  const auto rides = [&](int node) { return nodes[at(node)].at.body == car.body; };
+  for (const SpanResult& s : r.spans) {
+    if (s.reeving != car.reeving || rides(s.from) == rides(s.to)) continue;
+    if (rides(s.to) && s.to <= car.node) before = &s;
+    if (rides(s.from) && s.from >= car.node && after == nullptr) after = &s;
+  }
+  expects(before != nullptr && after != nullptr, "a carriage rides on its rope");
+  const Vector3& place = r.state.bodies[at(car.body)].position;
+  const Vector3 chord = after->end - before->start;
+  const double way = chord.x() * chord.x() + chord.y() * chord.y();
+  const Vector3 from = place - before->start;
+  const double part = way > 0 ? (from.x() * chord.x() + from.y() * chord.y()) / way : 0;
+  return before->start.z() + part * chord.z() - place.z();
+}
+
+Conditioned equilibrium_under(const model::Model& model, const Condition& condition, const EquilibriumOptions& options,
+                              const std::optional<model::State>& start) {
+  expects(condition.reeving >= 0 && at(condition.reeving) < model.reevings.size(), "a rope of the model");
+  const bool by_carriage = condition.kind == Kind::sag_at_carriage || condition.kind == Kind::free_running;
+  expects(!by_carriage || options.prescribed, "a condition at a carriage needs its place");
+  if (direct(condition.kind)) {
+    Conditioned done{model, {}};
+    model::Reeving& rope = done.model.reevings[at(condition.reeving)];
+    rope.given = condition.kind == Kind::length             ? model::Given::length
+                 : condition.kind == Kind::tension_at_start ? model::Given::tension_at_start
+                                                            : model::Given::tension_at_end;
+    rope.value = condition.value;
+    done.result = equilibrium(done.model, options, start);
+    return done;
+  }
+  EquilibriumOptions plain = options;
+  plain.band = false;
+  plain.held = true;
+  plain.tolerance = std::min(options.tolerance, search_tolerance);
+  ConditionSearch search(model, condition, plain, start);
+  const std::string& name = model.reevings[at(condition.reeving)].name;
+  const double at_zero = search(0);
+  if (std::isnan(at_zero)) {
+    search.best.result.outcome = search.failed;
+    return search.best;
+  }
+  const bool by_length = model.reevings[at(condition.reeving)].given == model::Given::length;
+  // more sag, or rope in a loop: more length, less tension
+  const bool more = (at_zero < 0) != (condition.kind == Kind::tension_of);
+  const double way = more == by_length ? 1 : -1;
+  auto between = at_zero == 0 ? std::optional(std::pair(0.0, 0.0)) : bracket(search, at_zero, way);
+  if (!between) between = bracket(search, at_zero, -way);
+  if (!between) {
+    search.best.result.outcome = infeasible(
+        fmt::format("no {} of '{}' found {}{}{}", by_length ? "length" : "tension", name, words(condition.kind),
+                    search.failed.ok() ? "" : ": beyond some there is no equilibrium: ", search.failed.message));
+    return search.best;
+  }
+  static_cast<void>(find_root([&](double u) { return search(u); }, between->first, between->second));
+  EquilibriumOptions found = options;
+  found.held = true;
+  if (options.band) search.best.result = equilibrium(search.best.model, found, search.best.result.state);
+  // where it stands by itself is what was looked for
+  if (!options.held && condition.kind != Kind::free_running && search.best.result.outcome.ok()) {
+    search.best.result.outcome = stands_by_itself(search.best.model, options, search.best.result);
+  }
+  return search.best;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,149 @@
+#include "taut/solve/condition.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "taut/solve/equilibrium.hpp"
+#include "taut/solve/exact/running_loop.hpp"
+#include "test/support/machines.hpp"
+
+namespace condition_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+using Kind = Condition::Kind;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
+  // an inextensible level catenary: f = a (cosh(l/2a) - 1), L = 2 a sinh(l/2a), H = w a
+  model::Model m;
+  m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 3}), anchor("b", {120, 0, 3})}, 121, 12, inf));
+  for (const double f : {0.5, 4.0, 30.0}) {
+    const Conditioned c = equilibrium_under(m, {Kind::sag_of_span, 0, f, 0});
+    ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
+    double low = 1, high = 1e5;
+    for (int i = 0; i < 200; ++i) {
+      const double a = (low + high) / 2;
+      (a * (std::cosh(60 / a) - 1) > f ? low : high) = a;
+    }
+    EXPECT_NEAR(c.result.spans[0].H / (12 * low), 1, 1e-7) << f;
+    EXPECT_NEAR(c.result.ropes[0].unstretched / (2 * low * std::sinh(60 / low)), 1, 1e-10) << f;
+    EXPECT_NEAR(sag_at_middle(c.result.spans[0]), f, 1e-8);
+  }
+}
+
+TEST(Condition, BySagByLengthAndByTensionAreOneState) {
+  const model::Model m = with_carriage(true, 0.1, 1500);
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  options.band = false;
+  for (const double sag : {6.0, 12.0}) {
+    const Conditioned by_sag = equilibrium_under(m, {Kind::sag_at_carriage, 0, sag, 0}, options);
+    ASSERT_TRUE(by_sag.result.outcome.ok()) << by_sag.result.outcome.message;
+    EXPECT_NEAR(sag_of_carriage(by_sag.model, by_sag.result, 0), sag, 1e-8);
+    const auto& spans = by_sag.result.spans;
+    const Conditioned by_tension = equilibrium_under(m, {Kind::tension_at_start, 0, spans.front().T_from, 0}, options);
+    ASSERT_TRUE(by_tension.result.outcome.ok());
+    EXPECT_NEAR(sag_of_carriage(m, by_tension.result, 0), sag, 1e-6);
+    EXPECT_NEAR(by_tension.result.ropes[0].unstretched, by_sag.result.ropes[0].unstretched, 1e-7);
+    const Conditioned by_length =
+        equilibrium_under(m, {Kind::length, 0, by_sag.result.ropes[0].unstretched, 0}, options);
+    EXPECT_NEAR(sag_of_carriage(m, by_length.result, 0), sag, 1e-6);
+    // the same where the tension is what is given and what follows
+    model::Model pulled = m;
+    pulled.reevings[0].given = model::Given::tension_at_end;
+    pulled.reevings[0].value = 30e3;
+    const Conditioned as_tension = equilibrium_under(pulled, {Kind::sag_at_carriage, 0, sag, 0}, options);
+    ASSERT_TRUE(as_tension.result.outcome.ok()) << as_tension.result.outcome.message;
+    EXPECT_NEAR(as_tension.result.ropes[0].unstretched, by_sag.result.ropes[0].unstretched, 1e-6);
+  }
+}
+
+TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
+  const model::Model m = with_carriage(false, 0, 1500);
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 130};
+  options.band = false;
+  const Conditioned c = equilibrium_under(m, {Kind::free_running, 0, 0, 0}, options);
+  ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
+  EXPECT_LT(c.result.hold.norm(), 1e-3);
+  const EquilibriumResult let_go = equilibrium(c.model, {}, c.result.state);
+  ASSERT_TRUE(let_go.outcome.ok()) << let_go.outcome.message;
+  EXPECT_NEAR(let_go.state.bodies[0].position.x(), 130, 1e-4);
+}
+
+TEST(Condition, SaysWhenNoneFits) {
+  const model::Model m = with_carriage(true, 0.1, 1500);
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  const Conditioned c = equilibrium_under(m, {Kind::sag_at_carriage, 0, 1e5, 0}, options);
+  EXPECT_EQ(c.result.outcome.status, taut::Status::infeasible);
+  EXPECT_NE(c.result.outcome.message.find("no length of 'skyline' found with this sag"), std::string::npos)
+      << c.result.outcome.message;
+}
+
+/// A running skyline as the engine's closed-loop solver has it and as a machine: the carriage rolls on the upper branch
+/// of the return rope, is fixed to its end, and the traction rope pulls it.
+struct Loop {
+  RunningLoop loop;
+  model::Model machine;
+};
+
+Loop running_loop(double EA, double eta) {
+  Loop all;
+  RunningLoop& l = all.loop;
+  l.span = 200;
+  l.rise = 15;
+  l.traction_rope = {14, 1.5 * EA};
+  l.return_rope = {10, EA};
+  l.efficiency = eta;
+  l.pull_z = -20e3;
+  l.pull_x = 8e3;
+  model::Model& m = all.machine;
+  m.bodies.push_back(body("car", {90, 0, -5}, 0, "xyz"));
+  m.loads.push_back({{0, origin}, {8e3, 0, -20e3}});
+  model::Node tail = over("tail", {200, 0, 15});
+  tail.law.efficiency = eta;
+  m.reevings.push_back(
+      reeve("return", {anchor("head", {0, 0, 0}), over("car", origin, 0), tail, anchor_on("car", 0)}, 306, 10, EA));
+  m.reevings.push_back(reeve("traction", {anchor("winch", {0, 0, 0}), anchor_on("car", 0)}, 92, 14, 1.5 * EA));
+  m.carriages.push_back({"car", 0, 0, 1, 1});
+  return all;
+}
+
+TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
+  for (const double EA : {5e6, 2e7}) {
+    const Loop both = running_loop(EA, 0.9);
+    EquilibriumOptions options;
+    options.prescribed = Prescribed{0, 90};
+    options.motion = Motion::in;
+    options.flow = {{0, 0, 1, 0},
+                    {0, 0}};  // in-haul: the return rope runs from the upper branch over B to the lower one
+    LoopState by_sag;
+    ASSERT_TRUE(solve_loop(both.loop, {90, 11}, by_sag).ok());
+    const Conditioned c = equilibrium_under(both.machine, {Kind::sag_at_carriage, 0, 11, 0}, options);
+    ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
+    const auto& spans = c.result.spans;  // head-car, car-tail, tail-car, winch-car
+    ASSERT_EQ(spans.size(), 4U);
+    EXPECT_NEAR(c.result.ropes[0].unstretched / by_sag.return_length, 1, 1e-7);
+    EXPECT_NEAR(c.result.ropes[1].unstretched / by_sag.traction_length, 1, 1e-7);
+    // the winch's pull given
+    LoopSag pulled;
+    ASSERT_TRUE(find_loop_sag(both.loop, 90, LoopGiven::tension_at_A, 45e3, pulled).ok());
+    const Conditioned p = equilibrium_under(both.machine, {Kind::tension_of, 0, 45e3, 0, {1}}, options);
+    ASSERT_TRUE(p.result.outcome.ok()) << p.result.outcome.message;
+    EXPECT_NEAR(p.result.spans[3].T_from, 45e3, 1e-3);
+    EXPECT_NEAR(sag_of_carriage(p.model, p.result, 0), pulled.sag, 1e-5);
+    // the length of the whole loop given
+    LoopSag looped;
+    ASSERT_TRUE(find_loop_sag(both.loop, 90, LoopGiven::length, 403, looped).ok());
+    const Conditioned l = equilibrium_under(both.machine, {Kind::length_of, 0, 403, 0, {0, 1}}, options);
+    ASSERT_TRUE(l.result.outcome.ok()) << l.result.outcome.message;
+    EXPECT_NEAR(l.result.ropes[0].unstretched + l.result.ropes[1].unstretched, 403, 1e-8);
+    EXPECT_NEAR(sag_of_carriage(l.model, l.result, 0), looped.sag, 1e-5);
+  }
+}
+
+}  // namespace condition_test

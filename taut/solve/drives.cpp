@@ -1,0 +1,157 @@
+#include "taut/solve/drives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "taut/machine/compile/drums.hpp"
+#include "taut/math/index.hpp"
+#include "taut/rope/contact.hpp"
+#include "taut/solve/running.hpp"
+
+namespace taut::analysis {
+namespace {
+
+int sense_of(const std::vector<int>& flow) {
+  const auto moves = std::find_if(flow.begin(), flow.end(), [](int f) { return f != 0; });
+  return moves == flow.end() ? 0 : *moves;
+}
+
+const ContactResult* contact_at(const EquilibriumResult& result, int reeving, int node) {
+  const auto found = std::find_if(result.contacts.begin(), result.contacts.end(),
+                                  [&](const ContactResult& c) { return c.reeving == reeving && c.node == node; });
+  return found == result.contacts.end() ? nullptr : &*found;
+}
+
+void fill_grip(const model::Node& node, const model::Reeving& rope, const std::optional<double>& working_arc,
+               DriveResult& d) {
+  const double high = std::max(d.T_in, d.T_out), low = std::min(d.T_in, d.T_out);
+  d.arc = working_arc ? std::min(*working_arc, d.wrap) : d.wrap;
+  d.ratio =
+      low > d.centrifugal ? (high - d.centrifugal) / (low - d.centrifugal) : std::numeric_limits<double>::infinity();
+  d.creep = (high - low) / rope.stiffness;
+  d.limit = std::exp(node.law.friction * d.arc);
+  d.slip_arc = std::isinf(node.law.friction) ? 0 : std::log(d.ratio) / node.law.friction;
+  d.rest_arc = d.arc - d.slip_arc;
+}
+
+/// Where the power of an endless running rope goes. It passes unstretched rope at the rate u everywhere; where its
+/// tension grows from T_a to T_b against what holds it, it gives off the integral of v dT = u (T_b - T_a) (1 + (T_a +
+/// T_b)/(2 EA)).
+void fill_ledger(const model::Reeving& rope, int sense, const EquilibriumResult& result, DriveResult& d) {
+  const double arrives = sense > 0 ? d.T_in : d.T_out;
+  const double u = std::abs(*d.speed) / (1 + arrives / rope.stiffness);
+  d.power_loads = d.power_losses = d.power_carriages = 0;
+  double driven = 0;
+  for (const ContactResult& c : result.contacts) {
+    if (c.reeving != d.reeving || c.state == ContactState::lifted) continue;
+    const double grows = sense * (c.T_out - c.T_in);
+    const double power = rope.copies * u * grows * (1 + (c.T_in + c.T_out) / (2 * rope.stiffness));
+    switch (rope.nodes[at(c.node)].kind) {
+      case model::NodeKind::load:
+        *d.power_loads += power;
+        break;
+      case model::NodeKind::contact:
+        *d.power_losses += power;
+        break;
+      case model::NodeKind::clamp:
+        *d.power_carriages += power;
+        break;
+      case model::NodeKind::drive:
+        driven = -power;
+        break;
+      case model::NodeKind::anchor:
+        break;
+    }
+  }
+  d.power_creep = d.power - driven;
+}
+
+}  // namespace
+
+std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result) {
+  std::vector<DriveResult> all;
+  for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+    const model::Reeving& rope = model.reevings[at(r)];
+    for (int n = 0; n < static_cast<int>(rope.nodes.size()); ++n) {
+      const model::Node& node = rope.nodes[at(n)];
+      const ContactResult* c = node.kind == model::NodeKind::drive ? contact_at(result, r, n) : nullptr;
+      if (c == nullptr) continue;
+      DriveResult d;
+      d.reeving = r;
+      d.node = n;
+      d.T_in = c->T_in;
+      d.T_out = c->T_out;
+      d.wrap = c->wrap;
+      d.centrifugal = centrifugal(rope, result.flow[at(r)]);
+      d.torque = rope.copies * node.radius * (d.T_in - d.T_out);
+      fill_grip(node, rope, node.motor < 0 ? std::nullopt : model.motors[at(node.motor)].working_arc, d);
+      const int sense = sense_of(result.flow[at(r)]);
+      if (rope.speed > 0 && sense != 0) {
+        d.speed = sense * rope.speed;
+        d.power = rope.copies * (d.T_in - d.T_out) * *d.speed;
+        if (rope.closed) fill_ledger(rope, sense, result, d);
+      }
+      all.push_back(d);
+    }
+  }
+  return all;
+}
+
+namespace {
+
+/// Rope and layers on a drum.
+void fill_layers(const model::Drum& drum, const model::Reeving& rope, double unstretched, DrumResult& d) {
+  if (drum.length_on_drum) {
+    const bool follows = rope.given == model::Given::length;
+    d.length = *drum.length_on_drum + (follows ? rope.value - unstretched : 0);
+  }
+  const rope::DrumLayers measures = model::measures_of(drum, rope.diameter);
+  if (measures.width == 0) return;
+  const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
+  const double turns = rope::turns_per_layer(measures);
+  if (d.length && *d.length >= 0) {
+    const rope::OnDrum on = rope::on_drum(measures, *d.length * stretch);
+    if (drum.automatic_layers) d.layer = on.layer;
+    d.wraps = (on.layer - 1) * turns + on.turns;
+  }
+  d.radius = rope::layer_radius(measures, d.layer);
+  if (measures.flange_diameter == 0) return;
+  const int last = rope::layers_within_flanges(measures);
+  d.capacity = rope::drum_capacity(measures, last) / stretch;
+  if (last > 0) d.pull_last_layer = d.pull * d.radius / rope::layer_radius(measures, last);
+}
+
+}  // namespace
+
+std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result) {
+  std::vector<DrumResult> all;
+  for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+    const model::Reeving& rope = model.reevings[at(r)];
+    const auto own = [&](const SpanResult& s) { return s.reeving == r; };
+    const auto first = std::find_if(result.spans.begin(), result.spans.end(), own);
+    const auto last = std::find_if(result.spans.rbegin(), result.spans.rend(), own);
+    for (const bool at_end : {false, true}) {
+      const model::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+      if (node.drum < 0) continue;
+      const model::Drum& drum = model.drums[at(node.drum)];
+      DrumResult d;
+      d.drum = node.drum;
+      d.reeving = r;
+      d.pull = at_end ? last->T_to : first->T_from;
+      d.layer = drum.layer;
+      d.radius = node.radius;
+      fill_layers(drum, rope, result.ropes[at(r)].unstretched, d);
+      d.torque = rope.copies * d.pull * d.radius;
+      const int sense = sense_of(result.flow[at(r)]);
+      if (drum.drive.kind == model::DriveKind::speed && rope.speed > 0 && sense != 0) {
+        d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
+      }
+      all.push_back(d);
+    }
+  }
+  return all;
+}
+
+}  // namespace taut::analysis

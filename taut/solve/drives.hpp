@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "taut/solve/equilibrium.hpp"
+
+namespace taut::analysis {
+
+/// What a driven sheave does, docs/theory/drives.md. Forces of all copies together where a torque or a power is told;
+/// tensions of one.
+struct DriveResult {
+  int reeving = 0, node = 0;
+  double T_in = 0, T_out = 0;  ///< N, by the order of the path, centrifugal tension contained
+  double centrifugal = 0;      ///< c = m v^2, N
+  double torque = 0;           ///< R (T_in - T_out), N m, positive along the path
+  double wrap = 0;             ///< rad
+  double arc = 0;              ///< of it, what can pull, rad
+  double ratio = 1;            ///< (T_1 - c)/(T_2 - c); infinite where T_2 <= c
+  double limit = 0;            ///< exp(mu arc); infinite without friction given
+  double slip_arc = 0;         ///< ln(ratio)/mu, rad; 0 without friction given
+  double rest_arc = 0;         ///< arc - slip_arc, rad
+  double creep = 0;            ///< (T_1 - T_2)/EA
+  std::optional<double>
+      speed;  ///< of the rope where it arrives, m/s, positive along the path; empty: at rest or unknown
+  /// Of an endless rope that runs, W: power = loads + losses + carriages + creep. Other ropes: the power alone.
+  double power = 0;
+  std::optional<double> power_loads, power_losses, power_carriages, power_creep;
+};
+
+/// Of every motor of the model.
+std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result);
+
+/// What lies on a drum, and what it pulls.
+struct DrumResult {
+  int drum = 0;     ///< index in the model
+  int reeving = 0;  ///< whose end is on it
+  double pull = 0;  ///< tension of one copy where the rope leaves it, N
+  int layer = 1;
+  double radius = 0;                      ///< m
+  double torque = 0;                      ///< of all copies, N m
+  std::optional<double> length;           ///< on the drum, unstretched, m; negative: the rope does not reach
+  std::optional<double> wraps;            ///< all layers together
+  std::optional<double> capacity;         ///< within the flanges, unstretched at that tension, m
+  std::optional<double> pull_last_layer;  ///< what the same torque pulls in the last layer within the flanges, N
+  std::optional<double> speed;            ///< of the rope, taking in, m/s
+};
+
+/// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
+/// where an answer has another free length, the rest is on the drum.
+std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result);
+
+}  // namespace taut::analysis

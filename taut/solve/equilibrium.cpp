@@ -1,0 +1,591 @@
+#include "taut/solve/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "taut/base/expects.hpp"
+#include "taut/machine/without_rope.hpp"
+#include "taut/math/index.hpp"
+#include "taut/solve/beam_tables.hpp"
+#include "taut/solve/rest/far_loop.hpp"
+#include "taut/solve/rest/fed_rope.hpp"
+#include "taut/solve/rest/first_state.hpp"
+#include "taut/solve/rest/hanging.hpp"
+#include "taut/solve/rest/lift.hpp"
+#include "taut/solve/rest/newton.hpp"
+#include "taut/solve/rest/past_stop.hpp"
+#include "taut/solve/rest/reasons.hpp"
+#include "taut/solve/rest/roll.hpp"
+#include "taut/solve/rest/sides.hpp"
+#include "taut/solve/running.hpp"
+#include "taut/solve/stability.hpp"
+#include "taut/solve/stiff_ropes.hpp"
+#include "taut/solve/tables.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Flow = std::vector<std::vector<int>>;
+
+constexpr int relaxing_steps = 400;
+constexpr int parts_of_losses = 16;
+constexpr double drawn_taut = 0.999;
+constexpr int most_changes = 40;        ///< of what touches what
+constexpr double no_force = 1e-9;       ///< of the weight of a carriage and its load: holds nothing
+constexpr double lightest = 1.0 / 256;  ///< share of the weight of a fed rope that its search begins with
+constexpr double least_weight_step = 1e-3;
+constexpr int most_pull_doublings = 5;
+constexpr double pull_precision = 1e-4;
+
+/// The weight of a body and of the loads on it, N.
+double weight_on(const model::Model& model, int body) {
+  double weight = model.bodies[at(body)].mass * model.gravity;
+  for (const model::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
+  return weight;
+}
+
+/// Whether motion changes tensions: by losses, or by the weight of rope that runs round.
+bool differs_in_motion(const model::Model& model) {
+  for (const model::Reeving& rope : model.reevings) {
+    if (rope.mass * rope.speed > 0) return true;
+    for (const model::Node& node : rope.nodes) {
+      if (node.kind == model::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
+    }
+  }
+  return false;
+}
+
+Configuration configuration_of(const Layout& layout, const model::State& state) {
+  Configuration c;
+  c.bodies = state.bodies;
+  c.open_loads.assign(layout.ropes.size(), 0);
+  for (const Layout::Link& link : layout.links) c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
+  for (const Layout::Piece& p : layout.pieces) c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
+  return c;
+}
+
+void keep(const Layout& layout, const Configuration& c, model::State& state) {
+  state.bodies = c.bodies;
+  for (std::size_t k = 0; k < layout.links.size(); ++k) {
+    state.branches[at(layout.links[k].reeving)][at(layout.links[k].from)] = c.links[k];
+  }
+  for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
+    state.beams.at(at(layout.pieces[k].beam)).at(at(layout.pieces[k].piece)) = c.pieces[k];
+  }
+}
+
+/// Gives a branch a little less than its straight length. False where it does not stretch.
+bool draw_taut(const System& system, const model::State& state, int link_index, Configuration& c) {
+  const Layout::Link& link = system.layout.links[at(link_index)];
+  const model::Reeving& rope = system.model.reevings[at(link.reeving)];
+  if (std::isinf(rope.stiffness)) return false;
+  c.links[at(link_index)] = {};
+  c.links[at(link_index)].length =
+      drawn_taut * model::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+  return true;
+}
+
+/// The configuration of `state`, with every branch that has no shape there (a loose loop on a sheave) drawn taut.
+Configuration usable_start(const System& system, const model::State& state) {
+  Configuration c = configuration_of(system.layout, state);
+  Evaluation e;
+  for (std::size_t tries = 0; tries <= c.links.size(); ++tries) {
+    const auto no = evaluate(system, c, e);
+    if (!no) break;
+    if (!draw_taut(system, state, no->link, c)) break;
+  }
+  return c;
+}
+
+/// The same with every branch drawn taut that can be.
+Configuration taut_start(const System& system, const model::State& state) {
+  Configuration c = configuration_of(system.layout, state);
+  for (int k = 0; k < static_cast<int>(c.links.size()); ++k) draw_taut(system, state, k, c);
+  return c;
+}
+
+/// A machine solved with what touches now.
+struct Solved {
+  Outcome outcome;
+  Layout layout;
+  Configuration c;
+  Evaluation e;
+  int steps = 0;
+};
+
+System system_of(const model::Model& model, const Layout& layout, const EquilibriumOptions& options) {
+  return {model, layout, options.prescribed ? options.prescribed->x : 0, 1, options.lengths_kept};
+}
+
+/// Whether an answer is one to stay in, and its carriages hang as carriages do.
+Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
+  Stability found = stability(system, c, e);
+  if (found.outcome.ok()) found.outcome = no_far_loop(system, c, e);
+  if (found.outcome.ok()) found.outcome = hanging(system, c, e).outcome;
+  return found;
+}
+
+/// An answer of which nothing else is wrong than that a carriage lifts off stands: its rollers' state tells.
+void accept_lifted(const System& system, Solved& s) {
+  if (stability(system, s.c, s.e).outcome.ok() && hanging(system, s.c, s.e).lifted) s.outcome = {};
+}
+
+/// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
+/// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
+/// fall, which tells best where things go.
+Iteration come_to_rest(const System& system, const model::State& state, const Configuration& start,
+                       const EquilibriumOptions& options, Solved& s) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  Iteration it, told;
+  std::optional<Solved> ends;
+  struct Way {
+    double growth, ropes;
+    bool from_taut;
+  };
+  for (const Way& way : {Way{any, 0.01, false}, {30, 0.01, false}, {any, 1, false}, {any, 1, true}, {3, 1, false}}) {
+    s.c = way.from_taut ? taut_start(system, state) : start;
+    it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
+    s.steps += it.steps;
+    if (it.converged) {
+      it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+      s.steps += it.steps;
+    }
+    s.outcome = it.converged ? stays(system, s.c, s.e).outcome : Outcome();
+    if (it.converged && s.outcome.ok()) return it;
+    if (ends && (told.converged || !it.converged)) continue;
+    ends = s;
+    told = it;
+  }
+  ends->steps = s.steps;
+  s = *std::move(ends);
+  return told;
+}
+
+/// A search for the taut root of a given tension begins on its side.
+void leave_deep_loops(const System& system, Configuration& c) {
+  const std::vector<FedEnd> fed = fed_ends(system);
+  if (fed.empty()) return;
+  Configuration now = c;
+  Evaluation e;
+  if (!evaluate(system, now, e) && deep_link(system, fed, now, e) >= 0) draw_fed_taut(system, fed, c);
+}
+
+/// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
+/// is no other, and said in s.outcome.
+Iteration find(const System& system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
+  Configuration start = configuration_of(s.layout, state);
+  leave_deep_loops(system, start);
+  s.c = start;
+  Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+  if (it.stopped && it.steps == 0) {
+    s.c = start = usable_start(system, state);
+    it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+  }
+  s.steps += it.steps;
+  const Iteration first = it;
+  std::optional<Solved> unstable;
+  if (it.converged) {
+    const Stability found = stays(system, s.c, s.e);
+    s.outcome = found.outcome;
+    if (s.outcome.ok()) return it;
+    unstable = s;
+    if (found.rope) {
+      // which way a rope runs off is a matter of chance
+      const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
+      move(system, unstable->c, {found.push, no_change}, 1, start);
+    }
+  }
+  it = come_to_rest(system, state, start, options, s);
+  if (it.converged && s.outcome.ok()) return it;
+  if (unstable) {
+    unstable->steps = s.steps;
+    s = *std::move(unstable);
+    accept_lifted(system, s);
+    return first;
+  }
+  it.singular = first.singular;  // a drag hides it
+  if (it.converged) accept_lifted(system, s);
+  return it;
+}
+
+/// From the lossless answer, the losses brought on by parts. False where a part has no answer.
+bool bring_on_losses(System system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
+  system.losses = 0;
+  if (!find(system, state, options, s).converged) return false;
+  for (int part = 1; part <= parts_of_losses; ++part) {
+    system.losses = static_cast<double>(part) / parts_of_losses;
+    const Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+    if (!it.converged) return false;
+  }
+  s.outcome = {};
+  if (fed_ends(system).empty()) return true;
+  s.outcome = stays(system, s.c, s.e).outcome;
+  if (!s.outcome.ok()) accept_lifted(system, s);
+  return s.outcome.ok();
+}
+
+/// From fed ropes that weigh next to nothing, and so have one root alone, to their weight by parts. False where the
+/// equilibrium ends on the way.
+bool bring_on_weight(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                     Solved& s) {
+  model::Model light = model;
+  bool weighs_at_all = false;
+  const auto weigh = [&](double share) {
+    for (const FedEnd& end : fed_ends({model, s.layout, 0})) {
+      const double weight = model.reevings[at(end.rope)].weight;
+      light.reevings[at(end.rope)].weight = share * weight;
+      weighs_at_all = weighs_at_all || weight > 0;
+    }
+  };
+  weigh(lightest);
+  if (!weighs_at_all) return false;
+  const System system = system_of(light, s.layout, options);
+  if (!find(system, state, options, s).converged || !s.outcome.ok()) return false;
+  for (double weighs = lightest, step = lightest; weighs < 1;) {
+    weigh(std::min(1.0, weighs + step));
+    Solved next = s;
+    const Iteration it = newton(system, next.c, next.e, options.tolerance, options.iterations);
+    s.steps += it.steps;
+    if (!it.converged || !stays(system, next.c, next.e).outcome.ok()) {
+      step /= 4;
+      if (step < least_weight_step * weighs) return false;
+      continue;
+    }
+    s.c = std::move(next.c);
+    s.e = std::move(next.e);
+    weighs += step;
+    step *= 2;
+  }
+  return true;
+}
+
+/// The least tension of a fed rope, N, between one that has an answer and the given one, which has none; 0 where none
+/// was found, or not sought: at each place of a load path, and of a rope with two tensions.
+double least_pull(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                  const Solved& failed, int reeving) {
+  model::Model pulled = model;
+  model::Reeving& rope = pulled.reevings[at(reeving)];
+  if (options.prescribed || rope.also) return 0;
+  double low = rope.value, high = low;
+  Solved s = failed;
+  const System system = system_of(pulled, s.layout, options);
+  const auto holds = [&](const Solved& found) { return stays(system, found.c, found.e).outcome.ok(); };
+  for (int doubling = 0; doubling < most_pull_doublings; ++doubling) {
+    rope.value = high = 2 * high;
+    if (find(system, state, options, s).converged && s.outcome.ok()) break;
+    low = high;
+    if (doubling + 1 == most_pull_doublings) return 0;
+  }
+  while (high - low > pull_precision * high) {
+    rope.value = (low + high) / 2;
+    Solved next = s;
+    const bool found = newton(system, next.c, next.e, options.tolerance, options.iterations).converged && holds(next);
+    (found ? high : low) = rope.value;
+    if (found) s = std::move(next);
+  }
+  return high;
+}
+
+Solved solve_by_lengths(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+                        const Flow& flow) {
+  Solved s;
+  s.layout = layout(model, state, options.prescribed, flow);
+  const System system = system_of(model, s.layout, options);
+  const Iteration it = find(system, state, options, s);
+  // where a tension is given there may be a stable answer beside one that is not
+  const bool fed = !fed_ends(system).empty();
+  if (it.converged && (s.outcome.ok() || !fed)) return s;
+  Solved other = s;
+  const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
+  if (flows && bring_on_losses(system, state, options, other)) return other;
+  if (fed && bring_on_weight(model, state, options, other)) return other;
+  if (it.converged) return s;
+  s.outcome = reason(system, s.c, s.e, it);
+  const int heavy = too_heavy(system, s.e, it);
+  if (heavy >= 0) s.outcome = too_heavy_outcome(system, heavy, least_pull(model, state, options, s, heavy));
+  return s;
+}
+
+/// The answer beside `near` with the forces of stiff ropes as unknowns.
+Solved with_forces_from(const model::Model& model, const Solved& near, double softest,
+                        const EquilibriumOptions& options) {
+  const double coordinate = options.prescribed ? options.prescribed->x : 0;
+  StiffAnswer s = with_stiff_ropes(model, {near.outcome, near.layout, near.c, near.e, 0}, coordinate, softest, options);
+  return {s.outcome, std::move(s.layout), std::move(s.c), std::move(s.e), near.steps + s.steps};
+}
+
+/// Of ropes that hardly stretch: by way of softer ones, which also show whether it is an answer to stay in.
+Solved solve_stiff(const model::Model& model, const model::State& state, double force,
+                   const EquilibriumOptions& options, const Flow& flow) {
+  Solved first;
+  for (const std::vector<double>& ratios : {std::vector<double>{1e4, 1e6}, {1e2, 1e3, 1e4, 1e5, 1e6}}) {
+    model::Model before = model;
+    model::State near = state;
+    Solved soft, stiff;
+    for (const double ratio : ratios) {
+      const model::Model softer = softened(model, ratio * force);
+      near = with_stiffness(std::move(near), before, softer);
+      soft = solve_by_lengths(softer, near, options, flow);
+      if (!soft.outcome.ok()) break;
+      stiff = with_forces_from(model, soft, ratio * force, options);
+      if (stiff.outcome.ok()) return stiff;
+      keep(soft.layout, soft.c, near);
+      before = softer;
+    }
+    const bool found = soft.outcome.ok();
+    if (found || first.outcome.ok()) first = found ? std::move(stiff) : std::move(soft);
+    if (found) break;
+  }
+  return first;
+}
+
+Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+             const Flow& flow) {
+  const double force = force_scale(model, layout(model, state, options.prescribed, flow));
+  if (has_stiff_ropes(model, force)) return solve_stiff(model, state, force, options, flow);
+  Solved s = solve_by_lengths(model, state, options, flow);
+  if (!s.outcome.ok() || !is_rough({model, s.layout, 0}, s.e)) return s;
+  Solved fine = with_forces_from(model, s, std::numeric_limits<double>::infinity(), options);
+  return fine.outcome.ok() ? fine : s;
+}
+
+/// Solved with what touches found out.
+Solved solve_touching(const model::Model& model, model::State& state, const EquilibriumOptions& options,
+                      const Flow& flow) {
+  int steps = 0;
+  Flow let_go;  // how often each node has
+  for (const model::Reeving& rope : model.reevings) let_go.emplace_back(rope.nodes.size(), 0);
+  for (int change = 0; change < most_changes; ++change) {
+    Solved s = solve(model, state, options, flow);
+    s.steps = steps += s.steps;
+    if (!s.outcome.ok()) return s;
+    keep(s.layout, s.c, state);
+    if (!change_touch({model, s.layout, 0}, s.c, s.e, state, let_go)) return s;
+  }
+  Solved s;
+  s.outcome = not_converged("the ropes lift off their supports and come back without end");
+  return s;
+}
+
+/// A carriage that nothing holds, and that was not found between its neighbours: from where it rolls to rest, or the
+/// reason.
+void roll(const model::Model& model, const EquilibriumOptions& options, const Flow& flow, model::State& state,
+          Solved& s) {
+  if (options.prescribed) return;
+  const std::string away = s.outcome.ok() ? rolled_away(model, state) : std::string();
+  if (s.outcome.ok() && away.empty()) return;
+  if (const auto rest = roll_to_rest(model, options)) {
+    if (!rest->state) {
+      s.outcome = infeasible(rest->reason);
+      return;
+    }
+    model::State near = *rest->state;
+    Solved rolled = solve_touching(model, near, options, flow);
+    if (rolled.outcome.ok() && rolled_away(model, near).empty()) {
+      s = std::move(rolled);
+      state = std::move(near);
+      return;
+    }
+  }
+  if (!away.empty()) s.outcome = infeasible(away);
+}
+
+/// A carriage prescribed by its mainline, with a hold along the track in the mainline's place: why it has no answer
+/// there (it lies past a stop of its rope, or the mainline would have to push), or where its taut answer is sought.
+struct WithoutMainline {
+  std::string why;                        ///< empty for other reasons
+  std::optional<model::State> near = {};  ///< the machine with its mainline straight under the force of the hold
+  bool loose = false;                     ///< that force is none
+};
+
+/// The branches of a mainline put into a state of the machine without it, straight under a tension.
+model::State with_mainline(model::State state, const model::Reeving& mainline, int index, double tension) {
+  std::vector<model::BranchState> own(mainline.nodes.size() - 1);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const model::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
+    own[k].length =
+        tension > 0 ? model::taut_length(state, mainline, from, to, tension) : model::straight_length(state, from, to);
+  }
+  state.branches.insert(state.branches.begin() + index, std::move(own));
+  state.touched.insert(state.touched.begin() + index, std::vector<bool>(mainline.nodes.size(), true));
+  return state;
+}
+
+WithoutMainline without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
+  if (!options.prescribed) return {};
+  const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
+  if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
+  const model::Reeving& mainline = model.reevings[at(carriage.mainline)];
+  auto rest = model::without_rope(model, carriage.mainline);
+  if (!rest) return {};
+  model::Model& without = *rest;
+  Flow flow_without = flow;
+  flow_without.erase(flow_without.begin() + carriage.mainline);
+  without.carriages[at(options.prescribed->carriage)].haulback = -1;
+  const model::State start = model::initial_state(without);
+  const Solved s = solve(without, start, options, flow_without);
+  if (!s.outcome.ok() || s.layout.hold < 0) return {};
+  const System system{without, s.layout, 0};
+  if (std::string past = past_stop(system, s.c); !past.empty()) return {past};
+  model::State held = start;
+  keep(s.layout, s.c, held);
+  const Vector3 hold = s.c.hold * track(system, s.e);
+  const Vector3 place = s.c.bodies[at(carriage.body)].position;
+  const bool ends_there = mainline.nodes.back().at.body == carriage.body;
+  const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
+  const Vector3 pull = model::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
+  if (hold.norm() <= no_force * weight_on(model, carriage.body)) {
+    if (mainline.weight > 0) {
+      return {
+          fmt::format("'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
+                      "there: choose another x",
+                      carriage.name, options.prescribed->x, mainline.name)};
+    }
+    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, 0), true};
+  }
+  if (hold.dot(pull) > 0) {
+    const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
+    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, tension)};
+  }
+  return {
+      fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
+                  "can't push: choose another x, or pull from the other side",
+                  carriage.name, options.prescribed->x, mainline.name, hold.norm())};
+}
+
+/// The tensions of both directions of motion beside the answer at rest.
+void add_band(const model::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
+  const model::Model held = with_loads_held(model);
+  for (const Motion motion : {Motion::in, Motion::out}) {
+    EquilibriumOptions moving = options;
+    moving.motion = motion;
+    moving.held = true;  // its friction holds it at rest
+    const EquilibriumResult other = equilibrium(held, moving, result.state);
+    if (!other.outcome.ok() || other.spans.size() != result.spans.size()) {
+      result.band = false;
+      continue;
+    }
+    const auto widen = [](double& low, double& high, double T) {
+      low = std::min(low, T);
+      high = std::max(high, T);
+    };
+    for (std::size_t k = 0; k < result.spans.size(); ++k) {
+      SpanResult& span = result.spans[k];
+      widen(span.T_from_min, span.T_from_max, other.spans[k].T_from);
+      widen(span.T_to_min, span.T_to_max, other.spans[k].T_to);
+    }
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+      ContactResult& contact = result.contacts[k];
+      widen(contact.T_in_min, contact.T_in_max, other.contacts[k].T_in);
+      widen(contact.T_out_min, contact.T_out_max, other.contacts[k].T_out);
+    }
+    for (std::size_t r = 0; r < result.ropes.size(); ++r) {
+      RopeResult& rope = result.ropes[r];
+      if (other.ropes[r].T_max <= rope.T_max) continue;
+      const double unstretched = rope.unstretched;
+      rope = other.ropes[r];
+      rope.unstretched = unstretched;
+    }
+  }
+}
+
+/// The machine with its ropes' flow known; no rope's running counts.
+EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& options, const Flow& flow,
+                           const std::optional<model::State>& start) {
+  EquilibriumResult result;
+  result.state = start ? *start : first_state(model, options);
+  Solved s = solve_touching(model, result.state, options, flow);
+  roll(model, options, flow, result.state, s);
+  const bool deep = s.outcome.ok() && deep_mainline_link({model, s.layout, 0}, s.c, s.e) >= 0;
+  if (deep || !s.outcome.ok()) {
+    const std::string why =
+        deep ? "" : section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
+    const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why};
+    if (found.near) {
+      EquilibriumOptions near = options;
+      if (found.loose) near.tolerance = std::max(options.tolerance, no_force);
+      model::State state = *found.near;
+      Solved taut = solve_touching(model, state, near, flow);
+      if (taut.outcome.ok() && !(deep && deep_mainline_link({model, taut.layout, 0}, taut.c, taut.e) >= 0)) {
+        s = std::move(taut);
+        result.state = std::move(state);
+      }
+    }
+    if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
+  }
+  result.outcome = s.outcome;
+  result.closure.iterations = s.steps;
+  if (!result.outcome.ok()) return result;
+  const System system = system_of(model, s.layout, options);
+  if (const std::string past = past_stop(system, s.c); !past.empty()) {
+    result.outcome = taut::infeasible(past);
+    return result;
+  }
+  fill_tables(system, s.c, s.e, result.state, result);
+  result.outcome = check_beams(system, s.c, result.beams);
+  if (result.outcome.ok() && !options.held) result.outcome = stands_by_itself(model, options, result);
+  return result;
+}
+
+}  // namespace
+
+Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& options,
+                         const EquilibriumResult& result) {
+  if (!options.prescribed) return {};
+  const model::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  double largest = 0;
+  for (const RopeResult& rope : result.ropes) largest = std::max(largest, rope.T_max);
+  const double none = std::max(no_force * weight_on(model, carriage.body), options.tolerance * largest);
+  if (result.hold.norm() <= none) return {};
+  return infeasible(
+      fmt::format("'{}' stays at x = {:.6g} m only by a force of {:.4g} kN along its track, and nothing gives it: give "
+                  "the carriage a mainline, clamp it, choose another x, or say 'held: true' where something else "
+                  "holds it",
+                  carriage.name, options.prescribed->x, result.hold.norm() / 1e3));
+}
+
+EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
+                              const std::optional<model::State>& start) {
+  const Flow flow = flow_of(model, options);
+  bool runs = false;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
+  const auto solve_on = [&](const model::Model& on, const std::optional<model::State>& near) {
+    return standing(on, options, flow, near);
+  };
+  EquilibriumResult result;
+  if (runs) {
+    const auto moving = running(model, flow);
+    if (!moving) {
+      result.outcome = taut::infeasible(moving.error());
+      return result;
+    }
+    result = on_inner_sides(*moving, start, solve_on);
+    if (result.outcome.ok()) add_centrifugal(model, flow, result);
+  } else {
+    result = on_inner_sides(model, start, solve_on);
+  }
+  result.flow = flow;
+  const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
+  if (result.outcome.ok() && band && differs_in_motion(model)) {
+    result.band = true;
+    add_band(model, options, result);
+  }
+  return result;
+}
+
+model::Model installed(const model::Model& model, const EquilibriumResult& result) {
+  expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
+  model::Model frozen = model::with_sides(model, result.state);
+  for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
+    frozen.reevings[r].given = model::Given::length;
+    frozen.reevings[r].value = result.ropes[r].unstretched;
+  }
+  return frozen;
+}
+
+}  // namespace taut::analysis

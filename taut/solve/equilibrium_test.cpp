@@ -1,0 +1,231 @@
+#include "taut/solve/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "test/support/machines.hpp"
+
+namespace equilibrium_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+using taut::Status;
+
+EquilibriumResult moving(const model::Model& m, Motion motion) {
+  EquilibriumOptions options;
+  options.motion = motion;
+  return equilibrium(m, options);
+}
+
+double total_length(const EquilibriumResult& r, int reeving) {
+  double sum = 0;
+  for (const SpanResult& s : r.spans) sum += s.reeving == reeving ? s.unstretched : 0;
+  return sum;
+}
+
+TEST(Equilibrium, LevelCatenaryOfTheSpecification) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {80, 0, 0})}, 100, 9.81, 1e7));
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok());
+  EXPECT_NEAR(r.spans[0].H, 331.73013818, 1e-8 * 331);
+  EXPECT_NEAR(r.spans[0].T_to, 592.144521698, 1e-8 * 592);
+  EXPECT_NEAR(r.spans[0].sag, 26.547034967, 1e-8 * 26);
+  EXPECT_GT(r.spans[0].stretched, r.spans[0].unstretched);
+}
+
+TEST(Equilibrium, EverySaddleObeysItsLawInBothDirections) {
+  for (const Motion motion : {Motion::at_rest, Motion::in, Motion::out}) {
+    for (const double length : {312.5, 316.0, 330.0}) {
+      const model::Model m = three_spans(length, 0.15);
+      const EquilibriumResult r = moving(m, motion);
+      ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+      const double flow = motion == Motion::at_rest ? 0 : motion == Motion::in ? -1 : 1;  // haul = -1
+      for (const ContactResult& c : r.contacts) {
+        const double wanted = c.T_in * std::exp(flow * 0.15 * std::max(0.0, c.wrap));
+        EXPECT_NEAR(c.T_out / wanted, 1, 1e-9);
+        EXPECT_EQ(c.state, c.wrap < 0  ? ContactState::pulled
+                           : flow == 0 ? ContactState::stuck
+                                       : ContactState::slipping);
+      }
+      EXPECT_NEAR(total_length(r, 0) / length, 1, 1e-9);
+      EXPECT_LT(r.closure.rope, 1e-9);
+      EXPECT_LT(r.closure.balance, 1e-9 * r.ropes[0].T_max);
+    }
+  }
+}
+
+TEST(Equilibrium, BandAtRestHoldsBothDirections) {
+  const model::Model m = three_spans(316, 0.15);
+  const EquilibriumResult rest = equilibrium(m);
+  ASSERT_TRUE(rest.band);
+  const EquilibriumResult in = moving(m, Motion::in), out = moving(m, Motion::out);
+  for (std::size_t k = 0; k < rest.spans.size(); ++k) {
+    const double T[] = {rest.spans[k].T_from, in.spans[k].T_from, out.spans[k].T_from};
+    EXPECT_NEAR(rest.spans[k].T_from_min / std::ranges::min(T), 1, 1e-9);
+    EXPECT_NEAR(rest.spans[k].T_from_max / std::ranges::max(T), 1, 1e-9);
+  }
+  EXPECT_LT(rest.spans[2].T_from_min, rest.spans[2].T_from);
+  EXPECT_GT(rest.spans[2].T_from_max, rest.spans[2].T_from);
+  EXPECT_FALSE(equilibrium(three_spans(316, 0)).band);
+}
+
+/// Lead line of a tackle: S = Q K^n (K - 1)/(K^n - 1), lowering with 1/K for K.
+double lead_line(double Q, int n, double K) {
+  return K == 1 ? Q / n : Q * std::pow(K, n) * (K - 1) / (std::pow(K, n) - 1);
+}
+
+TEST(Equilibrium, LeadLineOfTackles) {
+  for (const int falls : {2, 3, 4, 6}) {
+    for (const double efficiency : {1.0, 0.98, 0.95}) {
+      const model::Model m = tackle(falls, efficiency, 3000);
+      const double Q = 3000 * m.gravity, K = 1 / efficiency;
+      const EquilibriumResult up = moving(m, Motion::hoist), down = moving(m, Motion::lower), rest = equilibrium(m);
+      ASSERT_TRUE(up.outcome.ok() && down.outcome.ok() && rest.outcome.ok());
+      EXPECT_NEAR(up.spans[0].T_from / lead_line(Q, falls, K), 1, 1e-9) << falls;
+      EXPECT_NEAR(down.spans[0].T_from / lead_line(Q, falls, efficiency), 1, 1e-9) << falls;
+      EXPECT_NEAR(rest.spans[0].T_from / (Q / falls), 1, 1e-9) << falls;
+      EXPECT_NEAR(rest.spans[0].T_from_max / lead_line(Q, falls, K), 1, 1e-9);
+      // every part is vertical, every sheave wrapped half round but the lead
+      for (std::size_t k = 1; k < up.spans.size(); ++k) EXPECT_NEAR(up.spans[k].H, 0, 1e-6);
+      for (std::size_t k = 1; k < up.contacts.size(); ++k) EXPECT_NEAR(up.contacts[k].wrap, std::numbers::pi, 1e-9);
+    }
+  }
+}
+
+TEST(Equilibrium, ArcsAreCountedWithTheirStrain) {
+  const EquilibriumResult r = equilibrium(tackle(4, 1, 3000));
+  const double T = 3000 * 9.80665 / 4;
+  double length = total_length(r, 0);
+  for (const ContactResult& c : r.contacts) length += 0.25 * c.wrap / (1 + T / 1e7);
+  EXPECT_NEAR(length, 20.6 + 52 + 0.5, 1e-9);
+}
+
+TEST(Equilibrium, ColdAndWarmRopes) {
+  model::Model m = three_spans(313, 0);
+  const EquilibriumResult r = equilibrium(m);
+  m.reevings[0].thermal_strain = -30 * 12e-6;
+  const EquilibriumResult cold = equilibrium(m);
+  EXPECT_GT(cold.ropes[0].T_max, r.ropes[0].T_max);
+  EXPECT_NEAR(cold.ropes[0].unstretched, 313, 1e-9);
+  // the same as a rope made shorter by hand, with its weight
+  model::Model shorter = three_spans(313 * (1 - 30 * 12e-6), 0);
+  shorter.reevings[0].weight /= 1 - 30 * 12e-6;
+  EXPECT_NEAR(equilibrium(shorter).ropes[0].T_max, cold.ropes[0].T_max, 1e-6);
+}
+
+TEST(Equilibrium, GivenTensionThenFrozenLength) {
+  model::Model m = three_spans(0, 0.1);
+  m.reevings[0].given = model::Given::tension_at_end;
+  m.reevings[0].value = 50e3;
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.spans.back().T_to, 50e3, 1e-4);
+  const EquilibriumResult again = equilibrium(installed(m, r));
+  EXPECT_NEAR(again.spans.back().T_to, 50e3, 1e-4);
+}
+
+TEST(Equilibrium, ClosedRopeWithTakeUp) {
+  // a belt over a drive and an idler on a slide, pulled by 5 kN
+  model::Model m;
+  m.bodies.push_back(body("slide", {3, 0, 0}, 0, "x"));
+  m.loads.push_back({{0, origin}, {5e3, 0, 0}});
+  model::Node drive = sheave("drive", origin, 0.3, 1);
+  drive.kind = model::NodeKind::drive;
+  m.reevings.push_back(reeve("belt", {drive, sheave("idler", origin, 0.3, 1, 0.97, 0)}, 8, 0, 1e6));
+  m.reevings[0].closed = true;
+  const EquilibriumResult rest = equilibrium(m);
+  ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
+  EXPECT_NEAR(rest.spans[0].T_from, 2500, 1e-6);
+  EXPECT_NEAR(rest.spans[1].T_from, 2500, 1e-6);
+  const double stretched = 8 * (1 + 2500 / 1e6);
+  EXPECT_NEAR(rest.state.bodies[0].position.x(), (stretched - 2 * std::numbers::pi * 0.3) / 2, 1e-9);
+  EXPECT_EQ(rest.contacts[0].state, ContactState::held);
+  EXPECT_NEAR(rest.contacts[0].wrap, std::numbers::pi, 1e-12);
+  EquilibriumOptions turning;
+  turning.flow = {{1, 1}};
+  const EquilibriumResult run = equilibrium(m, turning);
+  ASSERT_TRUE(run.outcome.ok()) << run.outcome.message;
+  EXPECT_NEAR(run.contacts[1].T_out * 0.97, run.contacts[1].T_in, 1e-6);
+  EXPECT_NEAR(run.spans[0].T_from + run.spans[1].T_from, 5000, 1e-6);
+  EXPECT_EQ(run.contacts[1].state, ContactState::turning);
+}
+
+TEST(Equilibrium, CopiesShareTheLoad) {
+  model::Model m = tackle(2, 1, 3000, 8);
+  m.reevings[0].copies = 2;
+  const EquilibriumResult two = equilibrium(m);
+  ASSERT_TRUE(two.outcome.ok());
+  model::Model half = tackle(2, 1, 1500, 8);
+  EXPECT_NEAR(two.spans[0].T_from / equilibrium(half).spans[0].T_from, 1, 1e-9);
+}
+
+TEST(Equilibrium, SlackGuyDropsOut) {
+  // a pole on a hinge, leaning on the guy to its left; the right one is too long to carry
+  model::Model m;
+  m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
+  m.loads.push_back({{0, {0, 0, 10}}, {1e3, 0, -5e3}});
+  m.reevings.push_back(reeve("left", {anchor_on("top", 0, {0, 0, 10}), anchor("a", {-10, 0, 0})}, 14.1, 0, 1e6));
+  m.reevings.push_back(reeve("right", {anchor_on("top", 0, {0, 0, 10}), anchor("b", {10, 0, 0})}, 14.2, 0, 1e6));
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_FALSE(r.spans[0].slack);
+  EXPECT_TRUE(r.spans[1].slack);
+  EXPECT_EQ(r.spans[1].T_from, 0);
+  // moments about the hinge at the place found
+  const Vector3 top = r.spans[0].start;
+  const Vector3 guy = r.spans[0].T_from * (r.spans[0].end - top).normalized();
+  EXPECT_NEAR(top.cross(guy + Vector3(1e3, 0, -5e3)).y(), 0, 1e-5);
+}
+
+TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
+  model::Model m = with_carriage(false);
+  EquilibriumOptions options;
+  for (const double x : {100.0, 150.0, 190.0}) {
+    options.prescribed = Prescribed{0, x};
+    m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
+    const EquilibriumResult rigid = equilibrium(m, options);
+    ASSERT_TRUE(rigid.outcome.ok()) << rigid.outcome.message;
+    m.reevings[0].stiffness = 1e13;
+    const EquilibriumResult stiff = equilibrium(m, options);
+    ASSERT_TRUE(stiff.outcome.ok()) << stiff.outcome.message;
+    for (std::size_t k = 0; k < rigid.spans.size(); ++k) {
+      EXPECT_NEAR(rigid.spans[k].T_from / stiff.spans[k].T_from, 1, 1e-6);
+      EXPECT_NEAR(rigid.spans[k].stretched / rigid.spans[k].unstretched, 1, 1e-14);
+    }
+  }
+}
+
+TEST(Equilibrium, SaysWhatIsMissing) {
+  model::Model m = three_spans(300, 0);
+  m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
+  EquilibriumResult r = equilibrium(m);
+  EXPECT_EQ(r.outcome.status, Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("'skyline'"), std::string::npos) << r.outcome.message;
+  EXPECT_NE(r.outcome.message.find("does not reach"), std::string::npos) << r.outcome.message;
+
+  model::Model free;
+  free.bodies.push_back(body("hook", {0, 0, 5}, 100, "xz"));
+  free.loads.push_back({{0, Vector3::Zero()}, {10, 0, 0}});
+  r = equilibrium(free);
+  EXPECT_EQ(r.outcome.status, Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("'hook' is not held along z"), std::string::npos) << r.outcome.message;
+}
+
+TEST(Equilibrium, FreeCarriageRollsAgainstASupport) {
+  // a steep tight line without mainline
+  model::Model m;
+  m.bodies.push_back(body("car", {50, 0, 40}, 100, "xz"));
+  m.reevings.push_back(reeve(
+      "skyline", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 90})}, 134.5, 10, 2e7));
+  const EquilibriumResult r = equilibrium(m);
+  EXPECT_EQ(r.outcome.status, Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("runs against its neighbour"), std::string::npos) << r.outcome.message;
+}
+
+}  // namespace equilibrium_test

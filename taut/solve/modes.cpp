@@ -1,0 +1,343 @@
+#include "taut/solve/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "taut/math/eigen_general.hpp"
+#include "taut/solve/motion/transient_run.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Complex = std::complex<double>;
+
+constexpr double eigen_shift = 0.1;       ///< 1/s, near which eigenvalues are looked for
+constexpr double no_frequency = 1e-3;     ///< of the shift: no frequency
+constexpr double imaginary_share = 1e-6;  ///< imaginary part that counts, of |lambda|
+constexpr double drawn_share = 1.0 / 12;  ///< of the machine's size: displacement that is drawn
+constexpr int most_halved = 20;           ///< times that it is halved until it can be drawn
+
+/// Nothing is driven: the machine stands as it is at the start.
+model::Model at_rest(const model::Model& model) {
+  model::Model still = model;
+  for (model::Body& body : still.bodies) body.driven.clear();
+  const auto hold = [](model::Drive& drive) {
+    if (drive.kind == model::DriveKind::speed) drive.kind = model::DriveKind::held;
+  };
+  for (model::Drum& drum : still.drums) hold(drum.drive);
+  for (model::Motor& motor : still.motors) hold(motor.drive);
+  still.events.clear();
+  still.observed.clear();
+  still.measures.clear();
+  return still;
+}
+
+/// How ropes and bearings are in a set of modes; what the two sets do differently.
+std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) {
+  std::set<std::string> names;
+  const bool stuck = sheaves == Sheaves::stuck;
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Contact& contact = m.contacts[i];
+    ContactValues& is = v.contacts[i];
+    if (contact.in < 0 || contact.out < 0) continue;  // drums keep their law
+    const bool grips = contact.spin >= 0 && std::isinf(contact.friction);
+    const bool loses =
+        contact.spin >= 0 ? !grips : contact.friction * std::max(0.0, is.wrap) > 0 && contact.efficiency < 1;
+    is.log_ratio = is.log_by_wrap = 0;
+    is.grip = grips || (stuck && loses) ? Grip::stuck : Grip::equal;
+    if (loses) names.insert(m.model->reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    SpinValues& is = v.spins[i];
+    is.turns = 0;
+    is.capacity = 0;
+    if (m.spins[i].inertia <= 0 || prescribed(m, m.spins[i], v, v.when)) continue;
+    for (const auto& one : m.spins[i].contacts) {
+      const Contact& contact = m.contacts[at(one.first)];
+      const double capacity = bearing_slope(m, contact, v, v).capacity;
+      if (capacity > 0) names.insert(m.model->reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+      if (stuck) is.capacity += capacity;
+    }
+  }
+  return names;
+}
+
+/// Mass, damping and stiffness by all columns, and which columns stay where they are.
+struct VibrationMatrices {
+  MatrixXd M, C, K;
+  std::vector<Index> moving, massless;
+};
+
+/// The step's step_tangent is M + r C + r^2 K in the accelerations, r its reach; the rope passed at a contact is an
+/// unknown by itself, r^2 times what would be an acceleration.
+MatrixXd step_tangent(Run& run, Values& now, double reach) {
+  Scheme s = run.scheme;
+  s.h = s.reach = reach;
+  s.slip_now = 1 / reach;
+  s.slip_before = 0;
+  assemble(run.m, s, run.before, now, run.w);
+  const std::vector<double> dense = run.m.solver.dense();
+  const Index n = run.m.size;
+  MatrixXd J =
+      Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(dense.data(), n, n);
+  for (const Contact& contact : run.m.contacts) J.col(contact.column) *= reach * reach;
+  return J;
+}
+
+VibrationMatrices matrices_of(Run& run, Values& now) {
+  const double unit = 1 / std::max(highest_frequency(run.m, run.before), 1.0);
+  const MatrixXd one = step_tangent(run, now, unit), two = step_tangent(run, now, 2 * unit),
+                 three = step_tangent(run, now, 3 * unit);
+  VibrationMatrices a;
+  const MatrixXd K = (one - 2 * two + three) / 2;
+  const MatrixXd C = two - one - 3 * K;
+  a.M = one - C - K;
+  a.C = C / unit;
+  a.K = K / (unit * unit);
+  const auto zero_small = [](MatrixXd& part, double of) {
+    part = part.unaryExpr([of](double x) { return std::abs(x) < of ? 0 : x; });
+  };
+  // what the differences leave of no_frequency
+  const double largest = std::max({one.cwiseAbs().maxCoeff(), two.cwiseAbs().maxCoeff(), three.cwiseAbs().maxCoeff()});
+  zero_small(a.M, 1e-13 * largest);
+  zero_small(a.C, 1e-13 * largest / unit);
+  std::vector<char> fixed(at(run.m.size), 0), of_contact(at(run.m.size), 0);
+  for (std::size_t i = 0; i < run.m.spins.size(); ++i) {
+    const Spin& spin = run.m.spins[i];
+    const bool held = spin.inertia <= 0 || prescribed(run.m, spin, now, now.when) || now.spins[i].capacity > 0;
+    fixed[at(spin.column)] = held ? 1 : 0;
+  }
+  for (const Contact& contact : run.m.contacts) of_contact[at(contact.column)] = 1;
+  for (int c = 0; c < run.m.size; ++c) {
+    if (fixed[at(c)] == 0) (of_contact[at(c)] != 0 ? a.massless : a.moving).push_back(c);
+  }
+  return a;
+}
+
+/// lambda E y = F y for y = (x of what moves, x of what has no mass, velocities of what moves).
+struct VibrationPencil {
+  MatrixXd F, E;
+};
+VibrationPencil pencil_of(const VibrationMatrices& a) {
+  const auto n = static_cast<Index>(a.moving.size()), p = static_cast<Index>(a.massless.size());
+  VibrationPencil q{MatrixXd::Zero(2 * n + p, 2 * n + p), MatrixXd::Zero(2 * n + p, 2 * n + p)};
+  q.E.topLeftCorner(n, n).setIdentity();
+  q.F.topRightCorner(n, n).setIdentity();
+  q.E.block(n, n, p, p) = a.C(a.massless, a.massless);
+  q.F.block(n, 0, p, n) = -a.K(a.massless, a.moving);
+  q.F.block(n, n, p, p) = -a.K(a.massless, a.massless);
+  q.F.block(n, n + p, p, n) = -a.C(a.massless, a.moving);
+  q.E.block(n + p, n, n, p) = a.C(a.moving, a.massless);
+  q.E.block(n + p, n + p, n, n) = a.M(a.moving, a.moving);
+  q.F.block(n + p, 0, n, n) = -a.K(a.moving, a.moving);
+  q.F.block(n + p, n, n, p) = -a.K(a.moving, a.massless);
+  q.F.block(n + p, n + p, n, n) = -a.C(a.moving, a.moving);
+  return q;
+}
+
+/// Turned so that its largest component is real.
+Eigen::VectorXd real_shape(const Eigen::VectorXcd& y) {
+  Index largest = 0;
+  y.cwiseAbs().maxCoeff(&largest);
+  const Complex turn =
+      y.size() > 0 && std::abs(y[largest]) > 0 ? std::conj(y[largest]) / std::abs(y[largest]) : Complex(1);
+  return (y * turn).real();
+}
+
+/// The machine moved by a shape of all columns.
+Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
+  Values moved = from;
+  Scheme s = run.scheme;
+  s.h = s.reach = 1;
+  s.at_rest = true;
+  begin_step(run.m, s, run.before, run.w);
+  std::fill(moved.rate.begin(), moved.rate.end(), 0.0);
+  for (const Body& body : run.m.bodies) {
+    for (int c = body.first; c < body.first + body.count; ++c) moved.rate[at(c)] = x[c];
+  }
+  for (const Contact& contact : run.m.contacts)
+    moved.q[at(contact.column)] = run.before.q[at(contact.column)] + x[contact.column];
+  for (const Spin& spin : run.m.spins) moved.rate[at(spin.column)] = x[spin.column];
+  follow(run.m, s, run.before, run.w, run.before.t, moved);
+  return moved;
+}
+
+/// Whether every sagging rope still has a length to hang with.
+bool can_be_drawn(const Mechanism& m, const Values& v) {
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    if (!sags(m.lines[i], v.lines[i])) continue;
+    const SagValues& is = v.sags[at(m.lines[i].sag)];
+    if (!(v.lines[i].L > 0) || !std::isfinite(is.H + is.V + v.lines[i].l)) return false;
+  }
+  return true;
+}
+
+/// The machine moved by a shape, less far where a rope would be longer or shorter than it can be drawn.
+Values drawn_by(Run& run, Eigen::VectorXd x, const Values& rest) {
+  for (int halved = 0; halved < most_halved; ++halved, x /= 2) {
+    Values moved = displaced_by(run, x, rest);
+    if (can_be_drawn(run.m, moved)) return moved;
+  }
+  return rest;
+}
+
+/// How large the machine is as it is drawn, m: the diagonal of the box round its ropes.
+double drawn_size(const Values& v) {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const LineValues& line : v.lines) {
+    for (const Vector3& end : line.touch) {
+      low = low.cwiseMin(end);
+      high = high.cwiseMax(end);
+    }
+  }
+  return v.lines.empty() ? 1 : (high - low).norm();
+}
+
+/// Shifts, turns, who moves most, the drawing.
+void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen::VectorXd x, Mode& mode) {
+  const Mechanism& m = run.m;
+  const auto motion_of = [&](const Body& body) {
+    Mode::Motion motion;
+    for (int f = 0; f < body.count; ++f) {
+      motion.shift += x[body.first + f] * body.along[at(f)];
+      if (body.turns) motion.turn += x[body.first + f] * body.about[at(f)];
+    }
+    return motion;
+  };
+  const double machine = drawn_size(rest);
+  double shifted = 0, turned = 0, most = 0, of_ropes = 0;
+  for (const Body& body : m.bodies) {
+    const Mode::Motion motion = motion_of(body);
+    shifted = std::max(shifted, motion.shift.norm());
+    turned = std::max(turned, motion.turn.norm());
+  }
+  const double size = std::max(shifted, turned * machine);
+  const double unit = shifted > 1e-9 * size ? shifted : turned;
+  if (unit > 0) x /= unit;
+  mode.bodies.assign(m.model->bodies.size(), {});
+  for (const Body& body : m.bodies) {
+    if (body.model >= 0) mode.bodies[at(body.model)] = motion_of(body);
+    const Eigen::VectorXd own = x.segment(body.first, body.count);
+    const double energy = own.dot(a.M.block(body.first, body.first, body.count, body.count) * own);
+    if (body.model < 0) {
+      of_ropes += energy;
+    } else if (energy > most) {
+      most = energy;
+      mode.largest = body.model;
+    }
+  }
+  if (of_ropes > most) mode.largest = -1;
+  if (unit > 0) mode.shape = frame_of(m, drawn_by(run, x * (drawn_share * machine * unit / size), rest));
+}
+
+Mode mode_of(Complex lambda) {
+  Mode mode;
+  const double size = std::abs(lambda);
+  mode.frequency = size / (2 * std::numbers::pi);
+  if (size < no_frequency * eigen_shift) {
+    mode.kind = ModeKind::free;
+    mode.frequency = 0;
+    return mode;
+  }
+  mode.damping = -lambda.real() / size;
+  const bool swings = std::abs(lambda.imag()) > imaginary_share * size;
+  mode.damped = swings ? std::abs(lambda.imag()) / (2 * std::numbers::pi) : 0;
+  mode.kind = mode.damping < -imaginary_share ? ModeKind::unstable : swings ? ModeKind::swings : ModeKind::creeps;
+  if (std::abs(mode.damping) < imaginary_share * imaginary_share) mode.damping = 0;
+  return mode;
+}
+
+Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
+  Values now = rest;
+  const std::set<std::string> held = set_grips(run.m, set.sheaves, now);
+  set.held.assign(held.begin(), held.end());
+  const VibrationMatrices a = matrices_of(run, now);
+  const VibrationPencil pencil = pencil_of(a);
+  const auto found = shifted_eigen(pencil.F, pencil.E, eigen_shift);
+  if (!found) {
+    return not_converged("the vibrations can't be found: a rope that carries no_frequency leaves a part without place");
+  }
+  const auto n = static_cast<Index>(a.moving.size()), p = static_cast<Index>(a.massless.size());
+  int free_ones = 0;
+  for (std::size_t k = 0; k < found->values.size() && static_cast<int>(set.modes.size()) < most; ++k) {
+    const Complex mu = found->values[k];
+    if (std::abs(mu) < 1e-14 * std::abs(found->values.front())) break;  // lambda is infinite
+    const Complex lambda = 1.0 / mu + eigen_shift;
+    Mode mode = mode_of(lambda);
+    // of a pair one; a free one stands there twice
+    if (mode.kind != ModeKind::free && lambda.imag() < 0) continue;
+    if (mode.kind == ModeKind::free && free_ones++ % 2 == 1) continue;
+    const Eigen::VectorXd shape = real_shape(found->vectors.col(static_cast<Index>(k)).head(n + p));
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(run.m.size);
+    x(a.moving) = shape.head(n);
+    x(a.massless) = shape.tail(p);
+    fill_shape(run, a, rest, x, mode);
+    set.modes.push_back(std::move(mode));
+  }
+  std::stable_sort(set.modes.begin(), set.modes.end(),
+                   [](const Mode& one, const Mode& other) { return one.frequency < other.frequency; });
+  return {};
+}
+
+}  // namespace
+}  // namespace taut::analysis::dynamics
+
+namespace taut::analysis {
+
+ModesResult modes(const model::Model& model, const ModesOptions& options) {
+  model::Model still = dynamics::sided_at_rest(dynamics::at_rest(model), options.start);
+  TransientOptions o;
+  o.duration = 1;
+  o.start = options.start;
+  o.damping_ratio = options.damping_ratio;
+  o.rope_mass = options.rope_mass;
+  o.branches = options.branches;
+  dynamics::Run run{.model = still, .options = o};
+  ModesResult result;
+  const bool opened = dynamics::open_run(run);
+  result.outcome = run.result.outcome;
+  if (!opened) return result;
+  result.damping_time = run.result.damping_time;
+  int freedoms = 0;
+  for (const dynamics::Body& body : run.m.bodies) freedoms += body.count;
+  if (freedoms > most_mode_freedoms) {
+    result.outcome = infeasible(fmt::format(
+        "the machine has {} freedoms, more than {}: give its ropes fewer 'segments'", freedoms, most_mode_freedoms));
+    return result;
+  }
+  // the state at rest with everything that a step leaves behind it
+  std::fill(run.before.nu.begin(), run.before.nu.end(), 0.0);
+  std::fill(run.before.rate.begin(), run.before.rate.end(), 0.0);
+  const auto at_rest = [&] { return dynamics::displaced_by(run, Eigen::VectorXd::Zero(run.m.size), run.before); };
+  dynamics::Values rest = at_rest();
+  result.rest = dynamics::frame_of(run.m, rest);
+  std::vector<std::string> pads;
+  for (std::size_t i = 0; i < result.rest.faces.size(); ++i) {
+    if (result.rest.faces[i].closed && still.contacts[i].static_friction > 0) pads.push_back(still.contacts[i].name);
+  }
+  for (const Sheaves sheaves : {Sheaves::stuck, Sheaves::released}) {
+    ModeSet set;
+    set.sheaves = sheaves;
+    if (sheaves == Sheaves::released && !pads.empty()) {
+      for (model::FaceContact& contact : still.contacts) contact.static_friction = contact.kinetic_friction = 0;
+      rest = at_rest();
+    }
+    result.outcome = dynamics::find_modes(run, rest, options.most, set);
+    if (!result.outcome.ok()) return result;
+    set.held.insert(set.held.end(), pads.begin(), pads.end());
+    const bool same = set.held.empty();
+    result.sets.push_back(std::move(set));
+    if (same) break;  // no sheave has a loss
+  }
+  return result;
+}
+
+}  // namespace taut::analysis

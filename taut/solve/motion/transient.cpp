@@ -1,0 +1,256 @@
+#include "taut/solve/motion/transient.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/base/expects.hpp"
+#include "taut/rope/span.hpp"
+#include "taut/solve/motion/transient_damping.hpp"
+#include "taut/solve/motion/transient_memory.hpp"
+#include "taut/solve/motion/transient_quasi_static.hpp"
+#include "taut/solve/motion/transient_reference.hpp"
+#include "taut/solve/motion/transient_run.hpp"
+#include "taut/solve/motion/transient_stable.hpp"
+#include "taut/solve/rest/sides.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using namespace dynamics;
+
+/// Inner nodes on the catenaries of the equilibrium.
+void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
+  std::vector<std::size_t> next(model.reevings.size(), 0);
+  for (const SpanResult& span : found.spans) {
+    const auto r = static_cast<std::size_t>(span.reeving);
+    const int segments = model.reevings[r].segments;
+    for (int s = 1; s < segments; ++s) {
+      const double length = span.unstretched * (1 + model.reevings[r].thermal_strain) * s / segments;
+      start.ropes[r].inside[next[r]++] = model.reevings[r].weight > 0 && !span.slack
+                                             ? Vector3(span.start + rope::point_at(span.shape, length))
+                                             : Vector3(span.start + (span.end - span.start) * s / segments);
+    }
+    const auto to = static_cast<std::size_t>(span.to);
+    if (segments > 1 && model.reevings[r].nodes[to].kind == model::NodeKind::load) {
+      start.ropes[r].inside[next[r]++] = span.end;
+    }
+  }
+}
+
+/// Forces along ropes as they are at rest: friction is none, others as they begin.
+model::Model with_loads_at_rest(model::Model model) {
+  for (model::Reeving& rope : model.reevings) {
+    for (model::Node& node : rope.nodes) {
+      if (node.kind != model::NodeKind::load) continue;
+      if (node.load.signal)
+        (node.load.part > 0 ? node.load.rate : node.load.force) = model::at(*node.load.signal, 0).value;
+      if (node.load.by_motion && node.load.sense < 0) node.load.force = node.load.rate = 0;
+    }
+  }
+  return model;
+}
+
+/// The equilibrium of catenaries as a start, else the machine as described.
+DynamicState near_equilibrium(const model::Model& model) {
+  if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  at_rest.lengths_kept = true;
+  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
+  if (!found.outcome.ok()) return assembled(model);
+  model::Model by_length = model;
+  for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;
+  DynamicState start = state_from(by_length, found.state);
+  place_inside(model, found, start);
+  return start;
+}
+
+Outcome settle(Run& run) {
+  const StepEnd end = settle(run.m, run.before, run.now, run.w, run.newton);
+  if (end == StepEnd::ok) return {};
+  run.result.interrupted = end == StepEnd::interrupted;
+  return not_converged(
+      "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
+}
+
+void prepare(Run& run, const DynamicState& start) {
+  Built built = build(run.model, start, run.options);
+  run.result.outcome = built.outcome;
+  run.m = std::move(built.mechanism);
+  run.before = std::move(built.values);
+  run.now = run.before;
+  run.w = work_for(run.m);
+  run.scheme = scheme_of(run.options.rho);
+  run.newton.tolerance = 0.01 * std::min(run.options.tolerance, 1e-3);
+  run.newton.ask = run.options.progress;
+  const std::size_t lines = run.m.lines.size();
+  run.T_old.assign(lines, 0.0);
+  run.T_older = run.T_old;
+  run.rate_old = run.nu_old = run.before.rate;
+  run.T_largest.assign(run.model.reevings.size(), 0.0);
+  run.T_error = run.T_largest;
+  forget_tension_rates(run);
+  run.origin = start;
+  for (DynamicState::Rope& rope : run.origin.ropes) {
+    if (rope.lumped.empty()) rope.lumped = rope.length;
+  }
+}
+
+/// The damping time of each rope: given, kept from before, or from its damping ratio and the lowest mode.
+void damp(Run& run) {
+  std::vector<double> time = run.origin.damping_time, frequency;
+  const std::size_t ropes = run.model.reevings.size();
+  for (std::size_t r = time.size(); r < ropes; ++r) {
+    const model::Reeving& rope = run.model.reevings[r];
+    time.push_back(rope.damping_time);
+    const double ratio = rope.damping_ratio > 0 ? rope.damping_ratio : run.options.damping_ratio;
+    if (rope.damping_time > 0 || !(ratio > 0)) continue;
+    if (frequency.empty()) frequency = stretching_frequencies(run.m, run.before, run.w);
+    if (!(frequency[r] > 0)) continue;
+    run.result.frequency[r] = frequency[r];
+    time[r] = 2 * ratio / frequency[r];
+  }
+  for (Line& line : run.m.lines) line.damping = time[static_cast<std::size_t>(line.reeving)];
+  run.m.lossless = run.m.lossless && std::all_of(time.begin(), time.end(), [](double beta) { return beta == 0; });
+  run.origin.damping_time = run.result.damping_time = std::move(time);
+}
+
+}  // namespace
+
+model::Model dynamics::sided_at_rest(const model::Model& model, Start start) {
+  const bool as_described = start == Start::assembled || !model.contacts.empty() || !model.actuators.empty();
+  if (as_described || !has_open_sides(model)) return model;
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  at_rest.lengths_kept = true;
+  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
+  return found.outcome.ok() ? model::with_sides(model, found.state) : model;
+}
+
+bool dynamics::open_run(Run& run) {
+  const TransientOptions& options = run.options;
+  const model::Model& model = run.model;
+  const bool settles = !options.from && options.start != Start::assembled;
+  prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
+  run.result.observed.resize(model.observed.size());
+  run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
+  run.means.resize(model.observed.size());
+  run.result.extremes.resize(model.observed.size());
+  run.result.ropes.resize(model.reevings.size());
+  run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
+  run.result.frequency.assign(model.reevings.size(), 0.0);
+  run.result.sagging.assign(model.reevings.size(), 0);
+  for (const Line& line : run.m.lines) run.result.sagging[static_cast<std::size_t>(line.reeving)] += line.sag >= 0;
+  if (!run.result.outcome.ok()) return false;
+  if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
+  if (!run.result.outcome.ok()) return false;
+  if (settles) run.result.outcome = analysis::settle(run);
+  const bool slides = !options.from && options.start == Start::sliding;
+  if (slides || options.quasi_static) {
+    for (Line& line : run.m.lines) line.damping = 0;
+  }
+  if (run.result.outcome.ok() && slides) {
+    run.result.outcome = slide_into_place(run);
+  }
+  if (!run.result.outcome.ok()) return false;
+  if (!options.quasi_static) damp(run);
+  return true;
+}
+
+namespace {
+
+TransientResult finished(Run& run) {
+  // those of one step stand at the moments within it
+  std::stable_sort(run.result.events.begin(), run.result.events.end(),
+                   [](const TransientEvent& a, const TransientEvent& b) { return a.t < b.t; });
+  run.result.iterations = run.newton.used;
+  run.result.state = state_of(run.m, run.before, run.origin);
+  run.result.state.happened.assign(run.happened.begin(), run.happened.end());
+  run.result.state.memory = memory_of(run);
+  return std::move(run.result);
+}
+
+TransientResult marched(Run& run) {
+  if (run.options.anew) run.options.anew();
+  march(run);
+  return finished(run);
+}
+
+/// The motion by Verlet's own step: the longest one below the stability limit at first, then, from the beginning, ones
+/// that are so much shorter that tensions and energy are within the tolerance. `options`: those of the run.
+TransientResult by_own_step(const Run& opened, TransientOptions& options) {
+  std::vector<double> T_expected;
+  VerletRun before;
+  for (;;) {
+    Run run = opened;
+    run.h = options.step;
+    run.T_expected = T_expected;
+    TransientResult result = marched(run);
+    const VerletRun last = {options.step, largest_error(result) / options.tolerance};
+    if (result.interrupted || last.error <= 1) return result;
+    options.step = shorter_step(options, before, last);
+    before = last;
+    if (const double steps = options.duration / options.step; steps > static_cast<double>(options.most_steps)) {
+      if (options.anew) options.anew();
+      TransientResult refused = opened.result;
+      refused.outcome = not_converged(fmt::format(
+          "Verlet's steps of {:.3g} s leave an error of {:.2g} in the tensions and of {:.2g} in the energy; "
+          "a 'tolerance' of {:.2g} needs {:.3g} million steps: give a coarser one, a shorter 'duration' or "
+          "a fixed 'step'",
+          last.step, result.tension_error, result.open, options.tolerance, 1e-6 * steps));
+      return refused;
+    }
+    T_expected.resize(run.T_largest.size(), 0.0);
+    for (std::size_t r = 0; r < T_expected.size(); ++r) T_expected[r] = std::max(T_expected[r], run.T_largest[r]);
+  }
+}
+
+}  // namespace
+
+TransientResult transient(const model::Model& described, const TransientOptions& given) {
+  expects(given.duration > 0, "a motion lasts");
+  const model::Model model = sided_at_rest(described, given.start);
+  TransientOptions options = given;
+  if (options.output_step <= 0) options.output_step = options.duration / 1000;
+  if (options.method == TimeMethod::reference) options.step = 0;
+  if (options.quasi_static) {
+    options.method = TimeMethod::implicit;
+    if (options.step <= 0) options.step = options.output_step;
+  }
+  Run run{.model = model, .options = options};
+  if (!open_run(run)) return run.result;
+  run.happened.assign(model.events.size(), 0);
+  for (std::size_t i = 0; i < run.origin.happened.size() && i < run.happened.size(); ++i) {
+    run.happened[i] = static_cast<char>(run.origin.happened[i]);
+  }
+  run.end = run.before.t + options.duration;
+  run.stops = stops_of(model, run.before.t, run.end);
+  run.result.stability_limit = stability_limit(run.m, run.before);
+  const bool own_step = options.method == TimeMethod::verlet && options.step <= 0;
+  if (options.method == TimeMethod::verlet) {
+    const double limit = run.result.stability_limit;
+    if (options.step > limit) {
+      run.result.outcome =
+          not_converged(fmt::format("steps of {:.4g} s are too long for Verlet: stable are those up to {:.4g} s here; "
+                                    "give a shorter 'step', or none",
+                                    options.step, limit));
+      return run.result;
+    }
+    options.step = equal_step(options, options.step > 0 ? options.step : verlet_share * limit);
+  }
+  run.h = options.step;
+  run.resumed = options.from && take_memory(run, options.from->memory);
+  if (run.resumed && options.step > 0) run.h = options.step;
+  for (const LineValues& line : run.before.lines) {
+    const auto r =
+        static_cast<std::size_t>(run.m.lines[static_cast<std::size_t>(&line - run.before.lines.data())].reeving);
+    run.T_largest[r] = std::max(run.T_largest[r], line.T);
+  }
+  if (own_step) return by_own_step(run, options);
+  return marched(run);
+}
+
+}  // namespace taut::analysis

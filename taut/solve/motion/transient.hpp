@@ -1,0 +1,232 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/calc/outcome.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/solve/equilibrium.hpp"
+
+namespace taut::analysis {
+
+/// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is one for the whole motion,
+/// stable and as short as the tolerance asks. reference: another integrator (IDA of SUNDIALS, variable order) of the
+/// same laws, slow and exact, to judge the other two by.
+enum class TimeMethod { implicit, verlet, reference };
+
+/// The free rope between two neighbours of its path. straight: half of its weight hangs on each end. catenary: at every
+/// moment the elastic catenary at rest between its moving ends, where the rope has weight, is in one piece and no force
+/// acts along it. by_weight: so where its weight is more than `light` of its tension when the motion begins. Inertia:
+/// half of its mass at each end in any case.
+enum class Branches { straight, catenary, by_weight };
+
+/// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of
+/// the same machine. sliding: there too, but with all friction as it is when the machine has come slowly from a little
+/// before, as `slid` says: at rest and about to go on the same way.
+enum class Start { assembled, settled, sliding };
+
+/// What has moved slowly into its place before a motion begins: a cylinder (by > 0: it has extended) or the rope of a
+/// drum that is held (by > 0: taken in), m.
+struct Slid {
+  bool drum = false;  ///< `index` of a drum, else of an actuator
+  int index = 0;
+  double by = 0;
+};
+
+/// What a moving machine remembers: a value that can be kept, written down and started from. Ropes: by reeving; a
+/// branch runs from node k to node k + 1.
+struct DynamicState {
+  struct Body {
+    Vector3 position = Vector3::Zero();         ///< of its origin, m
+    Matrix3 orientation = Matrix3::Identity();  ///< body to ground
+    Vector3 velocity = Vector3::Zero();         ///< of its origin, m/s
+    Vector3 spin = Vector3::Zero();             ///< angular velocity, ground frame, 1/s
+  };
+  struct Rope {
+    std::vector<double> length;       ///< by branch (of a rope in segments: by segment): unstretched, m
+    std::vector<std::uint8_t> whole;  ///< by the same: 0 where it is broken
+    std::vector<double> angle;        ///< by node: of the sheave or drum in path sense, rad
+    std::vector<double> spin;         ///< by node: its rate against the body that carries it, 1/s
+    std::vector<double> passed;       ///< by node: unstretched rope that ran over it along the path, m
+    std::vector<double> wrap;         ///< by node: beyond 2 pi counted, rad
+    std::vector<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
+    std::vector<Vector3> inside_velocity;
+    std::vector<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
+    std::vector<double> lumped;  ///< by branch or segment: length whose mass was shared out, m; empty: `length`
+  };
+  struct Drum {
+    double content = 0;  ///< unstretched rope on it, m
+    int layer = 1;
+    std::vector<double> strain;  ///< by layer: of the rope that lies there
+  };
+  double t = 0;  ///< s
+  std::vector<Body> bodies;
+  std::vector<Rope> ropes;
+  std::vector<Drum> drums;
+  std::vector<double> force;           ///< state variables of force elements (bristles of contacts), in their order
+  std::vector<std::uint8_t> happened;  ///< by event of the model
+  std::vector<model::Drive> drum_drive, motor_drive;  ///< as events have left them
+  std::vector<model::ActuatorMode> actuator_mode;
+  std::vector<double> damping_time;  ///< by reeving, s, found at the start
+  std::vector<double> memory;        ///< of the integrator; empty: it begins anew from the above
+};
+
+struct TransientResult;
+
+struct TransientOptions {
+  double duration = 0;     ///< s, from `start` or the time of `from`
+  double output_step = 0;  ///< s; 0: duration/1000
+  /// Of the error that the steps of the whole run leave: tensions by the largest of the rope, places by the machine's
+  /// size. A kink (slack, stick) may cost as much once more. Verlet: `TransientResult::tension_error` and `open`.
+  double tolerance = 1e-6;
+  double step = 0;  ///< > 0: this step throughout, no control of the error, s
+  TimeMethod method = TimeMethod::implicit;
+  double rho = 0.9;          ///< of generalised-alpha: what a step leaves of the fastest motions, 0 .. 1
+  double damping_ratio = 0;  ///< of ropes that give none
+  Start start = Start::settled;
+  std::vector<Slid> slid;  ///< of a sliding start; its ways there are gone back and come again together
+  /// So slow that nothing has inertia, and dampers do nothing: an equilibrium at the end of every step, with friction
+  /// carried on from one to the next, by the speed at which it slid in the step before. Steps of `step`, else of
+  /// `output_step`. Cylinders with a law follow their reference speed. Where a state can't be held any more the machine
+  /// goes, without swinging, to the next one that can.
+  bool quasi_static = false;
+  Branches branches = Branches::straight;
+  double light = 0.05;               ///< of `by_weight`: m g l/T up to which a branch is straight
+  bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
+  std::optional<DynamicState> from;  ///< go on from there
+  long most_steps = 50'000'000;
+  /// Called at each output step and often in between with the time reached; false interrupts.
+  std::function<bool(double)> progress;
+  /// Called after each output step with the result so far: its last frame is that step, the one before it the step
+  /// before. The result then keeps only the first and the last frame, so that its size does not grow with the motion.
+  std::function<void(const TransientResult&)> take;
+  /// With `take`: called before the motion begins, and again where Verlet begins it anew with shorter steps. What was
+  /// taken until then does not count.
+  std::function<void()> anew;
+};
+
+/// Work and energy since the start, J. kinetic + elastic + potential = at the start + supplied - dissipated + residual.
+struct EnergyLedger {
+  double kinetic = 0, elastic = 0, potential = 0;
+  double damped = 0;     ///< in the ropes
+  double slipped = 0;    ///< rope on rounds, creep included
+  double bearings = 0;   ///< of sheaves, or of light sheaves the whole loss
+  double broken = 0;     ///< elastic energy of branches at their break
+  double contacts = 0;   ///< dashpots and friction of faces
+  double slack = 0;      ///< by the weight of rope that runs into slack branches (lost) and out of them (< 0)
+  double askew = 0;      ///< by the flanges of rounds that ropes leave askew: T (1 - cos d) R d(phi); a gain is < 0
+  double numerical = 0;  ///< by the Euler steps over kinks: impacts of ropes without mass; else part of the residual
+  double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
+  double residual = 0;
+  double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual
+
+  /// All that is neither stored nor supplied and has a name.
+  double dissipated() const { return damped + slipped + bearings + broken + contacts + slack + askew + numerical; }
+};
+
+/// The machine at one output step.
+struct TransientFrame {
+  struct Body {
+    Vector3 position, velocity, acceleration;  ///< of its origin
+    Matrix3 orientation;
+    Vector3 spin;
+  };
+  struct Branch {
+    int reeving = 0, from = 0, to = 0;      ///< nodes
+    double T_from = 0, T_to = 0;            ///< N
+    double unstretched = 0, stretched = 0;  ///< m
+    Vector3 start, end;                     ///< m
+    Vector3 leaves, arrives;                ///< directions along the path there
+    bool whole = true;
+    std::vector<Vector3> curve;  ///< of one that sags: points between start and end, m
+  };
+  struct Contact {
+    int reeving = 0, node = 0;
+    double T_in = 0, T_out = 0;  ///< N, by the order of the path
+    double wrap = 0;             ///< rad
+    double angle = 0, spin = 0;  ///< of the sheave against its body, path sense, rad, 1/s
+    double flow = 0;             ///< stretched rope along the path relative to the body, m/s
+    double slip = 0;             ///< rope less rim, m/s
+    ContactState state = ContactState::stuck;
+    Vector3 force = Vector3::Zero();  ///< of the rope (one copy) on it, N
+  };
+  struct Drum {
+    double T = 0, speed = 0, content = 0;  ///< N, taken in m/s, m
+    double torque = 0, power = 0;          ///< of its drive, N m, W
+    int layer = 1;
+  };
+  struct FaceContact {
+    double N = 0, F = 0, speed = 0;  ///< N; of friction on the point and of the point, > 0 from `from` to `to`, N, m/s
+    bool closed = false, sticks = false;
+    Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();  ///< m; of the face
+    Vector3 force = Vector3::Zero();                             ///< on the point, N
+  };
+  struct Actuator {
+    double F = 0, length = 0, speed = 0, power = 0;  ///< N, pushing apart; m, m/s, W
+    Vector3 from = Vector3::Zero(), to = Vector3::Zero();
+  };
+  double t = 0;
+  std::vector<Body> bodies;
+  std::vector<Branch> branches;              ///< by reeving, along its path; of a rope in segments: each segment
+  std::vector<std::vector<Vector3>> inside;  ///< by reeving: nodes of a rope in segments
+  std::vector<Contact> contacts;             ///< by reeving, nodes between the ends
+  std::vector<Drum> drums;
+  std::vector<Drum> motors;
+  std::vector<FaceContact> faces;
+  std::vector<Actuator> actuators;
+  EnergyLedger energy;
+};
+
+/// What happened: "slack", "taut", "stick", "slip", "break", "run_off", "stop", "lift_off", "length_zero", "layer",
+/// "drive", "brake", "actuator", "contact", "apart"; "coarser": a run of very many steps resolves what shakes fast and
+/// undamped within each of its swings from here on, no more to its tolerance over all of them.
+struct TransientEvent {
+  double t = 0;
+  std::string what;
+  std::string where;                                   ///< the rope, sheave, contact by name
+  std::vector<std::pair<std::string, double>> values;  ///< with their symbols, SI
+};
+
+struct Extreme {
+  double min = 0, max = 0, t_min = 0, t_max = 0, end = 0;
+  double mean = std::numeric_limits<double>::quiet_NaN();  ///< of a measure that has one, over its window
+};
+
+/// A rope over the whole run, at every step of the integrator.
+struct RopeExtreme {
+  Extreme T;            ///< largest tension of the rope at a time, N
+  int branch = 0;       ///< where max was
+  double T_static = 0;  ///< largest tension at the start, N
+};
+
+/// `outcome` not ok: the frames up to `t_end` are a result, the message says what happened there.
+struct TransientResult {
+  Outcome outcome;
+  bool interrupted = false;
+  double t_end = 0;
+  std::vector<TransientFrame> frames;
+  std::vector<std::vector<double>> observed;  ///< [model.observed][frame]
+  std::vector<Extreme> extremes;              ///< [model.observed]
+  std::vector<RopeExtreme> ropes;             ///< by reeving
+  std::vector<TransientEvent> events;
+  DynamicState state;  ///< at t_end: go on from there
+  long steps = 0, rejected = 0, iterations = 0;
+  double smallest_step = 0, largest_step = 0;  ///< s
+  double stability_limit = 0;                  ///< of Verlet at the start, s
+  double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
+  /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
+  /// docs/theory/dynamics.md, "Time".
+  double tension_error = 0;
+  std::vector<double> damping_time;  ///< by reeving: beta, s
+  std::vector<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
+  std::vector<int> sagging;          ///< by reeving: so many of its branches hang as catenaries
+  std::vector<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
+};
+
+/// The machine in motion. docs/theory/dynamics.md.
+TransientResult transient(const model::Model& described, const TransientOptions& given);
+
+}  // namespace taut::analysis

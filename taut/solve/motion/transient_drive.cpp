@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "taut/solve/motion/transient_values.hpp"
+
+namespace taut::analysis::dynamics {
+
+double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
+  const bool leaves = contact.out >= 0;
+  return v.lines[at(leaves ? contact.out : contact.in)].radius[leaves ? 0 : 1];
+}
+
+std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
+  // gives its tension to the rope, whatever the drum asks beside it: the rope goes by, and the drum does not count
+  if (drive.kind == model::DriveKind::pull && spin.drum >= 0) return Turning{};
+  if (drive.kind != model::DriveKind::speed) return std::nullopt;
+  const model::SignalValue speed = model::at(drive.signal, t);
+  const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
+  return Turning{speed.value / radius, speed.rate / radius};
+}
+
+double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0 && spin.motor < 0) return 0;
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind != model::DriveKind::torque) return 0;
+  return model::at(drive.signal, t).value;
+}
+
+namespace {
+
+/// What is left of a rope that breaks somewhere.
+double left_of(const Mechanism& m, int reeving, const Values& v) {
+  const auto [first, lines] = m.first_line[at(reeving)];
+  double left = 1;
+  for (int i = first; i < first + lines; ++i) left = std::min(left, v.lines[at(i)].gone);
+  return left;
+}
+
+}  // namespace
+
+std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t,
+                                    const Values& rope) {
+  if (contact.drum < 0) return std::nullopt;
+  const Spin& spin = m.spins[at(contact.spin)];
+  const model::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
+  const bool pulls = drive.kind == model::DriveKind::pull;
+  if (!pulls && spin.inertia > 0) return std::nullopt;
+  // against the free end of a broken rope there is nothing to pull
+  const double left = left_of(m, contact.reeving, rope);
+  if (pulls) return left * model::at(drive.signal, t).value;
+  return left * drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
+}
+
+}  // namespace taut::analysis::dynamics

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test/support/machines.hpp"
+#include "test/support/transient_runs.hpp"
+
+/// Ropes that slip where a run goes on from a saved state, and where one begins anew.
+namespace taut_test::transient_restart_test {
+namespace {
+
+using taut::analysis::Start;
+using taut::analysis::TimeMethod;
+using taut::analysis::TransientOptions;
+using taut::analysis::TransientResult;
+
+/// Two masses on a rope with dampers over a driven sheave that is faster than its grip can take along; a force against
+/// the motion along the rising branch, part of it by the metre.
+model::Model slipping(double weight) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.bodies = {body("a", {0.2, 0, -6}, 100, "z"), body("b", {-0.2, 0, -5}, 104, "z")};
+  const auto brake = [&](const char* name, double share) {
+    model::Body place = body(name, {0.2, 0, -6 + 6 * share}, 0, "xyz");
+    place.of_rope = true;
+    model::Node node = anchor_on(name, static_cast<int>(m.bodies.size()));
+    node.kind = model::NodeKind::load;
+    node.load.share = share;
+    node.load.by_motion = true;
+    node.load.sense = -1;
+    m.bodies.push_back(place);
+    return node;
+  };
+  model::Node point = brake("point", 0.3), spread = brake("spread", 0.6);
+  point.load.force = 30;
+  spread.load.rate = 15;
+  spread.load.part = 0.4;
+  model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1);
+  wheel.kind = model::NodeKind::drive;
+  wheel.motor = 0;
+  wheel.inertia = 0.5;
+  wheel.law.friction = 0.05;
+  m.motors.resize(1);
+  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, 3, 0, 0.2)};
+  m.reevings.push_back(reeve("rope", {anchor_on("a", 0), point, spread, wheel, anchor_on("b", 1)},
+                             (11 + 0.2 * M_PI) / (1 + 1000 / 2e5), weight, 2e5));
+  m.reevings[0].damping_time = 1e-3;
+  return m;
+}
+
+TransientOptions by_steps(double duration, double step, TimeMethod method) {
+  TransientOptions options;
+  options.duration = duration;
+  options.output_step = 0.05;
+  options.step = step;
+  options.method = method;
+  options.start = Start::assembled;
+  return options;
+}
+
+TEST(TransientRestart, ARopeThatSlipsGoesOnToTheLastBit) {
+  const model::Model m = slipping(4);
+  for (const auto method : {TimeMethod::implicit, TimeMethod::verlet}) {
+    const auto until = [&](double duration) { return by_steps(duration, 1e-4, method); };
+    const TransientResult whole = run_to_end(m, until(0.8));
+    // 0.3 s is no sum of sixths of it but for its rounding, 0.2 s a moment at which the drive's signal has its end
+    for (const int outputs : {4, 6, 10}) {
+      TransientOptions options = until(0.05 * outputs);
+      const TransientResult first = run_to_end(m, options);
+      EXPECT_GT(std::abs(first.frames.back().contacts[2].slip), 0.5) << "it has to slip";
+      options = until(0.8 - 0.05 * outputs);
+      options.from = first.state;
+      const TransientResult second = run_to_end(m, options);
+      const auto n = static_cast<std::size_t>(outputs);
+      ASSERT_EQ(second.frames.size() + n, whole.frames.size());
+      for (std::size_t f = 1; f < second.frames.size(); ++f) {
+        const auto &a = whole.frames[f + n], &b = second.frames[f];
+        EXPECT_EQ(a.t, b.t);
+        for (std::size_t k = 0; k < a.branches.size(); ++k) {
+          EXPECT_EQ(a.branches[k].T_from, b.branches[k].T_from);
+          EXPECT_EQ(a.branches[k].unstretched, b.branches[k].unstretched);
+        }
+        for (std::size_t k = 0; k < a.contacts.size(); ++k) EXPECT_EQ(a.contacts[k].slip, b.contacts[k].slip);
+        EXPECT_EQ(a.bodies[0].position, b.bodies[0].position);
+        EXPECT_EQ(a.bodies[0].velocity, b.bodies[0].velocity);
+      }
+    }
+  }
+}
+
+/// Without the integrator's memory rates are found anew at an unchanged time: the slip that goes on has its speed from
+/// there, but no rope has passed, and no tension has changed. (What counts for a rope's momentum is part of the memory:
+/// without weight here.)
+TEST(TransientRestart, NoRopeSlipsWhileNoTimePasses) {
+  const model::Model m = slipping(0);
+  const TransientResult first = run_to_end(m, by_steps(0.5, 2e-5, TimeMethod::implicit));
+  TransientOptions options = by_steps(1e-3, 2e-5, TimeMethod::implicit);
+  options.from = first.state;
+  options.from->memory.clear();
+  const TransientResult anew = run_to_end(m, options);
+  const auto &was = first.frames.back(), &is = anew.frames.front();
+  ASSERT_GT(std::abs(was.contacts[2].slip), 0.5);
+  for (std::size_t k = 0; k < was.branches.size(); ++k) {
+    EXPECT_NEAR(is.branches[k].unstretched, was.branches[k].unstretched, 1e-14);
+    EXPECT_NEAR(is.branches[k].T_from, was.branches[k].T_from, 1e-9 * was.branches[k].T_from);
+  }
+  for (std::size_t k = 0; k < was.contacts.size(); ++k) EXPECT_NEAR(is.contacts[k].slip, was.contacts[k].slip, 1e-6);
+}
+
+/// Beyond what dampers can hold the rope does slip at once: a drum whose pull jumps to more than twice the tension.
+TEST(TransientRestart, WhatDampersCantHoldSlipsAtOnce) {
+  model::Model m;
+  m.gravity = 9.81;
+  m.bodies = {body("load", {0.2, 0, -10}, 100, "z")};
+  model::Node drum = sheave("winch", {0, 0, 0}, 0.2, 1);
+  drum.drum = 0;
+  m.drums.resize(1);
+  m.drums[0].drive = {model::DriveKind::pull, {}};
+  m.drums[0].drive.signal.law = 5000.0;
+  m.reevings.push_back(reeve("rope", {drum, anchor_on("load", 0)}, 10 / (1 + 981 / 1e5), 0, 1e5));
+  m.reevings[0].damping_time = 1e-3;
+  const TransientResult r = run_to_end(m, by_steps(0.2, 1e-4, TimeMethod::implicit));
+  EXPECT_NEAR(r.frames.front().branches[0].T_from, 5000, 1e-8 * 5000);
+  EXPECT_NEAR(r.frames.back().bodies[0].position.z(), -10 + (5000.0 / 100 - 9.81) * 0.04 / 2, 1e-6);
+}
+
+}  // namespace
+}  // namespace taut_test::transient_restart_test

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "taut/rope/tangent.hpp"
+#include "taut/solve/motion/transient_build.hpp"
+#include "taut/solve/motion/transient_couple.hpp"
+
+namespace taut::analysis::dynamics {
+namespace {
+
+rope::Round round_at(const model::State& state, const model::Node& node) {
+  const Vector3 centre = model::in_ground(state, node.at);
+  if (node.radius == 0) return rope::point(centre);
+  const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[at(node.at.body)].orientation;
+  return rope::sheave(centre, turned * node.axis, node.radius, node.side);
+}
+
+/// Inner nodes on the straight line of a branch.
+void add_inside(const model::State& state, const model::Node& from, const model::Node& to, int segments,
+                DynamicState::Rope& rope) {
+  if (segments <= 1) return;
+  const auto line = rope::tangent_line(round_at(state, from), round_at(state, to));
+  const Vector3 start = line ? line->from : model::in_ground(state, from.at);
+  const Vector3 end = line ? line->to : model::in_ground(state, to.at);
+  for (int s = 1; s < segments; ++s) rope.inside.emplace_back(start + (end - start) * s / segments);
+}
+
+/// Tension that the description gives a branch; a rope over a drive has one on either side. None: not known.
+std::optional<double> given_tension(const model::Reeving& rope, std::size_t branch) {
+  using model::Given;
+  if (rope.given == Given::torque) return {};
+  if (!rope.also) return rope.given == Given::length ? std::optional<double>() : rope.value;
+  const auto drive =
+      std::find_if(rope.nodes.begin(), rope.nodes.end(), [](const model::Node& node) { return node.motor >= 0; });
+  const bool before = static_cast<std::ptrdiff_t>(branch) < drive - rope.nodes.begin();
+  const Given side = before ? Given::tension_at_start : Given::tension_at_end;
+  if (rope.given == side) return rope.value;
+  return rope.also->first == side ? rope.also->second : std::optional<double>();
+}
+
+/// Unstretched lengths of a rope's branches at the start: by the tensions that are given, the others share what is
+/// left.
+std::vector<double> lengths_of(const model::State& state, const model::Reeving& rope,
+                               const std::vector<model::BranchState>& found) {
+  std::vector<double> lengths;
+  double whole = 0, known = 0, others = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const model::Node &from = rope.nodes[k], &to = rope.nodes[(k + 1) % rope.nodes.size()];
+    const auto tension = given_tension(rope, k);
+    lengths.push_back(tension ? model::straight_length(state, from, to) / (1 + *tension / rope.stiffness)
+                              : found[k].length);
+    whole += found[k].length;
+    (tension ? known : others) += lengths.back();
+  }
+  const bool shares = rope.given == model::Given::length && rope.also && others > 0 && whole > known;
+  for (std::size_t k = 0; k < found.size() && shares; ++k) {
+    if (!given_tension(rope, k)) lengths[k] *= (whole - known) / others;
+  }
+  return lengths;
+}
+
+}  // namespace
+
+DynamicState state_from(const model::Model& model, const model::State& state) {
+  DynamicState start;
+  for (const model::Pose& pose : state.bodies) {
+    start.bodies.push_back({pose.position, pose.orientation, Vector3::Zero(), Vector3::Zero()});
+  }
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const model::Reeving& given = model.reevings[r];
+    DynamicState::Rope rope;
+    const int segments = std::max(1, given.segments);
+    const std::vector<double> lengths = lengths_of(state, given, state.branches[r]);
+    for (std::size_t k = 0; k < state.branches[r].size(); ++k) {
+      const model::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
+      for (int s = 0; s < segments; ++s) rope.length.push_back(lengths[k] / segments);
+      const bool known = given.given == model::Given::length;
+      rope.leaves.push_back(known ? state.branches[r][k].leaves : Vector3(Vector3::Zero()));
+      rope.arrives.push_back(known ? state.branches[r][k].arrives : Vector3(Vector3::Zero()));
+      add_inside(state, from, to, segments, rope);
+      if (segments > 1 && to.kind == model::NodeKind::load) rope.inside.push_back(model::in_ground(state, to.at));
+    }
+    rope.whole.assign(rope.length.size(), 1);
+    rope.inside_velocity.assign(rope.inside.size(), Vector3::Zero());
+    start.ropes.push_back(std::move(rope));
+  }
+  return start;
+}
+
+namespace {
+
+/// Rope on the round of an inner node between two straight branches, m.
+double arc_on(const model::State& state, const model::Reeving& given, std::size_t node) {
+  const model::Node& here = given.nodes[node];
+  if (here.radius == 0) return 0;
+  const rope::Round round = round_at(state, here);
+  const auto before = rope::tangent_line(round_at(state, given.nodes[node - 1]), round);
+  const auto behind = rope::tangent_line(round, round_at(state, given.nodes[node + 1]));
+  if (!before || !behind) return 0;
+  double wrap = rope::wrap_angle(here.side, before->angle_to, behind->angle_from);
+  if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
+  return here.radius * (wrap + 2 * std::numbers::pi * here.turns);
+}
+
+/// The rope before a clamp and behind it, as far as the next one, has the length that the description says.
+void keep_clamps(const model::Model& model, model::State& state) {
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const model::Reeving& rope = model.reevings[r];
+    if (rope.given != model::Given::length || rope.also || rope.closed) continue;
+    std::vector<model::BranchState>& branches = state.branches[r];
+    double from = 0, free = 0, arcs = 0;
+    std::size_t first = 0;
+    for (std::size_t node = 1; node < rope.nodes.size(); ++node) {
+      free += branches[node - 1].length;
+      const bool last = node + 1 == rope.nodes.size();
+      const bool clamp = rope.nodes[node].kind == model::NodeKind::clamp;
+      if (!clamp && !last) arcs += arc_on(state, rope, node);
+      if (!clamp && (!last || first == 0)) continue;
+      const double to = (clamp ? rope.nodes[node].length_before : rope.value) * (1 + rope.thermal_strain);
+      const double left = to - from - arcs;
+      for (std::size_t k = first; k < node && left > 0 && free > 0; ++k) branches[k].length *= left / free;
+      from = to;
+      free = arcs = 0;
+      first = node;
+    }
+  }
+}
+
+}  // namespace
+
+DynamicState assembled(const model::Model& model) {
+  model::State state = model::initial_state(model);
+  keep_clamps(model, state);
+  return state_from(model, state);
+}
+
+DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& before) {
+  DynamicState state = before;
+  state.t = v.t;
+  const model::Model& model = *m.model;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Motion3& is = v.bodies[b];
+    state.bodies[b] = {is.x, is.R, is.v, is.w};
+  }
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    DynamicState::Rope& rope = state.ropes[r];
+    const auto [first, lines] = m.first_line[r];
+    rope.whole.resize(at(lines));
+    if (std::max(1, model.reevings[r].segments) == 1) {
+      rope.leaves.assign(at(lines), Vector3::Zero());
+      rope.arrives = rope.leaves;
+    }
+    for (int i = 0; i < lines; ++i) {
+      rope.length[at(i)] = v.lines[at(first + i)].L;
+      rope.whole[at(i)] = v.lines[at(first + i)].gone > 0 ? 1 : 0;
+      if (!sags(m.lines[at(first + i)], v.lines[at(first + i)])) continue;
+      const SagValues& shape = v.sags[at(m.lines[at(first + i)].sag)];
+      rope.leaves[at(i)] = shape.direction[0];
+      rope.arrives[at(i)] = shape.direction[1];
+    }
+    const std::size_t nodes = model.reevings[r].nodes.size();
+    rope.angle.assign(nodes, 0.0);
+    rope.spin = rope.passed = rope.wrap = rope.angle;
+    rope.inside.clear();
+    rope.inside_velocity.clear();
+    for (const int body : m.inside[r]) {
+      rope.inside.push_back(v.bodies[at(body)].x);
+      rope.inside_velocity.push_back(v.bodies[at(body)].v);
+    }
+  }
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Contact& contact = m.contacts[i];
+    DynamicState::Rope& rope = state.ropes[at(contact.reeving)];
+    rope.passed[at(contact.node)] = v.q[at(contact.column)];
+    rope.wrap[at(contact.node)] = wrap_of(m, i, v);
+    if (contact.spin < 0) continue;
+    rope.angle[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].angle;
+    rope.spin[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].omega;
+  }
+  state.drums.clear();
+  for (const DrumValues& drum : v.drums) state.drums.push_back({drum.content, drum.layer, drum.strain});
+  state.drum_drive = v.drum_drive;
+  state.motor_drive = v.motor_drive;
+  keep_couples(v, state);
+  return state;
+}
+
+}  // namespace taut::analysis::dynamics

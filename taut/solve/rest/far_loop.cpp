@@ -1,0 +1,28 @@
+#include "taut/solve/rest/far_loop.hpp"
+
+#include <fmt/format.h>
+
+namespace taut::analysis {
+namespace {
+
+constexpr double longest = 10;  ///< times the way
+
+}  // namespace
+
+Outcome no_far_loop(const System& system, const Configuration& c, const Evaluation& e) {
+  for (const Layout::Rope& rope : system.layout.ropes) {
+    if (rope.row != system.layout.coordinate_row || rope.count == 0) continue;
+    double length = 0, way = 0;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) {
+      length += c.links[static_cast<std::size_t>(k)].length;
+      way += e.branches[static_cast<std::size_t>(k)].chord.norm();
+    }
+    if (length <= longest * way) continue;
+    const int reeving = system.layout.links[static_cast<std::size_t>(rope.first)].reeving;
+    return infeasible(fmt::format("'{}' could hold the carriage there by a loop of {:.4g} m only; choose another x",
+                                  system.model.reevings[static_cast<std::size_t>(reeving)].name, length));
+  }
+  return {};
+}
+
+}  // namespace taut::analysis

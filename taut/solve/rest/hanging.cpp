@@ -1,0 +1,55 @@
+#include "taut/solve/rest/hanging.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+bool pitches(const System& s, int body) {
+  const auto& free = s.model.bodies[at(body)].free;
+  return std::any_of(free.begin(), free.end(), [](const auto& way) { return way.about != Vector3::Zero(); });
+}
+
+/// Upward force of the rope on the rollers of a carriage, N.
+double lift_of(const System& s, const Evaluation& e, const model::Carriage& car) {
+  double up = 0;
+  for (const Layout::Turn& t : s.layout.turns) {
+    if (t.reeving != car.reeving || t.node < car.node || t.node >= car.node + car.rollers) continue;
+    const Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+    if (!in.slack) up -= in.pull_to.z();
+    if (!out.slack) up += out.pull_from.z();
+  }
+  return up;
+}
+
+}  // namespace
+
+Hanging hanging(const System& s, const Configuration& c, const Evaluation& e) {
+  Hanging result;
+  for (const model::Carriage& car : s.model.carriages) {
+    const model::Node& node = s.model.reevings[at(car.reeving)].nodes[at(car.node)];
+    if (node.kind != model::NodeKind::contact) continue;
+    if (pitches(s, car.body) && c.bodies[at(car.body)].orientation(2, 2) < 0) {
+      result.outcome = infeasible(fmt::format(
+          "carriage '{}' would turn over: the ropes that pull at it outweigh the load below its rollers; give "
+          "them less pull, or less height of the rollers",
+          car.name));
+      return result;
+    }
+    // only of rollers that press from above
+    if (node.support.z() >= 0) continue;
+    const double up = lift_of(s, e, car);
+    if (up >= -1e-9 * e.largest_force) continue;
+    result.lifted = true;
+    result.outcome =
+        infeasible(fmt::format("carriage '{}' would lift off '{}', which would have to press it down with {:.6g} N",
+                               car.name, s.model.reevings[at(car.reeving)].name, -up));
+  }
+  return result;
+}
+
+}  // namespace taut::analysis

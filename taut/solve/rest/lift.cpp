@@ -1,0 +1,113 @@
+#include "taut/solve/rest/lift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/index.hpp"
+#include "taut/rope/span.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr int lift_halvings = 60;
+constexpr int most_releases = 3;
+constexpr double lift_rounding = 1e-9;  ///< of a tension or a length: neither lifts nor presses
+
+bool may_lift(const model::Node& node) {
+  return node.may_lift && node.support != Vector3::Zero() && node.kind == model::NodeKind::contact;
+}
+
+/// The rope's force on a support in the direction away from it, N.
+double pull(const System& s, const Evaluation& e, const Layout::Turn& t) {
+  const Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+  if (in.slack || out.slack) return 0;
+  const Vector3& support = s.model.reevings[at(t.reeving)].nodes[at(t.node)].support;
+  return (out.pull_from - in.pull_to).dot(support) - lift_rounding * (in.T_to + out.T_from);
+}
+
+void release(const Layout::Turn& t, const Layout::Link& before, model::State& state) {
+  auto& branches = state.branches[at(t.reeving)];
+  model::BranchState& whole = branches[at(before.from)];
+  whole = {whole.length + branches[at(t.node)].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  branches[at(t.node)] = {};
+  state.touched[at(t.reeving)][at(t.node)] = false;
+}
+
+/// Where a lifted node lies beside its rope.
+struct Beside {
+  double s = 0;      ///< unstretched length from the branch's start, m
+  double below = 0;  ///< how far the rope lies on the wrong side of the support, m
+};
+
+Beside beside(const Vector3& support_point, const Vector3& support, const Vector3& start, const rope::Span& span) {
+  const Vector3 along = span.chord.normalized();
+  double low = 0, high = span.rope.length;
+  for (int i = 0; i < lift_halvings; ++i) {
+    const double middle = (low + high) / 2;
+    const bool behind = (start + rope::point_at(span, middle) - support_point).dot(along) < 0;
+    (behind ? low : high) = middle;
+  }
+  const Vector3 point = start + rope::point_at(span, low);
+  return {low, (support_point - point).dot(support)};
+}
+
+struct Return {
+  const Layout::Link* link = nullptr;
+  int node = 0;
+  Beside where;
+};
+
+/// The lifted support that its rope lies deepest below.
+Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
+  Return worst;
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const int nodes = static_cast<int>(rope.nodes.size());
+    for (int n = (link.from + 1) % nodes; n != link.to; n = (n + 1) % nodes) {
+      const model::Node& node = rope.nodes[at(n)];
+      if (!may_lift(node)) continue;
+      const Branch& b = e.branches[k];
+      const auto span = link.force >= 0 ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
+                                        : rope::solve_span(rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
+      if (!span) continue;
+      const Vector3 start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
+      const Vector3 top = end_at(node, c.bodies).centre + node.radius * node.support;
+      const Beside where = beside(top, node.support, start, *span);
+      if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length)) worst = {&link, n, where};
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+bool change_touch(const System& s, const Configuration& c, const Evaluation& e, model::State& state,
+                  std::vector<std::vector<int>>& let_go) {
+  const Layout::Turn* lifts = nullptr;
+  double most = 0;
+  for (const Layout::Turn& t : s.layout.turns) {
+    if (!may_lift(s.model.reevings[at(t.reeving)].nodes[at(t.node)])) continue;
+    if (let_go[at(t.reeving)][at(t.node)] >= most_releases) continue;
+    const double force = pull(s, e, t);
+    if (force <= most) continue;
+    most = force;
+    lifts = &t;
+  }
+  if (lifts) {
+    ++let_go[at(lifts->reeving)][at(lifts->node)];
+    release(*lifts, s.layout.links[at(lifts->before)], state);
+    return true;
+  }
+  const Return back = deepest(s, c, e);
+  if (!back.link) return false;
+  auto& branches = state.branches[at(back.link->reeving)];
+  const double whole = branches[at(back.link->from)].length;
+  const double before = std::clamp(back.where.s, 0.01 * whole, 0.99 * whole);
+  branches[at(back.link->from)] = {before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  branches[at(back.node)] = {whole - before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  state.touched[at(back.link->reeving)][at(back.node)] = true;
+  return true;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,324 @@
+#include "taut/solve/rest/newton.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/dense_lu.hpp"
+#include "taut/math/index.hpp"
+#include "taut/mechanics/beam_piece.hpp"
+#include "taut/mechanics/stiff_branch.hpp"
+#include "taut/solve/rest/fed_rope.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double least_part = 1.0 / 1024;
+constexpr double singular_below = 1e-14;
+constexpr double longest_turn = 0.5;       // rad per step
+constexpr double longest_move = 0.5;       // of the machine's length per step
+constexpr double shortest_branch = 0.4;    // of its length before the step
+constexpr double rounding_strain = 4e-15;  // of EA: what rounded coordinates leave of a balance
+constexpr double most_rounding = 1e-8;     // of the largest force: more of it is no balance
+constexpr double least_free = 1e-6;        // of what no row determines: less is rounding
+constexpr double most_fall = 0.7;          // of a rope's force and weight per step
+constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
+
+/// Calls `f` with each link and unknown of a force.
+template <class F>
+void for_each_force(const System& s, const F& f) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    if (link.force < 0) continue;
+    const int count = force_count(s.model.reevings[at(link.reeving)]);
+    for (int i = 0; i < count; ++i) f(static_cast<int>(k), link.force + i);
+  }
+}
+
+/// The largest change of a force among the unknowns, as a share of the largest force. A slack rope has none.
+double force_change(const System& s, const Evaluation& e, const Eigen::VectorXd& change) {
+  double most = 0;
+  for_each_force(s, [&](int link, int unknown) {
+    if (!e.branches[at(link)].slack) most = std::max(most, std::abs(change[unknown]));
+  });
+  return most > 0 ? most / e.largest_force : 0;
+}
+
+/// The scaled linear system of one point.
+class Linear {
+ public:
+  Linear(const System& system, Eigen::Index n) : columns_(n), rows_(n) {
+    columns_.setConstant(system.layout.length);
+    for (std::size_t i = 0; i < system.layout.dofs.size(); ++i) {
+      if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
+    }
+    for (const Layout::Rope& rope : system.layout.ropes) {
+      if (rope.open_load >= 0) columns_[rope.open_load] = std::max(1.0, system.layout.heaviest);
+    }
+    if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
+    scale_beams(system, columns_);
+  }
+
+  /// Takes the forces that are unknowns in parts of what they are now.
+  void scale_forces(const System& s, const Configuration& c) {
+    for_each_force(s, [&](int link, int unknown) {
+      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[at(link)].norm()});
+    });
+  }
+
+  void factor(const Eigen::MatrixXd& J) {
+    scaled_ = J * columns_.asDiagonal();
+    for (Eigen::Index i = 0; i < rows_.size(); ++i) {
+      const double size = scaled_.row(i).cwiseAbs().maxCoeff();
+      rows_[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
+      scaled_.row(i) *= rows_[i];
+    }
+    lu_.factor(scaled_);
+    singular_ = !(lu_.pivot_ratio() > singular_below);
+    if (singular_) {
+      orthogonal_.setThreshold(1e-12);
+      orthogonal_.compute(scaled_);
+    }
+  }
+
+  /// The scaled step -J^-1 r, of least length where J is singular.
+  Eigen::VectorXd solve(const Eigen::VectorXd& r) const {
+    const Eigen::VectorXd right = -rows_.cwiseProduct(r);
+    return singular_ ? Eigen::VectorXd(orthogonal_.solve(right)) : lu_.solve(right);
+  }
+
+  Eigen::VectorXd unscaled(const Eigen::VectorXd& step) const { return columns_.cwiseProduct(step); }
+  bool singular() const { return singular_; }
+
+  /// How much of each unknown is in what no row determines, as a share of its scale; empty where all are.
+  Eigen::VectorXd free() const {
+    const Eigen::Index n = rows_.size();
+    if (!singular_ || orthogonal_.rank() == n) return {};
+    const Eigen::MatrixXd open = orthogonal_.matrixZ().adjoint().rightCols(n - orthogonal_.rank());
+    return (orthogonal_.colsPermutation() * open).rowwise().norm();
+  }
+
+ private:
+  Eigen::VectorXd columns_, rows_;
+  Eigen::MatrixXd scaled_;
+  DenseLu lu_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
+  bool singular_ = false;
+};
+
+/// A branch whose force no row determines; -1: none.
+int undetermined_branch(const System& s, const Linear& linear) {
+  const Eigen::VectorXd free = linear.free();
+  int worst = -1;
+  double most = least_free;
+  for_each_force(s, [&](int link, int unknown) {
+    if (free.size() == 0 || free[unknown] <= most) return;
+    most = free[unknown];
+    worst = link;
+  });
+  return worst;
+}
+
+/// The part of a step that leaves a rope with weight a share of its pull.
+double longest_fall(const System& s, const Configuration& c, int k, const Eigen::VectorXd& step) {
+  const Layout::Link& link = s.layout.links[at(k)];
+  if (link.force < 0 || s.model.reevings[at(link.reeving)].weight == 0) return 1;
+  const Vector3& force = c.forces[at(k)];
+  const double weight = s.model.reevings[at(link.reeving)].weight * c.links[at(k)].length;
+  const double falls = -force.normalized().dot(step.segment<3>(link.force)), most = most_fall * (force.norm() + weight);
+  return falls > most ? most / falls : 1;
+}
+
+/// The largest part of a step, at most 1, that keeps branches from vanishing and bodies from flying away.
+double longest_part(const System& s, const Configuration& c, const Eigen::VectorXd& step) {
+  double part = 1;
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+    const double most = turns ? longest_turn : longest_move * s.layout.length;
+    part = std::min(part, most / std::max(most, std::abs(step[static_cast<Eigen::Index>(i)])));
+  }
+  for (std::size_t k = 0; k < c.links.size(); ++k) {
+    const double change = step[s.layout.links[k].unknown];
+    if (change < 0) part = std::min(part, (1 - shortest_branch) * c.links[k].length / -change);
+    // a rope whose length follows has a second answer, a loop of kilometres whose weight pulls
+    const double most = std::max(c.links[k].length, s.layout.length);
+    if (change > most) part = std::min(part, most / change);
+    part = std::min(part, longest_fall(s, c, static_cast<int>(k), step));
+  }
+  return part;
+}
+
+bool settled(const System& s, const Evaluation& e, double tolerance, double ulps = 1) {
+  const Misfit m = misfit(s, e);
+  // A machine whose forces are all within the rounding of its stiffest branch bears none: there is no balance to lose.
+  const double of_lengths = rounding_strain * s.layout.stiffest;
+  const double most = e.largest_force > of_lengths ? most_rounding * e.largest_force : ulps * of_lengths;
+  const double rounding = std::min(ulps * of_lengths, most);
+  return m.force <= std::max(tolerance * e.largest_force, rounding) &&
+         std::max(m.length, m.span) <= tolerance * s.layout.length;
+}
+
+/// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
+/// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
+/// on the side of its fixed end have lost. A fed rope is paid out while its tension is above the given one.
+void add_drag(const System& s, const std::vector<FedEnd>& fed, double drag, double ropes, Eigen::MatrixXd& J) {
+  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+    const auto k = static_cast<Eigen::Index>(i);
+    J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
+  }
+  for (const Layout::Turn& t : s.layout.turns) {
+    const model::Reeving& reeving = s.model.reevings[static_cast<std::size_t>(t.reeving)];
+    if (reeving.nodes[static_cast<std::size_t>(t.node)].kind != model::NodeKind::contact) continue;
+    const Layout::Rope& rope = s.layout.ropes[static_cast<std::size_t>(t.reeving)];
+    const bool fixed_at_end = reeving.given == model::Given::tension_at_start;
+    const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
+    for (int k = first; k < last; ++k) {
+      J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
+    }
+  }
+  for (const FedEnd& end : fed) {
+    for (int k = end.first; k <= end.last; ++k) {
+      J(end.row, s.layout.links[static_cast<std::size_t>(k)].unknown) -= ropes * drag;
+    }
+  }
+}
+
+/// A configuration that is tried, evaluated.
+struct Trial {
+  Configuration c;
+  Evaluation e;
+};
+
+/// Halves a Newton step until a part of it brings the next step nearer and `fits`. False where no part does.
+template <class Fits>
+bool gains(const System& s, const Configuration& c, const Change& change, Linear& linear, double size, double tolerance,
+           Trial& tried, std::optional<NoBranch>& stopped, const Fits& fits) {
+  for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
+    move(s, c, change, part, tried.c);
+    stopped = evaluate(s, tried.c, tried.e);
+    if (stopped || !tried.e.residual.allFinite()) continue;
+    const double next = linear.solve(tried.e.residual).norm();
+    if (!(next <= (1 - part / 4) * size) && !settled(s, tried.e, tolerance)) continue;
+    if (fits()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  const std::vector<FedEnd> fed = fed_ends(s);
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  Trial tried{c, {}};
+  for (; it.steps < most_steps; ++it.steps) {
+    if (settled(s, e, tolerance)) {
+      it.converged = true;
+      return it;
+    }
+    jacobian(s, c, e, J, columns);
+    linear.factor(J);
+    it.singular = linear.singular();
+    const Eigen::VectorXd step = linear.solve(e.residual);
+    if (!step.allFinite()) return it;
+    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
+    it.deep = -1;
+    const auto taut = [&] {
+      it.deep = deep_link(s, fed, tried.c, tried.e);
+      return it.deep < 0;
+    };
+    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, taut)) {
+      // no step gains: rounding, of tangent points for one, may leave a little more than asked
+      it.converged = settled(s, e, 8 * tolerance, 5);
+      return it;
+    }
+    std::swap(c, tried.c);
+    std::swap(e, tried.e);
+  }
+  it.converged = settled(s, e, tolerance);
+  return it;
+}
+
+Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  Trial tried{c, {}};
+  double before = HUGE_VAL;
+  for (; it.steps < most_steps; ++it.steps) {
+    linear.scale_forces(s, c);
+    jacobian(s, c, e, J, columns);
+    linear.factor(J);
+    it.singular = linear.singular();
+    const Eigen::VectorXd step = linear.solve(e.residual);
+    if (!step.allFinite()) return it;
+    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
+    const double open = force_change(s, e, change.step);
+    const bool closed = settled(s, e, tolerance);
+    const bool known = open <= tolerance || (open > before / 2 && open <= forces_settled);
+    if (closed && known) {
+      it.converged = true;
+      it.undetermined = undetermined_branch(s, linear);
+      return it;
+    }
+    before = closed ? open : HUGE_VAL;
+    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, [] { return true; })) {
+      it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
+      it.undetermined = undetermined_branch(s, linear);
+      return it;
+    }
+    std::swap(c, tried.c);
+    std::swap(e, tried.e);
+  }
+  return it;
+}
+
+Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps, double most_growth, double ropes) {
+  Iteration it;
+  it.stopped = evaluate(s, c, e);
+  if (it.stopped) return it;
+  Linear linear(s, s.layout.size);
+  const std::vector<FedEnd> fed = fed_ends(s);
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  Configuration tried = c;
+  Evaluation there;
+  double drag = e.largest_force / s.layout.length;
+  double now = misfit(s, e).force;
+  for (; it.steps < most_steps; ++it.steps) {
+    if (settled(s, e, 1e-4)) {
+      it.converged = true;
+      return it;
+    }
+    jacobian(s, c, e, J, columns);
+    add_drag(s, fed, drag, ropes, J);
+    linear.factor(J);
+    const Change change = change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
+    if (!change.step.allFinite()) return it;
+    move(s, c, change, longest_part(s, c, change.step), tried);
+    it.stopped = evaluate(s, tried, there);
+    const bool fails = it.stopped || !there.residual.allFinite();
+    const double then = fails ? 0 : misfit(s, there).force;
+    it.deep = fails ? -1 : deep_link(s, fed, tried, there);
+    if (fails || it.deep >= 0 || !(then <= most_growth * now)) {
+      drag *= 8;
+      if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
+      continue;
+    }
+    std::swap(c, tried);
+    std::swap(e, there);
+    drag *= std::clamp(then / now, 0.2, 2.0);
+    now = then;
+  }
+  return it;
+}
+
+}  // namespace taut::analysis

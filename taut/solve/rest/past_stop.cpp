@@ -1,0 +1,105 @@
+#include "taut/solve/rest/past_stop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "taut/machine/state.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double past_by = 1e-9;  ///< of the machine's length: less is on the stop
+
+/// Whether a node is neither a carriage nor a load on the free rope.
+bool is_stop(const System& s, const model::Node& node) {
+  if (node.kind == model::NodeKind::load) return false;
+  return std::none_of(s.model.carriages.begin(), s.model.carriages.end(),
+                      [&](const model::Carriage& car) { return car.body == node.at.body; });
+}
+
+/// The next node of a path in a direction that `fits`; null: none.
+template <class Fits>
+const model::Node* next(const model::Reeving& rope, int from, int step, const Fits& fits) {
+  const int count = static_cast<int>(rope.nodes.size());
+  for (int k = 1; k < count; ++k) {
+    const int n = from + k * step;
+    if (!rope.closed && (n < 0 || n >= count)) return nullptr;
+    const model::Node& node = rope.nodes[at((n + count) % count)];
+    if (fits(node)) return &node;
+  }
+  return nullptr;
+}
+
+double coordinate(const System& s, const std::vector<model::Pose>& bodies, const model::Node& node) {
+  return s.layout.coordinate_along.dot(end_at(node, bodies).centre);
+}
+
+/// Of a carriage's nodes on a rope, from `first` to `last`.
+std::string past_on(const System& s, const Configuration& c, const model::Carriage& car, int reeving, int first,
+                    int last) {
+  const model::Reeving& rope = s.model.reevings[at(reeving)];
+  const auto stops = [&](const model::Node& node) { return is_stop(s, node); };
+  const auto elsewhere = [&](const model::Node& node) {
+    return node.at.body != car.body && node.kind != model::NodeKind::load;
+  };
+  for (const int step : {-1, 1}) {
+    const int own = step < 0 ? first : last;
+    const model::Node* stop = next(rope, own, step, stops);
+    const model::Node* other = next(rope, step < 0 ? last : first, -step, elsewhere);
+    if (stop == nullptr || other == nullptr) continue;
+    const double place = coordinate(s, c.bodies, rope.nodes[at(own)]), there = coordinate(s, c.bodies, *stop);
+    const double before = coordinate(s, c.bodies, *other);
+    const double past = there > before ? place - there : there - place;
+    if (there == before || past <= past_by * s.layout.length) continue;
+    return fmt::format(
+        "carriage '{}' would lie {:.4g} m past '{}', the next stop of its rope '{}': choose a place before it",
+        car.name, past, stop->name, rope.name);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string past_stop(const System& s, const Configuration& c) {
+  if (s.layout.coordinate_row < 0) return {};
+  for (const model::Carriage& car : s.model.carriages) {
+    std::string words = past_on(s, c, car, car.reeving, car.node, car.node + car.rollers - 1);
+    if (words.empty() && car.grip_reeving >= 0)
+      words = past_on(s, c, car, car.grip_reeving, car.grip_node, car.grip_node);
+    if (!words.empty()) return words;
+  }
+  return {};
+}
+
+std::string section_past_stop(const System& s) {
+  if (s.layout.coordinate_row < 0) return {};
+  const auto starts = model::initial_state(s.model).bodies;
+  for (const model::Carriage& car : s.model.carriages) {
+    const model::Reeving& rope = s.model.reevings[at(car.reeving)];
+    const model::Node& clamp = rope.nodes[at(car.node)];
+    if (car.body == s.layout.coordinate_body || clamp.kind != model::NodeKind::clamp) continue;
+    for (const int step : {-1, 1}) {
+      const model::Node* stop = next(rope, car.node, step, [&](const model::Node& node) { return is_stop(s, node); });
+      const model::Node* put = next(rope, car.node, -step, [](const model::Node&) { return true; });
+      if (stop == nullptr || put == nullptr || put->at.body != s.layout.coordinate_body) continue;
+      // the clamp of the one that is put somewhere follows from its place: only an end of the rope says a length
+      const double whole = rope.given == model::Given::length ? rope.value : 0;
+      const bool at_start = put == &rope.nodes.front(), at_end = put == &rope.nodes.back() && whole > 0;
+      if (rope.closed || (!at_start && !at_end)) continue;
+      const double length = (at_start ? clamp.length_before : whole - clamp.length_before) * (1 + rope.thermal_strain);
+      const double room = std::abs(coordinate(s, starts, *stop) - s.coordinate);
+      if (length <= room) continue;
+      return fmt::format(
+          "carriage '{}' hangs {:.4g} m of rope '{}' beside '{}', which is put {:.4g} m before '{}': it would lie past "
+          "'{}'; choose a place farther from it",
+          car.name, length, rope.name, s.model.bodies[at(s.layout.coordinate_body)].name, room, stop->name, stop->name);
+    }
+  }
+  return {};
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,221 @@
+#include "taut/solve/rest/reasons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/math/index.hpp"
+#include "taut/solve/rest/fed_rope.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double vanishing = 1e-2;  // of the longest span
+constexpr double wide_open = 1e-3;  // of a given tension
+
+/// "along x", "about (0, 0.6, 0.8)".
+std::string direction(const model::Freedom& way) {
+  const bool turns = way.about != Vector3::Zero();
+  const Vector3& d = turns ? way.about : way.along;
+  const char* names = "xyz";
+  const std::string_view word = turns ? "about" : "along";
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(std::abs(d[i]) - 1) < 1e-12) return fmt::format("{} {}", word, names[i]);
+  }
+  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", word, d.x(), d.y(), d.z());
+}
+
+std::string branch_words(const System& s, int link_index) {
+  const Layout::Link& link = s.layout.links[at(link_index)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(link.from)].name,
+                     rope.nodes[at(link.to)].name);
+}
+
+Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
+  const Layout::Link& link = s.layout.links[at(no.link)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const Vector3 chord =
+      end_at(rope.nodes[at(link.to)], c.bodies).centre - end_at(rope.nodes[at(link.from)], c.bodies).centre;
+  if (no.why == rope::NoCatenary::too_short) {
+    return infeasible(fmt::format(
+        "{} does not reach: {:.6g} m of a rope that does not stretch over {:.6g} m; give it more length or a stiffness",
+        branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
+  }
+  const double radii = rope.nodes[at(link.to)].radius + rope.nodes[at(link.from)].radius;
+  if (radii > 0 && chord.norm() <= radii) {
+    for (const bool first : {false, true}) {
+      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                        &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      return infeasible(fmt::format(
+          "body '{}' is drawn up to '{}': {} has no room there (the centres {:.3g} m apart, the radii add up "
+          "to {:.3g} m); make it heavier, give the rope more length, or put it farther away",
+          s.model.bodies[at(own.at.body)].name, other.name, branch_words(s, no.link), chord.norm(), radii));
+    }
+    return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
+                                  branch_words(s, no.link), chord.norm(), radii));
+  }
+  return not_converged(fmt::format(
+      "no equilibrium found: {} finds no line on the way there ({:.6g} m of rope, centres {:.6g} m apart); hold the "
+      "bodies it runs to, or change its length",
+      branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
+}
+
+/// The ropes that carry nothing, as words; empty if none.
+std::string slack_ropes(const System& s, const Evaluation& e) {
+  std::string words;
+  for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
+    const Layout::Rope& rope = s.layout.ropes[r];
+    bool slack = true;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) slack = slack && e.branches[at(k)].slack;
+    if (slack) words += fmt::format("{}'{}'", words.empty() ? "" : ", ", s.model.reevings[r].name);
+  }
+  return words;
+}
+
+/// The freedom whose balance is worst, -1 without any.
+int worst_freedom(const System& s, const Evaluation& e) {
+  int worst = -1;
+  double most = -1;
+  for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
+    const bool turns = s.layout.dofs[at(i)].way.about != Vector3::Zero();
+    const double size = std::abs(e.residual[i]) / (turns ? s.layout.length : 1);
+    if (size > most) {
+      most = size;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+/// The branch that all but vanished beside a body that rolls on the rope, -1 without one.
+int vanished(const System& s, const Configuration& c) {
+  for (const Layout::Turn& t : s.layout.turns) {
+    if (s.model.reevings[at(t.reeving)].nodes[at(t.node)].at.body == model::ground) continue;
+    for (const int link : {t.before, t.after}) {
+      if (c.links[at(link)].length < vanishing * s.layout.length) return link;
+    }
+  }
+  return -1;
+}
+
+/// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
+std::string drawn_up(const System& s, const Configuration& c) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    if (c.links[k].length >= vanishing * s.layout.length) continue;
+    for (const bool first : {true, false}) {
+      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                        &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      return fmt::format(
+          "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
+          "give the rope more length, or pull less",
+          s.model.bodies[at(own.at.body)].name, other.name, rope.name, c.links[k].length);
+    }
+  }
+  return {};
+}
+
+/// A carriage that is put beyond the places that its rope runs between, in words; empty where it is not.
+std::string off_the_line(const System& s) {
+  if (s.layout.coordinate_row < 0) return {};
+  for (const model::Carriage& car : s.model.carriages) {
+    if (car.body != s.layout.coordinate_body) continue;
+    const std::vector<model::Node>& nodes = s.model.reevings[at(car.reeving)].nodes;
+    const model::Node* ends[] = {nullptr, nullptr};  // the neighbours on the ground, by their x
+    for (const int n : {car.node - 1, car.node + car.rollers}) {
+      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[at(n)].at.body != model::ground) return {};
+      ends[n < car.node ? 0 : 1] = &nodes[at(n)];
+    }
+    const auto x_of = [&](const model::Node* n) { return s.layout.coordinate_along.dot(n->at.at); };
+    if (x_of(ends[0]) > x_of(ends[1])) std::swap(ends[0], ends[1]);
+    const double reach = std::max(ends[0]->radius, ends[1]->radius);
+    if (s.coordinate >= x_of(ends[0]) - reach && s.coordinate <= x_of(ends[1]) + reach) return {};
+    return fmt::format(
+        "'{}' is put at x = {:.6g} m, but its rope runs from x = {:.6g} m ('{}') to {:.6g} m ('{}') "
+        "there: choose a place between them",
+        car.name, s.coordinate, x_of(ends[0]), ends[0]->name, x_of(ends[1]), ends[1]->name);
+  }
+  return {};
+}
+
+/// Whether a rope that a body hangs on has its tension given.
+bool hangs_on_given_tension(const System& s, int body) {
+  return std::any_of(s.model.reevings.begin(), s.model.reevings.end(), [&](const model::Reeving& rope) {
+    return rope.given != model::Given::length &&
+           std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& n) { return n.at.body == body; });
+  });
+}
+
+}  // namespace
+
+int too_heavy(const System& s, const Evaluation& e, const Iteration& iteration) {
+  if (iteration.deep < 0) return -1;
+  const int rope = s.layout.links[at(iteration.deep)].reeving;
+  for (const FedEnd& end : fed_ends(s)) {
+    if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
+  }
+  return -1;
+}
+
+Outcome too_heavy_outcome(const System& s, int reeving, double least) {
+  for (const FedEnd& end : fed_ends(s)) {
+    if (end.rope != reeving) continue;
+    const model::Reeving& rope = s.model.reevings[at(reeving)];
+    const std::string known = least > 0 ? fmt::format(" (at least {:.4g} N)", least) : std::string();
+    return infeasible(fmt::format(
+        "rope '{}' does not come down to {:.6g} N at '{}': its own weight pulls harder{}, and with more rope harder "
+        "still; give it more tension there, or a length",
+        rope.name, end.tension, (end.at_end ? rope.nodes.back() : rope.nodes.front()).name, known));
+  }
+  return {};
+}
+
+Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
+  if (const std::string why = off_the_line(s); !why.empty()) return infeasible(why);
+  if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
+  const int worst = worst_freedom(s, e);
+  const std::string slack = slack_ropes(s, e);
+  const Misfit m = misfit(s, e);
+  if (worst < 0) {
+    if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
+    return not_converged(
+        fmt::format("the ropes did not settle: {:.3g} N and {:.3g} m are open after the last step; are the given "
+                    "lengths and tensions possible on these paths?",
+                    m.force, m.length));
+  }
+  const Layout::Dof& dof = s.layout.dofs[at(worst)];
+  const std::string& body = s.model.bodies[at(dof.body)].name;
+  const double open = e.residual[worst];
+  const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
+  if (const int link = vanished(s, c); link >= 0) {
+    return infeasible(
+        fmt::format("{} shrinks to nothing: what rolls there runs against its neighbour; hold it by a "
+                    "mainline, or clamp it",
+                    branch_words(s, link)));
+  }
+  if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
+  if (const std::string why = drawn_up(s, c); !why.empty()) return infeasible(why);
+  if (!slack.empty()) {
+    return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",
+                                  open, unit, body, direction(dof.way), slack));
+  }
+  const bool given = hangs_on_given_tension(s, dof.body);
+  if (iteration.singular && !given) {
+    return infeasible(
+        fmt::format("body '{}' is not held {}: {:.6g} {} stay open; add a rope, or take that freedom away", body,
+                    direction(dof.way), open, unit));
+  }
+  const std::string_view advice =
+      given ? "the tensions given do not balance its load, whatever the place: give other tensions, or lengths"
+            : "try other lengths or weights, or hold the body by another rope";
+  return not_converged(fmt::format("no equilibrium found: {:.6g} {} stay open on body '{}' {}; {}", open, unit, body,
+                                   direction(dof.way), advice));
+}
+
+}  // namespace taut::analysis

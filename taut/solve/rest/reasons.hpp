@@ -1,0 +1,16 @@
+#pragma once
+#include "taut/solve/rest/newton.hpp"
+
+namespace taut::analysis {
+
+/// Why there is no equilibrium, and what to change, from where the iteration stopped.
+Outcome reason(const System& system, const Configuration& c, const Evaluation& e, const Iteration& iteration);
+
+/// The rope whose own weight keeps it above its given tension where the iteration stopped, beside a deep loop; -1:
+/// none.
+int too_heavy(const System& system, const Evaluation& e, const Iteration& iteration);
+
+/// That as an outcome. `least`: the tension that it can have, N; 0: not known.
+Outcome too_heavy_outcome(const System& system, int reeving, double least);
+
+}  // namespace taut::analysis

@@ -1,0 +1,151 @@
+#include "taut/solve/rest/roll.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+/// Places in the span, as parts of it: closer at its ends, where a slack rope's lowest point may be.
+constexpr std::array<double, 17> places = {0.003, 0.01, 0.03, 0.07, 0.13, 0.2,  0.29, 0.39, 0.5,
+                                           0.61,  0.71, 0.8,  0.87, 0.93, 0.97, 0.99, 0.997};
+constexpr int roll_halvings = 12;
+
+bool rolls_free(const model::Model& model, const model::Carriage& car) {
+  const model::Reeving& rides = model.reevings[at(car.reeving)];
+  if (car.mainline >= 0 || car.haulback >= 0 || car.grip_reeving >= 0) return false;
+  if (rides.nodes[at(car.node)].kind != model::NodeKind::contact) return false;
+  for (const model::Reeving& rope : model.reevings) {
+    for (const model::Node& node : rope.nodes) {
+      // a rope fixed to it, or over a sheave on it, may hold it
+      const bool own = &rope == &rides && node.kind == model::NodeKind::contact;
+      if (node.at.body == car.body && !own) return false;
+    }
+  }
+  return true;
+}
+
+std::string runs_to(const model::Model& model, const model::Carriage& car, const model::Node& first,
+                    const model::Node& last, const std::string& end) {
+  return fmt::format(
+      "nothing holds carriage '{}' on '{}', and nowhere between '{}' and '{}' does it stand by itself: it runs to {}; "
+      "give "
+      "it a mainline, clamp it, or put it at an x",
+      car.name, model.reevings[at(car.reeving)].name, first.name, last.name, end);
+}
+
+/// The neighbours of a carriage on its rope.
+struct Neighbours {
+  const model::Node *first, *last;
+};
+
+Neighbours neighbours(const model::Model& model, const model::Carriage& car) {
+  const model::Reeving& rope = model.reevings[at(car.reeving)];
+  const std::size_t count = rope.nodes.size();
+  return {&rope.nodes[(at(car.node) + count - 1) % count], &rope.nodes[at(car.node + car.rollers) % count]};
+}
+
+class Roll {
+ public:
+  Roll(const model::Model& model, int carriage, EquilibriumOptions options)
+      : model_(model), options_(std::move(options)), car_(model.carriages[at(carriage)]) {
+    options_.band = false;
+    options_.held = true;
+    options_.prescribed = Prescribed{carriage, 0};
+    const Neighbours beside = neighbours(model, car_);
+    first_ = beside.first;
+    last_ = beside.last;
+    const model::State start = model::initial_state(model);
+    from_ = model::in_ground(start, first_->at);
+    chord_ = model::in_ground(start, last_->at) - from_;
+    chord_.z() = 0;
+    if (chord_.norm() > 0) options_.prescribed->along = chord_.normalized();
+  }
+
+  std::optional<Rest> rest(int carriage) {
+    if (chord_.norm() == 0) return std::nullopt;
+    Rest rest;
+    rest.carriage = carriage;
+    std::vector<std::pair<double, double>> holds;  // place, force
+    for (const double part : places) {
+      const double force = hold(part);
+      if (std::isnan(force)) continue;
+      if (!holds.empty() && holds.back().second < 0 && force >= 0) {
+        rest.state = halved(holds.back().first, part);
+        return rest;
+      }
+      holds.emplace_back(part, force);
+    }
+    if (holds.empty()) return std::nullopt;
+    const bool to_first = holds.front().second > 0, to_last = holds.back().second < 0;
+    if (!to_first && !to_last) return std::nullopt;
+    const std::string end = to_first && to_last ? fmt::format("an end, '{}' or '{}'", first_->name, last_->name)
+                                                : fmt::format("the end at '{}'", (to_first ? first_ : last_)->name);
+    rest.reason = runs_to(model_, car_, *first_, *last_, end);
+    return rest;
+  }
+
+ private:
+  /// The force along the span that holds the carriage at a part of it, N; NaN where that has no answer.
+  double hold(double part) {
+    const Vector3& along = options_.prescribed->along;
+    options_.prescribed->x = along.dot(from_ + part * chord_);
+    EquilibriumResult r = equilibrium(model_, options_, near_);
+    if (!r.outcome.ok() && near_) r = equilibrium(model_, options_);
+    if (!r.outcome.ok()) return std::nan("");
+    near_ = r.state;
+    return r.hold.dot(along);
+  }
+
+  /// The state near where the force changes its sign.
+  std::optional<model::State> halved(double low, double high) {
+    for (int i = 0; i < roll_halvings; ++i) {
+      const double middle = (low + high) / 2;
+      const double force = hold(middle);
+      if (std::isnan(force)) break;
+      (force < 0 ? low : high) = middle;
+    }
+    return near_;
+  }
+
+  const model::Model& model_;
+  EquilibriumOptions options_;
+  const model::Carriage& car_;
+  const model::Node *first_ = nullptr, *last_ = nullptr;
+  Vector3 from_ = Vector3::Zero(), chord_ = Vector3::Zero();
+  std::optional<model::State> near_;
+};
+
+}  // namespace
+
+std::optional<Rest> roll_to_rest(const model::Model& model, const EquilibriumOptions& options) {
+  for (std::size_t i = 0; i < model.carriages.size(); ++i) {
+    if (!rolls_free(model, model.carriages[i])) continue;
+    const auto index = static_cast<int>(i);
+    return Roll(model, index, options).rest(index);
+  }
+  return std::nullopt;
+}
+
+std::string rolled_away(const model::Model& model, const model::State& state) {
+  for (const model::Carriage& car : model.carriages) {
+    if (!rolls_free(model, car)) continue;
+    const Neighbours beside = neighbours(model, car);
+    const Vector3 from = model::in_ground(state, beside.first->at);
+    Vector3 way = model::in_ground(state, beside.last->at) - from;
+    way.z() = 0;
+    const double passed = (state.bodies[at(car.body)].position - from).dot(way);
+    if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) continue;
+    const std::string& end = (passed < 0 ? beside.first : beside.last)->name;
+    return runs_to(model, car, *beside.first, *beside.last, fmt::format("the end at '{}'", end));
+  }
+  return {};
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,145 @@
+#include "taut/solve/rest/sides.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+using Sides = std::vector<std::vector<int>>;
+
+constexpr double hardly_bent = 1e-9;  ///< rad
+
+Sides sides_of(const model::Model& model) {
+  Sides sides;
+  for (const model::Reeving& rope : model.reevings) {
+    std::vector<int>& own = sides.emplace_back();
+    for (const model::Node& node : rope.nodes) own.push_back(node.side);
+  }
+  return sides;
+}
+
+/// The free rope that arrives at a contact, and the one that leaves it.
+struct PassingRope {
+  const SpanResult *before = nullptr, *after = nullptr;
+};
+
+PassingRope passing_rope(const EquilibriumResult& result, const ContactResult& contact) {
+  PassingRope b;
+  for (const SpanResult& span : result.spans) {
+    if (span.reeving != contact.reeving) continue;
+    if (span.to == contact.node) b.before = &span;
+    if (span.from == contact.node) b.after = &span;
+  }
+  return b;
+}
+
+/// The angle about `axis` from one direction to another, in (-pi, pi].
+double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
+  const Vector3 a = from - axis * axis.dot(from), b = to - axis * axis.dot(to);
+  return std::atan2(axis.dot(a.cross(b)), a.dot(b));
+}
+
+/// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
+double outside(const model::Model& model, const model::State& state, const ContactResult& contact,
+               const PassingRope& rope) {
+  const std::vector<model::Node>& nodes = model.reevings[at(contact.reeving)].nodes;
+  const model::Node& node = nodes[at(contact.node)];
+  const Vector3 centre = model::in_ground(state, node.at);
+  const Vector3 in = centre - model::in_ground(state, nodes[at(rope.before->from)].at);
+  const Vector3 out = model::in_ground(state, nodes[at(rope.after->to)].at) - centre;
+  Vector3 axis = node.side < 0 ? Vector3(-node.axis) : node.axis;
+  if (node.at.body != model::ground) axis = state.bodies[at(node.at.body)].orientation * axis;
+  // the wrap of a rope without radii, with the sag that it has
+  const double wrap = contact.wrap - 2 * std::numbers::pi * node.turns;
+  const double bend = wrap - turn_about(axis, rope.before->end - rope.before->start, in) +
+                      turn_about(axis, rope.after->end - rope.after->start, out);
+  if (bend < -hardly_bent) return -bend;
+  if (bend <= std::numbers::pi) return 0;
+  const double width = 2 * node.radius / std::min(in.norm(), out.norm());
+  return std::sin(bend - std::numbers::pi) > std::max(hardly_bent, width) ? bend - std::numbers::pi : 0;
+}
+
+/// The state with the rope beside a sheave to be found anew.
+model::State turned_over(const model::Model& model, model::State state, const WrongSide& wrong) {
+  std::vector<model::BranchState>& branches = state.branches[at(wrong.reeving)];
+  const std::vector<bool>& touched = state.touched[at(wrong.reeving)];
+  const auto count = static_cast<int>(model.reevings[at(wrong.reeving)].nodes.size());
+  int before = (wrong.node + count - 1) % count;
+  while (!touched[at(before)] && before != wrong.node) before = (before + count - 1) % count;
+  for (const int k : {before, wrong.node}) {
+    if (at(k) < branches.size()) branches[at(k)] = {branches[at(k)].length, Vector3::Zero(), Vector3::Zero(), {}};
+  }
+  return state;
+}
+
+/// Not ok where a rope would have to be pressed towards a sheave from outside.
+Outcome presses_inwards(const model::Model& model, const EquilibriumResult& result) {
+  for (const ContactResult& c : result.contacts) {
+    const model::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    if (!node.side_open || c.wrap >= -hardly_bent || c.force.norm() == 0) continue;
+    return infeasible(
+        fmt::format("rope '{}' finds no side of '{}': on both it would have to be pressed towards the sheave from "
+                    "outside; give its 'side', or put the sheave nearer to the rope",
+                    model.reevings[at(c.reeving)].name, node.name));
+  }
+  return {};
+}
+
+}  // namespace
+
+bool has_open_sides(const model::Model& model) {
+  return std::any_of(model.reevings.begin(), model.reevings.end(), [](const model::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(), [](const model::Node& n) { return n.side_open; });
+  });
+}
+
+std::optional<WrongSide> wrong_side(const model::Model& model, const EquilibriumResult& result) {
+  std::optional<WrongSide> worst;
+  for (const ContactResult& contact : result.contacts) {
+    const model::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    if (!node.side_open || contact.state == ContactState::lifted) continue;
+    const PassingRope rope = passing_rope(result, contact);
+    if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
+    const double by = outside(model, result.state, contact, rope);
+    if (by > (worst ? worst->by : 0)) worst = WrongSide{contact.reeving, contact.node, by};
+  }
+  return worst;
+}
+
+EquilibriumResult on_inner_sides(
+    const model::Model& model, const std::optional<model::State>& start,
+    const std::function<EquilibriumResult(const model::Model&, const std::optional<model::State>&)>& solve) {
+  if (!has_open_sides(model)) return solve(model, start);
+  model::Model sided = start ? model::with_sides(model, *start) : model;
+  std::optional<model::State> near = start;
+  std::vector<Sides> tried;
+  std::optional<std::pair<EquilibriumResult, double>> best;
+  int steps = 0;
+  do {
+    EquilibriumResult result = solve(sided, near);
+    result.closure.iterations = steps += result.closure.iterations;
+    result.state.sides = sides_of(sided);
+    tried.push_back(result.state.sides);
+    if (!result.outcome.ok() && !best) return result;
+    if (!result.outcome.ok()) break;
+    const auto wrong = wrong_side(sided, result);
+    if (!wrong) return result;
+    near = turned_over(sided, result.state, *wrong);
+    if (!best || wrong->by < best->second) best = {std::move(result), wrong->by};
+    int& side = sided.reevings[at(wrong->reeving)].nodes[at(wrong->node)].side;
+    side = -side;
+  } while (std::find(tried.begin(), tried.end(), sides_of(sided)) == tried.end());
+  best->first.outcome = presses_inwards(model, best->first);
+  return std::move(best->first);
+}
+
+}  // namespace taut::analysis

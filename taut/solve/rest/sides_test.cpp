@@ -1,0 +1,82 @@
+#include "taut/solve/rest/sides.hpp"
+
+#include <gtest/gtest.h>
+
+#include "taut/solve/equilibrium.hpp"
+#include "taut/solve/motion/transient.hpp"
+#include "test/support/machines.hpp"
+
+namespace sides_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+
+constexpr double g = taut::standard_gravity;
+
+EquilibriumOptions put_at(double x) {
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, x};
+  options.band = false;
+  return options;
+}
+
+TEST(Sides, FollowFromTheAnswerAndNotFromTheFirstGuess) {
+  const EquilibriumResult first = equilibrium(downhill(-6, 1), put_at(61.76));
+  ASSERT_TRUE(first.outcome.ok()) << first.outcome.message;
+  for (const double z : {-60.0, -20.0, -6.0, -4.2, 5.0, 40.0}) {
+    for (const int side : {-1, 1}) {
+      const EquilibriumResult r = equilibrium(downhill(z, side), put_at(61.76));
+      ASSERT_TRUE(r.outcome.ok()) << z << ": " << r.outcome.message;
+      EXPECT_EQ(r.state.sides, first.state.sides) << z;
+      EXPECT_NEAR(r.ropes[0].T_max / first.ropes[0].T_max, 1, 1e-9) << z;
+      for (const ContactResult& c : r.contacts) EXPECT_GE(c.wrap, 0) << z;
+    }
+  }
+}
+
+TEST(Sides, AGivenOneStays) {
+  model::Model m = downhill(-6, -1);
+  m.reevings[0].nodes[2].side_open = false;
+  const EquilibriumResult r = equilibrium(m, put_at(61.76));
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_EQ(r.state.sides[0][2], -1);
+  EXPECT_LT(r.contacts[1].wrap, 0);
+}
+
+TEST(Sides, MirroredItIsTheOtherOne) {
+  for (const double diameter : {0.3, 1.0, 4.0}) {
+    const EquilibriumResult r = equilibrium(downhill(-6, 1, diameter), put_at(61.76));
+    model::Model mirrored = downhill(-6, 1, diameter);
+    for (model::Node& node : mirrored.reevings[0].nodes) node.at.at.x() *= -1;
+    mirrored.bodies[0].position.x() *= -1;
+    const EquilibriumResult other = equilibrium(mirrored, put_at(-61.76));
+    ASSERT_TRUE(r.outcome.ok() && other.outcome.ok()) << r.outcome.message << other.outcome.message;
+    EXPECT_NEAR(other.ropes[0].T_max / r.ropes[0].T_max, 1, 1e-9) << diameter;
+    for (const std::size_t node : {2U, 3U}) EXPECT_EQ(other.state.sides[0][node], -r.state.sides[0][node]) << diameter;
+  }
+}
+
+TEST(Sides, AMotionBeginsOnThem) {
+  // the block comes to rest right of the line from head to end, although it is described left of it
+  std::vector<double> tension;
+  for (const double x : {-3.0, 3.0}) {
+    model::Model m;
+    m.bodies.push_back(body("block", {x, 0, 2}, 300, "xz"));
+    std::vector<model::Node> nodes{anchor("head", {0, 0, 12}), sheave("block", origin, 0.2, x < 0 ? -1 : 1, 1, 0),
+                                   anchor("end", {8, 0, 12})};
+    nodes[1].side_open = true;
+    m.reevings.push_back(reeve("hoist", nodes, 24, 0.5 * g, 4e6));
+    const EquilibriumResult r = equilibrium(m);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_GT(r.contacts[0].wrap, 0);
+    TransientOptions options;
+    options.duration = 0.05;
+    const TransientResult moved = transient(m, options);
+    ASSERT_TRUE(moved.outcome.ok()) << moved.outcome.message;
+    tension.push_back(r.ropes[0].T_max);
+    EXPECT_NEAR(moved.frames.back().bodies[0].position.z(), r.state.bodies[0].position.z(), 0.02);
+  }
+  EXPECT_NEAR(tension[1] / tension[0], 1, 1e-9);
+}
+
+}  // namespace sides_test

@@ -1,0 +1,91 @@
+#include "taut/solve/running.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+
+std::vector<std::vector<int>> flow_of(const model::Model& model, const EquilibriumOptions& options) {
+  if (!options.flow.empty()) return options.flow;
+  std::vector<std::vector<int>> flow;
+  flow.reserve(model.reevings.size());
+  const int sense = options.motion == Motion::hoist || options.motion == Motion::in ? 1 : -1;
+  for (const model::Reeving& rope : model.reevings) {
+    flow.emplace_back(rope.nodes.size(), options.motion == Motion::at_rest ? 0 : sense * rope.haul);
+  }
+  return flow;
+}
+
+double centrifugal(const model::Reeving& rope, const std::vector<int>& flow) {
+  const bool runs = std::any_of(flow.begin(), flow.end(), [](int f) { return f != 0; });
+  return runs ? rope.mass * rope.speed * rope.speed : 0;
+}
+
+tl::expected<model::Model, std::string> running(const model::Model& model, const std::vector<std::vector<int>>& flow) {
+  model::Model moving = model;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    model::Reeving& rope = moving.reevings[r];
+    const double c = centrifugal(rope, flow[r]);
+    if (c == 0) continue;
+    rope.thermal_strain = (1 + rope.thermal_strain) * (1 + c / rope.stiffness) - 1;
+    rope.stiffness += c;
+    bool above = true;
+    const auto lower = [&](model::Given given, double& value) {
+      if (given != model::Given::tension_at_start && given != model::Given::tension_at_end) return;
+      value -= c;
+      above = above && value > 0;
+    };
+    lower(rope.given, rope.value);
+    if (rope.also) lower(rope.also->first, rope.also->second);
+    if (above) continue;
+    return tl::unexpected(fmt::format(
+        "rope '{}' lifts off: its given tension is not above the centrifugal tension of {:.4g} N at {:.4g} m/s; pull "
+        "harder or run slower",
+        rope.name, c, rope.speed));
+  }
+  return moving;
+}
+
+void add_centrifugal(const model::Model& model, const std::vector<std::vector<int>>& flow, EquilibriumResult& result) {
+  std::vector<double> c;
+  c.reserve(model.reevings.size());
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) c.push_back(centrifugal(model.reevings[r], flow[r]));
+  for (SpanResult& span : result.spans) {
+    if (span.slack) continue;
+    for (double* T : {&span.T_from, &span.T_to, &span.T_from_min, &span.T_from_max, &span.T_to_min, &span.T_to_max}) {
+      *T += c[at(span.reeving)];
+    }
+  }
+  for (ContactResult& one : result.contacts) {
+    if (one.state == ContactState::lifted) continue;
+    for (double* T : {&one.T_in, &one.T_out, &one.T_in_min, &one.T_in_max, &one.T_out_min, &one.T_out_max}) {
+      *T += c[at(one.reeving)];
+    }
+  }
+  for (RopeLoadResult& one : result.rope_loads) {
+    one.T_in += c[at(one.reeving)];
+    one.T_out += c[at(one.reeving)];
+  }
+  for (std::size_t r = 0; r < result.ropes.size(); ++r) {
+    RopeResult& rope = result.ropes[r];
+    if (rope.T_max <= 0 || c[r] == 0) continue;
+    rope.T_max += c[r];
+    if (model.reevings[r].breaking_force > 0) rope.safety_factor = model.reevings[r].breaking_force / rope.T_max;
+  }
+}
+
+model::Model with_loads_held(model::Model model) {
+  for (model::Reeving& rope : model.reevings) {
+    for (model::Node& node : rope.nodes) {
+      if (node.kind != model::NodeKind::load || !node.load.by_motion) continue;
+      node.load.by_motion = false;
+      node.load.sense *= rope.haul;
+    }
+  }
+  return model;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,300 @@
+#include "taut/solve/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/math/index.hpp"
+#include "taut/mechanics/branch_force.hpp"
+#include "taut/solve/beam_tables.hpp"
+#include "taut/solve/rest/fed_rope.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
+constexpr double weight_of_bodies = 100;
+constexpr double pushed = 0.01;  ///< of the longest span
+
+/// Forces along a rope or torques that follow it: they have no potential.
+bool has_followers(const System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
+    const model::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+    if (node.kind == model::NodeKind::load || (node.kind == model::NodeKind::drive && t.row >= 0)) return true;
+    return node.kind == model::NodeKind::drive && s.model.reevings[at(t.reeving)].given == model::Given::torque;
+  });
+}
+
+bool loses(const System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
+    const model::ContactLaw& law = node_of(s, t).law;
+    return s.losses > 0 && t.flow != 0 && law.efficiency < 1 && law.friction > 0;
+  });
+}
+
+/// Rows of the residual and columns of rope fed in that belong to the coordinates.
+struct Coordinates {
+  std::vector<EnergyCurvature::Row> rows;
+  std::vector<int> residual;
+  std::vector<double> factor;                ///< of the residual's row
+  std::vector<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
+};
+
+void add_rope(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed, int r, Coordinates& all) {
+  const Layout::Rope& rope = s.layout.ropes[at(r)];
+  const model::Reeving& reeving = s.model.reevings[at(r)];
+  const auto stretch = [&](double T) { return reeving.copies * (1 + T / reeving.stiffness); };
+  for (int k = rope.first; k < rope.first + rope.count; ++k) {
+    if (e.branches[at(k)].slack) return;
+  }
+  for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
+    const Layout::Turn& turn = s.layout.turns[at(t)];
+    if (reeving.nodes[at(turn.node)].kind != model::NodeKind::contact) continue;
+    all.rows.push_back({-1, t, -1});
+    all.residual.push_back(turn.row);
+    all.factor.push_back(stretch(e.branches[at(turn.after)].T_from));
+    all.unknown.emplace_back(s.layout.links[at(turn.after)].unknown, s.layout.links[at(turn.before)].unknown);
+  }
+  for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
+    const FedEnd& end = fed[at(i)];
+    if (end.rope != r) continue;
+    all.rows.push_back({-1, -1, i});
+    all.residual.push_back(end.row);
+    all.factor.push_back(stretch(end.tension));
+    all.unknown.emplace_back(s.layout.links[at(end.own())].unknown, -1);
+  }
+}
+
+Coordinates coordinates_of(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed) {
+  Coordinates all;
+  for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, fed, r, all);
+  for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
+    const Layout::Dof& dof = s.layout.dofs[at(i)];
+    const bool kept =
+        s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
+    if (kept) continue;
+    all.rows.push_back({i, -1, -1});
+    all.residual.push_back(i);
+    all.factor.push_back(1);
+    all.unknown.emplace_back(i, -1);
+  }
+  return all;
+}
+
+/// What an end of a branch keeps of the rope that is drawn onto its round: stretch there, and half an arc that
+/// stretches.
+struct RoundEnd {
+  Vector3 arc = Vector3::Zero();      ///< by the direction of the rope, unstretched
+  double by_tension = 0;              ///< m/N
+  int body = model::ground;           ///< the arc is counted from a direction that turns with it,
+  Vector3 by_turn = Vector3::Zero();  ///< m/rad
+};
+
+RoundEnd round_end(const System& s, const Configuration& c, const Evaluation& e, const Layout::Link& link,
+                   bool leaves) {
+  RoundEnd r;
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const model::Node& node = rope.nodes[at(leaves ? link.from : link.to)];
+  if (node.radius == 0) return r;  // a drum keeps its rope, although a machine counts only what is free of it
+  const auto k = static_cast<std::size_t>(&link - s.layout.links.data());
+  const Branch& b = e.branches[k];
+  const double stretch = 1 + (leaves ? b.T_from : b.T_to) / rope.stiffness;
+  const BranchEnd end = end_at(node, c.bodies);
+  r.arc = arc_rate(end, leaves ? b.leaves : b.arrives, leaves) / stretch;
+  r.body = node.at.body;
+  r.by_turn = (leaves ? -end.radius : end.radius) / stretch * end.axis;
+  for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
+    const Layout::Turn& turn = s.layout.turns[t];
+    if (turn.reeving != link.reeving || (leaves ? turn.after : turn.before) != static_cast<int>(k)) continue;
+    r.by_tension = -node.radius * e.bends[t].wrap / 2 / (stretch * stretch) / rope.stiffness;
+  }
+  return r;
+}
+
+/// Unstretched rope from the middle of one arc to that of the next, by the unknowns that move the branch.
+std::vector<double> material_rates(const System& s, const Configuration& c, const Evaluation& e,
+                                   const BranchColumns& columns, std::size_t k) {
+  const Layout::Link& link = s.layout.links[k];
+  const RoundEnd from = round_end(s, c, e, link, true), to = round_end(s, c, e, link, false);
+  const Branch& b = e.branches[k];
+  std::vector<double> rates;
+  rates.reserve(at(columns.count));
+  const auto turned = [&](const RoundEnd& end, int unknown) {
+    if (at(unknown) >= s.layout.dofs.size()) return 0.0;
+    const Layout::Dof& dof = s.layout.dofs[at(unknown)];
+    return dof.body == end.body ? end.by_turn.dot(dof.way.about) : 0.0;
+  };
+  for (std::size_t j = 0; j < at(columns.count); ++j) {
+    rates.push_back(columns.length[j] + from.arc.dot(columns.leaves[j]) + to.arc.dot(columns.arrives[j]) +
+                    from.by_tension * b.leaves.dot(columns.pull_from[j]) +
+                    to.by_tension * b.arrives.dot(columns.pull_to[j]) + turned(from, columns.unknown[j]) +
+                    turned(to, columns.unknown[j]));
+  }
+  return rates;
+}
+
+/// The unknowns by the coordinates: rope between the middles of arcs is kept, but for what passes a contact.
+Eigen::MatrixXd unknowns_by(const System& s, const Configuration& c, const Evaluation& e,
+                            const std::vector<BranchColumns>& columns, const Coordinates& all) {
+  const auto n = static_cast<Eigen::Index>(all.rows.size());
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(s.layout.size, n);
+  if (n == 0) return Z;  // nothing moves, and a matrix without columns has no rows to take
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const auto [plus, minus] = all.unknown[static_cast<std::size_t>(j)];
+    Z(plus, j) = 1;
+    if (minus >= 0) Z(minus, j) = -1;
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const int own = s.layout.links[k].unknown;
+    const std::vector<double> rates = material_rates(s, c, e, columns[k], k);
+    for (std::size_t j = 0; j + 1 < rates.size(); ++j) Z.row(own) -= rates[j] * Z.row(columns[k].unknown[j]);
+    Z.row(own) /= rates.back();
+  }
+  return Z;
+}
+
+std::string_view axis_name(const Vector3& d) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(d[i]) > 1 - 1e-9) return std::string_view("xyz").substr(at(i), 1);
+  }
+  return {};
+}
+
+std::string words(const System& s, const EnergyCurvature::Row& row) {
+  if (row.freedom >= 0) {
+    const Layout::Dof& dof = s.layout.dofs[at(row.freedom)];
+    const bool turns = dof.way.about != Vector3::Zero();
+    const Vector3& d = turns ? dof.way.about : dof.way.along;
+    const std::string_view name = axis_name(d);
+    const std::string where =
+        name.empty() ? fmt::format("({:.3g}, {:.3g}, {:.3g})", d.x(), d.y(), d.z()) : std::string(name);
+    return fmt::format("body '{}' {} {} {}", s.model.bodies[at(dof.body)].name, turns ? "turns over" : "moves away",
+                       turns ? "about" : "along", where);
+  }
+  if (row.fed >= 0) {
+    const FedEnd end = fed_ends(s)[at(row.fed)];
+    const model::Reeving& rope = s.model.reevings[at(end.rope)];
+    return fmt::format("rope '{}' runs in or out at '{}'", rope.name,
+                       (end.at_end ? rope.nodes.back() : rope.nodes.front()).name);
+  }
+  const Layout::Turn& t = s.layout.turns[at(row.turn)];
+  const model::Reeving& rope = s.model.reevings[at(t.reeving)];
+  return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[at(t.node)].name);
+}
+
+}  // namespace
+
+std::optional<EnergyCurvature> energy_curvature(const System& s, const Configuration& c, const Evaluation& e) {
+  const std::vector<FedEnd> fed = s.lengths_kept ? std::vector<FedEnd>() : fed_ends(s);
+  if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
+  Eigen::MatrixXd J;
+  std::vector<BranchColumns> columns;
+  jacobian(s, c, e, J, columns);
+  const Coordinates all = coordinates_of(s, e, fed);
+  EnergyCurvature curvature{all.rows, {}, unknowns_by(s, c, e, columns, all)};
+  const auto n = static_cast<Eigen::Index>(all.rows.size());
+  const Eigen::MatrixXd slopes = J * curvature.unknowns;
+  curvature.matrix.resize(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    curvature.matrix.row(i) = -all.factor[k] * slopes.row(all.residual[k]);
+  }
+  return curvature;
+}
+
+std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix) {
+  const Eigen::Index n = matrix.rows();
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double size = matrix.row(i).cwiseAbs().maxCoeff();
+    const double d = std::abs(matrix(i, i));
+    scale[i] = size > 0 ? 1 / std::sqrt(std::max(d, 1e-12 * size)) : 1;
+  }
+  Eigen::MatrixXd A = scale.asDiagonal() * matrix * scale.asDiagonal();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double pivot = A(k, k);
+    if (pivot < -matrix_rounding) {
+      // those before k follow: U v = pivot e_k
+      Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
+      v[k] = 1;
+      for (Eigen::Index i = k - 1; i >= 0; --i) {
+        if (A(i, i) <= matrix_rounding) continue;
+        for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= A(i, j) / A(i, i) * v[j];
+      }
+      return Eigen::VectorXd(scale.cwiseProduct(v));
+    }
+    if (pivot <= matrix_rounding) continue;  // neutral: nothing holds it, nothing drives it
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      const double factor = A(i, k) / pivot;
+      for (Eigen::Index j = k + 1; j < n; ++j) A(i, j) -= factor * A(k, j);
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// The ropes whose tension is held, in words; empty without one.
+std::string of_given_tension(const System& s) {
+  std::string names;
+  for (const FedEnd& end : fed_ends(s)) {
+    const std::string& name = s.model.reevings[at(end.rope)].name;
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+  }
+  return names.empty() ? names : fmt::format(", or give a length instead of the tension of {}", names);
+}
+
+/// A fed rope that is a deep loop, with its name; ok without one.
+Outcome no_deep_loop(const System& s, const Configuration& c, const Evaluation& e) {
+  const std::vector<FedEnd> fed = fed_ends(s);
+  const int deep = deep_link(s, fed, c, e);
+  if (deep < 0) return {};
+  const Layout::Link& link = s.layout.links[at(deep)];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  return infeasible(fmt::format(
+      "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
+      "rope pulls harder: it runs out at the least push; give it more tension, or a length",
+      rope.name, c.links[at(deep)].length, rope.nodes[at(link.from)].name, rope.nodes[at(link.to)].name,
+      e.branches[at(deep)].chord.norm()));
+}
+
+}  // namespace
+
+Stability stability(const System& s, const Configuration& c, const Evaluation& e) {
+  Stability result;
+  result.outcome = no_deep_loop(s, c, e);
+  if (!result.outcome.ok()) return result;
+  if (!s.layout.pieces.empty()) {
+    result.outcome = beams_stay(s, c);
+    return result;
+  }
+  const auto curvature = energy_curvature(s, c, e);
+  if (!curvature) return result;
+  const auto direction = negative_direction(curvature->matrix);
+  if (!direction) return result;
+  // a body that moves tells more than the ropes that follow it
+  Eigen::Index most = 0;
+  double size = -1;
+  for (Eigen::Index i = 0; i < direction->size(); ++i) {
+    const int freedom = curvature->rows[static_cast<std::size_t>(i)].freedom;
+    const bool turns = freedom >= 0 && s.layout.dofs[at(freedom)].way.about != Vector3::Zero();
+    const double unit = freedom < 0 ? 1 : weight_of_bodies * (turns ? s.layout.length : 1);
+    const double weight = unit * std::abs((*direction)[i]);
+    if (weight <= size) continue;
+    size = weight;
+    most = i;
+  }
+  const EnergyCurvature::Row& row = curvature->rows[static_cast<std::size_t>(most)];
+  result.rope = row.freedom < 0;
+  result.push = curvature->unknowns * *direction;
+  result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
+  result.outcome = infeasible(
+      fmt::format("the equilibrium found is not one to stay in: at the least push {}; hold it by another rope, or "
+                  "change lengths or weights{}",
+                  words(s, row), of_given_tension(s)));
+  return result;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+
+#include "taut/mechanics/system.hpp"
+
+namespace taut::analysis {
+
+/// The second derivative of the potential energy of a machine, by the rope that passes each contact or is fed in where
+/// a tension is given and, behind them, the freedoms of its bodies; `rows` tells which. From the Jacobian at
+/// an equilibrium: rope that passes contact i leaves the branch before it and is fed into the one behind, and the
+/// energy falls by T_out - T_in; on a round the rope is held at a direction fixed in its body, so that moving the round
+/// does the work of the pulls alone. A rope fed in at its end works against the given tension, which is held (not with
+/// System::lengths_kept). Symmetric but for the weight of rope on rounds, which the machine leaves out, and for losses:
+/// with these it is the stiffness of the machine as it runs.
+struct EnergyCurvature {
+  struct Row {
+    int freedom = -1;  ///< index in the layout's dofs, or
+    int turn = -1;     ///< in its turns, or
+    int fed = -1;      ///< in its fed_ends
+  };
+  std::vector<Row> rows;
+  Eigen::MatrixXd matrix;    ///< N/m, N, N m
+  Eigen::MatrixXd unknowns;  ///< of the machine, by these coordinates
+};
+
+/// Empty where it has none: beams (see beam_stability.hpp), forces along ropes, torques of drives, and losses of a
+/// machine without fed ropes. Ropes that carry nothing are left out. The length
+/// of a mainline and the place of a clamp that follow from a prescribed x are kept as found; so is that x where a force
+/// holds the carriage.
+std::optional<EnergyCurvature> energy_curvature(const System& system, const Configuration& c, const Evaluation& e);
+
+/// A direction in which a matrix that is symmetric, or nearly so, is negative; empty where there is none beyond
+/// rounding. By elimination in the order of its rows (Sylvester's law of inertia): what is left of a row is the force
+/// against it while those before it follow freely, right also where they are stiff and not quite symmetric.
+std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix);
+
+struct Stability {
+  Outcome outcome;       ///< not ok: at the least push the machine moves away; the message names what moves most
+  bool rope = false;     ///< that is a rope over its contacts, or at its end, and no body
+  Eigen::VectorXd push;  ///< of the unknowns, in that direction; a hundredth of the longest span
+};
+
+/// Whether an equilibrium is one to stay in. Ok also where energy does not tell, if no fed rope is a deep loop.
+Stability stability(const System& system, const Configuration& c, const Evaluation& e);
+
+}  // namespace taut::analysis

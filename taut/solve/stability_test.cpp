@@ -1,0 +1,114 @@
+#include "taut/solve/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "taut/solve/equilibrium.hpp"
+#include "test/support/machines.hpp"
+
+namespace {
+
+using namespace taut_test;
+using namespace taut::analysis;
+using taut::Status;
+
+EnergyCurvature curvature_at_rest(const model::Model& m) {
+  const EquilibriumResult r = equilibrium(m);
+  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+  const Layout l = layout(m, r.state, {}, {});
+  const System system{m, l, 0};
+  Configuration c;
+  c.bodies = r.state.bodies;
+  for (const Layout::Link& k : l.links) {
+    c.links.push_back(r.state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  }
+  Evaluation e;
+  EXPECT_FALSE(evaluate(system, c, e));
+  return *energy_curvature(system, c, e);
+}
+
+double asymmetry(const model::Model& m) {
+  const Eigen::MatrixXd H = curvature_at_rest(m).matrix;
+  return (H - H.transpose()).norm() / H.norm();
+}
+
+TEST(Stability, TheCurvatureOfAnEnergyIsSymmetric) {
+  EXPECT_LT(asymmetry(three_spans(316, 0)), 1e-9);
+  EXPECT_LT(asymmetry(three_spans(313, 0)), 1e-9);
+  EXPECT_LT(asymmetry(with_carriage(true, 0)), 1e-9);
+  model::Model copies = with_carriage(true, 0);
+  copies.reevings[0].copies = 2;
+  EXPECT_LT(asymmetry(copies), 1e-9);
+  // on rounds, with the strain of their arcs; there the machine leaves out the weight of the rope
+  EXPECT_LT(asymmetry(tackle(6, 1, 3000)), 1e-9);
+  EXPECT_LT(asymmetry(tackle(5, 1, 3000)), 1e-9);
+  model::Model turning = boom();
+  for (model::Reeving& rope : turning.reevings) rope.weight = 0;
+  turning.reevings[1].nodes[0].radius = 0;  // of a drum's rope only the free part is counted
+  turning.reevings[1].nodes[1].axis = Vector3::UnitY();
+  turning.reevings[1].nodes[1].at.at.y() = 0;
+  EXPECT_LT(asymmetry(turning), 1e-9);
+}
+
+TEST(Stability, NegativeDirections) {
+  Eigen::Matrix3d A = Eigen::Vector3d(4, 1e6, 1e-3).asDiagonal();
+  EXPECT_FALSE(negative_direction(A));
+  A(2, 2) = 0;  // neutral
+  EXPECT_FALSE(negative_direction(A));
+  A << 2, 3, 0, 3, 2, 0, 0, 0, 1;  // eigenvalues 5, -1, 1
+  const auto v = negative_direction(A);
+  ASSERT_TRUE(v);
+  EXPECT_LT(v->dot(A * *v), 0);
+}
+
+/// A pole on a hinge between two weightless guys in its plane, with a weight on top.
+model::Model pole(double weight) {
+  model::Model m;
+  m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
+  m.loads.push_back({{0, {0, 0, 10}}, {0, 0, -weight}});
+  for (const double side : {-1.0, 1.0}) {
+    m.reevings.push_back(reeve("guy", {anchor_on("top", 0, {0, 0, 10}), anchor("a", {8 * side, 0, 0})}, 12.8, 0, 2e6));
+  }
+  return m;
+}
+
+TEST(Stability, AGuyedPoleHoldsUpToItsStiffness) {
+  // U = sum of guys - W h cos(theta), guy l(theta): l' = -+ R h/l, l'' = -(R h/l)^2/l
+  const double h = 10, R = 8, l = std::hypot(h, R), T = 2e6 * (l / 12.8 - 1), arm = R * h / l;
+  const double stiffness = 2 * (2e6 / 12.8 * arm * arm - T * arm * arm / l);
+  EXPECT_TRUE(equilibrium(pole(0.999 * stiffness / h)).outcome.ok());
+  const EquilibriumResult r = equilibrium(pole(1.001 * stiffness / h));
+  EXPECT_EQ(r.outcome.status, Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("body 'pole' turns over about y"), std::string::npos) << r.outcome.message;
+}
+
+TEST(Stability, APendulumHangsAndAPoleFalls) {
+  model::Model m;
+  m.bodies.push_back(body("rod", {0, 0, 0}, 100, "XY"));
+  m.bodies[0].centre = {0, 0, -2};
+  EXPECT_TRUE(equilibrium(m).outcome.ok());
+  m.bodies[0].centre = {0, 0, 2};
+  const EquilibriumResult r = equilibrium(m);
+  EXPECT_EQ(r.outcome.status, Status::infeasible);
+  EXPECT_NE(r.outcome.message.find("body 'rod' turns over"), std::string::npos) << r.outcome.message;
+}
+
+TEST(Stability, ASlackRopeRunsOverItsSupportIntoOneSpan) {
+  // two equal spans, each twice as long as its chord: shared equally, the rope has tension enough to stay only while
+  // more length in a span means less tension; here it means more
+  model::Model m;
+  m.reevings.push_back(
+      reeve("rope", {anchor("a", {0, 0, 0}), saddle("mid", {50, 0, 0}, 0), anchor("b", {100, 0, 0})}, 200, 10, 1e8));
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_GT(std::abs(r.spans[0].unstretched - r.spans[1].unstretched), 80);
+  EXPECT_NEAR(r.spans[0].T_to / r.spans[1].T_from, 1, 1e-9);
+  // taut, it is shared
+  m.reevings[0].value = 104;
+  const EquilibriumResult taut = equilibrium(m);
+  ASSERT_TRUE(taut.outcome.ok()) << taut.outcome.message;
+  EXPECT_NEAR(taut.spans[0].unstretched, taut.spans[1].unstretched, 1e-6);
+}
+
+}  // namespace

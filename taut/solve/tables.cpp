@@ -1,0 +1,220 @@
+#include "taut/solve/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/index.hpp"
+#include "taut/mechanics/rope_load.hpp"
+#include "taut/solve/beam_tables.hpp"
+
+namespace taut::analysis {
+namespace {
+
+SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e, std::size_t k) {
+  const Layout::Link& link = s.layout.links[k];
+  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const Branch& b = e.branches[k];
+  SpanResult r;
+  r.reeving = link.reeving;
+  r.from = link.from;
+  r.to = link.to;
+  r.slack = b.slack;
+  r.T_from = b.slack ? 0 : b.T_from;
+  r.T_to = b.slack ? 0 : b.T_to;
+  r.H = b.slack ? 0 : std::hypot(b.pull_from.x(), b.pull_from.y());
+  r.V_from = b.slack ? 0 : b.pull_from.z();
+  r.V_to = b.slack ? 0 : b.pull_to.z();
+  r.chord = b.chord.norm();
+  const double length = c.links[k].length;  // in this state: at the rope's temperature, of a running rope with its c
+  r.unstretched = length / (1 + rope.thermal_strain);
+  r.start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
+  r.end = end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
+  r.shape = b.span;
+  if (rope.weight == 0 && link.force < 0) {
+    if (const auto straight = rope::solve_span(rope_of(rope, length), b.chord)) r.shape = *straight;
+  }
+  r.stretched = b.slack ? length : rope::stretched_length(r.shape);
+  r.sag = rope::largest_sag(r.shape);
+  r.T_from_min = r.T_from_max = r.T_from;
+  r.T_to_min = r.T_to_max = r.T_to;
+  return r;
+}
+
+/// How far the end of a branch, at the force told, is from where it should be, m.
+double open_end(const Branch& b) {
+  if (b.span.rope.weight == 0) return b.closure;
+  const rope::ExactEnd end = rope::exact_end(b.span.rope, b.span.force);
+  const double x = std::hypot(b.chord.x(), b.chord.y());
+  const double open = std::hypot(static_cast<double>(end.x - x), static_cast<double>(end.z - b.chord.z()));
+  return open + b.closure - b.span.closure;
+}
+
+/// Whether the rope presses away from what supports it.
+bool pulled(const model::Node& node, const Bend& bend, const Vector3& force) {
+  if (node.radius > 0) return bend.wrap < 0;
+  return node.support != Vector3::Zero() && force.dot(node.support) > 0;
+}
+
+ContactState state_of(const model::Node& node, const Bend& bend, const Vector3& force, int flow) {
+  if (node.kind != model::NodeKind::contact) return ContactState::held;
+  if (pulled(node, bend, force)) return ContactState::pulled;
+  const bool turns = node.law.efficiency > 0;
+  const bool lossless = node.law.efficiency == 1 || node.law.friction == 0;
+  if (flow == 0) return lossless ? ContactState::turning : ContactState::stuck;
+  const bool slips =
+      !turns || (std::isfinite(node.law.friction) && node.law.friction * bend.wrap < -std::log(node.law.efficiency));
+  return slips ? ContactState::slipping : ContactState::turning;
+}
+
+ContactResult contact_of(const System& s, const Evaluation& e, int index) {
+  const Layout::Turn& turn = s.layout.turns[at(index)];
+  const Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+  const model::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+  ContactResult r;
+  r.reeving = turn.reeving;
+  r.node = turn.node;
+  r.T_in = in.slack ? 0 : in.T_to;
+  r.T_out = out.slack ? 0 : out.T_from;
+  r.wrap = e.bends[at(index)].wrap;
+  if (!in.slack) r.force -= in.pull_to;
+  if (!out.slack) r.force += out.pull_from;
+  r.state = state_of(node, e.bends[at(index)], r.force, turn.flow);
+  r.T_in_min = r.T_in_max = r.T_in;
+  r.T_out_min = r.T_out_max = r.T_out;
+  return r;
+}
+
+void fill_rope_loads(const System& s, const Configuration& c, const Evaluation& e, EquilibriumResult& result) {
+  for (int i = 0; i < static_cast<int>(s.layout.turns.size()); ++i) {
+    const Layout::Turn& turn = s.layout.turns[at(i)];
+    const model::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+    if (node.kind != model::NodeKind::load) continue;
+    const Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+    RopeLoadResult r;
+    r.reeving = turn.reeving;
+    r.node = turn.node;
+    r.at = c.bodies[at(node.at.body)].position;
+    r.along_path = rope_load(s, c, e, i);
+    r.force = r.along_path * (in.arrives + out.leaves).normalized();
+    r.T_in = in.T_to;
+    r.T_out = out.T_from;
+    result.rope_loads.push_back(r);
+  }
+}
+
+void fill_contacts(const System& s, const Evaluation& e, const model::State& state, EquilibriumResult& result) {
+  int turn = 0;
+  for (int r = 0; r < static_cast<int>(s.model.reevings.size()); ++r) {
+    const model::Reeving& rope = s.model.reevings[at(r)];
+    const int last = static_cast<int>(rope.nodes.size()) - (rope.closed ? 0 : 1);
+    for (int n = rope.closed ? 0 : 1; n < last; ++n) {
+      if (state.touched[at(r)][at(n)]) {
+        result.contacts.push_back(contact_of(s, e, turn++));
+      } else {
+        ContactResult lifted;
+        lifted.reeving = r;
+        lifted.node = n;
+        lifted.state = ContactState::lifted;
+        result.contacts.push_back(lifted);
+      }
+    }
+  }
+}
+
+void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result) {
+  for (std::size_t r = 0; r < s.model.reevings.size(); ++r) {
+    const Layout::Rope& rope = s.layout.ropes[r];
+    RopeResult row;
+    row.span = rope.first;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) {
+      const SpanResult& span = result.spans[at(k)];
+      row.unstretched += span.unstretched;
+      if (std::max(span.T_from, span.T_to) <= row.T_max) continue;
+      row.span = k;
+      row.at_end = span.T_to > span.T_from;
+      row.T_max = std::max(span.T_from, span.T_to);
+    }
+    double on_rounds = 0;
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) on_rounds += arc(s, e, t).length;
+    row.unstretched += on_rounds / (1 + s.model.reevings[r].thermal_strain);
+    const double breaks = s.model.reevings[r].breaking_force;
+    row.safety_factor = breaks > 0 && row.T_max > 0 ? breaks / row.T_max : 0;
+    result.ropes.push_back(row);
+  }
+}
+
+/// What is left of a force across the directions in which a body is free to move.
+Vector3 across_freedoms(const model::Body& body, Vector3 force) {
+  std::vector<Vector3> basis;
+  for (const model::Freedom& way : body.free) {
+    Vector3 d = way.along;
+    for (const Vector3& b : basis) d -= b * b.dot(d);
+    if (d.norm() > 1e-9) basis.push_back(d.normalized());
+  }
+  for (const Vector3& b : basis) force -= b * b.dot(force);
+  return force;
+}
+
+/// Reactions, and all forces on the machine from outside together.
+void fill_balance(const System& s, const Configuration& c, const Evaluation& e, EquilibriumResult& result) {
+  std::vector<Vector3> on_body(s.model.bodies.size(), Vector3::Zero());
+  Vector3 outside = Vector3::Zero();
+  const auto act = [&](int body, const Vector3& force) {
+    if (body == model::ground) {
+      outside -= force;
+    } else {
+      on_body[at(body)] += force;
+    }
+  };
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+    const Branch& b = e.branches[k];
+    if (b.slack) continue;
+    const Layout::Link& link = s.layout.links[k];
+    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    act(rope.nodes[at(link.from)].at.body, rope.copies * b.pull_from);
+    act(rope.nodes[at(link.to)].at.body, -rope.copies * b.pull_to);
+    outside -= rope.copies * rope_of(rope, 1).weight * c.links[k].length * up();
+  }
+  act_beams(s, c, act, outside);
+  const auto dead = [&](int body, const Vector3& force) {
+    on_body[at(body)] += force;
+    outside += force;
+  };
+  for (std::size_t b = 0; b < on_body.size(); ++b) {
+    dead(static_cast<int>(b), -s.model.bodies[b].mass * s.model.gravity * up());
+  }
+  for (const model::Load& load : s.model.loads) {
+    if (load.at.body != model::ground) dead(load.at.body, load.force);
+  }
+  for (const RopeLoadResult& load : result.rope_loads) {
+    const model::Reeving& rope = s.model.reevings[at(load.reeving)];
+    dead(rope.nodes[at(load.node)].at.body, rope.copies * load.force);
+  }
+  if (s.layout.hold >= 0) {
+    result.hold = c.hold * track(s, e);
+    dead(s.layout.coordinate_body, result.hold);
+  }
+  for (std::size_t b = 0; b < on_body.size(); ++b) {
+    result.reactions.emplace_back(-across_freedoms(s.model.bodies[b], on_body[b]));
+    outside += result.reactions.back();
+  }
+  result.closure.balance = outside.norm();
+}
+
+}  // namespace
+
+void fill_tables(const System& s, const Configuration& c, const Evaluation& e, const model::State& state,
+                 EquilibriumResult& result) {
+  for (std::size_t k = 0; k < s.layout.links.size(); ++k) result.spans.push_back(span_of(s, c, e, k));
+  fill_contacts(s, e, state, result);
+  fill_rope_loads(s, c, e, result);
+  fill_ropes(s, e, result);
+  fill_balance(s, c, e, result);
+  result.beams = beam_results(s, c);
+  const Misfit m = misfit(s, e);
+  result.closure.rope = m.length;
+  for (const Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));
+  result.closure.force = m.force;
+}
+
+}  // namespace taut::analysis

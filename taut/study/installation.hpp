@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/solve/condition.hpp"
+
+namespace taut::analysis {
+
+/// A machine with one rope empty, as when it is rigged.
+struct EmptyLine {
+  Outcome outcome;  ///< infeasible: the rope ends on what was taken away
+  model::Model model;
+  int reeving = 0;                   ///< the rope, among those left
+  std::vector<std::string> removed;  ///< names of carriages and ropes taken away
+};
+
+/// What is not as usual while a rope is put up, by index in the model.
+struct PutUpWith {
+  std::vector<int> bodies;  ///< stay on it
+  std::vector<int> loads;   ///< of the loads on these bodies those that stay; loads elsewhere stay anyhow
+  std::vector<int> absent;  ///< other ropes that are not there yet
+};
+
+/// Takes away the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
+/// rigged yet), and whatever then hangs on nothing. The rest (masts, guys, other ropes) stays as it is.
+EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& with = {});
+
+/// An empty rope as it is put up.
+struct Installation {
+  Outcome outcome;
+  double T_start = 0, T_end = 0;  ///< N
+  double H = 0;                   ///< of the first span, N
+  std::vector<double> sag;        ///< of each free span, below its chord at half its horizontal length, m
+  double unstretched = 0;         ///< at the reference temperature, m; what lies on sheaves counted
+  double cut = 0;                 ///< unstretched at the temperature it is put up at: as measured on the ground, m
+  double stretched = 0;           ///< under its tensions at that temperature, m
+  Conditioned at;
+};
+
+/// The state of the empty line under what is given; `near`: of a temperature nearby.
+Installation installation(const EmptyLine& line, const Condition& given,
+                          const std::optional<model::State>& near = std::nullopt);
+
+/// Lengths of one rope in a state, m.
+struct RopeLengths {
+  double unstretched = 0;  ///< at the reference temperature, all of it
+  double cut = 0;          ///< the same at its temperature
+  double stretched = 0;    ///< under load at its temperature, all of it
+  double free = 0;         ///< of `stretched`: between sheaves
+  double on_sheaves = 0;   ///< of `stretched`: lying on sheaves, saddles and drives
+};
+RopeLengths lengths_of(const model::Model& model, const EquilibriumResult& result, int reeving);
+
+}  // namespace taut::analysis

@@ -1,0 +1,220 @@
+#include "taut/study/least_tension.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr int most_rounds = 60;
+constexpr double close_tension = 1e-7;   ///< of the least tension asked for
+constexpr double nudge = 1e-6;           ///< of a rope's length, for differences
+constexpr double longest_change = 0.02;  ///< of a rope's length, in one round
+constexpr int most_halves = 12;
+
+/// All cases with the lengths as they are.
+struct CaseSet {
+  std::vector<model::Model> models;
+  std::vector<EquilibriumResult> results;
+};
+
+/// Solves the cases; the number of the first that fails, -1: none does.
+int solve_cases(CaseSet& set) {
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  for (std::size_t c = 0; c < set.models.size(); ++c) {
+    std::optional<model::State> near;
+    if (set.results[c].outcome.ok() && !set.results[c].spans.empty()) near = set.results[c].state;
+    set.results[c] = equilibrium(set.models[c], at_rest, near);
+    if (!set.results[c].outcome.ok() && near) set.results[c] = equilibrium(set.models[c], at_rest);
+    if (!set.results[c].outcome.ok()) return static_cast<int>(c);
+  }
+  return -1;
+}
+
+void set_length(CaseSet& set, int reeving, double length) {
+  for (model::Model& model : set.models) {
+    model.reevings[at(reeving)].given = model::Given::length;
+    model.reevings[at(reeving)].value = length;
+  }
+}
+
+/// Of each chosen rope: its governing case and tension there.
+std::vector<std::pair<int, double>> governing_cases(const CaseSet& set, const std::vector<int>& chosen) {
+  std::vector<std::pair<int, double>> all;
+  for (const int rope : chosen) {
+    std::pair<int, double> worst{0, std::numeric_limits<double>::infinity()};
+    for (std::size_t c = 0; c < set.results.size(); ++c) {
+      const double T = least_tension_of(set.results[c], rope);
+      if (T < worst.second) worst = {static_cast<int>(c), T};
+    }
+    all.push_back(worst);
+  }
+  return all;
+}
+
+/// Solves A x = b by elimination with row pivots; false: no answer.
+bool solve_small(std::vector<std::vector<double>> A, std::vector<double> b, std::vector<double>& x) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t r = k + 1; r < n; ++r) {
+      if (std::abs(A[r][k]) > std::abs(A[pivot][k])) pivot = r;
+    }
+    if (!(std::abs(A[pivot][k]) > 0)) return false;
+    std::swap(A[k], A[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t r = k + 1; r < n; ++r) {
+      const double f = A[r][k] / A[k][k];
+      for (std::size_t c = k; c < n; ++c) A[r][c] -= f * A[k][c];
+      b[r] -= f * b[k];
+    }
+  }
+  x.assign(n, 0.0);
+  for (std::size_t k = n; k-- > 0;) {
+    double sum = b[k];
+    for (std::size_t c = k + 1; c < n; ++c) sum -= A[k][c] * x[c];
+    x[k] = sum / A[k][k];
+  }
+  return std::all_of(x.begin(), x.end(), [](double one) { return std::isfinite(one); });
+}
+
+/// How each chosen rope's tension in its governing case follows the length of each, N/m. A slack one counts as if its
+/// own length alone tightened it.
+std::vector<std::vector<double>> tension_slopes(const CaseSet& set, const std::vector<int>& chosen,
+                                                const std::vector<std::pair<int, double>>& worst) {
+  const std::size_t n = chosen.size();
+  std::vector<std::vector<double>> slopes(n, std::vector<double>(n, 0.0));
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double length = set.models.front().reevings[at(chosen[j])].value, step = nudge * length;
+    std::vector<std::optional<EquilibriumResult>> nudged(set.models.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t c = at(worst[i].first);
+      if (worst[i].second <= 0) continue;
+      if (!nudged[c]) {
+        model::Model model = set.models[c];
+        model.reevings[at(chosen[j])].value = length - step;
+        nudged[c] = equilibrium(model, at_rest, set.results[c].state);
+      }
+      if (nudged[c]->outcome.ok()) slopes[i][j] = (worst[i].second - least_tension_of(*nudged[c], chosen[i])) / step;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (slopes[i][i] < 0) continue;
+    const model::Reeving& rope = set.models.front().reevings[at(chosen[i])];
+    std::fill(slopes[i].begin(), slopes[i].end(), 0.0);
+    slopes[i][i] = -(std::isfinite(rope.stiffness) ? rope.stiffness : rope.weight * rope.value / nudge) / rope.value;
+  }
+  return slopes;
+}
+
+double largest_miss(const std::vector<std::pair<int, double>>& worst, double least) {
+  double miss = 0;
+  for (const auto& one : worst) miss = std::max(miss, std::abs(one.second - least));
+  return miss;
+}
+
+/// The next lengths: Newton's, a part of that where it leads nowhere. False: no part does.
+bool go_nearer(CaseSet& set, const std::vector<int>& chosen, double least, double miss) {
+  const auto worst = governing_cases(set, chosen);
+  std::vector<double> asked, change;
+  for (const auto& one : worst) asked.push_back(least - one.second);
+  if (!solve_small(tension_slopes(set, chosen, worst), asked, change)) return false;
+  double share = 1;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const double most = longest_change * set.models.front().reevings[at(chosen[k])].value;
+    if (std::abs(change[k]) > most) share = std::min(share, most / std::abs(change[k]));
+  }
+  const CaseSet before = set;
+  for (int i = 0; i < most_halves; ++i, share /= 2) {
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const double length = before.models.front().reevings[at(chosen[k])].value;
+      set_length(set, chosen[k], length + share * change[k]);
+    }
+    if (solve_cases(set) < 0 && largest_miss(governing_cases(set, chosen), least) < miss) return true;
+    set.results = before.results;
+  }
+  set = before;
+  return false;
+}
+
+}  // namespace
+
+double least_tension_of(const EquilibriumResult& result, int reeving) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SpanResult& span : result.spans) {
+    if (span.reeving != reeving) continue;
+    // where the rope sags below both ends its tension is least there: the horizontal part
+    const bool sags = span.V_from < 0 && span.V_to > 0;
+    least = std::min({least, span.T_from, span.T_to, sags ? span.H : least});
+  }
+  return std::isfinite(least) ? std::max(0.0, least) : 0;
+}
+
+LeastTensionResult least_tension(const std::vector<model::Model>& cases, const std::vector<int>& chosen, double least,
+                                 const std::function<bool()>& go_on) {
+  expects(!cases.empty() && !chosen.empty() && least > 0, "ropes that are to be taut under some loads");
+  LeastTensionResult r;
+  CaseSet set{cases, std::vector<EquilibriumResult>(cases.size())};
+  // lengths first: those that the first case gives
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  const EquilibriumResult first = equilibrium(cases.front(), at_rest);
+  r.outcome = first.outcome;
+  if (!r.outcome.ok()) return r;
+  const model::Model frozen = installed(cases.front(), first);
+  std::vector<double> begun;
+  for (const int rope : chosen) {
+    begun.push_back(frozen.reevings[at(rope)].value);
+    set_length(set, rope, begun.back());
+  }
+  const int failed = solve_cases(set);
+  if (failed >= 0) {
+    r.outcome = set.results[at(failed)].outcome;
+    return r;
+  }
+  double miss = largest_miss(governing_cases(set, chosen), least);
+  while (miss > close_tension * least) {
+    if (go_on && !go_on()) {
+      r.interrupted = true;
+      return r;
+    }
+    if (r.iterations++ >= most_rounds || !go_nearer(set, chosen, least, miss)) {
+      const auto worst = governing_cases(set, chosen);
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < worst.size(); ++i) {
+        if (std::abs(worst[i].second - least) > std::abs(worst[k].second - least)) k = i;
+      }
+      r.outcome =
+          infeasible(fmt::format("no lengths were found for which all ropes just keep {:.4g} N: '{}' has {:.4g} N",
+                                 least, frozen.reevings[at(chosen[k])].name, worst[k].second));
+      return r;
+    }
+    miss = largest_miss(governing_cases(set, chosen), least);
+  }
+  const auto worst = governing_cases(set, chosen);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    LeastTension one;
+    one.reeving = chosen[k];
+    one.unstretched = set.models.front().reevings[at(chosen[k])].value;
+    one.taken_out = begun[k] - one.unstretched;
+    one.T_least = worst[k].second;
+    one.governing = worst[k].first;
+    for (const EquilibriumResult& result : set.results) one.T_min.push_back(least_tension_of(result, chosen[k]));
+    r.ropes.push_back(std::move(one));
+  }
+  r.at = std::move(set.results);
+  r.models = std::move(set.models);
+  return r;
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,40 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "taut/solve/equilibrium.hpp"
+
+namespace taut::analysis {
+
+/// A rope whose length was found.
+struct LeastTension {
+  int reeving = 0;
+  double unstretched = 0;     ///< at the reference temperature, m
+  double taken_out = 0;       ///< of the length that it had, m
+  double T_least = 0;         ///< least tension anywhere in it over all cases, N
+  int governing = 0;          ///< the case where that is
+  std::vector<double> T_min;  ///< by case: its least tension, N
+};
+
+/// `outcome` not ok: the message says which rope or case; nothing else is a result.
+struct LeastTensionResult {
+  Outcome outcome;
+  bool interrupted = false;
+  std::vector<LeastTension> ropes;    ///< as chosen
+  std::vector<EquilibriumResult> at;  ///< by case
+  std::vector<model::Model> models;   ///< by case, with the lengths found
+  int iterations = 0;
+};
+
+/// Lengths of the chosen ropes for which each of them has the tension `least` (N, > 0) where it is slackest in the case
+/// that slackens it most: pretensioned as little as keeps them taut. `cases`: one machine under several loads, with the
+/// same reevings, the first one as it is put up. Newton on all lengths together, each rope by its governing case;
+/// derivatives of tensions by lengths are differences of equilibria. Infeasible where no lengths do.
+LeastTensionResult least_tension(const std::vector<model::Model>& cases, const std::vector<int>& chosen, double least,
+                                 const std::function<bool()>& go_on = {});
+
+/// Least tension anywhere in a rope, N.
+double least_tension_of(const EquilibriumResult& result, int reeving);
+
+}  // namespace taut::analysis

@@ -1,0 +1,113 @@
+#include "taut/study/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/math/index.hpp"
+#include "taut/study/load_path.hpp"
+
+namespace taut::analysis {
+namespace {
+
+/// Heights by the size of what they are measured against, so that one tolerance serves all limits.
+double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }
+
+/// The largest tension at an end of a rope, the band at rest counted, and its node.
+LimitState pull_at(const EquilibriumResult& r, const EndLimit& end) {
+  LimitState state{LimitKind::pull, end.reeving, 0, 0, end.tension};
+  for (const SpanResult& s : r.spans) {
+    if (s.reeving != end.reeving) continue;
+    if (!end.at_end) {
+      state.node = s.from;
+      state.value = s.T_from_max;
+      break;
+    }
+    state.node = s.to;
+    state.value = s.T_to_max;
+  }
+  state.margin = 1 - state.value / end.tension;
+  return state;
+}
+
+void add_supports(const model::Model& model, const PayloadLimits& limits, const EquilibriumResult& r,
+                  std::vector<LimitState>& all) {
+  for (const ContactResult& c : r.contacts) {
+    const model::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
+    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const model::Carriage& car) {
+      return car.reeving == c.reeving && car.node == c.node;
+    });
+    if (carries || node.support == Vector3::Zero()) continue;
+    const auto add = [&](LimitKind kind, double limit, double margin) {
+      all.push_back({kind, c.reeving, c.node, c.wrap, limit, margin});
+    };
+    if (std::isfinite(limits.break_angle)) {
+      add(LimitKind::break_angle, limits.break_angle, limits.break_angle - c.wrap);
+    }
+    if (std::isfinite(limits.least_break_angle)) {
+      add(LimitKind::least_break_angle, limits.least_break_angle, c.wrap - limits.least_break_angle);
+    }
+    if (limits.lift_off) add(LimitKind::lift_off, 0, c.state == ContactState::lifted ? -1 : c.wrap);
+  }
+}
+
+}  // namespace
+
+std::vector<LimitState> limits_at(const model::Model& model, int body, const PayloadLimits& limits,
+                                  const EquilibriumResult& r) {
+  std::vector<LimitState> all;
+  if (!r.outcome.ok()) {
+    all.push_back({LimitKind::none, -1, -1, 0, 0, -1, true});
+    return all;
+  }
+  for (std::size_t k = 0; k < limits.tension.size(); ++k) {
+    if (!std::isfinite(limits.tension[k])) continue;
+    const double T = r.ropes[k].T_max;
+    all.push_back({LimitKind::tension, static_cast<int>(k), -1, T, limits.tension[k], 1 - T / limits.tension[k]});
+  }
+  for (const EndLimit& end : limits.ends) all.push_back(pull_at(r, end));
+  const Vector3& place = r.state.bodies[at(body)].position;
+  const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
+  if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {
+    all.push_back({LimitKind::clearance, -1, -1, clearance, limits.clearance,
+                   length_margin(clearance - limits.clearance, place.z())});
+  }
+  for (std::size_t k = 0; k < limits.rope_clearance.size(); ++k) {
+    if (!std::isfinite(limits.rope_clearance[k])) continue;
+    const double height = rope_clearance(model, r.spans, static_cast<int>(k), limits.rope_between).height;
+    if (!std::isfinite(height)) continue;
+    all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, height, limits.rope_clearance[k],
+                   length_margin(height - limits.rope_clearance[k], place.z())});
+  }
+  add_supports(model, limits, r, all);
+  return all;
+}
+
+std::string limit_words(const model::Model& model, int body, const LimitState& l) {
+  if (l.fails) return "no equilibrium with more";
+  const auto rope = [&] { return model.reevings[at(l.reeving)].name; };
+  const auto node = [&] { return model.reevings[at(l.reeving)].nodes[at(l.node)].name; };
+  switch (l.kind) {
+    case LimitKind::none:
+      return "no limit";
+    case LimitKind::tension:
+      return fmt::format("tension of '{}'", rope());
+    case LimitKind::pull:
+      return fmt::format("pull of '{}' at '{}'", rope(), node());
+    case LimitKind::clearance:
+      return fmt::format("clearance of '{}'", model.bodies[at(body)].name);
+    case LimitKind::rope_clearance:
+      return fmt::format("clearance of rope '{}'", rope());
+    case LimitKind::break_angle:
+      return fmt::format("break angle at '{}'", node());
+    case LimitKind::least_break_angle:
+      return fmt::format("least break angle at '{}'", node());
+    case LimitKind::lift_off:
+      return fmt::format("lift-off from '{}'", node());
+  }
+  return {};
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,178 @@
+#include "taut/study/limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/study/load_path.hpp"
+#include "taut/study/payload.hpp"
+#include "taut/study/rope_clearance.hpp"
+#include "test/support/machines.hpp"
+
+namespace limits_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+
+TEST(Clearance, OfARopeIsThatOfAFineGrid) {
+  model::Model m = with_carriage(true, 0.1, 1500);
+  m.terrain = {{-10, 2}, {40, 21}, {70, 20}, {120, 36}, {160, 30}, {230, 55}, {310, 60}};
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  const EquilibriumResult e = equilibrium(m, options);
+  ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
+  for (const auto& [from, to] : {std::pair{0.0, 300.0}, {60.0, 110.0}, {280.0, 100.0}, {210.0, 215.0}}) {
+    double least = 1e9;
+    for (const SpanResult& s : e.spans) {
+      if (s.reeving != 0) continue;
+      for (int i = 0; i <= 20000; ++i) {
+        const Vector3 p = s.start + taut::rope::point_at(s.shape, s.shape.rope.length * (i / 20000.0));
+        if (p.x() < std::min(from, to) || p.x() > std::max(from, to)) continue;
+        least = std::min(least, p.z() - ground_height(m.terrain, p.x()));
+      }
+    }
+    const RopeClearance low = rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to});
+    EXPECT_LE(low.height, least + 1e-9);
+    EXPECT_NEAR(low.height, least, 2e-3) << from << " to " << to;
+    EXPECT_GE(low.place.x(), std::min(from, to) - 1e-9);
+    EXPECT_LE(low.place.x(), std::max(from, to) + 1e-9);
+  }
+  m.terrain.clear();
+  EXPECT_TRUE(std::isnan(rope_clearance(m, e.spans, 0, {Vector3::UnitX(), 0, 300}).height));
+}
+
+TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
+  model::Model m = with_carriage(true, 0.1, 200);
+  m.terrain = {{-10, -12}, {40, 7}, {70, 6}, {120, 22}, {160, 16}, {230, 41}, {310, 46}};
+  PayloadLimits limits;
+  limits.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
+  limits.rope_between = {Vector3::UnitX(), 100, 190};
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  const Payload straight = payload(m, 0, limits, options);
+  ASSERT_TRUE(straight.outcome.ok()) << straight.outcome.message;
+  ASSERT_EQ(straight.limit.kind, LimitKind::rope_clearance) << straight.governing;
+  for (const double angle : {0.5, M_PI / 2, 2.5, M_PI, -1.2}) {
+    const Vector3 by(12, -7, 3), along(std::cos(angle), std::sin(angle), 0);
+    const double shift = by.dot(along);
+    model::Model other = turned(m, angle, by);
+    for (model::GroundPoint& p : other.terrain) p.z += by.z();
+    PayloadLimits there = limits;
+    there.rope_between = {along, 100 + shift, 190 + shift};
+    EquilibriumOptions placed;
+    placed.prescribed = Prescribed{0, 150 + shift, along};
+    const Payload p = payload(other, 0, there, placed);
+    ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
+    EXPECT_EQ(p.governing, straight.governing);
+    EXPECT_NEAR(p.mass / straight.mass, 1, 1e-7) << angle;
+  }
+}
+
+TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
+  model::Model m;
+  m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
+  m.terrain = {{0, 0}, {100, 0}};
+  const EquilibriumResult e = equilibrium(m);
+  ASSERT_TRUE(e.outcome.ok());
+  const auto height = [&](double from, double to) {
+    return rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to}).height;
+  };
+  const auto z_at = [&](double x) { return 10 - taut::rope::sag_at(e.spans[0].shape, x); };
+  EXPECT_NEAR(height(100, 0), z_at(50), 1e-9);
+  EXPECT_NEAR(height(10, 30), z_at(30), 1e-9);
+  EXPECT_NEAR(height(70, 90), z_at(70), 1e-9);
+  EXPECT_NEAR(height(0, 0), 10, 1e-9);
+  EXPECT_TRUE(std::isnan(height(-20, -1)));
+  m.terrain = {{60, 0}, {80, 0}};
+  EXPECT_NEAR(height(0, 100), z_at(60), 1e-9);
+  // a terrain across the rope is one place of it
+  m.terrain_along = Vector3::UnitY();
+  m.terrain = {{-5, 3}, {5, 3}};
+  EXPECT_NEAR(height(0, 100), z_at(50) - 3, 1e-9);
+}
+
+TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
+  model::Model m;
+  m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
+  m.reevings.push_back(reeve("guy", {anchor("c", {0, 0, 10}), anchor("d", {-30, 40, 0})}, 51, 15, 1e9));
+  const EquilibriumResult e = equilibrium(m);
+  ASSERT_TRUE(e.outcome.ok());
+  const auto expect_gap = [](const TerrainGap& gap, double before, double after) {
+    EXPECT_NEAR(gap.before, before, 1e-9);
+    EXPECT_NEAR(gap.after, after, 1e-9);
+    EXPECT_NEAR(gap.missing(), before + after, 1e-9);
+  };
+  expect_gap(terrain_gap(m, e.spans, 0), 100, 0);
+  m.terrain = {{20, 0}, {70, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 20, 30);
+  expect_gap(terrain_gap(m, e), 50, 30);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 90, 25}), 0, 20);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 80, 90}), 0, 10);
+  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 200, 300}), 0, 0);
+  expect_gap(terrain_gap(m, 15, 5), 10, 0);
+  m.terrain = {{0, 0}, {100, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 0, 0);
+  // the terrain's x runs the other way, from the middle
+  m.terrain_from = {50, 0, 0};
+  m.terrain_along = -Vector3::UnitX();
+  m.terrain = {{-40, 0}, {50, 0}};
+  expect_gap(terrain_gap(m, e.spans, 0), 10, 0);
+  expect_gap(terrain_gap(m, e), 10, 30);
+}
+
+TEST(Limits, EachIsReachedByItsPayload) {
+  model::Model m = with_carriage(true, 0.1, 200);
+  m.terrain = {{0, 0}, {300, 60}};
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  options.motion = Motion::in;
+  PayloadLimits pull;
+  pull.ends = {{1, false, 3e3}};
+  PayloadLimits rope;
+  rope.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
+  rope.rope_between = {Vector3::UnitX(), 100, 190};
+  PayloadLimits angle;
+  angle.break_angle = 0.9;
+  for (const auto& [limits, kind] :
+       {std::pair{pull, LimitKind::pull}, {rope, LimitKind::rope_clearance}, {angle, LimitKind::break_angle}}) {
+    const Payload p = payload(m, 0, limits, options);
+    ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
+    ASSERT_EQ(p.limit.kind, kind) << p.governing;
+    EXPECT_GT(p.mass, 10);
+    EXPECT_NEAR(p.limit.value / p.limit.limit, 1, 1e-7) << p.governing;
+    model::Model loaded = m;
+    for (const double share : {0.999, 1.001}) {
+      loaded.bodies[0].mass = 200 + share * p.mass;
+      const auto all = limits_at(loaded, 0, limits, equilibrium(loaded, options));
+      const bool broken = std::any_of(all.begin(), all.end(), [](const LimitState& s) { return s.margin < 0; });
+      EXPECT_EQ(broken, share > 1) << p.governing << " " << share;
+    }
+  }
+}
+
+TEST(Limits, LiftOffEndsThePayload) {
+  // a support low between two high ones: the load beside it draws the rope out of it
+  model::Model m;
+  m.reevings.push_back(reeve("skyline",
+                             {anchor("a", {0, 0, 10}), saddle("low", {100, 0, 1}, 0), anchor("b", {200, 0, 10})}, 201.6,
+                             15, 500e6));
+  m.bodies.push_back(body("car", {60, 0, 3}, 10, "xyz"));
+  m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, over("car", origin, 0));
+  m.carriages.push_back({"car", 0, 0, 1, -1});
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 60};
+  PayloadLimits limits;
+  limits.lift_off = true;
+  limits.most = 20e3;
+  const Payload p = payload(m, 0, limits, options);
+  ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
+  ASSERT_EQ(p.limit.kind, LimitKind::lift_off) << p.governing;
+  EXPECT_EQ(p.governing, "lift-off from 'low'");
+  m.bodies[0].mass = 10 + 0.999 * p.mass;
+  EXPECT_LT(equilibrium(m, options).contacts[1].force.z(), 0) << "still presses on it";
+  m.bodies[0].mass = 10 + 1.001 * p.mass;
+  EXPECT_EQ(equilibrium(m, options).contacts[1].state, ContactState::pulled);
+}
+
+}  // namespace limits_test

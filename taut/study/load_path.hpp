@@ -1,0 +1,38 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "taut/solve/condition.hpp"
+
+namespace taut::analysis {
+
+/// A carriage moved along its line, at equal steps of x.
+struct LoadPathOptions {
+  int carriage = 0;
+  double from = 0, to = 0;           ///< x of the carriage's body along `along`, m, either order
+  int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
+  EquilibriumOptions equilibrium;
+  std::optional<Condition> condition;   ///< in place of what one rope has given, at every position
+  std::function<bool(double x)> go_on;  ///< asked before every position; false ends the way there. May be empty
+};
+
+struct LoadPathPoint {
+  double x = 0, z = 0;   ///< of the carriage, m
+  double clearance = 0;  ///< z above the terrain, m; NaN without terrain there
+  EquilibriumResult at;  ///< spans, contacts, ropes there; its outcome tells where there is no equilibrium
+};
+
+struct LoadPath {
+  Outcome outcome;                    ///< the first position without equilibrium, named by its x
+  std::vector<LoadPathPoint> points;  ///< one for each position, fewer where `go_on` ended it
+};
+
+/// Each position starts from the one before. A position without equilibrium stays in the list with its outcome.
+LoadPath load_path(const model::Model& model, const LoadPathOptions& options);
+
+/// Height of the ground at x, linear between its points; NaN outside.
+double ground_height(const std::vector<model::GroundPoint>& terrain, double x);
+
+}  // namespace taut::analysis

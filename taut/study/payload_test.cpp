@@ -1,0 +1,85 @@
+#include "taut/study/payload.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/support/machines.hpp"
+
+namespace payload_test {
+
+using namespace taut_test;
+using namespace taut::analysis;
+using taut::Status;
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+TEST(Payload, OfATackleIsItsFallsTimesTheRope) {
+  const model::Model m = tackle(4, 1, 500);
+  PayloadLimits limits;
+  limits.tension = {10e3};
+  const Payload p = payload(m, 0, limits);
+  ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
+  EXPECT_NEAR(p.mass, 40e3 / m.gravity - 500, 1e-5);
+  EXPECT_EQ(p.governing, "tension of 'hoist'");
+  EXPECT_LE(p.at.ropes[0].T_max, 10e3);
+}
+
+TEST(Payload, TheFirstLimitReachedGoverns) {
+  model::Model m = with_carriage(true, 0.1, 200);
+  m.terrain = {{0, 0}, {300, 60}};
+  EquilibriumOptions options;
+  options.prescribed = Prescribed{0, 150};
+  PayloadLimits limits;
+  limits.tension = {40e3, none};
+  const Payload by_rope = payload(m, 0, limits, options);
+  ASSERT_TRUE(by_rope.outcome.ok()) << by_rope.outcome.message;
+  EXPECT_EQ(by_rope.reeving, 0);
+  EXPECT_NEAR(by_rope.at.ropes[0].T_max / 40e3, 1, 1e-8);
+  const double z = by_rope.at.state.bodies[0].position.z();
+  limits.clearance = z - 30 + 0.5;  // half a metre more than it leaves
+  const Payload by_ground = payload(m, 0, limits, options);
+  ASSERT_TRUE(by_ground.outcome.ok());
+  EXPECT_EQ(by_ground.governing, "clearance of 'car'");
+  EXPECT_LT(by_ground.mass, by_rope.mass);
+  EXPECT_NEAR(by_ground.at.state.bodies[0].position.z(), z + 0.5, 1e-6);
+  limits.clearance = z - 30 - 0.5;
+  EXPECT_NEAR(payload(m, 0, limits, options).mass / by_rope.mass, 1, 1e-9);
+  limits.tension = {none, 2e3};
+  EXPECT_EQ(payload(m, 0, limits, options).governing, "tension of 'mainline'");
+}
+
+TEST(Payload, SaysWhenNothingCanBeCarried) {
+  const model::Model m = tackle(4, 1, 5000);
+  PayloadLimits limits;
+  limits.tension = {10e3};
+  const Payload p = payload(m, 0, limits);
+  EXPECT_EQ(p.outcome.status, Status::infeasible);
+  EXPECT_EQ(p.mass, 0);
+  EXPECT_NE(p.outcome.message.find("tension of 'hoist'"), std::string::npos) << p.outcome.message;
+}
+
+TEST(Payload, WithoutLimitsTheLargestAskedFor) {
+  PayloadLimits limits;
+  limits.most = 8000;
+  const Payload p = payload(tackle(4, 1, 500), 0, limits);
+  EXPECT_EQ(p.mass, 8000);
+  EXPECT_EQ(p.governing, "no limit below 8000 kg");
+}
+
+TEST(Payload, AlongTheLine) {
+  const model::Model m = with_carriage(false, 0.1, 200);
+  LoadPathOptions path;
+  path.from = 100;
+  path.to = 190;
+  path.steps = 6;
+  PayloadLimits limits;
+  limits.tension = {40e3};
+  for (const PayloadPoint& p : payload_path(m, limits, path)) {
+    ASSERT_TRUE(p.payload.outcome.ok()) << p.payload.outcome.message;
+    EquilibriumOptions options;
+    options.prescribed = Prescribed{0, p.x};
+    EXPECT_NEAR(p.payload.mass / payload(m, 0, limits, options).mass, 1, 1e-7);
+    EXPECT_NEAR(p.payload.at.ropes[0].T_max / 40e3, 1, 1e-8);
+  }
+}
+
+}  // namespace payload_test

@@ -1,0 +1,284 @@
+#include "taut/study/pretension.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::analysis {
+namespace {
+
+constexpr double pull_speed = 1e-3;  ///< m/s of rope taken out
+constexpr int pull_steps = 250;
+
+std::string words_of_pull(const model::Model& model, std::size_t number, const Pull& pull) {
+  return fmt::format("pull {}, '{}'", number + 1, model.reevings[at(pull.reeving)].name);
+}
+
+// ---- without friction: equilibria ----
+
+PullEnd end_of(const model::Model& model, const EquilibriumResult& result) {
+  PullEnd end;
+  const std::size_t ropes = model.reevings.size();
+  end.T_start.assign(ropes, 0.0);
+  end.T_end = end.T_start;
+  for (const SpanResult& span : result.spans | std::views::reverse) end.T_start[at(span.reeving)] = span.T_from;
+  for (const SpanResult& span : result.spans) end.T_end[at(span.reeving)] = span.T_to;
+  for (const RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
+  end.at = result;
+  return end;
+}
+
+PretensionResult pull_at_rest(const model::Model& given, const std::vector<Pull>& pulls,
+                              const PretensionOptions& options) {
+  PretensionResult r;
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  at_rest.lengths_kept = true;
+  EquilibriumResult found = equilibrium(given, at_rest);
+  r.outcome = found.outcome;
+  if (!r.outcome.ok()) return r;
+  model::Model model = installed(given, found);
+  r.before = end_of(model, found);
+  std::vector<double> taken(model.reevings.size(), 0.0);
+  for (std::size_t i = 0; i < pulls.size(); ++i) {
+    if (options.progress && !options.progress(i)) {
+      r.interrupted = true;
+      return r;
+    }
+    const Pull& pull = pulls[i];
+    model::Reeving& rope = model.reevings[at(pull.reeving)];
+    const double length = rope.value;
+    if (pull.force) {
+      rope.given = pull.at_end ? model::Given::tension_at_end : model::Given::tension_at_start;
+      rope.value = *pull.force;
+    } else {
+      expects(pull.take_up.has_value(), "a pull at rest ends at a force or a length");
+      rope.value = length - *pull.take_up;
+    }
+    found = equilibrium(model, at_rest, found.state);
+    if (!found.outcome.ok()) {
+      r.outcome = {found.outcome.status, fmt::format("{}: {}", words_of_pull(model, i, pull), found.outcome.message)};
+      return r;
+    }
+    model = installed(model, found);
+    PullEnd end = end_of(model, found);
+    end.taken = length - model.reevings[at(pull.reeving)].value;
+    taken[at(pull.reeving)] += end.taken;
+    end.taken_in_all = taken[at(pull.reeving)];
+    r.ends.push_back(std::move(end));
+    r.model = model;
+  }
+  return r;
+}
+
+// ---- with friction: slowly ----
+
+model::Observable tension_at(const Pull& pull) {
+  model::Observable o;
+  o.name = "tension";
+  o.quantity = pull.at_end ? model::Quantity::T_end : model::Quantity::T_start;
+  o.unit = si::N;
+  o.index = pull.reeving;
+  return o;
+}
+
+model::Event stop_when(const model::Observable& of, bool above, double threshold) {
+  model::Event stop;
+  stop.words = "pulled";
+  stop.kind = model::EventKind::stop;
+  stop.when = model::Condition{of, above, threshold};
+  return stop;
+}
+
+void hold_still(model::Signal& signal) {
+  const double value = model::at(signal, 0).value;
+  if (!std::isnan(value)) signal.law = model::Moves{value, {}};
+}
+
+void hold_still(model::Drive& drive) {
+  if (drive.kind == model::DriveKind::speed) drive.kind = model::DriveKind::held;
+  hold_still(drive.signal);
+}
+
+/// The machine with its drives and signals as they begin, and no events.
+model::Model standing_still(const model::Model& given) {
+  model::Model m = given;
+  m.events.clear();
+  for (model::Signal& signal : m.signals) hold_still(signal);
+  for (model::Drum& drum : m.drums) hold_still(drum.drive);
+  for (model::Motor& motor : m.motors) hold_still(motor.drive);
+  for (model::Tensioner& tensioner : m.tensioners) hold_still(tensioner.change);
+  for (model::Body& body : m.bodies) {
+    for (model::DrivenWay& way : body.driven) hold_still(way.signal);
+  }
+  for (model::Actuator& actuator : m.actuators) {
+    hold_still(actuator.signal);
+    if (actuator.kind != model::ActuatorKind::force && actuator.lock_stiffness > 0)
+      actuator.mode = model::ActuatorMode::lock;
+  }
+  return m;
+}
+
+/// The machine slowly: the ropes' tensions are observed behind what the deck observes.
+struct SlowMachine {
+  model::Model model;
+  std::size_t own = 0;  ///< observed by the deck
+  TransientOptions options;
+  double t = 0;
+  PullEnd last;
+  TransientFrame frame;  ///< of that end
+};
+
+SlowMachine slow_machine(const model::Model& given, const PretensionOptions& options) {
+  SlowMachine slow;
+  slow.model = standing_still(given);
+  slow.own = given.observed.size();
+  for (std::size_t r = 0; r < given.reevings.size(); ++r) {
+    for (const bool end : {false, true}) {
+      Pull of;
+      of.reeving = static_cast<int>(r);
+      of.at_end = end;
+      slow.model.observed.push_back(tension_at(of));
+    }
+  }
+  slow.options.quasi_static = true;
+  slow.options.tolerance = options.tolerance;
+  slow.options.start = options.start;
+  slow.options.duration = options.longest / pull_speed;
+  slow.options.output_step = slow.options.duration / pull_steps;
+  return slow;
+}
+
+/// What the run has left; goes on from there.
+void take_over(const TransientResult& r, SlowMachine& slow) {
+  PullEnd end;
+  for (std::size_t k = 0; k < slow.own; ++k) end.observed.push_back(r.observed[k].back());
+  for (std::size_t i = 0; i < slow.model.reevings.size(); ++i) {
+    end.T_start.push_back(r.observed[slow.own + 2 * i].back());
+    end.T_end.push_back(r.observed[slow.own + 2 * i + 1].back());
+    double length = 0;
+    for (const double part : r.state.ropes[i].length) length += part;
+    end.unstretched.push_back(length);
+  }
+  end.taken_in_all = slow.last.taken_in_all;
+  slow.last = std::move(end);
+  slow.frame = r.frames.back();
+  slow.options.from = r.state;
+  slow.options.from->memory.clear();
+  slow.options.from->happened.clear();
+  slow.t = r.state.t;
+}
+
+/// The machine with that rope being pulled from now on.
+model::Model being_pulled(const SlowMachine& slow, const Pull& pull, double way, double where) {
+  model::Model m = slow.model;
+  model::Tensioner tensioner;
+  tensioner.reeving = pull.reeving;
+  tensioner.at_start = !pull.at_end;
+  tensioner.change.unit = si::m;
+  tensioner.change.law = model::Curve{{slow.t, slow.t + slow.options.duration}, {0, -way}, {}};
+  m.tensioners.push_back(tensioner);
+  if (pull.force) m.events.push_back(stop_when(tension_at(pull), way > 0, *pull.force));
+  if (pull.until) {
+    m.events.push_back(stop_when(*pull.until, true, where + pull.moves));
+    m.events.push_back(stop_when(*pull.until, false, where - pull.moves));
+  }
+  return m;
+}
+
+/// Value of what is not to move, in the machine as it stands.
+double where_now(const SlowMachine& slow, const Pull& pull) {
+  model::Model m = slow.model;
+  m.observed.push_back(*pull.until);
+  TransientOptions o = slow.options;
+  o.duration = o.output_step;
+  const TransientResult r = transient(m, o);
+  return r.observed.back().empty() ? 0 : r.observed.back().back();
+}
+
+Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMachine& slow, bool& interrupted) {
+  const double T = pull.at_end ? slow.last.T_end[at(pull.reeving)] : slow.last.T_start[at(pull.reeving)];
+  double way = options.longest;
+  if (pull.force && T > *pull.force) way = -way;
+  if (pull.take_up) way = *pull.take_up;
+  slow.options.duration = std::abs(way) / pull_speed;
+  slow.options.output_step = slow.options.duration / pull_steps;
+  const double where = pull.until ? where_now(slow, pull) : 0;
+  const TransientResult r = transient(being_pulled(slow, pull, way, where), slow.options);
+  interrupted = r.interrupted;
+  if (!r.outcome.ok() || r.interrupted) return r.outcome;
+  const double begun = slow.t;
+  take_over(r, slow);
+  slow.last.taken = way * (slow.t - begun) / slow.options.duration;
+  const bool stopped = std::any_of(r.events.begin(), r.events.end(), [](const auto& e) { return e.what == "stop"; });
+  if (stopped || pull.take_up) return {};
+  return infeasible(fmt::format(
+      "{:.4g} m of rope are out and {} ('longest')", std::abs(way),
+      pull.until ? fmt::format("'{}' has not moved", pull.until->name)
+                 : fmt::format("its tension is {:.4g} N, not {:.4g} N",
+                               pull.at_end ? slow.last.T_end[at(pull.reeving)] : slow.last.T_start[at(pull.reeving)],
+                               *pull.force)));
+}
+
+void add_frame(const SlowMachine& slow, PretensionResult& r) {
+  r.frames.push_back(slow.frame);
+  r.frames.back().t = static_cast<double>(r.ends.size());
+}
+
+PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>& pulls,
+                             const PretensionOptions& options) {
+  PretensionResult r;
+  r.slowly = true;
+  SlowMachine slow = slow_machine(given, options);
+  TransientOptions rest = slow.options;
+  rest.duration = rest.output_step;
+  const TransientResult before = transient(slow.model, rest);
+  r.outcome = before.outcome;
+  if (!r.outcome.ok()) return r;
+  take_over(before, slow);
+  r.before = slow.last;
+  add_frame(slow, r);
+  std::vector<double> taken(given.reevings.size(), 0.0);
+  for (std::size_t i = 0; i < pulls.size(); ++i) {
+    if (options.progress && !options.progress(i)) {
+      r.interrupted = true;
+      return r;
+    }
+    slow.options.progress = [&](double) { return !options.progress || options.progress(i); };
+    const Outcome outcome = pull_slowly(pulls[i], options, slow, r.interrupted);
+    if (r.interrupted) return r;
+    if (!outcome.ok()) {
+      r.outcome = {outcome.status, fmt::format("{}: {}", words_of_pull(given, i, pulls[i]), outcome.message)};
+      return r;
+    }
+    taken[at(pulls[i].reeving)] += slow.last.taken;
+    slow.last.taken_in_all = taken[at(pulls[i].reeving)];
+    r.ends.push_back(slow.last);
+    add_frame(slow, r);
+    r.state = slow.options.from;
+  }
+  return r;
+}
+
+}  // namespace
+
+bool pulled_slowly(const model::Model& model, const std::vector<Pull>& pulls) {
+  return !model.contacts.empty() || !model.actuators.empty() ||
+         std::any_of(pulls.begin(), pulls.end(), [](const Pull& one) { return one.until.has_value(); });
+}
+
+PretensionResult pretension(const model::Model& model, const std::vector<Pull>& pulls,
+                            const PretensionOptions& options) {
+  for (const Pull& one : pulls) {
+    expects((one.force ? 1 : 0) + (one.take_up ? 1 : 0) + (one.until ? 1 : 0) == 1, "a pull ends in one way");
+    expects(!one.until || one.moves > 0, "what begins to move moves by something");
+  }
+  return pulled_slowly(model, pulls) ? pull_slowly(model, pulls, options) : pull_at_rest(model, pulls, options);
+}
+
+}  // namespace taut::analysis

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "taut/study/installation.hpp"
+
+namespace taut::analysis {
+
+/// A rope as it was put up.
+struct PutUpLine {
+  int reeving = 0;      ///< in the whole model
+  EmptyLine line;       ///< the machine at that moment
+  Installation at;      ///< the state; not ok: why there is none
+  double tension = 0;   ///< base tension, N
+  bool at_end = false;  ///< at which end of its path
+};
+
+/// Puts up the ropes that are to be (model::Reeving::put_up), in turn: each on the machine with the ropes before it and
+/// without those to come; what hangs on it is not there but for what it is put up with. Its length is kept from there
+/// on: `model` has it. Ends with the first that fails.
+std::vector<PutUpLine> put_up(model::Model& model);
+
+}  // namespace taut::analysis

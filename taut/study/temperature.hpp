@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/machine/model.hpp"
+
+namespace taut::app {
+
+/// All ropes at another temperature (K): their lengths at the reference temperature stay as they are. A rope without
+/// one of its own has its length at the machine's temperature.
+void set_temperature(model::Model& model, const model::Machine& machine, double temperature);
+
+/// Complains of ropes whose reference temperature nobody says, at `path`: other temperatures would change nothing.
+void require_references(const model::Machine& machine, const std::string& path, std::vector<Complaint>& complaints);
+
+/// "-20 degC", for words.
+std::string celsius(double kelvin);
+
+}  // namespace taut::app

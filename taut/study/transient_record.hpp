@@ -1,0 +1,53 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "taut/base/long_rows.hpp"
+#include "taut/solve/motion/transient.hpp"
+
+namespace taut::app {
+
+/// What is kept of a motion as it goes, so that its size in memory does not grow with its duration: the lines of its
+/// series with their numbers (on disk where they are many), and the frames that pictures show: all of them, or of a
+/// long motion every second, fourth, eighth one and so on, the first, the last and the one nearest to the largest
+/// tension among them.
+class TransientRecord {
+ public:
+  /// After an output step: TransientOptions::take.
+  void take(const model::Model& model, const analysis::TransientResult& so_far);
+
+  /// Puts the frames and observed values that are shown into the result, in place of its first and last one.
+  void show(analysis::TransientResult& result) const;
+
+  bool empty() const { return !lines_; }
+  std::size_t count() const { return count_; }  ///< of the output steps
+  /// t, then the observed quantities.
+  const std::shared_ptr<LongRows>& lines() const { return lines_; }
+  /// Kinetic, elastic, potential, supplied, dissipated, residual, J.
+  const LongRows& energy() const { return *energy_; }
+
+  /// Ways over all output steps, m: of the rope against a contact's rim, and of the rim.
+  struct Slip {
+    double slipped = 0, rim = 0;
+  };
+  const std::vector<Slip>& slips() const { return slips_; }  ///< by contact of a frame
+
+ private:
+  struct Shown {
+    analysis::TransientFrame frame;
+    std::vector<double> observed;
+  };
+  void add_slips(const model::Model& model, const analysis::TransientResult& so_far);
+  void follow_peak(const analysis::TransientResult& so_far);
+  void thin();
+
+  std::size_t count_ = 0, every_ = 1, most_ = 0;
+  std::shared_ptr<LongRows> lines_, energy_;
+  std::vector<Shown> shown_;
+  Shown peak_;  ///< nearest to the largest tension so far
+  double t_peak_ = -1;
+  std::vector<Slip> slips_;
+};
+
+}  // namespace taut::app

@@ -1,0 +1,29 @@
+#pragma once
+#include "taut/mechanics/layout.hpp"
+#include "taut/mechanics/system.hpp"
+
+namespace taut_test {
+
+/// The unknowns' values in a state.
+inline taut::analysis::Configuration configuration_of(const taut::analysis::Layout& layout,
+                                                      const taut::model::State& state) {
+  taut::analysis::Configuration c;
+  c.bodies = state.bodies;
+  for (const auto& k : layout.links) {
+    c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  }
+  for (const auto& p : layout.pieces) {
+    c.pieces.push_back(state.beams[static_cast<std::size_t>(p.beam)][static_cast<std::size_t>(p.piece)]);
+  }
+  return c;
+}
+
+/// No loss anywhere.
+inline std::vector<std::vector<int>> no_flow(const taut::model::Model& m) {
+  std::vector<std::vector<int>> flow;
+  flow.reserve(m.reevings.size());
+  for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 0);
+  return flow;
+}
+
+}  // namespace taut_test

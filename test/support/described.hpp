@@ -1,0 +1,104 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "taut/machine/description/machine.hpp"
+
+/// Machines as decks describe them, for the tests of their compilation.
+namespace taut::model::described {
+
+using description::PathElement;
+
+inline PathElement anchor(const std::string& name) {
+  PathElement e;
+  e.anchor = name;
+  return e;
+}
+inline PathElement over(const std::string& name, int parts = 1, std::vector<std::string> between = {}) {
+  PathElement e;
+  e.over = name;
+  e.parts = parts;
+  e.between = std::move(between);
+  return e;
+}
+inline PathElement through(const std::string& name) {
+  PathElement e;
+  e.through = name;
+  return e;
+}
+inline PathElement drum(const std::string& name) {
+  PathElement e;
+  e.drum = name;
+  return e;
+}
+
+inline description::Rope steel(const std::string& name) {
+  description::Rope rope;
+  rope.name = name;
+  rope.mass = 2;
+  rope.stiffness = 1e7;
+  return rope;
+}
+
+/// A span with a support, a rolling carriage and its mainline from a drum.
+inline Machine line() {
+  Machine m;
+  m.points = {{"head", {}, {0, 0, 10}}, {"tail", {}, {100, 0, 30}}};
+  m.ropes = {steel("skyline"), steel("main")};
+  description::Round jack;
+  jack.name = "jack";
+  jack.at = {60, 0, 22};
+  jack.friction = 0.1;
+  m.supports = {jack};
+  description::Drum winch;
+  winch.name = "winch";
+  winch.at = {-5, 0, 0};
+  winch.core_diameter = 0.4;
+  m.drums = {winch};
+  description::Carriage car;
+  car.name = "car";
+  car.mass = 200;
+  car.rides = "skyline";
+  car.mainline = "main";
+  m.carriages = {car};
+  description::Reeving sky;
+  sky.rope = "skyline";
+  sky.path = {anchor("head"), through("car"), over("jack"), anchor("tail")};
+  sky.length = 103;
+  description::Reeving main;
+  main.rope = "main";
+  main.path = {drum("winch"), anchor("car")};
+  main.tension_at_start = 5e3;
+  m.reevings = {sky, main};
+  return m;
+}
+
+/// A tackle between a fixed head and a hook.
+inline Machine tackle(int parts, std::vector<PathElement> path) {
+  Machine m;
+  m.ropes = {steel("hoist")};
+  m.points = {{"lead", {}, {-3, 0, 0}}, {"pin", {}, {0.2, 0, 10}}, {"eye", {"hook"}, {0, 0, 0.3}}};
+  description::Body hook;
+  hook.name = "hook";
+  hook.at = {0, 0, 4};
+  hook.free = {"z"};
+  m.bodies = {hook};
+  for (const char* name : {"head", "block", "third"}) {
+    description::Round sheave;
+    sheave.name = name;
+    sheave.diameter = 0.4;
+    sheave.at = {0, 0, 10};
+    m.sheaves.push_back(sheave);
+  }
+  m.sheaves[1].body = "hook";
+  m.sheaves[1].at = {0, 0, 0};
+  description::Reeving r;
+  r.rope = "hoist";
+  r.path = std::move(path);
+  r.tension_at_start = 100.0 * parts;
+  m.reevings = {r};
+  return m;
+}
+
+}  // namespace taut::model::described

@@ -1,0 +1,71 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "taut/solve/motion/transient.hpp"
+
+/// Motions that have to end well, for the tests of motion.
+namespace taut_test {
+
+/// From the machine as described. A run that would not end is no test: it is cut off.
+inline taut::analysis::TransientOptions lasting(double duration, double tolerance, int outputs = 1) {
+  taut::analysis::TransientOptions options;
+  options.duration = duration;
+  options.output_step = duration / outputs;
+  options.tolerance = tolerance;
+  options.most_steps = 2'000'000;
+  options.start = taut::analysis::Start::assembled;
+  return options;
+}
+
+/// The same in steps of one size; 0: by their errors.
+inline taut::analysis::TransientOptions in_steps(double duration, double step, int outputs = 10) {
+  taut::analysis::TransientOptions options = lasting(duration, 1e-6, outputs);
+  options.step = step;
+  return options;
+}
+
+/// Without inertia, in so many steps.
+inline taut::analysis::TransientOptions slowly(double duration, int steps,
+                                               taut::analysis::Start start = taut::analysis::Start::settled) {
+  taut::analysis::TransientOptions options = lasting(duration, 1e-8, steps);
+  options.quasi_static = true;
+  options.start = start;
+  return options;
+}
+
+inline taut::analysis::TransientResult run_to_end(const taut::model::Model& m,
+                                                  const taut::analysis::TransientOptions& options) {
+  taut::analysis::TransientResult r = taut::analysis::transient(m, options);
+  EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
+  if (r.frames.empty()) r.frames.emplace_back();
+  return r;
+}
+
+/// From one value to another without a jump of rate or acceleration.
+inline taut::model::Signal smooth_move(double from, double to, double start, double over) {
+  taut::model::Signal s;
+  s.law = taut::model::Moves{from, {{start, to, over, true}}};
+  return s;
+}
+
+/// Place and speed of x'' = a(t, x, x') after `duration`.
+inline std::array<double, 2> runge_kutta(double x, double v, double duration,
+                                         const std::function<double(double, double, double)>& a) {
+  constexpr int steps = 4000;
+  const double h = duration / steps;
+  for (int i = 0; i < steps; ++i) {
+    const double t = i * h;
+    const double k1 = a(t, x, v), l1 = v;
+    const double k2 = a(t + h / 2, x + h / 2 * l1, v + h / 2 * k1), l2 = v + h / 2 * k1;
+    const double k3 = a(t + h / 2, x + h / 2 * l2, v + h / 2 * k2), l3 = v + h / 2 * k2;
+    const double k4 = a(t + h, x + h * l3, v + h * k3), l4 = v + h * k3;
+    x += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
+    v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return {x, v};
+}
+
+}  // namespace taut_test
