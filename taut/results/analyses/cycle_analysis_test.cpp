@@ -116,7 +116,7 @@ TEST(CycleAnalysis, AClosedCycleEndsWithTheRopeThatItBeganWith) {
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     const Table& t = table_of(r, "cycle_work");
     double taken = 0, energy = 0;
-    for (int i = 0; i < static_cast<int>(t.rows.size()); ++i) {
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
       if (text_cell(t, i, "winch") != "high") continue;
       taken += cell(t, i, "rope_taken_in");
       energy += cell(t, i, "energy");
