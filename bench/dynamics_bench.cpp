@@ -96,14 +96,14 @@ double baseline_time() {
   return best;
 }
 
-model::Node node_at(const Vector3& at, int body = model::ground) {
-  model::Node node;
+machine::Node node_at(const Vector3& at, int body = machine::ground) {
+  machine::Node node;
   node.at = {body, at};
   return node;
 }
 
-model::Body point_mass(const Vector3& at, double mass, bool in_space) {
-  model::Body body;
+machine::Body point_mass(const Vector3& at, double mass, bool in_space) {
+  machine::Body body;
   body.position = at;
   body.mass = mass;
   if (in_space) body.free = {{Vector3::UnitX(), Vector3::Zero()}, {Vector3::UnitY(), Vector3::Zero()}};
@@ -111,12 +111,12 @@ model::Body point_mass(const Vector3& at, double mass, bool in_space) {
   return body;
 }
 
-model::Model swing() {
-  model::Model m;
+machine::Model swing() {
+  machine::Model m;
   m.gravity = gravity;
   m.bodies.push_back(point_mass(start_of_load(), 500, true));
   for (const bool left : {true, false}) {
-    model::Reeving rope;
+    machine::Reeving rope;
     rope.name = left ? "left" : "right";
     rope.nodes = {node_at({0, 0, 0}), node_at(Vector3::Zero(), 0)};
     if (!left) rope.nodes = {node_at(Vector3::Zero(), 0), node_at({80, 0, 0})};
@@ -129,12 +129,12 @@ model::Model swing() {
   return m;
 }
 
-void run_swing(benchmark::State& state, analysis::TimeMethod method, double step) {
-  const model::Model m = swing();
-  analysis::TransientOptions options;
+void run_swing(benchmark::State& state, solve::TimeMethod method, double step) {
+  const machine::Model m = swing();
+  solve::TransientOptions options;
   options.duration = 10;
   options.output_step = 10;
-  options.start = analysis::Start::assembled;
+  options.start = solve::Start::assembled;
   options.method = method;
   options.step = step;
   double best = std::numeric_limits<double>::infinity(), error = 0, iterations = 0;
@@ -156,19 +156,19 @@ void baseline(benchmark::State& state) {
   state.counters["error"] = error;
 }
 
-void swing_verlet(benchmark::State& state) { run_swing(state, analysis::TimeMethod::verlet, 0.8 * limit); }
-void swing_implicit(benchmark::State& state) { run_swing(state, analysis::TimeMethod::implicit, 5e-3); }
+void swing_verlet(benchmark::State& state) { run_swing(state, solve::TimeMethod::verlet, 0.8 * limit); }
+void swing_implicit(benchmark::State& state) { run_swing(state, solve::TimeMethod::implicit, 5e-3); }
 
 void tackle(benchmark::State& state) {
-  model::Model m;
+  machine::Model m;
   m.gravity = gravity;
   m.bodies.push_back(point_mass({0, 0, -10}, 3000, false));
-  model::Reeving rope;
+  machine::Reeving rope;
   rope.name = "hoist";
   rope.nodes.push_back(node_at({-10, 0, 0}));
   for (int i = 0; i < 6; ++i) {
-    rope.nodes.push_back(node_at(Vector3::Zero(), i % 2 == 0 ? model::ground : 0));
-    rope.nodes.back().kind = model::NodeKind::contact;
+    rope.nodes.push_back(node_at(Vector3::Zero(), i % 2 == 0 ? machine::ground : 0));
+    rope.nodes.back().kind = machine::NodeKind::contact;
     rope.nodes.back().law.efficiency = 0.97;
   }
   rope.nodes.push_back(node_at(Vector3::Zero()));
@@ -176,13 +176,13 @@ void tackle(benchmark::State& state) {
   rope.stiffness = EA;
   rope.damping_time = 1e-3;
   m.reevings.push_back(rope);
-  model::Signal in;
-  in.law = model::Curve{{0, 0.5, 4}, {0, -0.125, -1.875}, {0, -0.5, -0.5}};
+  machine::Signal in;
+  in.law = machine::Curve{{0, 0.5, 4}, {0, -0.125, -1.875}, {0, -0.5, -0.5}};
   m.tensioners.push_back({0, true, in});
-  analysis::TransientOptions options;
+  solve::TransientOptions options;
   options.duration = 3;
   options.output_step = 3;
-  options.start = analysis::Start::assembled;
+  options.start = solve::Start::assembled;
   options.step = 1e-3;
   double iterations = 0;
   for (auto _ : state) {
@@ -195,14 +195,14 @@ void tackle(benchmark::State& state) {
 /// A belt on two sheaves 10 m apart: the drive is brought to 2 m/s, a brake's moment works on the other one. The steady
 /// state: tensions that differ by the moment, the belt creeping on the drive.
 void belt(benchmark::State& state) {
-  model::Model m;
+  machine::Model m;
   m.gravity = gravity;
-  model::Reeving rope;
+  machine::Reeving rope;
   rope.name = "belt";
   rope.closed = true;
   for (const bool drive : {true, false}) {
-    model::Node node = node_at({drive ? 0.0 : 10.0, 0, 0});
-    node.kind = drive ? model::NodeKind::drive : model::NodeKind::contact;
+    machine::Node node = node_at({drive ? 0.0 : 10.0, 0, 0});
+    node.kind = drive ? machine::NodeKind::drive : machine::NodeKind::contact;
     node.radius = 0.5;
     node.inertia = 5;
     node.law.friction = 0.4;
@@ -214,14 +214,14 @@ void belt(benchmark::State& state) {
   rope.damping_time = 1e-3;
   m.reevings.push_back(rope);
   m.motors.resize(2);
-  m.motors[0].drive.kind = model::DriveKind::speed;
-  m.motors[0].drive.signal.law = model::Moves{0, {{0, 2, 0.2, true}}};
-  m.motors[1].drive.kind = model::DriveKind::torque;
-  m.motors[1].drive.signal.law = model::Moves{0, {{0, -1000, 0.2, true}}};
-  analysis::TransientOptions options;
+  m.motors[0].drive.kind = machine::DriveKind::speed;
+  m.motors[0].drive.signal.law = machine::Moves{0, {{0, 2, 0.2, true}}};
+  m.motors[1].drive.kind = machine::DriveKind::torque;
+  m.motors[1].drive.signal.law = machine::Moves{0, {{0, -1000, 0.2, true}}};
+  solve::TransientOptions options;
   options.duration = 2;
   options.output_step = 2;
-  options.start = analysis::Start::assembled;
+  options.start = solve::Start::assembled;
   options.tolerance = 1e-3;
   double difference = 0, steps = 0;
   for (auto _ : state) {
@@ -237,8 +237,8 @@ void belt(benchmark::State& state) {
 
 /// The boom of Reutov (2021) with pads, ropes, cylinder, tackle and load at 52 degrees, extending by 0.4 m/s.
 constexpr double boom_lasts = 32.8;
-analysis::TransientResult extension(double tolerance) {
-  analysis::TransientOptions options;
+solve::TransientResult extension(double tolerance) {
+  solve::TransientOptions options;
   options.duration = boom_lasts;
   options.output_step = 0.1;
   options.tolerance = tolerance;

@@ -26,27 +26,27 @@ double rope_length() {
 }
 
 /// The line with its carriage in one span.
-model::Model line(int loaded) {
-  model::Model m;
-  model::Body car;
+machine::Model line(int loaded) {
+  machine::Model m;
+  machine::Body car;
   car.name = "car";
   car.position = (support(loaded) + support(loaded + 1)) / 2 - Vector3(0, 0, 6);
   car.mass = mass;
   car.free = {{Vector3::UnitX(), Vector3::Zero()}, {Vector3::UnitZ(), Vector3::Zero()}};
   m.bodies.push_back(car);
-  model::Reeving sky;
+  machine::Reeving sky;
   sky.name = "skyline";
   sky.weight = weight;
   sky.stiffness = stiffness;
   sky.value = rope_length();
   for (int i = 0; i <= spans; ++i) {
-    model::Node node;
+    machine::Node node;
     node.at.at = support(i);
-    node.kind = i > 0 && i < spans ? model::NodeKind::contact : model::NodeKind::anchor;
+    node.kind = i > 0 && i < spans ? machine::NodeKind::contact : machine::NodeKind::anchor;
     sky.nodes.push_back(node);
     if (i != loaded) continue;
-    model::Node wheel;
-    wheel.kind = model::NodeKind::contact;
+    machine::Node wheel;
+    wheel.kind = machine::NodeKind::contact;
     wheel.at.body = 0;
     sky.nodes.push_back(wheel);
   }
@@ -207,17 +207,17 @@ struct Tally {
 };
 
 void six_span_line(benchmark::State& state) {
-  std::vector<model::Model> lines;
+  std::vector<machine::Model> lines;
   lines.reserve(spans);
   for (int k = 0; k < spans; ++k) lines.push_back(line(k));
   Tally tally;
   for (auto _ : state) {
     double all_six = 0;
     for (int k = 0; k < spans; ++k) {
-      analysis::EquilibriumOptions options;
-      options.prescribed = analysis::Prescribed{0, 150.0 * k + 75};
+      solve::EquilibriumOptions options;
+      options.prescribed = machine::Prescribed{0, 150.0 * k + 75};
       auto start = std::chrono::steady_clock::now();
-      const auto ours = analysis::equilibrium(lines[static_cast<std::size_t>(k)], options);
+      const auto ours = solve::equilibrium(lines[static_cast<std::size_t>(k)], options);
       const double took = seconds_since(start);
       tally.ours += took;
       all_six += took;
@@ -239,15 +239,15 @@ void six_span_line(benchmark::State& state) {
 }
 
 void load_path_100(benchmark::State& state) {
-  const model::Model m = line(2);
-  analysis::LoadPathOptions options;
+  const machine::Model m = line(2);
+  study::LoadPathOptions options;
   options.from = 305;
   options.to = 445;
   options.steps = 99;
   Tally tally;
   for (auto _ : state) {
     auto start = std::chrono::steady_clock::now();
-    const auto path = analysis::load_path(m, options);
+    const auto path = study::load_path(m, options);
     const double took = seconds_since(start);
     tally.ours += took;
     state.SetIterationTime(took);

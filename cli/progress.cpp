@@ -34,7 +34,7 @@ void take_interrupts() {
   std::signal(SIGTERM, on_interrupt);  // a cluster that takes its time back asks so
 }
 
-bool ProgressLine::operator()(const app::Progress& progress) {
+bool ProgressLine::operator()(const taut::Progress& progress) {
   const Clock::time_point now = Clock::now();
   if (a_calculation_asks == 0) {
     a_calculation_asks = 1;

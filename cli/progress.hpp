@@ -14,7 +14,7 @@ void take_interrupts();
 class ProgressLine {
  public:
   explicit ProgressLine(bool shown) : shown_(shown) {}  ///< `shown`: false keeps it silent
-  bool operator()(const app::Progress& progress);
+  bool operator()(const taut::Progress& progress);
   void clear();  ///< takes the line away again
 
  private:

@@ -79,7 +79,7 @@ tl::expected<void, app::FileError> usable_folder(const RunOptions& options) {
 Result calculated(app::Job& job, const RunOptions& options, Result (*how)(const app::Job&) = app::run) {
   ProgressLine line(!options.quiet && isatty(STDERR_FILENO) != 0);
   job.set = options.set;
-  job.progress = [&line](const app::Progress& progress) { return line(progress); };
+  job.progress = [&line](const taut::Progress& progress) { return line(progress); };
   Result result = how(job);
   line.clear();
   return result;

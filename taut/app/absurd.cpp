@@ -53,43 +53,45 @@ void add_unused(const Mentions& all, const char* list, const char* kind, const c
   }
 }
 
-using NodePlaces = std::vector<const model::Node*>;
+using NodePlaces = std::vector<const machine::Node*>;
 
-bool rests(const model::Model& model, const model::Node& node) {
-  if (node.at.body == model::ground) return true;
-  const model::Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
+bool rests(const machine::Model& model, const machine::Node& node) {
+  if (node.at.body == machine::ground) return true;
+  const machine::Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
   return body.free.empty() && body.driven.empty();
 }
 
-bool on_carriage(const model::Model& model, const model::Node& node) {
+bool on_carriage(const machine::Model& model, const machine::Node& node) {
   return std::any_of(model.carriages.begin(), model.carriages.end(),
-                     [&](const model::Carriage& car) { return car.body == node.at.body; });
+                     [&](const machine::Carriage& car) { return car.body == node.at.body; });
 }
 
 /// The nodes of a rope but those that run along it.
-NodePlaces stops_of_rope(const model::Model& model, const model::Reeving& rope) {
+NodePlaces stops_of_rope(const machine::Model& model, const machine::Reeving& rope) {
   NodePlaces stops;
-  for (const model::Node& node : rope.nodes) {
+  for (const machine::Node& node : rope.nodes) {
     const bool end = &node == &rope.nodes.front() || &node == &rope.nodes.back();
-    const bool runs = node.kind == model::NodeKind::load || (on_carriage(model, node) && !end);
+    const bool runs = node.kind == machine::NodeKind::load || (on_carriage(model, node) && !end);
     if (!runs) stops.push_back(&node);
   }
   return stops;
 }
 
-rope::Round round_of(const model::State& state, const model::Node& node) {
-  const Vector3 centre = model::in_ground(state, node.at);
+rope::Round round_of(const machine::State& state, const machine::Node& node) {
+  const Vector3 centre = machine::in_ground(state, node.at);
   if (node.radius == 0) return rope::point(centre);
-  const bool moves = node.at.body != model::ground;
+  const bool moves = node.at.body != machine::ground;
   const Vector3 axis =
       moves ? Vector3(state.bodies[static_cast<std::size_t>(node.at.body)].orientation * node.axis) : node.axis;
   return rope::sheave(centre, axis, node.radius, node.side);
 }
 
 /// The straight way of a rope with ends, arcs counted, m; empty where it depends on the answer.
-std::optional<double> straight_way(const model::Model& model, const model::State& state, const model::Reeving& rope) {
+std::optional<double> straight_way(const machine::Model& model, const machine::State& state,
+                                   const machine::Reeving& rope) {
   const NodePlaces stops = stops_of_rope(model, rope);
-  if (!std::all_of(stops.begin(), stops.end(), [&](const model::Node* node) { return rests(model, *node); })) return {};
+  if (!std::all_of(stops.begin(), stops.end(), [&](const machine::Node* node) { return rests(model, *node); }))
+    return {};
   double way = 0;
   std::optional<rope::TangentLine> last;
   for (std::size_t k = 1; k < stops.size(); ++k) {
@@ -106,10 +108,10 @@ std::optional<double> straight_way(const model::Model& model, const model::State
   return way;
 }
 
-void add_short_ropes(const model::Model& model, std::vector<std::string>& warnings) {
-  const model::State state = model::initial_state(model);
-  for (const model::Reeving& rope : model.reevings) {
-    if (rope.closed || rope.put_up || rope.given != model::Given::length || std::isinf(rope.stiffness)) continue;
+void add_short_ropes(const machine::Model& model, std::vector<std::string>& warnings) {
+  const machine::State state = machine::initial_state(model);
+  for (const machine::Reeving& rope : model.reevings) {
+    if (rope.closed || rope.put_up || rope.given != machine::Given::length || std::isinf(rope.stiffness)) continue;
     const auto way = straight_way(model, state, rope);
     const double length = rope.value * (1 + rope.thermal_strain);
     if (!way || !(length < *way)) continue;
@@ -122,23 +124,23 @@ void add_short_ropes(const model::Model& model, std::vector<std::string>& warnin
 }
 
 /// A rope that lies in the plane z = 0 without a round that lies there too.
-bool lies_flat(const model::Model& model, const model::State& state, const model::Reeving& rope) {
+bool lies_flat(const machine::Model& model, const machine::State& state, const machine::Reeving& rope) {
   std::vector<double> y;
-  for (const model::Node* node : stops_of_rope(model, rope)) {
+  for (const machine::Node* node : stops_of_rope(model, rope)) {
     if (node->radius > 0 && std::abs(round_of(state, *node).axis.z()) > M_SQRT1_2) return false;
     if (!rests(model, *node)) continue;
-    const Vector3 place = model::in_ground(state, node->at);
+    const Vector3 place = machine::in_ground(state, node->at);
     if (place.z() != 0) return false;
     y.push_back(place.y());
   }
   return y.size() >= 2 && std::any_of(y.begin(), y.end(), [&](double one) { return one != y.front(); });
 }
 
-void add_flat_ropes(const model::Model& model, std::vector<std::string>& warnings) {
+void add_flat_ropes(const machine::Model& model, std::vector<std::string>& warnings) {
   if (model.gravity == 0) return;
-  const model::State state = model::initial_state(model);
+  const machine::State state = machine::initial_state(model);
   std::string names;
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     if (lies_flat(model, state, rope)) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", rope.name);
   }
   if (names.empty()) return;
@@ -152,38 +154,38 @@ struct DeepSag {
   std::string rope, from, to, state;
 };
 
-void note(DeepSag& worst, double sag, double span, const model::Reeving& rope, const model::Node& from,
-          const model::Node& to, const std::string& state) {
+void note(DeepSag& worst, double sag, double span, const machine::Reeving& rope, const machine::Node& from,
+          const machine::Node& to, const std::string& state) {
   if (!(span > 0) || !(sag > worst.share * span)) return;
   worst = {sag / span, sag, span, rope.name, from.name, to.name, state};
 }
 
-void note_spans(const Answer& answer, DeepSag& worst) {
-  for (const analysis::SpanResult& span : answer.result->spans) {
-    const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
+void note_spans(const results::Answer& answer, DeepSag& worst) {
+  for (const solve::SpanResult& span : answer.result->spans) {
+    const machine::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
     note(worst, span.sag, span.chord, rope, rope.nodes[static_cast<std::size_t>(span.from)],
          rope.nodes[static_cast<std::size_t>(span.to)], answer.words);
   }
 }
 
 /// Carriages below the line between the stops of their rope.
-void note_carriages(const Answer& answer, DeepSag& worst) {
-  const model::State& state = answer.result->state;
-  for (const model::Carriage& car : answer.model->carriages) {
-    const model::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(car.reeving)];
+void note_carriages(const results::Answer& answer, DeepSag& worst) {
+  const machine::State& state = answer.result->state;
+  for (const machine::Carriage& car : answer.model->carriages) {
+    const machine::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(car.reeving)];
     const int count = static_cast<int>(rope.nodes.size());
-    const auto next = [&](int step) -> const model::Node* {
+    const auto next = [&](int step) -> const machine::Node* {
       for (int k = 1; k < count; ++k) {
         const int n = car.node + k * step;
         if (!rope.closed && (n < 0 || n >= count)) return nullptr;
-        const model::Node& node = rope.nodes[static_cast<std::size_t>((n + count) % count)];
+        const machine::Node& node = rope.nodes[static_cast<std::size_t>((n + count) % count)];
         if (!on_carriage(*answer.model, node)) return rests(*answer.model, node) ? &node : nullptr;
       }
       return nullptr;
     };
-    const model::Node *before = next(-1), *after = next(1);
+    const machine::Node *before = next(-1), *after = next(1);
     if (before == nullptr || after == nullptr) continue;
-    const Vector3 from = model::in_ground(state, before->at), chord = model::in_ground(state, after->at) - from;
+    const Vector3 from = machine::in_ground(state, before->at), chord = machine::in_ground(state, after->at) - from;
     const Vector3 place = state.bodies[static_cast<std::size_t>(car.body)].position - from;
     const double level = chord.head<2>().norm();
     if (!(level > 0)) continue;
@@ -194,10 +196,10 @@ void note_carriages(const Answer& answer, DeepSag& worst) {
 
 }  // namespace
 
-std::vector<std::string> absurd_machine(const MachineDeck& deck, const model::Model& model) {
+std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::Model& model) {
   std::vector<std::string> warnings;
   const Mentions all(deck);
-  const model::Machine& m = deck.machine;
+  const machine::Machine& m = deck.machine;
   add_unused(all, "sheaves", "sheave", "touches no rope", m.sheaves, warnings);
   add_unused(all, "supports", "support", "touches no rope", m.supports, warnings);
   add_unused(all, "drums", "drum", "has no rope", m.drums, warnings);
@@ -209,9 +211,9 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const model::Mo
   return warnings;
 }
 
-std::vector<std::string> absurd_answers(const std::vector<Answer>& answers) {
+std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answers) {
   DeepSag worst;
-  for (const Answer& answer : answers) {
+  for (const results::Answer& answer : answers) {
     note_spans(answer, worst);
     note_carriages(answer, worst);
   }

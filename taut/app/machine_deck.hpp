@@ -16,15 +16,15 @@ namespace taut::app {
 
 /// A deck with `machine:`, `analyses:` and `checks:`. Without analyses: the equilibrium at rest.
 struct MachineDeck {
-  model::Machine machine;
-  std::vector<AnalysisRequest> analyses;
-  std::optional<ChecksRequest> checks;
-  std::optional<DesignRequest> design;
+  machine::Machine machine;
+  std::vector<study::AnalysisRequest> analyses;
+  std::optional<checks::ChecksRequest> checks;
+  std::optional<design::DesignRequest> design;
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.
-  operator CheckedDeck() const { return {machine, analyses, checks, chosen}; }
+  operator checks::CheckedDeck() const { return {machine, analyses, checks, chosen}; }
 };
 
 }  // namespace taut::app

@@ -6,7 +6,7 @@ namespace taut::app {
 
 std::vector<Complaint> not_computed(const MachineDeck& deck) {
   std::vector<Complaint> all;
-  const model::Machine& m = deck.machine;
+  const machine::Machine& m = deck.machine;
   const bool moves =
       !deck.analyses.empty() && std::all_of(deck.analyses.begin(), deck.analyses.end(),
                                             [](const auto& one) { return one.transient || one.pretension; });

@@ -13,14 +13,14 @@
 namespace taut::app {
 namespace {
 
-using analysis::EquilibriumResult;
-using analysis::SpanResult;
+using solve::EquilibriumResult;
+using solve::SpanResult;
 
 /// The answer with the largest tension.
-Answer governing(const MachineRun& run) {
-  Answer worst;
+results::Answer governing(const results::MachineRun& run) {
+  results::Answer worst;
   double T_max = -1;
-  for (const Answer& one : answers_of(run)) {
+  for (const results::Answer& one : results::answers_of(run)) {
     for (const auto& rope : one.result->ropes) {
       if (rope.T_max <= T_max) continue;
       T_max = rope.T_max;
@@ -35,7 +35,7 @@ Answer governing(const MachineRun& run) {
 constexpr double same_tension = 1e-6;
 
 /// The elastic catenary of one span from its start on.
-void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& span) {
+void write_span(Sheet<Num>& s, const machine::Reeving& rope, const solve::SpanResult& span) {
   const std::string catenary = "Irvine 1981, elastic catenary";
   // a running rope's shape knows the tension less c (docs/theory/drives.md)
   const double above = span.T_from - std::hypot(span.H, span.V_from);
@@ -67,21 +67,21 @@ void write_span(Sheet<Num>& s, const model::Reeving& rope, const SpanResult& spa
 }
 
 /// The factor by which a contact at its limit raises the tension.
-double limit_of(const model::Node& node, double wrap) {
+double limit_of(const machine::Node& node, double wrap) {
   const double bearing = node.law.efficiency > 0 ? 1 / node.law.efficiency : HUGE_VAL;
   return std::min(bearing, std::exp(node.law.friction * wrap));
 }
 
-bool at_limit(const model::Node& node, const analysis::ContactResult& c) {
+bool at_limit(const machine::Node& node, const solve::ContactResult& c) {
   const double low = std::min(c.T_in, c.T_out);
   const double high = std::max(c.T_in, c.T_out);
   const double limit = limit_of(node, c.wrap);
-  return node.kind == model::NodeKind::contact && low > 0 && limit > 1 &&
+  return node.kind == machine::NodeKind::contact && low > 0 && limit > 1 &&
          std::abs(high - low * limit) <= same_tension * high;
 }
 
 /// The tension law at such a contact, from the smaller tension to the larger one.
-void write_contact(Sheet<Num>& s, const model::Node& node, const analysis::ContactResult& c) {
+void write_contact(Sheet<Num>& s, const machine::Node& node, const solve::ContactResult& c) {
   const bool grows = c.T_out >= c.T_in;
   const Num low = s.named(grows ? "T_in" : "T_out", si::N, grows ? c.T_in : c.T_out);
   const std::string high = grows ? "T_out" : "T_in";
@@ -96,20 +96,20 @@ void write_contact(Sheet<Num>& s, const model::Node& node, const analysis::Conta
 }
 
 /// The span with the largest tension, and the contacts at their limits.
-void write_ropes(Sheet<Num>& s, const Answer& state) {
-  const EquilibriumResult& e = *state.result;
+void write_ropes(Sheet<Num>& s, const results::Answer& state) {
+  const solve::EquilibriumResult& e = *state.result;
   const auto worst =
       std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
-  const SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
-  const model::Reeving& rope = state.model->reevings[static_cast<std::size_t>(span.reeving)];
+  const solve::SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
+  const machine::Reeving& rope = state.model->reevings[static_cast<std::size_t>(span.reeving)];
   const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
   s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
                         name(span.to), state.words));
   write_span(s, rope, span);
   std::set<std::string> written;
   for (const auto& c : e.contacts) {
-    const model::Reeving& own = state.model->reevings[static_cast<std::size_t>(c.reeving)];
-    const model::Node& node = own.nodes[static_cast<std::size_t>(c.node)];
+    const machine::Reeving& own = state.model->reevings[static_cast<std::size_t>(c.reeving)];
+    const machine::Node& node = own.nodes[static_cast<std::size_t>(c.node)];
     if (!at_limit(node, c) || !written.insert(node.name).second) continue;
     if (written.size() == 1) s.section(fmt::format("Losses where a rope runs over something ({})", state.words));
     write_contact(s, node, c);
@@ -118,11 +118,11 @@ void write_ropes(Sheet<Num>& s, const Answer& state) {
 
 }  // namespace
 
-void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r) {
+void add_steps(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
   Sheet<Num> s("statics", MachineDeck::describe(), &deck);
-  const Answer state = governing(run);
+  const results::Answer state = governing(run);
   if (state.result != nullptr) write_ropes(s, state);
-  write_beams(s, run);
+  results::write_beams(s, run);
   s.move_to(r);
 }
 

@@ -6,6 +6,6 @@ namespace taut::app {
 
 /// The laws of the answer written once with their numbers: the span with the largest tension of all analyses as an
 /// elastic catenary, the loss at each contact that turns or slips in that state, the rope's safety factor.
-void add_steps(const MachineDeck& deck, const MachineRun& run, Result& r);
+void add_steps(const MachineDeck& deck, const results::MachineRun& run, Result& r);
 
 }  // namespace taut::app

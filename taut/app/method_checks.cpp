@@ -133,13 +133,13 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& /*in*/, const 
   return all;
 }
 
-std::vector<Complaint> method_check_complaints(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
-                                               const std::string& method) {
+std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
+                                               const std::vector<rope::RopeUse>& ropes, const std::string& method) {
   std::vector<Complaint> complaints;
   std::vector<std::string> known;
   known.reserve(ropes.size());
   for (const rope::RopeUse& use : ropes) known.push_back(use.name);
-  for (const RopeCheckRequest& one : request.ropes) {
+  for (const checks::RopeCheckRequest& one : request.ropes) {
     const std::string path = fmt::format("checks.ropes.{}", one.name);
     const auto use = std::find_if(ropes.begin(), ropes.end(), [&](const auto& u) { return u.name == one.name; });
     if (use == ropes.end()) {
@@ -148,11 +148,11 @@ std::vector<Complaint> method_check_complaints(const ChecksRequest& request, con
                                : fmt::format("the method has no rope '{}': {}", one.name, fmt::join(known, ", "))});
       continue;
     }
-    const catalogue::RopeRow rope = with_request(use->rope, one);
-    rope_rules(one, rope, path, complaints);
-    complain_of_life(one, rope, {}, path, complaints);
+    const catalogue::RopeRow rope = checks::with_request(use->rope, one);
+    checks::rope_rules(one, rope, path, complaints);
+    checks::complain_of_life(one, rope, {}, path, complaints);
   }
-  complain_of_method_masts(request.masts, method, complaints);
+  checks::complain_of_method_masts(request.masts, method, complaints);
   const auto refuse = [&](const auto& all, const char* key) {
     if (!all.empty())
       complaints.push_back({fmt::format("checks.{}", key), "a published method has none: describe a machine"});
@@ -163,17 +163,17 @@ std::vector<Complaint> method_check_complaints(const ChecksRequest& request, con
   return complaints;
 }
 
-void add_method_checks(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r) {
+void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r) {
   if (r.status != Status::ok) return;
-  for (const RopeCheckRequest& one : request.ropes) {
+  for (const checks::RopeCheckRequest& one : request.ropes) {
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
-      use.rope = with_request(std::move(use.rope), one);
+      use.rope = checks::with_request(std::move(use.rope), one);
       std::vector<Complaint> told_before;
-      add_checks_of(one, use, rope_rules(one, use.rope, {}, told_before), r);
+      checks::add_checks_of(one, use, checks::rope_rules(one, use.rope, {}, told_before), r);
     }
   }
-  add_method_masts(request.masts, r);
+  checks::add_method_masts(request.masts, r);
   // a rope whose strength `checks` judges is judged
   for (const rope::RopeUse& use : ropes) {
     const bool judged = std::any_of(r.checks.begin(), r.checks.end(),
@@ -181,7 +181,7 @@ void add_method_checks(const ChecksRequest& request, const std::vector<rope::Rop
     if (judged)
       std::erase_if(r.unjudged, [&](const auto& part) { return part == use.name || part == use.name + " rope"; });
   }
-  finish_checks(request, r);
+  checks::finish_checks(request, r);
 }
 
 }  // namespace taut::app

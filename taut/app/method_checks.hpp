@@ -28,10 +28,10 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
 std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r);
 
 /// Complaints of a method's checks, at paths below "checks".
-std::vector<Complaint> method_check_complaints(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
-                                               const std::string& method);
+std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
+                                               const std::vector<rope::RopeUse>& ropes, const std::string& method);
 
 /// Adds the checks of the ropes, groups all, and refuses what rests on unverified numbers where the deck says so.
-void add_method_checks(const ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r);
+void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r);
 
 }  // namespace taut::app

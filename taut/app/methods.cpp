@@ -33,8 +33,8 @@ std::string_view example_of(const std::string& method) {
 
 /// The blocks of a deck beside its input.
 struct MethodBlocks {
-  std::optional<ChecksRequest> checks;
-  std::optional<DesignRequest> design;
+  std::optional<checks::ChecksRequest> checks;
+  std::optional<design::DesignRequest> design;
   static const Description& describe() {
     static const Description d = Describe<MethodBlocks>()
                                      .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
@@ -97,7 +97,7 @@ std::shared_ptr<MethodCopy> copy_of(const MethodDeck<Input>& deck) {
   const auto copy = std::make_shared<MethodCopy>();
   const MethodDesign<Input>& d = deck.way.design;
   copy->parameter = [own](const std::string& path) {
-    return find_parameter(Input::describe(), &own->in, path.starts_with("input.") ? path.substr(6) : path);
+    return study::find_parameter(Input::describe(), &own->in, path.starts_with("input.") ? path.substr(6) : path);
   };
   if (d.put_rope != nullptr) {
     copy->put_rope = [own](const std::string& name, const catalogue::RopeRow& row, double modulus) {
@@ -150,17 +150,17 @@ std::function<Result()> prepare_method(const MethodWay<Input>& way, const io::No
     if (mistakes.size() > before) return {};
     return [deck] { return deck->calculate(); };
   }
-  const DesignRequest& design = *deck->blocks.design;
+  const design::DesignRequest& design = *deck->blocks.design;
   const CopyMethod copy = [deck] { return copy_of(*deck); };
-  DesignSpace space = method_space(*others, design, *copy(), mistakes);
+  design::DesignSpace space = method_space(*others, design, *copy(), mistakes);
   if (mistakes.size() > before) return {};
   // what is free is read as the first of its candidates
   const auto first = copy();
-  put_design(*first, space, first_place(space));
+  put_design(*first, space, design::first_place(space));
   first->complain(node, others, mistakes);
   if (mistakes.size() > before) return {};
-  const DesignTask task = method_task(design, std::move(space), copy, progress);
-  return [task] { return run_design(task); };
+  const design::DesignTask task = method_task(design, std::move(space), copy, progress);
+  return [task] { return design::run_design(task); };
 }
 
 template <class Input, class Output>

@@ -43,13 +43,13 @@ namespace {
 void load_restarts(const io::Node& input, MachineDeck& deck, Diagnostics& mistakes) {
   for (std::size_t i = 0; i < deck.analyses.size(); ++i) {
     if (!deck.analyses[i].transient || !deck.analyses[i].transient->restart) continue;
-    TransientRequest& request = *deck.analyses[i].transient;
+    study::TransientRequest& request = *deck.analyses[i].transient;
     const io::Node& node = *io::follow(input, fmt::format("analyses[{}].transient.restart", i)).node;
     if (auto file = io::read_named(node, *request.restart, mistakes)) request.state = std::move(file->text);
   }
 }
 
-void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& mistakes) {
+void load_terrain(const io::Node& input, machine::Machine& machine, Diagnostics& mistakes) {
   if (!machine.terrain || !machine.terrain->file) return;
   const io::Node& node = *io::follow(input, "machine.terrain.file").node;
   auto& terrain = *machine.terrain;
@@ -67,26 +67,26 @@ void load_terrain(const io::Node& input, model::Machine& machine, Diagnostics& m
 /// What the analyses of a deck ask for, with names resolved.
 class Requests {
  public:
-  Requests(const MachineDeck& deck, const model::Model& model)
+  Requests(const MachineDeck& deck, const machine::Model& model)
       : deck_(deck), model_(model), names_{deck.machine, deck.analyses, model, complaints, {}} {}
 
-  MachineRun resolve() {
-    MachineRun run;
+  results::MachineRun resolve() {
+    results::MachineRun run;
     run.model = model_;
-    std::vector<AnalysisRequest> all = deck_.analyses;
+    std::vector<study::AnalysisRequest> all = deck_.analyses;
     if (all.empty()) all.emplace_back().equilibrium.emplace();
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::string path = fmt::format("analyses[{}]", i);
       if (all[i].equilibrium) add(run, *all[i].equilibrium, path + ".equilibrium");
       if (all[i].load_path) add(run, *all[i].load_path, path + ".load_path");
-      add(run, prepare_payload, all[i].payload, path + ".payload");
-      add(run, prepare_installation, all[i].installation, path + ".installation");
-      add(run, prepare_cycle, all[i].cycle, path + ".cycle");
-      add(run, prepare_envelope, all[i].envelope, path + ".envelope");
-      add(run, prepare_sweep, all[i].sweep, path + ".sweep");
-      add(run, prepare_transient, all[i].transient, path + ".transient");
-      add(run, prepare_pretension, all[i].pretension, path + ".pretension");
-      add(run, prepare_modes, all[i].modes, path + ".modes");
+      add(run, results::prepare_payload, all[i].payload, path + ".payload");
+      add(run, results::prepare_installation, all[i].installation, path + ".installation");
+      add(run, results::prepare_cycle, all[i].cycle, path + ".cycle");
+      add(run, results::prepare_envelope, all[i].envelope, path + ".envelope");
+      add(run, results::prepare_sweep, all[i].sweep, path + ".sweep");
+      add(run, results::prepare_transient, all[i].transient, path + ".transient");
+      add(run, results::prepare_pretension, all[i].pretension, path + ".pretension");
+      add(run, results::prepare_modes, all[i].modes, path + ".modes");
     }
     check_clamps(run);
     return run;
@@ -104,16 +104,17 @@ class Requests {
   }
 
   template <class Request>
-  void add(MachineRun& run, Analysis (*prepare)(const Request&, const std::string&, Preparation&),
+  void add(results::MachineRun& run,
+           results::Analysis (*prepare)(const Request&, const std::string&, results::Preparation&),
            const std::optional<Request>& request, const std::string& path) {
     if (!request) return;
-    Analysis analysis = prepare(*request, path, names_);
+    results::Analysis analysis = prepare(*request, path, names_);
     if (judged(request->judge, path)) {
       run.more.push_back(std::move(analysis));
       return;
     }
     const std::string name = request->name.value_or(path.substr(path.rfind('.') + 1));
-    run.more.push_back([analysis = std::move(analysis), name](MachineRun& machine, Result& r) {
+    run.more.push_back([analysis = std::move(analysis), name](results::MachineRun& machine, Result& r) {
       machine.checked->judged = false;
       analysis(machine, r);
       machine.checked->judged = true;
@@ -121,15 +122,15 @@ class Requests {
     });
   }
 
-  void add(MachineRun& run, const EquilibriumRequest& request, const std::string& path) {
-    EquilibriumRun one;
+  void add(results::MachineRun& run, const study::EquilibriumRequest& request, const std::string& path) {
+    results::EquilibriumRun one;
     one.judged = judged(request.judge, path);
-    one.ending = ending_of(names_, "equilibrium", request.name, path);
-    one.words = app::words_of(request.motion);
+    one.ending = results::ending_of(names_, "equilibrium", request.name, path);
+    one.words = study::words_of(request.motion);
     one.motion = request.motion;
-    options_of(request.motion, model_, path + ".motion", complaints);
+    study::options_of(request.motion, model_, path + ".motion", complaints);
     one.held = request.held;
-    one.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names_);
+    one.prescribed = results::prescribed_of(request.carriage, request.x, request.along, path, names_);
     if (request.z && !request.x) complaints.push_back({path, "'z' needs 'carriage' and 'x'"});
     if (one.prescribed) one.prescribed->z = request.z;
     if (request.z && request.given) {
@@ -137,38 +138,39 @@ class Requests {
           {path + ".given", "'z' is in place of what the rope has given already; give one of the two"});
     }
     const int placed = one.prescribed ? one.prescribed->carriage : -1;
-    if (request.given) one.given = condition_of(*request.given, placed, path + ".given", names_);
+    if (request.given) one.given = results::condition_of(*request.given, placed, path + ".given", names_);
     run.equilibria.push_back(std::move(one));
   }
 
-  void add(MachineRun& run, const LoadPathRequest& request, const std::string& path) {
-    LoadPathRun one;
+  void add(results::MachineRun& run, const study::LoadPathRequest& request, const std::string& path) {
+    results::LoadPathRun one;
     one.judged = judged(request.judge, path);
-    one.ending = ending_of(names_, "load_path", request.name, path);
-    one.words = app::words_of(request.motion);
+    one.ending = results::ending_of(names_, "load_path", request.name, path);
+    one.words = study::words_of(request.motion);
     one.motion = request.motion;
-    options_of(request.motion, model_, path + ".motion", complaints);
-    one.carriage = carriage_of(names_, request.carriage, path + ".carriage");
-    check_hold(model_, one.carriage, complaints);
-    one.along = direction_of(request.along, path + ".along", complaints);
+    study::options_of(request.motion, model_, path + ".motion", complaints);
+    one.carriage = results::carriage_of(names_, request.carriage, path + ".carriage");
+    study::check_hold(model_, one.carriage, complaints);
+    one.along = study::direction_of(request.along, path + ".along", complaints);
     one.from = request.from;
     one.to = request.to;
     one.steps = request.steps;
     one.held = request.held;
-    if (request.given) one.given = condition_of(*request.given, one.carriage, path + ".given", names_);
+    if (request.given) one.given = results::condition_of(*request.given, one.carriage, path + ".given", names_);
     if (request.from == request.to) complaints.push_back({path + ".to", "is the same place as 'from'"});
     run.paths.push_back(std::move(one));
   }
 
   /// A carriage that is clamped or fixed needs to know where.
-  void check_clamps(const MachineRun& run) {
+  void check_clamps(const results::MachineRun& run) {
     for (std::size_t i = 0; i < deck_.machine.carriages.size(); ++i) {
       const auto& given = deck_.machine.carriages[i];
-      const bool clamped = given.hold == model::description::Hold::clamped;
+      const bool clamped = given.hold == machine::description::Hold::clamped;
       if ((!clamped && !given.fixed_to) || given.length_before) continue;
-      const bool placed = std::all_of(run.equilibria.begin(), run.equilibria.end(), [&](const EquilibriumRun& one) {
-        return one.prescribed && one.prescribed->carriage == static_cast<int>(i);
-      });
+      const bool placed =
+          std::all_of(run.equilibria.begin(), run.equilibria.end(), [&](const results::EquilibriumRun& one) {
+            return one.prescribed && one.prescribed->carriage == static_cast<int>(i);
+          });
       if (placed) continue;
       complaints.push_back(
           {fmt::format("machine.carriages.{}", given.name),
@@ -178,36 +180,36 @@ class Requests {
   }
 
   const MachineDeck& deck_;
-  const model::Model& model_;
-  Preparation names_;
+  const machine::Model& model_;
+  results::Preparation names_;
 };
 
-void solve(const model::Model& model, EquilibriumRun& one) {
+void solve(const machine::Model& model, results::EquilibriumRun& one) {
   one.model = one.prescribed
-                  ? model::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x, one.prescribed->along)
+                  ? machine::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x, one.prescribed->along)
                   : model;
   std::vector<Complaint> told_before;
-  analysis::EquilibriumOptions options = options_of(one.motion, one.model, {}, told_before);
+  solve::EquilibriumOptions options = study::options_of(one.motion, one.model, {}, told_before);
   options.prescribed = one.prescribed;
   options.held = one.held;
   if (one.given) {
-    auto found = analysis::equilibrium_under(one.model, *one.given, options);
+    auto found = solve::equilibrium_under(one.model, *one.given, options);
     one.model = std::move(found.model);
     one.result = std::move(found.result);
   } else {
-    one.result = analysis::equilibrium(one.model, options);
+    one.result = solve::equilibrium(one.model, options);
   }
 }
 
 /// The load path span by span; positions on a support stay without an answer.
-void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
-  const Way way{one.carriage, one.from, one.to, one.steps, one.along};
-  for (WayPart& place : parts_of(model, way)) {
+void solve(const machine::Model& model, results::LoadPathRun& one, study::Watch& watch) {
+  const study::Way way{one.carriage, one.from, one.to, one.steps, one.along};
+  for (study::WayPart& place : study::parts_of(model, way)) {
     if (watch.ended()) return;
-    LoadPathPart part;
+    results::LoadPathPart part;
     part.model = std::move(place.model);
     if (place.support != nullptr) {
-      analysis::LoadPathPoint point;
+      study::LoadPathPoint point;
       point.x = way.x(place.first);
       point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", place.support->name));
       part.result.points.push_back(std::move(point));
@@ -215,27 +217,27 @@ void solve(const model::Model& model, LoadPathRun& one, Watch& watch) {
       continue;
     }
     std::vector<Complaint> told_before;
-    analysis::LoadPathOptions options;
+    study::LoadPathOptions options;
     options.carriage = one.carriage;
     options.from = way.x(place.first);
     options.to = way.x(place.last);
     options.steps = std::max(1, place.last - place.first);
     options.along = one.along;
-    options.equilibrium = options_of(one.motion, part.model, {}, told_before);
+    options.equilibrium = study::options_of(one.motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.equilibrium.held = one.held;
     options.condition = one.given;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
-    part.result = analysis::load_path(part.model, options);
+    part.result = study::load_path(part.model, options);
     if (part.result.points.empty()) return;
     if (place.last == place.first) part.result.points.resize(1);
     one.parts.push_back(std::move(part));
   }
 }
 
-void note_missing(const LoadPathRun& one, Result& r) {
-  Missing missing;
-  for (const LoadPathPart& part : one.parts) {
+void note_missing(const results::LoadPathRun& one, Result& r) {
+  results::Missing missing;
+  for (const results::LoadPathPart& part : one.parts) {
     const auto& first = part.result.points.front();
     if (part.result.outcome.ok() && !first.at.outcome.ok()) {
       r.warnings.push_back(fmt::format("load path, x = {:.6g} m: {}: left out", first.x, first.at.outcome.message));
@@ -247,40 +249,41 @@ void note_missing(const LoadPathRun& one, Result& r) {
 }
 
 /// Ropes that can't all run as they are declared to.
-void warn_of_senses(const model::Machine& machine, const model::Model& model, const LoadPathRun& one, Result& r) {
-  RopeSenses senses(winches_of(model, machine, one.carriage));
-  for (const LoadPathPart& part : one.parts) senses.take(part.model, part.result.points);
-  if (const auto contrary = contrary_senses(senses.all())) {
+void warn_of_senses(const machine::Machine& machine, const machine::Model& model, const results::LoadPathRun& one,
+                    Result& r) {
+  checks::RopeSenses senses(checks::winches_of(model, machine, one.carriage));
+  for (const results::LoadPathPart& part : one.parts) senses.take(part.model, part.result.points);
+  if (const auto contrary = checks::contrary_senses(senses.all())) {
     warn_unsafe(r, fmt::format("load path, {}: {}", one.words, *contrary));
   }
 }
 
 /// Equilibria and load paths.
-void solve_states(const MachineDeck& deck, MachineRun& run, Result& r) {
-  for (EquilibriumRun& one : run.equilibria) {
+void solve_states(const MachineDeck& deck, results::MachineRun& run, Result& r) {
+  for (results::EquilibriumRun& one : run.equilibria) {
     solve(run.model, one);
-    note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
+    results::note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
   }
-  for (LoadPathRun& one : run.paths) {
+  for (results::LoadPathRun& one : run.paths) {
     if (r.interrupted) break;
-    Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
+    study::Watch watch(run.progress, "load path" + one.ending, one.steps + 1);
     solve(run.model, one, watch);
     note_missing(one, r);
     warn_of_senses(deck.machine, run.model, one, r);
     watch.note(r);
   }
-  for (const EquilibriumRun& one : run.equilibria) {
-    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "equilibrium"));
+  for (const results::EquilibriumRun& one : run.equilibria) {
+    if (!one.judged) r.left_out.push_back(checks::analysis_words(one.ending, "equilibrium"));
   }
-  for (const LoadPathRun& one : run.paths) {
-    if (!one.judged) r.left_out.push_back(analysis_words(one.ending, "load path"));
+  for (const results::LoadPathRun& one : run.paths) {
+    if (!one.judged) r.left_out.push_back(checks::analysis_words(one.ending, "load path"));
   }
 }
 
 /// All other analyses. What they find comes behind the tables and values of the states that they leave.
-Result solve_more(MachineRun& run, Result& r) {
+Result solve_more(results::MachineRun& run, Result& r) {
   Result more;
-  for (const Analysis& one : run.more) {
+  for (const results::Analysis& one : run.more) {
     if (r.interrupted || more.interrupted) break;
     one(run, more);
   }
@@ -293,53 +296,54 @@ Result solve_more(MachineRun& run, Result& r) {
 }
 
 /// `checks_only`: without what nothing but a report needs.
-Result compute(const MachineDeck& deck, MachineRun run, const std::function<bool(const Progress&)>& progress,
+Result compute(const MachineDeck& deck, results::MachineRun run, const std::function<bool(const Progress&)>& progress,
                bool checks_only = false) {
   run.progress = progress;
   Result r;
   r.method_title = "Machine";
   if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
-  if (!checks_only) r.assumptions = assumptions_of(deck.machine);
+  if (!checks_only) r.assumptions = results::assumptions_of(deck.machine);
   if (!checks_only) r.warnings = absurd_machine(deck, run.model);
-  add_rope_stiffness(deck.machine, r);
+  results::add_rope_stiffness(deck.machine, r);
   if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
-  note_failure(r, install_guys(deck.machine, run.model), "installation");
+  results::note_failure(r, results::install_guys(deck.machine, run.model), "installation");
   if (r.status != Status::ok) return r;
-  std::vector<analysis::PutUpLine> lines;
-  note_failure(r, put_up_lines(run.model, lines), "installation");
+  std::vector<study::PutUpLine> lines;
+  results::note_failure(r, results::put_up_lines(run.model, lines), "installation");
   if (r.status != Status::ok) return r;
-  for (std::string& text : held_tension_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
+  for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
+    r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
-  run.checked = std::make_shared<CheckedParts>(deck, run.model);
-  show_put_up(run.model, lines, *run.checked);
-  show_answers(run, *run.checked);
+  run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
+  results::show_put_up(run.model, lines, *run.checked);
+  results::show_answers(run, *run.checked);
   Result more = solve_more(run, r);
-  add_tables(run, r);
-  add_beam_tables(run, r);
+  results::add_tables(run, r);
+  results::add_beam_tables(run, r);
   run.checked->judge.add_values(r);
-  add_values(run, r);
+  results::add_values(run, r);
   run.checked->drives.add_checks(r);
-  warn_of_friction(run.model, r);
-  add_put_up(run.model, lines, r);
-  add_beam_values(deck.machine, run, r);
+  results::warn_of_friction(run.model, r);
+  results::add_put_up(run.model, lines, r);
+  results::add_beam_values(deck.machine, run, r);
   if (!checks_only) {
     add_steps(deck, run, r);
-    add_figures(run, r);
-    add_beam_plots(run, r);
-    add_scenes(run, r);
+    results::add_figures(run, r);
+    results::add_beam_plots(run, r);
+    results::add_scenes(run, r);
   }
-  append(more, r);
+  results::append(more, r);
   if (!checks_only) {
-    for (std::string& words : absurd_answers(answers_of(run))) r.warnings.push_back(std::move(words));
+    for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }
-  add_checks(deck, run.model, *run.checked, r);
+  checks::add_checks(deck, run.model, *run.checked, r);
   return r;
 }
 
 /// A deck whose mistakes are told already, with other numbers than it was read with. One of which a state is missing
 /// can't be judged: it is no choice.
 Result compute_again(const MachineDeck& deck, bool checks_only, const std::function<bool(const Progress&)>& progress) {
-  auto model = model::compile(deck.machine);
+  auto model = machine::compile(deck.machine);
   if (!model) {
     Result r;
     r.status = Status::infeasible;
@@ -361,7 +365,7 @@ Result compute_again(const MachineDeck& deck, bool checks_only, const std::funct
 bool all_parts_known(const io::Node& input) {
   const io::Node* machine = input.find("machine");
   if (machine == nullptr) return false;
-  const Description& known = model::Machine::describe();
+  const Description& known = machine::Machine::describe();
   return std::all_of(machine->entries.begin(), machine->entries.end(),
                      [&](const io::Entry& e) { return known.find(e.key) != nullptr; });
 }
@@ -381,17 +385,18 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   load_terrain(input, deck->machine, mistakes);
   load_restarts(input, *deck, mistakes);
   if (!readable || mistakes.size() > before) {
-    if (all_parts_known(input)) place_in_machine(input, model::unknown_names(deck->machine), mistakes);
+    if (all_parts_known(input)) place_in_machine(input, machine::unknown_names(deck->machine), mistakes);
     return {};
   }
-  DesignSpace space;
+  design::DesignSpace space;
   if (deck->design) {
     space = machine_space(input, *deck, mistakes);
     if (mistakes.size() > before) return {};
   }
   // what is free is read as the first of its candidates
-  const auto first = deck->design ? std::make_shared<MachineDeck>(with_design(*deck, space, first_place(space))) : deck;
-  auto model = model::compile(first->machine);
+  const auto first =
+      deck->design ? std::make_shared<MachineDeck>(with_design(*deck, space, design::first_place(space))) : deck;
+  auto model = machine::compile(first->machine);
   if (!model) {
     place_in_machine(input, model.error(), mistakes);
     return {};
@@ -400,19 +405,19 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     io::place(input, missing, mistakes);
     return {};
   }
-  if (const auto wrong = check_complaints(*first, *model); !wrong.empty()) {
+  if (const auto wrong = checks::check_complaints(*first, *model); !wrong.empty()) {
     io::place(input, wrong, mistakes);
     return {};
   }
   Requests requests(*first, *model);
-  const auto run = std::make_shared<MachineRun>(requests.resolve());
+  const auto run = std::make_shared<results::MachineRun>(requests.resolve());
   if (!requests.complaints.empty()) {
     io::place(input, requests.complaints, mistakes);
     return {};
   }
   if (deck->design) {
-    const DesignTask task = machine_task(deck, std::move(space), compute_again, std::move(progress));
-    return [task] { return run_design(task); };
+    const design::DesignTask task = machine_task(deck, std::move(space), compute_again, std::move(progress));
+    return [task] { return design::run_design(task); };
   }
   return [first, run, progress = std::move(progress)] { return compute(*first, *run, progress); };
 }

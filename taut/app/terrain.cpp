@@ -73,7 +73,7 @@ TerrainColumns columns_by_count(const std::vector<std::string_view>& cells) {
 
 class TerrainReader {
  public:
-  TerrainReader(const std::string& file, model::description::Terrain& terrain, Diagnostics& mistakes)
+  TerrainReader(const std::string& file, machine::description::Terrain& terrain, Diagnostics& mistakes)
       : file_(file), terrain_(terrain), mistakes_(mistakes), before_(mistakes.size()) {}
 
   void read(std::string_view csv) {
@@ -131,7 +131,7 @@ class TerrainReader {
   }
 
   const std::string& file_;
-  model::description::Terrain& terrain_;
+  machine::description::Terrain& terrain_;
   Diagnostics& mistakes_;
   std::size_t before_;
   std::string_view line_;
@@ -141,13 +141,13 @@ class TerrainReader {
 
 }  // namespace
 
-void read_terrain(std::string_view csv, const std::string& file, model::description::Terrain& terrain,
+void read_terrain(std::string_view csv, const std::string& file, machine::description::Terrain& terrain,
                   Diagnostics& mistakes) {
   TerrainReader(file, terrain, mistakes).read(csv);
 }
 
-std::optional<std::string> terrain_warning(const model::Model& model) {
-  const model::OffLine& off = model.terrain_off_line;
+std::optional<std::string> terrain_warning(const machine::Model& model) {
+  const machine::OffLine& off = model.terrain_off_line;
   if (off.rows == 0) return std::nullopt;
   return fmt::format(
       "terrain: {} of the {} rows of the survey {} off the line by more than the corridor, row {} the most, by {:.3g} "

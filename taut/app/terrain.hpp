@@ -14,10 +14,10 @@ namespace taut::app {
 /// station for the x of a profile): x, y and z of a survey, else x and z of a profile; the others are left alone.
 /// Without names two columns are a profile, three a survey. Empty lines and lines that begin with # are skipped.
 /// Mistakes: no such column, a cell that is no number, x of a profile that does not grow, fewer than two points.
-void read_terrain(std::string_view csv, const std::string& file, model::description::Terrain& terrain,
+void read_terrain(std::string_view csv, const std::string& file, machine::description::Terrain& terrain,
                   Diagnostics& mistakes);
 
 /// Of rows of a survey that lie far off the line.
-std::optional<std::string> terrain_warning(const model::Model& model);
+std::optional<std::string> terrain_warning(const machine::Model& model);
 
 }  // namespace taut::app

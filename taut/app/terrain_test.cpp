@@ -10,7 +10,7 @@ TEST(Terrain, ReadsTheColumnsThatItNeeds) {
   for (const char* text :
        {"x,z\n0,1\n2.5,-3\n", "\xEF\xBB\xBFname;z [m];x [m]\r\na;1;0\r\n# half way\r\nb;-3;2.5\r\n\r\n",
         "\"x_m\"\t\"z_m\"\n0\t1\n2.5\t-3"}) {
-    model::description::Terrain terrain;
+    machine::description::Terrain terrain;
     Diagnostics mistakes;
     read_terrain(text, "p.csv", terrain, mistakes);
     EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
@@ -33,7 +33,7 @@ TEST(Terrain, KnowsTheColumnsByTheirNamesElseByTheirCount) {
       {"z,x,point,y\n1,7,a,5\n-3,2,b,8\n", {7, 2}, {5, 8}, {1, -3}},
   };
   for (const Row& row : rows) {
-    model::description::Terrain terrain;
+    machine::description::Terrain terrain;
     Diagnostics mistakes;
     read_terrain(row.text, "p.csv", terrain, mistakes);
     EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
@@ -57,7 +57,7 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
       {"x,z\n1,2\n1,3\n", "p.csv:3:1: error: x has to grow"},
   };
   for (const auto& [text, expected] : rows) {
-    model::description::Terrain terrain;
+    machine::description::Terrain terrain;
     Diagnostics mistakes;
     read_terrain(text, "p.csv", terrain, mistakes);
     EXPECT_NE(to_text(mistakes).find(expected), std::string::npos) << text << "\n" << to_text(mistakes);

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace taut::app {
+namespace taut {
 
 /// How far a long calculation is.
 struct Progress {
@@ -10,4 +10,4 @@ struct Progress {
   std::string words;  ///< "t = 1.2 s of 10 s"
 };
 
-}  // namespace taut::app
+}  // namespace taut

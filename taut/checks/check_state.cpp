@@ -8,10 +8,10 @@
 #include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-Vector3 level_way(const analysis::SpanResult& span) {
+Vector3 level_way(const solve::SpanResult& span) {
   Vector3 along(span.end.x() - span.start.x(), span.end.y() - span.start.y(), 0);
   if (along.norm() > 0) along.normalize();
   return along;
@@ -32,7 +32,7 @@ Vector3 weight_across(const Vector3& along, double weight) {
 }
 
 /// Adds a branch in motion; the segments of one branch become one.
-void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving& rope, bool heavy,
+void add_branch(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, bool heavy,
                 std::vector<CheckBranch>& all) {
   const Vector3 way = b.end - b.start;
   const double length = way.norm();
@@ -62,31 +62,31 @@ void add_branch(const analysis::TransientFrame::Branch& b, const model::Reeving&
 
 }  // namespace
 
-CheckState state_of(const model::Model& model, const analysis::EquilibriumResult& state, std::string words,
+CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,
                     std::string analysis) {
   CheckState all;
   all.model = &model;
   all.words = std::move(words);
   all.analysis = std::move(analysis);
   all.rest = &state;
-  for (const analysis::SpanResult& s : state.spans) {
+  for (const solve::SpanResult& s : state.spans) {
     const Vector3 along = level_way(s);
     all.branches.push_back({s.reeving, s.from, s.to, std::max({s.T_from, s.T_to, s.T_from_max, s.T_to_max}),
                             (s.T_from + s.T_to) / 2, s.chord, s.unstretched, s.start, s.end,
                             up_to(s.T_from_max, s.T_from) * (s.H * along + s.V_from * up()),
                             -up_to(s.T_to_max, s.T_to) * (s.H * along + s.V_to * up())});
   }
-  for (const analysis::ContactResult& c : state.contacts) {
-    const bool lifts = c.state == analysis::ContactState::lifted || c.state == analysis::ContactState::pulled;
-    const model::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
-    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, model::in_ground(state.state, place), c.force});
+  for (const solve::ContactResult& c : state.contacts) {
+    const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
+    const machine::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, machine::in_ground(state.state, place), c.force});
   }
   return all;
 }
 
-CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
+CheckState state_of(const machine::Model& model, const solve::TransientResult& motion, std::size_t frame,
                     std::string words, std::string analysis) {
-  const analysis::TransientFrame& f = motion.frames[frame];
+  const solve::TransientFrame& f = motion.frames[frame];
   CheckState all;
   all.model = &model;
   all.words = std::move(words);
@@ -98,10 +98,10 @@ CheckState state_of(const model::Model& model, const analysis::TransientResult& 
     add_branch(b, model.reevings[rope], heavy, all.branches);
   }
   for (const auto& c : f.contacts) {
-    const bool lifts = c.state == analysis::ContactState::lifted || c.state == analysis::ContactState::pulled;
-    const model::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
+    const machine::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
     Vector3 middle = place.at;
-    if (place.body != model::ground) {
+    if (place.body != machine::ground) {
       const auto& body = f.bodies[at(place.body)];
       middle = body.position + body.orientation * place.at;
     }
@@ -110,7 +110,7 @@ CheckState state_of(const model::Model& model, const analysis::TransientResult& 
   return all;
 }
 
-std::string gap_words(const std::string& what, const analysis::TerrainGap& gap) {
+std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
   return fmt::format(
       "{}: its clearance is not judged on {:.4g} m, where there is no terrain ({:.4g} m before its first place, {:.4g} "
       "m "
@@ -127,4 +127,4 @@ std::string analysis_words(const std::string& ending, const char* kind) {
   return ending.size() < 2 ? std::string(kind) : fmt::format("{} {}", kind, ending.substr(1));
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -7,7 +7,7 @@
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// A free branch of a rope.
 struct CheckBranch {
@@ -30,25 +30,25 @@ struct CheckContact {
 
 /// One state of a machine as the checks of its parts see it: an equilibrium, or a moment of a calculated motion.
 struct CheckState {
-  const model::Model* model = nullptr;
+  const machine::Model* model = nullptr;
   std::vector<CheckBranch> branches;
   std::vector<CheckContact> contacts;
-  const analysis::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
+  const solve::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
   bool moves = false;
   std::string words;     ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
   std::string analysis;  ///< its name in the deck, or its kind
 };
 
-CheckState state_of(const model::Model& model, const analysis::EquilibriumResult& state, std::string words,
+CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,
                     std::string analysis);
 
 /// At an output step. A branch that is straight there has half of its weight hanging at each of its ends
 /// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
-CheckState state_of(const model::Model& model, const analysis::TransientResult& motion, std::size_t frame,
+CheckState state_of(const machine::Model& model, const solve::TransientResult& motion, std::size_t frame,
                     std::string words, std::string analysis);
 
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
-std::string gap_words(const std::string& what, const analysis::TerrainGap& gap);
+std::string gap_words(const std::string& what, const study::TerrainGap& gap);
 
 /// The name of an analysis by the ending of its tables: "_drop" is "drop"; "" and "_2" have no name of their own, but
 /// `kind`.
@@ -57,4 +57,4 @@ std::string analysis_name(const std::string& ending, const char* kind);
 /// The same for people: "drop"; "load path", "load path 2".
 std::string analysis_words(const std::string& ending, const char* kind);
 
-}  // namespace taut::app
+}  // namespace taut::checks

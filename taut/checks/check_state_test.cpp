@@ -6,14 +6,14 @@
 
 #include "test/support/machines.hpp"
 
-namespace taut::app::check_state_test {
+namespace taut::checks::check_state_test {
 
 using taut_test::anchor;
 using taut_test::anchor_on;
 
 /// Two slanting ropes that hold a load between them; the second in segments.
-model::Model hanging(int segments) {
-  model::Model m;
+machine::Model hanging(int segments) {
+  machine::Model m;
   m.bodies.push_back(taut_test::body("load", {10, 0, -6}, 400, "xz"));
   m.reevings.push_back(taut_test::reeve("left", {anchor("a", {0, 0, 0}), anchor_on("load", 0)}, 11.6, 30, 2e6));
   m.reevings.push_back(taut_test::reeve("right", {anchor_on("load", 0), anchor("b", {25, 0, 3})}, 17.4, 30, 2e6));
@@ -22,7 +22,7 @@ model::Model hanging(int segments) {
 }
 
 /// What hangs on both ends of each rope is its weight, in a motion as at rest.
-void expect_weights(const CheckState& s, const model::Model& m) {
+void expect_weights(const CheckState& s, const machine::Model& m) {
   ASSERT_EQ(s.branches.size(), 2U);
   for (const CheckBranch& b : s.branches) {
     const double weight = m.reevings[static_cast<std::size_t>(b.reeving)].weight * b.unstretched;
@@ -34,16 +34,16 @@ void expect_weights(const CheckState& s, const model::Model& m) {
 }
 
 TEST(CheckState, pulls_at_rest_and_in_motion) {
-  const model::Model m = hanging(1);
-  const auto rest = analysis::equilibrium(m);
+  const machine::Model m = hanging(1);
+  const auto rest = solve::equilibrium(m);
   ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
   const CheckState at_rest = state_of(m, rest, "at rest", "equilibrium");
   expect_weights(at_rest, m);
   EXPECT_FALSE(at_rest.moves);
-  analysis::TransientOptions o;
+  solve::TransientOptions o;
   o.duration = 0.01;
   o.output_step = 0.01;
-  const auto motion = analysis::transient(m, o);
+  const auto motion = solve::transient(m, o);
   ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
   const CheckState moving = state_of(m, motion, 0, "t", "drop");
   expect_weights(moving, m);
@@ -55,11 +55,11 @@ TEST(CheckState, pulls_at_rest_and_in_motion) {
 }
 
 TEST(CheckState, segments_are_one_branch) {
-  const model::Model m = hanging(6);
-  analysis::TransientOptions o;
+  const machine::Model m = hanging(6);
+  solve::TransientOptions o;
   o.duration = 0.01;
   o.output_step = 0.01;
-  const auto motion = analysis::transient(m, o);
+  const auto motion = solve::transient(m, o);
   ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
   const CheckState s = state_of(m, motion, 0, "t", "drop");
   ASSERT_EQ(s.branches.size(), 2U);
@@ -80,4 +80,4 @@ TEST(CheckState, names_of_analyses) {
   EXPECT_EQ(analysis_words("_work", "load path"), "work");
 }
 
-}  // namespace taut::app::check_state_test
+}  // namespace taut::checks::check_state_test

@@ -9,14 +9,14 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/requests/machine_analyses.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What a deck says of a machine and of its checks. The deck outlives it.
 struct CheckedDeck {
-  const model::Machine& machine;
-  const std::vector<AnalysisRequest>& analyses;
+  const machine::Machine& machine;
+  const std::vector<study::AnalysisRequest>& analyses;
   const std::optional<ChecksRequest>& checks;
   const std::map<std::string, catalogue::RopeRow>& chosen;  ///< rows of the ropes that a design has put in
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

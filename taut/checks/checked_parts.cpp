@@ -7,9 +7,9 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
-CheckedParts::CheckedParts(const CheckedDeck& given, const model::Model& model)
+CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
     : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
@@ -18,7 +18,7 @@ CheckedParts::CheckedParts(const CheckedDeck& given, const model::Model& model)
   masts = mast_states(given.checks->masts, given, model);
 }
 
-void CheckedParts::take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
+void CheckedParts::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                         const std::string& analysis) {
   if (!judged) return;
   judge.take(model, state, words);
@@ -26,52 +26,52 @@ void CheckedParts::take(const model::Model& model, const analysis::EquilibriumRe
   drives.take(model, state, words);
   if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
   const CheckState seen = state_of(model, state, words, analysis);
-  for (GuyStates& one : guys) app::take(seen, one);
-  for (AnchorStates& one : anchors) app::take(seen, one);
-  for (LineStates& one : lines) app::take(seen, one);
-  for (MastStates& one : masts) app::take(seen, *deck, one);
+  for (GuyStates& one : guys) checks::take(seen, one);
+  for (AnchorStates& one : anchors) checks::take(seen, one);
+  for (LineStates& one : lines) checks::take(seen, one);
+  for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
-void CheckedParts::take_empty(const model::Model& model, const analysis::EquilibriumResult& state,
+void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words) {
   if (!judged) return;
   judge.take_ropes(model, state, words);
   ropes.take_tensions(model, state, words);
   const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
-                                 [&](const model::Reeving& one) { return one.name == line; });
+                                 [&](const machine::Reeving& one) { return one.name == line; });
   if (lines.empty() || rope == model.reevings.end()) return;
   const CheckState seen = state_of(model, state, words, "installation");
   for (LineStates& one : lines) {
     if (one.request->name != line) continue;
     const int own = one.reeving;
     one.reeving = static_cast<int>(rope - model.reevings.begin());
-    app::take(seen, one);
+    checks::take(seen, one);
     one.reeving = own;
   }
 }
 
-void CheckedParts::take_moment(const model::Model& model, const analysis::TransientResult& so_far,
+void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,
                                const std::string& words, const std::string& analysis) {
   if (!judged) return;
   judge.take_moment(model, so_far, words);
   if (anchors.empty() && lines.empty() && masts.empty()) return;
   const CheckState seen = state_of(model, so_far, so_far.frames.size() - 1,
                                    fmt::format("{}, t = {:.4g} s", words, so_far.frames.back().t), analysis);
-  for (AnchorStates& one : anchors) app::take(seen, one);
-  for (LineStates& one : lines) app::take(seen, one);
-  for (MastStates& one : masts) app::take(seen, *deck, one);
+  for (AnchorStates& one : anchors) checks::take(seen, one);
+  for (LineStates& one : lines) checks::take(seen, one);
+  for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
-void CheckedParts::take_rest(const model::Model& model, const analysis::TransientFrame& rest, bool rope_mass,
+void CheckedParts::take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
                              const std::string& words, const std::string& analysis) {
   if (!judged) return;
-  analysis::TransientResult still;
+  solve::TransientResult still;
   still.frames.push_back(rest);
   still.mass_lumped.assign(model.reevings.size(), rope_mass);
   still.ropes.resize(model.reevings.size());
-  for (analysis::RopeExtreme& rope : still.ropes) rope.T.min = std::numeric_limits<double>::infinity();
-  for (const analysis::TransientFrame::Branch& branch : rest.branches) {
-    analysis::RopeExtreme& rope = still.ropes[at(branch.reeving)];
+  for (solve::RopeExtreme& rope : still.ropes) rope.T.min = std::numeric_limits<double>::infinity();
+  for (const solve::TransientFrame::Branch& branch : rest.branches) {
+    solve::RopeExtreme& rope = still.ropes[at(branch.reeving)];
     rope.T_static = rope.T.max = std::max({rope.T.max, branch.T_from, branch.T_to});
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
   }
@@ -80,14 +80,14 @@ void CheckedParts::take_rest(const model::Model& model, const analysis::Transien
   judge.take_rest(model, still, words);
 }
 
-void CheckedParts::take(const model::Model& model, const analysis::TransientResult& motion,
-                        const std::vector<TransientRecord::Slip>& slips, const std::string& words) {
+void CheckedParts::take(const machine::Model& model, const solve::TransientResult& motion,
+                        const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
   if (!judged) return;
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
   drives.take(model, motion.frames.front(), slips, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
-    const analysis::RopeExtreme& e = motion.ropes[i];
+    const solve::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e.T_static, e.T.max, e.T.t_max, words);
   }
   if (guys.empty()) return;
@@ -95,4 +95,4 @@ void CheckedParts::take(const model::Model& model, const analysis::TransientResu
   for (GuyStates& one : guys) take_motion(begins, motion, words, one);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -10,28 +10,28 @@
 #include "taut/checks/mast/machine_masts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What verdict and checks keep of every state of every judged analysis: all positions, sweep values, temperatures,
 /// times. The deck outlives it.
 struct CheckedParts {
-  CheckedParts(const CheckedDeck& given, const model::Model& model);
+  CheckedParts(const CheckedDeck& given, const machine::Model& model);
 
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
-  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words,
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
   /// A line as it is put up, empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
-  void take_empty(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& line,
+  void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words);
   /// A motion at an output step, the last frame of the result so far: forces and places.
-  void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words,
+  void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words,
                    const std::string& analysis);
   /// The place of rest about which a machine vibrates. `rope_mass`: whether the mass of its ropes is counted.
-  void take_rest(const model::Model& model, const analysis::TransientFrame& rest, bool rope_mass,
+  void take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
                  const std::string& words, const std::string& analysis);
   /// A motion as a whole: tensions at all its steps, and how far its ropes slipped.
-  void take(const model::Model& model, const analysis::TransientResult& motion,
-            const std::vector<TransientRecord::Slip>& slips, const std::string& words);
+  void take(const machine::Model& model, const solve::TransientResult& motion,
+            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
   std::shared_ptr<const CheckedDeck> deck;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
@@ -44,4 +44,4 @@ struct CheckedParts {
   std::vector<MastStates> masts;
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -9,7 +9,7 @@
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::checked_parts_test {
+namespace taut::checks::checked_parts_test {
 
 using taut_test::cell;
 using taut_test::check_of;
@@ -111,7 +111,7 @@ TEST(CheckedParts, the_same_machine_written_otherwise) {
 
 /// The yarder of the examples with its analyses in another block.
 std::string yarder(const std::string& analyses) {
-  const auto job = read_job((taut_test::source_dir() / "examples/design/yarder_mast.yaml").string());
+  const auto job = app::read_job((taut_test::source_dir() / "examples/design/yarder_mast.yaml").string());
   EXPECT_TRUE(job.has_value());
   std::string text = job->text;
   const auto from = text.find("  - load_path:");
@@ -151,4 +151,4 @@ TEST(CheckedParts, the_plate_of_a_spar) {
   EXPECT_NEAR(check_of(r, "mast.guy_strength_by_plate").value, 226e3, 1e3);
 }
 
-}  // namespace taut::app::checked_parts_test
+}  // namespace taut::checks::checked_parts_test

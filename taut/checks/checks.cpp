@@ -8,7 +8,7 @@
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 /// The part that a check belongs to by its name, "skyline" of "skyline.T_max", where that is a part of the machine.
@@ -20,13 +20,13 @@ std::string part_of(const std::string& name, const std::vector<std::string>& par
   return longest;
 }
 
-std::vector<std::string> parts_of(const model::Model& model) {
+std::vector<std::string> parts_of(const machine::Model& model) {
   std::vector<std::string> parts;
   parts.reserve(model.reevings.size() + model.beams.size() + model.drums.size() + model.motors.size());
-  for (const model::Reeving& one : model.reevings) parts.push_back(one.name);
-  for (const model::Beam& one : model.beams) parts.push_back(one.name);
-  for (const model::Drum& one : model.drums) parts.push_back(one.name);
-  for (const model::Motor& one : model.motors) parts.push_back(one.name);
+  for (const machine::Reeving& one : model.reevings) parts.push_back(one.name);
+  for (const machine::Beam& one : model.beams) parts.push_back(one.name);
+  for (const machine::Drum& one : model.drums) parts.push_back(one.name);
+  for (const machine::Motor& one : model.motors) parts.push_back(one.name);
   return parts;
 }
 
@@ -66,7 +66,7 @@ void finish_checks(const ChecksRequest& request, Result& r) {
   r.checks = grouped(std::move(r.checks));
 }
 
-std::vector<Complaint> check_complaints(const CheckedDeck& deck, const model::Model& model) {
+std::vector<Complaint> check_complaints(const CheckedDeck& deck, const machine::Model& model) {
   std::vector<Complaint> complaints;
   if (!deck.checks) return complaints;
   complain_of_ropes(*deck.checks, deck, model, complaints);
@@ -77,7 +77,7 @@ std::vector<Complaint> check_complaints(const CheckedDeck& deck, const model::Mo
   return complaints;
 }
 
-void add_checks(const CheckedDeck& deck, const model::Model& model, const CheckedParts& seen, Result& r) {
+void add_checks(const CheckedDeck& deck, const machine::Model& model, const CheckedParts& seen, Result& r) {
   if (deck.checks) {
     add_rope_checks(*deck.checks, deck, model, seen.ropes.all(), r);
     add_machine_masts(seen.masts, deck, model, r);
@@ -93,4 +93,4 @@ void add_checks(const CheckedDeck& deck, const model::Model& model, const Checke
   seen.judge.add_scope(r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -1,6 +1,6 @@
 #include "taut/checks/checks_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 const Description& ChecksRequest::describe() {
   static const Description d =
@@ -24,4 +24,4 @@ const Description& ChecksRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -6,7 +6,7 @@
 #include "taut/checks/mast/mast_checks_deck.hpp"
 #include "taut/checks/rope/rope_checks_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// The block `checks:` of a deck: which parts are checked by which rules. A kind of parts is a member here, with its
 /// fields and its checks in files of its own (checks.hpp).
@@ -22,4 +22,4 @@ struct ChecksRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

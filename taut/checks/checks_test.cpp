@@ -10,7 +10,7 @@
 #include "test/support/guyed_decks.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::checks_test {
+namespace taut::checks::checks_test {
 
 using taut_test::check_of;
 using taut_test::guyed;
@@ -64,4 +64,4 @@ TEST(Checks, refused_and_confirmed_in_a_deck) {
   EXPECT_TRUE(check_of(confirmed, "mast.buckling").passes);
 }
 
-}  // namespace taut::app::checks_test
+}  // namespace taut::checks::checks_test

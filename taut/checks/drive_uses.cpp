@@ -8,7 +8,7 @@
 #include "taut/math/index.hpp"
 #include "taut/solve/drives.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 /// Of the way of a rim: below, a rope creeps on it as in every start, above it slips.
@@ -16,16 +16,17 @@ constexpr double least_slip = 0.01;
 
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
 /// A signal is no limit: it changes.
-bool is_limit(const model::Model& m, const model::Reeving& r) {
+bool is_limit(const machine::Model& m, const machine::Reeving& r) {
   const int motor = r.nodes.front().motor;
   if (motor < 0 || !m.motors[at(motor)].drive.signal.name.empty()) return false;
-  const bool open = std::any_of(r.nodes.begin(), r.nodes.end(),
-                                [](const model::Node& n) { return n.kind == model::NodeKind::load && n.load.open; });
-  return r.closed && r.given == model::Given::length && r.nodes.front().tension_drop && !open;
+  const bool open = std::any_of(r.nodes.begin(), r.nodes.end(), [](const machine::Node& n) {
+    return n.kind == machine::NodeKind::load && n.load.open;
+  });
+  return r.closed && r.given == machine::Given::length && r.nodes.front().tension_drop && !open;
 }
 
-void check_drive(const model::Model& m, const analysis::DriveResult& d, std::vector<Check>& made) {
-  const model::Node& own = m.reevings[at(d.reeving)].nodes[at(d.node)];
+void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made) {
+  const machine::Node& own = m.reevings[at(d.reeving)].nodes[at(d.node)];
   if (std::isfinite(own.law.friction)) {
     made.push_back(make_check(own.name + ".grip", d.ratio, Sense::at_most, d.limit, si::one,
                               d.centrifugal > 0
@@ -39,11 +40,11 @@ void check_drive(const model::Model& m, const analysis::DriveResult& d, std::vec
                             "the motor's torque", "user"));
 }
 
-void check_drum(const model::Model& m, const analysis::DrumResult& d, std::vector<Check>& made) {
-  const model::Drum& drum = m.drums[at(d.drum)];
+void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
+  const machine::Drum& drum = m.drums[at(d.drum)];
   const std::string& name = drum.name;
-  if (drum.drive.kind == model::DriveKind::torque && drum.drive.signal.name.empty()) {
-    const double most = model::at(drum.drive.signal, 0).value;
+  if (drum.drive.kind == machine::DriveKind::torque && drum.drive.signal.name.empty()) {
+    const double most = machine::at(drum.drive.signal, 0).value;
     // the rope's tension follows from it, or it is a limit
     if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
       made.push_back(
@@ -62,10 +63,10 @@ void check_drum(const model::Model& m, const analysis::DrumResult& d, std::vecto
 
 }  // namespace
 
-void DriveUses::take(const model::Model& m, const analysis::EquilibriumResult& state, const std::string& words) {
+void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
-  for (const auto& d : analysis::drives(m, state)) check_drive(m, d, made);
-  for (const auto& d : analysis::drums(m, state)) check_drum(m, d, made);
+  for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
+  for (const auto& d : solve::drums(m, state)) check_drum(m, d, made);
   for (Check& check : made) {
     check.where = words;
     const auto known = worst_.find(check.name);
@@ -77,10 +78,10 @@ void DriveUses::take(const model::Model& m, const analysis::EquilibriumResult& s
   }
 }
 
-void DriveUses::take(const model::Model& m, const analysis::TransientFrame& first,
-                     const std::vector<TransientRecord::Slip>& slips, const std::string& words) {
+void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first,
+                     const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
   for (std::size_t c = 0; c < slips.size(); ++c) {
-    const model::Node& node = m.reevings[at(first.contacts[c].reeving)].nodes[at(first.contacts[c].node)];
+    const machine::Node& node = m.reevings[at(first.contacts[c].reeving)].nodes[at(first.contacts[c].node)];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
     if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
     slips_[node.name] = {share, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
@@ -95,4 +96,4 @@ void DriveUses::add_checks(Result& r) const {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

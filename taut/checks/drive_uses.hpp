@@ -6,7 +6,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "taut/study/transient_record.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What the driven sheaves and drums of a machine have to bear, over all states that are shown to it: whether friction
 /// holds the rope, whether a motor's torque is enough where it is a limit, whether the drum takes its rope.
@@ -14,10 +14,10 @@ namespace taut::app {
 class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
-  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of a motion: how far the rope slips on each contact. `first`: its first frame.
-  void take(const model::Model& model, const analysis::TransientFrame& first,
-            const std::vector<TransientRecord::Slip>& slips, const std::string& words);
+  void take(const machine::Model& model, const solve::TransientFrame& first,
+            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
   /// Each check at its worst; a rope that slips in a motion is an unsafe warning.
   void add_checks(Result& r) const;
@@ -31,4 +31,4 @@ class DriveUses {
   std::map<std::string, Slip> slips_;  // the largest of each sheave
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

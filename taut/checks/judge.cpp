@@ -12,23 +12,23 @@
 #include "taut/study/load_path.hpp"
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
 constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
-using analysis::ContactState;
+using solve::ContactState;
 
 /// "skyline between head and car".
-std::string between(const model::Model& m, const analysis::SpanResult& span) {
-  const model::Reeving& rope = m.reevings[at(span.reeving)];
+std::string between(const machine::Model& m, const solve::SpanResult& span) {
+  const machine::Reeving& rope = m.reevings[at(span.reeving)];
   return fmt::format("{} between {} and {}", rope.name, rope.nodes[at(span.from)].name, rope.nodes[at(span.to)].name);
 }
 
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
-std::string too_short(const model::Model& m, const analysis::EquilibriumResult& e, std::size_t reeving) {
+std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving) {
   if (m.reevings[reeving].closed) return {};
   const auto own = [&](const auto& s) { return at(s.reeving) == reeving; };
   const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
@@ -41,13 +41,13 @@ std::string too_short(const model::Model& m, const analysis::EquilibriumResult& 
 }
 
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
-std::string beside_its_span(const model::Model& m, const analysis::EquilibriumResult& e, const model::Carriage& car) {
+std::string beside_its_span(const machine::Model& m, const solve::EquilibriumResult& e, const machine::Carriage& car) {
   const auto& nodes = m.reevings[at(car.reeving)].nodes;
   const auto n = static_cast<std::size_t>(car.node);
   const std::size_t after = n + static_cast<std::size_t>(car.rollers);
   if (n == 0 || after >= nodes.size()) return {};
-  const Vector3 before = model::in_ground(e.state, nodes[n - 1].at);
-  Vector3 way = model::in_ground(e.state, nodes[after].at) - before;
+  const Vector3 before = machine::in_ground(e.state, nodes[n - 1].at);
+  Vector3 way = machine::in_ground(e.state, nodes[after].at) - before;
   way.z() = 0;
   const Vector3& place = e.state.bodies[at(car.body)].position;
   const double passed = (place - before).dot(way);
@@ -57,7 +57,7 @@ std::string beside_its_span(const model::Model& m, const analysis::EquilibriumRe
 }
 
 /// Angle by which a body is turned from where the deck has it, rad.
-double turned_by(const model::Model& m, const analysis::EquilibriumResult& e, std::size_t body) {
+double turned_by(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t body) {
   const double trace = (e.state.bodies[body].orientation * m.bodies[body].orientation.transpose()).trace();
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
 }
@@ -83,7 +83,7 @@ void WorstOf::take(double x, const std::string& words, bool least) {
   when = words;
 }
 
-Judge::Judge(const CheckedDeck& deck, const model::Model& model)
+Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
     : deck_(std::make_shared<const CheckedDeck>(deck)), model_(&model), beams_(model.beams.size()) {}
 
 void Judge::warn(const std::string& once, const std::string& text, bool unsafe) {
@@ -97,23 +97,23 @@ void Judge::take_height(const std::string& part, const std::string& words, doubl
   if (height < worst.value) worst = {height, x, words, where};
 }
 
-void Judge::take_heights(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   if (m.terrain.empty()) return;
-  for (const model::Carriage& car : m.carriages) {
+  for (const machine::Carriage& car : m.carriages) {
     const Vector3& p = e.state.bodies[at(car.body)].position;
     const double x = terrain_x(m, p);
-    take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x, words, carriages_);
+    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, words, carriages_);
   }
-  for (const analysis::SpanResult& span : e.spans) {
-    const analysis::RopeClearance own = analysis::rope_clearance(m, span);
+  for (const solve::SpanResult& span : e.spans) {
+    const study::RopeClearance own = study::rope_clearance(m, span);
     const std::string& rope = m.reevings[at(span.reeving)].name;
     take_height(rope, between(m, span), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
 }
 
-void Judge::take_beams(const analysis::EquilibriumResult& e, const std::string& words) {
+void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& words) {
   for (std::size_t i = 0; i < std::min(e.beams.size(), beams_.size()); ++i) {
-    const analysis::BeamResult& b = e.beams[i];
+    const solve::BeamResult& b = e.beams[i];
     BeamWorst& worst = beams_[i];
     const bool buckles = std::isfinite(b.critical_factor);
     worst.M.take(b.points[b.most_bent].M, words);
@@ -125,13 +125,13 @@ void Judge::take_beams(const analysis::EquilibriumResult& e, const std::string& 
   }
 }
 
-void Judge::take_contacts(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
-  for (const analysis::ContactResult& c : e.contacts) {
-    const model::Node& node = m.reevings[at(c.reeving)].nodes[at(c.node)];
-    if (c.state == ContactState::lifted) {
+void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  for (const solve::ContactResult& c : e.contacts) {
+    const machine::Node& node = m.reevings[at(c.reeving)].nodes[at(c.node)];
+    if (c.state == solve::ContactState::lifted) {
       warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
-    if (c.state != ContactState::pulled) continue;
+    if (c.state != solve::ContactState::pulled) continue;
     if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
       warn(
           node.name + " pulled",
@@ -142,7 +142,7 @@ void Judge::take_contacts(const model::Model& m, const analysis::EquilibriumResu
       continue;
     }
     warn(node.name + " pulled",
-         node.at.body != model::ground
+         node.at.body != machine::ground
              ? fmt::format("{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the "
                            "carriage more, hang the load lower or between the rollers, or slacken the rope",
                            words, node.name, c.force.norm() / 1e3)
@@ -158,15 +158,15 @@ bool Judge::may_slack(const std::string& reeving) const {
                      [&](const auto& one) { return one.may_slack && one.name.value_or(one.rope) == reeving; });
 }
 
-void Judge::take_slack(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
-  for (const analysis::SpanResult& s : e.spans) {
+void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  for (const solve::SpanResult& s : e.spans) {
     if (!s.slack) continue;
     const std::string name = between(m, s);
     warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[at(s.reeving)].name));
   }
 }
 
-void Judge::take_places(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     // A tower whose guys do not hold it lies down, which is an equilibrium too.
     if (m.bodies[b].beam >= 0) continue;
@@ -178,13 +178,13 @@ void Judge::take_places(const model::Model& m, const analysis::EquilibriumResult
                      words, m.bodies[b].name, angle * 180 / std::numbers::pi),
          true);
   }
-  for (const model::Carriage& car : m.carriages) {
+  for (const machine::Carriage& car : m.carriages) {
     const std::string where = beside_its_span(m, e, car);
     if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
   }
 }
 
-void Judge::take_ropes(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   shown_ = true;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);
@@ -192,7 +192,7 @@ void Judge::take_ropes(const model::Model& m, const analysis::EquilibriumResult&
   }
 }
 
-Judge::RopeWorst& Judge::take_tension(const model::Reeving& rope, double T, const std::string& words) {
+Judge::RopeWorst& Judge::take_tension(const machine::Reeving& rope, double T, const std::string& words) {
   RopeWorst& worst = ropes_[rope.name];
   if (!worst.seen || T > worst.T) {
     worst.T = T;
@@ -208,12 +208,12 @@ Judge::RopeWorst& Judge::take_tension(const model::Reeving& rope, double T, cons
   return worst;
 }
 
-void Judge::take_rest(const model::Model& m, const analysis::TransientResult& still, const std::string& words) {
+void Judge::take_rest(const machine::Model& m, const solve::TransientResult& still, const std::string& words) {
   shown_ = true;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i], still.ropes[i].T.max, words);
 }
 
-void Judge::take(const model::Model& m, const analysis::EquilibriumResult& e, const std::string& words) {
+void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   take_ropes(m, e, words);
   take_heights(m, e, words);
   take_beams(e, words);
@@ -222,9 +222,9 @@ void Judge::take(const model::Model& m, const analysis::EquilibriumResult& e, co
   take_places(m, e, words);
 }
 
-void Judge::take(const model::Model& m, const analysis::TransientResult& motion, const std::string& words) {
+void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   double broken = std::numeric_limits<double>::infinity();
-  for (const analysis::TransientEvent& event : motion.events) {
+  for (const solve::TransientEvent& event : motion.events) {
     if (event.what != "break" || event.t >= broken) continue;
     broken = event.t;
     preface_ = fmt::format("The deck breaks {} at {:.4g} s", event.where, event.t);
@@ -233,7 +233,7 @@ void Judge::take(const model::Model& m, const analysis::TransientResult& motion,
     if (motion.ropes[i].T.max > 0) ropes_[m.reevings[i].name].carries = true;
   }
   // Before the machine has broken nothing is thrown about: a rope that goes slack, or leaves its support, is news.
-  for (const analysis::TransientEvent& event : motion.events) {
+  for (const solve::TransientEvent& event : motion.events) {
     const bool slack = event.what == "slack";
     if ((!slack && event.what != "lift_off") || event.t >= broken) continue;
     const std::string rope = event.where.substr(0, event.where.find(' '));
@@ -244,7 +244,7 @@ void Judge::take(const model::Model& m, const analysis::TransientResult& motion,
   }
 }
 
-void Judge::take_moment(const model::Model& m, const analysis::TransientResult& so_far, const std::string& words) {
+void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far, const std::string& words) {
   if (m.terrain.empty()) return;
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
@@ -254,29 +254,29 @@ void Judge::take_moment(const model::Model& m, const analysis::TransientResult& 
     broken_ = broken_ || so_far.events[events_seen_].what == "break";
   }
   if (broken_) return;
-  const analysis::TransientFrame& frame = so_far.frames.back();
-  for (const model::Carriage& car : m.carriages) {
+  const solve::TransientFrame& frame = so_far.frames.back();
+  for (const machine::Carriage& car : m.carriages) {
     const Vector3& p = frame.bodies[at(car.body)].position;
     const double x = terrain_x(m, p);
-    take_height(car.name, "carriage " + car.name, p.z() - analysis::ground_height(m.terrain, x), x,
+    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x,
                 fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
   }
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   for (std::size_t i = 0; i < frame.branches.size();) {
     // a rope in segments has several pieces between two nodes
-    const analysis::TransientFrame::Branch& first = frame.branches[i];
+    const solve::TransientFrame::Branch& first = frame.branches[i];
     const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
     std::vector<Vector3> places = {first.start};
     for (; i < frame.branches.size(); ++i) {
-      const analysis::TransientFrame::Branch& piece = frame.branches[i];
+      const solve::TransientFrame::Branch& piece = frame.branches[i];
       if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
       places.insert(places.end(), piece.curve.begin(), piece.curve.end());
       places.push_back(piece.end);
     }
     if (!bears) continue;
-    const model::Reeving& rope = m.reevings[at(first.reeving)];
-    const auto moves = [&](int node) { return rope.nodes[at(node)].at.body != model::ground; };
-    const analysis::RopeClearance own = analysis::rope_clearance(m, places, moves(first.from), moves(first.to));
+    const machine::Reeving& rope = m.reevings[at(first.reeving)];
+    const auto moves = [&](int node) { return rope.nodes[at(node)].at.body != machine::ground; };
+    const study::RopeClearance own = study::rope_clearance(m, places, moves(first.from), moves(first.to));
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[at(first.from)].name, rope.nodes[at(first.to)].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
@@ -306,7 +306,7 @@ void Judge::add_tensions(Result& r) const {
   double worst = 0;
   std::string where;
   for (std::size_t i = 0; i < model_->reevings.size(); ++i) {
-    const model::Reeving& rope = model_->reevings[i];
+    const machine::Reeving& rope = model_->reevings[i];
     const auto found = ropes_.find(rope.name);
     if (found == ropes_.end() || !found->second.seen) continue;
     const RopeWorst& own = found->second;
@@ -408,7 +408,7 @@ void Judge::add_scope(Result& r) const {
     if (!rope.carries || (rope.seen && rope.T <= of_largest * largest)) continue;
     add_scope_of(name, r, r.unjudged);
   }
-  for (const model::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);
+  for (const machine::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);
   const auto add_beside = [&](const char* kind, std::vector<std::string> names) {
     std::erase_if(names, [&](const std::string& name) {
       return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == name; });
@@ -419,14 +419,14 @@ void Judge::add_scope(Result& r) const {
   add_beside("supports", names_of_all(deck_->machine.supports));
   add_beside("carriages", names_of_all(deck_->machine.carriages));
   std::vector<std::string> anchors;
-  for (const model::Reeving& rope : model_->reevings) {
+  for (const machine::Reeving& rope : model_->reevings) {
     if (rope.closed) continue;
-    for (const model::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
-      const bool held = end->kind == model::NodeKind::anchor && end->drum < 0 && end->at.body == model::ground;
+    for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
+      const bool held = end->kind == machine::NodeKind::anchor && end->drum < 0 && end->at.body == machine::ground;
       if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
     }
   }
   add_beside("anchors", anchors);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -1,7 +1,7 @@
 #pragma once
 #include <limits>
-#include <memory>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// A quantity at its worst, and the state where it is.
 struct WorstOf {
@@ -33,20 +33,20 @@ struct BeamWorst {
 /// ground, beams at their worst, and what makes a state unsafe. The deck outlives it.
 class Judge {
  public:
-  Judge(const CheckedDeck& deck, const model::Model& model);
+  Judge(const CheckedDeck& deck, const machine::Model& model);
 
   /// `words`: which state it is, "sweep, loads[0].mass = 40 t". The model may be another one of the same machine, with
   /// the same ropes or some of them, known by their names.
-  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
-  void take_ropes(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A motion at an output step, the last frame of the result so far: heights of carriages and ropes, up to the first
   /// break.
-  void take_moment(const model::Model& model, const analysis::TransientResult& so_far, const std::string& words);
+  void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words);
   /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
-  void take_rest(const model::Model& model, const analysis::TransientResult& still, const std::string& words);
+  void take_rest(const machine::Model& model, const solve::TransientResult& still, const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.
-  void take(const model::Model& model, const analysis::TransientResult& motion, const std::string& words);
+  void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
   const std::vector<BeamWorst>& beams() const { return beams_; }
 
@@ -81,15 +81,15 @@ class Judge {
     bool unsafe = false;
   };
 
-  RopeWorst& take_tension(const model::Reeving& rope, double T, const std::string& words);
+  RopeWorst& take_tension(const machine::Reeving& rope, double T, const std::string& words);
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);
-  void take_heights(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  void take_beams(const analysis::EquilibriumResult& state, const std::string& words);
+  void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   void warn(const std::string& once, const std::string& text, bool unsafe);
-  void take_contacts(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  void take_slack(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
-  void take_places(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
   void add_tensions(Result& r) const;
@@ -97,7 +97,7 @@ class Judge {
   void add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const;
 
   std::shared_ptr<const CheckedDeck> deck_;
-  const model::Model* model_;
+  const machine::Model* model_;
   bool shown_ = false;
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
@@ -109,4 +109,4 @@ class Judge {
   bool broken_ = false;          ///< something in it
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

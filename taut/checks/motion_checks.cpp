@@ -6,37 +6,37 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-std::string place_of_body(const model::Machine& machine, const std::string& name) {
+std::string place_of_body(const machine::Machine& machine, const std::string& name) {
   const bool carriage = std::any_of(machine.carriages.begin(), machine.carriages.end(),
                                     [&](const auto& one) { return one.name == name; });
   return fmt::format("machine.{}.{}", carriage ? "carriages" : "bodies", name);
 }
 
-std::string place_of_sheave(const model::Machine& machine, const std::string& name) {
+std::string place_of_sheave(const machine::Machine& machine, const std::string& name) {
   const bool sheave =
       std::any_of(machine.sheaves.begin(), machine.sheaves.end(), [&](const auto& one) { return one.name == name; });
   return fmt::format("machine.{}.{}", sheave ? "sheaves" : "supports", name);
 }
 
 /// Whether anything on a body has mass: itself, what hangs on it, half of the ropes that it holds.
-bool has_mass(const model::Model& model, int index, bool rope_mass) {
-  const model::Body& body = model.bodies[static_cast<std::size_t>(index)];
+bool has_mass(const machine::Model& model, int index, bool rope_mass) {
+  const machine::Body& body = model.bodies[static_cast<std::size_t>(index)];
   if (body.mass > 0 || body.counterweight > 0) return true;
   const bool hangs = std::any_of(model.loads.begin(), model.loads.end(),
-                                 [&](const model::Load& load) { return load.at.body == index && load.mass > 0; });
+                                 [&](const machine::Load& load) { return load.at.body == index && load.mass > 0; });
   return hangs || (rope_mass && std::any_of(model.reevings.begin(), model.reevings.end(), [&](const auto& rope) {
                      return rope.mass > 0 && std::any_of(rope.nodes.begin(), rope.nodes.end(),
                                                          [&](const auto& node) { return node.at.body == index; });
                    }));
 }
 
-void check_bodies(const model::Machine& machine, const model::Model& model, bool rope_mass,
+void check_bodies(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
                   std::vector<Complaint>& complaints) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const model::Body& body = model.bodies[b];
+    const machine::Body& body = model.bodies[b];
     const bool shifts =
         std::any_of(body.free.begin(), body.free.end(), [](const auto& f) { return f.along.norm() > 0; });
     if (!shifts || body.of_rope || has_mass(model, static_cast<int>(b), rope_mass)) continue;
@@ -44,10 +44,10 @@ void check_bodies(const model::Machine& machine, const model::Model& model, bool
   }
 }
 
-void check_ropes(const model::Machine& machine, const model::Model& model, bool rope_mass,
+void check_ropes(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
                  std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < machine.reevings.size() && i < model.reevings.size(); ++i) {
-    const model::Reeving& rope = model.reevings[i];
+    const machine::Reeving& rope = model.reevings[i];
     if (rope.segments > 1 && !(rope_mass && rope.mass > 0)) {
       complaints.push_back({fmt::format("machine.reevings[{}].segments", i),
                             rope_mass ? "the joints of the chain have the rope's mass, and it has none: give its 'mass'"
@@ -62,15 +62,15 @@ void check_ropes(const model::Machine& machine, const model::Model& model, bool 
 }
 
 /// Sheaves that a torque turns, from the start or after an event.
-void check_motors(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
+void check_motors(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < model.motors.size(); ++i) {
-    const bool later = std::any_of(model.events.begin(), model.events.end(), [&](const model::Event& event) {
-      return event.kind == model::EventKind::drive && event.of_motor && event.index == static_cast<int>(i) &&
-             event.drive.kind == model::DriveKind::torque;
+    const bool later = std::any_of(model.events.begin(), model.events.end(), [&](const machine::Event& event) {
+      return event.kind == machine::EventKind::drive && event.of_motor && event.index == static_cast<int>(i) &&
+             event.drive.kind == machine::DriveKind::torque;
     });
-    if (!later && model.motors[i].drive.kind != model::DriveKind::torque) continue;
-    const bool turns = std::any_of(model.reevings.begin(), model.reevings.end(), [&](const model::Reeving& rope) {
-      return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const model::Node& node) {
+    if (!later && model.motors[i].drive.kind != machine::DriveKind::torque) continue;
+    const bool turns = std::any_of(model.reevings.begin(), model.reevings.end(), [&](const machine::Reeving& rope) {
+      return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
         return node.motor == static_cast<int>(i) && node.inertia > 0;
       });
     });
@@ -80,40 +80,40 @@ void check_motors(const model::Machine& machine, const model::Model& model, std:
   }
 }
 
-bool turns_it(const model::Drive& drive) {
-  return drive.kind != model::DriveKind::held && drive.kind != model::DriveKind::pull;
+bool turns_it(const machine::Drive& drive) {
+  return drive.kind != machine::DriveKind::held && drive.kind != machine::DriveKind::pull;
 }
 
 /// Drums and driven sheaves that turn, from the start or after an event, and are points.
-void check_radii(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
+void check_radii(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
   const auto turned_later = [&](int index, bool of_motor) {
-    return std::any_of(model.events.begin(), model.events.end(), [&](const model::Event& event) {
+    return std::any_of(model.events.begin(), model.events.end(), [&](const machine::Event& event) {
       if (event.index != index || event.of_motor != of_motor) return false;
-      if (event.kind == model::EventKind::brake) return !event.brake_set;
-      return event.kind == model::EventKind::drive && turns_it(event.drive);
+      if (event.kind == machine::EventKind::brake) return !event.brake_set;
+      return event.kind == machine::EventKind::drive && turns_it(event.drive);
     });
   };
-  const auto is_point = [&](int model::Node::*of, int index) {
-    return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const model::Reeving& rope) {
+  const auto is_point = [&](int machine::Node::*of, int index) {
+    return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const machine::Reeving& rope) {
       return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                         [&](const model::Node& node) { return node.*of == index && node.radius == 0; });
+                         [&](const machine::Node& node) { return node.*of == index && node.radius == 0; });
     });
   };
   for (int i = 0; i < static_cast<int>(model.drums.size()); ++i) {
-    const model::Drum& drum = model.drums[static_cast<std::size_t>(i)];
-    if (!is_point(&model::Node::drum, i) || !(turns_it(drum.drive) || turned_later(i, false))) continue;
+    const machine::Drum& drum = model.drums[static_cast<std::size_t>(i)];
+    if (!is_point(&machine::Node::drum, i) || !(turns_it(drum.drive) || turned_later(i, false))) continue;
     complaints.push_back({"machine.drums." + drum.name, "turns: a motion needs its 'core_diameter'"});
   }
   for (int i = 0; i < static_cast<int>(model.motors.size()); ++i) {
-    const model::Motor& motor = model.motors[static_cast<std::size_t>(i)];
-    if (!is_point(&model::Node::motor, i) || !(turns_it(motor.drive) || turned_later(i, true))) continue;
+    const machine::Motor& motor = model.motors[static_cast<std::size_t>(i)];
+    if (!is_point(&machine::Node::motor, i) || !(turns_it(motor.drive) || turned_later(i, true))) continue;
     complaints.push_back({place_of_sheave(machine, motor.name), "is driven: a motion needs its 'diameter'"});
   }
 }
 
 }  // namespace
 
-void check_inertia(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
+void check_inertia(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
   for (const auto& beam : machine.beams) {
     complaints.push_back({fmt::format("machine.beams.{}", beam.name),
                           "bends in statics only: for a motion put a body in its place (fixed, or hinged by 'free: "
@@ -121,13 +121,13 @@ void check_inertia(const model::Machine& machine, const model::Model& model, std
   }
   if (!machine.beams.empty()) return;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const model::Body& body = model.bodies[b];
+    const machine::Body& body = model.bodies[b];
     const bool shifts =
         std::any_of(body.free.begin(), body.free.end(), [](const auto& f) { return f.along.norm() > 0; });
     // a mass beside the axis has inertia about it; of a body that shifts too the axis goes through its centre
     const auto about_axis = [&](const Vector3& about) {
       double inertia = body.mass * about.cross(body.centre).squaredNorm() + about.dot(body.inertia.cwiseProduct(about));
-      for (const model::Load& load : model.loads) {
+      for (const machine::Load& load : model.loads) {
         if (load.at.body != static_cast<int>(b)) continue;
         inertia +=
             load.mass * about.cross(load.at.at - (shifts ? body.centre : Vector3(Vector3::Zero()))).squaredNorm();
@@ -141,7 +141,7 @@ void check_inertia(const model::Machine& machine, const model::Model& model, std
   }
 }
 
-void check_masses(const model::Machine& machine, const model::Model& model, bool rope_mass,
+void check_masses(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
                   std::vector<Complaint>& complaints) {
   if (machine.beams.empty()) check_bodies(machine, model, rope_mass, complaints);
   check_ropes(machine, model, rope_mass, complaints);
@@ -149,4 +149,4 @@ void check_masses(const model::Machine& machine, const model::Model& model, bool
   check_radii(machine, model, complaints);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -2,7 +2,7 @@
 
 #include "taut/catalogue/section_search.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 using catalogue::Forming;
 using catalogue::SectionShape;
@@ -47,4 +47,4 @@ catalogue::SectionFilter filter_of(const SectionChoice& choice) {
   return filter;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -10,7 +10,7 @@ namespace taut::catalogue {
 struct SectionFilter;
 }
 
-namespace taut::app {
+namespace taut::checks {
 
 /// Which sections of the catalogue may be chosen, for a beam of a design or for a mast that is checked.
 struct SectionChoice {
@@ -24,4 +24,4 @@ struct SectionChoice {
 
 catalogue::SectionFilter filter_of(const SectionChoice& choice);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -9,7 +9,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::analysis {
+namespace taut::design {
 namespace {
 
 constexpr double nothing_there = 10;  // `over` of all constraints where f has no value
@@ -195,4 +195,4 @@ ConstrainedAnswer least_within(const std::function<std::optional<ConstrainedPoin
   return Search(f, sought, low, high).from(start, step, options);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::design

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace taut::analysis {
+namespace taut::design {
 
 /// What a point of the search gives.
 struct ConstrainedPoint {
@@ -41,4 +41,4 @@ ConstrainedAnswer least_within(const std::function<std::optional<ConstrainedPoin
                                const std::vector<double>& high, const std::vector<double>& step,
                                const ConstrainedOptions& options = {});
 
-}  // namespace taut::analysis
+}  // namespace taut::design

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace taut::analysis::constrained_test {
+namespace taut::design::constrained_test {
 
 using Point = std::optional<ConstrainedPoint>;
 using X = std::vector<double>;
@@ -87,4 +87,4 @@ TEST(Constrained, ends_when_asked) {
   EXPECT_TRUE(a.feasible);
 }
 
-}  // namespace taut::analysis::constrained_test
+}  // namespace taut::design::constrained_test

@@ -11,7 +11,7 @@
 #include "taut/design/design_tables.hpp"
 #include "taut/units/display.hpp"
 
-namespace taut::app {
+namespace taut::design {
 namespace {
 
 /// "pull = 60 kN" of each unknown.
@@ -47,7 +47,7 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
     why = fmt::format("interrupted after {:.0f} trials, before any choice passed", found.trials);
   }
   r.message = "design: " + why;
-  const analysis::SizingTrial& last = found.nearest.trial;
+  const design::SizingTrial& last = found.nearest.trial;
   if (!last.governs.empty()) {
     r.message += fmt::format(
         "; the nearest, {}, fails by {}{}", place_in_words(task.space, {found.nearest.choice, found.nearest_values}),
@@ -96,4 +96,4 @@ Result run_design(const DesignTask& task) {
   return r;
 }
 
-}  // namespace taut::app
+}  // namespace taut::design

@@ -13,7 +13,7 @@
 
 /// The block `design:` of machines and methods: what both need to be searched is a DesignTask; design_space.hpp makes
 /// its candidates, design_machine.hpp and design_method.hpp the rest of it, design_search.hpp searches it.
-namespace taut::app {
+namespace taut::design {
 
 /// A rope that is free, with its candidates in the order of what is sought.
 struct RopeCandidates {
@@ -98,4 +98,4 @@ DesignPlace first_place(const DesignSpace& space);
 /// nothing is assumed of how they act. Infeasible: none passes.
 Result run_design(const DesignTask& task);
 
-}  // namespace taut::app
+}  // namespace taut::design

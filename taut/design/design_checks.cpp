@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::app {
+namespace taut::design {
 namespace {
 
-using analysis::SizingTrial;
+using design::SizingTrial;
 
 constexpr double most_over = 10;
 constexpr double least_margin = 1.05;
@@ -117,4 +117,4 @@ std::optional<SizingTrial> CandidateRecord::hopeless(const std::vector<std::size
   return {};
 }
 
-}  // namespace taut::app
+}  // namespace taut::design

@@ -10,11 +10,11 @@
 #include "taut/design/sizing.hpp"
 
 /// What the checks of a result say to a search.
-namespace taut::app {
+namespace taut::design {
 
 /// The check that decides: of those that fail the worst, else the one nearest to its limit. What has a check that was
 /// asked for and not made, a missing state, or a chosen part (in `list_of`) without a limit does not pass.
-analysis::SizingTrial trial_of(const Result& r, const std::map<std::string, std::size_t>& list_of = {});
+design::SizingTrial trial_of(const Result& r, const std::map<std::string, std::size_t>& list_of = {});
 
 /// Takes the checks of these names out of a result, those of a load case ("no slip [full]") too.
 void disregard(const std::vector<std::string>& names, Result& r);
@@ -44,7 +44,7 @@ class CandidateRecord {
   /// Of a choice with a candidate that has failed at least twice, by more than what other choices have changed so far
   /// in any candidate of its list (the square of the largest ratio, 1.05 at least): that failure. Never of a single
   /// list.
-  std::optional<analysis::SizingTrial> hopeless(const std::vector<std::size_t>& choice) const;
+  std::optional<design::SizingTrial> hopeless(const std::vector<std::size_t>& choice) const;
 
  private:
   struct Fate {
@@ -57,4 +57,4 @@ class CandidateRecord {
   std::map<std::size_t, double> changed_;                      ///< by list
 };
 
-}  // namespace taut::app
+}  // namespace taut::design

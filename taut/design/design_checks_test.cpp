@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace taut::app::design_checks_test {
+namespace taut::design::design_checks_test {
 
 Check check(const char* name, double value, Sense sense, double limit, const char* part = "") {
   Check c = make_check(name, value, sense, limit, si::N, "rule", "user");
@@ -76,4 +76,4 @@ TEST(DesignChecks, hopeless_candidates) {
   EXPECT_FALSE(alone.hopeless({0}));
 }
 
-}  // namespace taut::app::design_checks_test
+}  // namespace taut::design::design_checks_test

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace taut::app {
+namespace taut::design {
 
 const Description& DesignRopeRequest::describe() {
   using R = DesignRopeRequest;
@@ -34,7 +34,7 @@ const Description& DesignSectionRequest::describe() {
   static const Description d = [] {
     Description own =
         Describe<R>().field(&R::price, "price", "", si::one, "of a kilogram of it, for 'cheapest'").at_least(0);
-    for (Field f : SectionChoice::describe().fields) {
+    for (Field f : checks::SectionChoice::describe().fields) {
       if (f.key == "least_trust") f.key = "trust";
       f.slot = [slot = f.slot](void* s) { return slot(&static_cast<R*>(s)->which); };
       own.fields.push_back(std::move(f));
@@ -117,4 +117,4 @@ const Description& DesignRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::design

@@ -6,7 +6,7 @@
 #include "taut/calc/field.hpp"
 #include "taut/checks/section_choice.hpp"
 
-namespace taut::app {
+namespace taut::design {
 
 /// What the least of is sought, or the most reserve: the least utilisation of the check that governs.
 enum class Seek { lightest, smallest, cheapest, least_tension, most_reserve };
@@ -28,7 +28,7 @@ struct DesignRopeRequest {
 /// The sections of the catalogue from which that of a beam is chosen.
 struct DesignSectionRequest {
   std::string name;  ///< a beam of the machine, or a mast of the method
-  SectionChoice which;
+  checks::SectionChoice which;
   std::optional<double> price;  ///< of a kilogram
   static const Description& describe();
 };
@@ -74,4 +74,4 @@ struct DesignRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::design

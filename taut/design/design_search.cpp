@@ -11,12 +11,12 @@
 #include "taut/design/constrained.hpp"
 #include "taut/design/design_checks.hpp"
 
-namespace taut::app {
+namespace taut::design {
 namespace {
 
-using analysis::SizingAnswer;
-using analysis::SizingCandidate;
-using analysis::SizingTrial;
+using design::SizingAnswer;
+using design::SizingCandidate;
+using design::SizingTrial;
 
 constexpr std::size_t starts = 3;            // places of the grid from which the best choice is moved on
 constexpr std::size_t most_near_misses = 8;  // cheaper choices that are moved on to see whether they pass
@@ -124,7 +124,7 @@ class Searching {
   }
 
   SizingAnswer least_at(const std::vector<double>& values) {
-    analysis::SizingOptions options;
+    design::SizingOptions options;
     options.most_trials = static_cast<std::size_t>(task_.request.most_trials);
     options.neighbours = static_cast<std::size_t>(task_.request.runner_ups);
     record_ = CandidateRecord(task_.list_of);
@@ -137,7 +137,7 @@ class Searching {
     const DesignLengths lengths = task_.lengths(values);
     const auto costs = costs_of(task_, lengths);
     if (!measured_) {
-      SizingAnswer answer = analysis::cheapest(costs, one, options);
+      SizingAnswer answer = design::cheapest(costs, one, options);
       // to the last bit what is compared with it later
       const auto weigh = [&](SizingCandidate& c) { c.cost = cost_of({c.choice, values}); };
       if (answer.outcome.ok()) weigh(answer.best);
@@ -148,7 +148,7 @@ class Searching {
     std::vector<std::size_t> counts;
     counts.reserve(costs.size());
     for (const auto& list : costs) counts.push_back(list.size());
-    return analysis::least_measured(counts, one, options);
+    return design::least_measured(counts, one, options);
   }
 
   void over_the_grid() {
@@ -201,7 +201,7 @@ class Searching {
 
   /// Moves the unknowns of one choice on, and takes the place where it passes if that is better than the best.
   /// `until_it_passes`: ends there; `held`: unknowns that stay. Returns the last place where it passed.
-  std::optional<std::vector<double>> move_from(const DesignPlace& start, analysis::Sought sought, bool until_it_passes,
+  std::optional<std::vector<double>> move_from(const DesignPlace& start, design::Sought sought, bool until_it_passes,
                                                const std::vector<bool>& held = {}) {
     std::vector<double> low;
     std::vector<double> high;
@@ -216,12 +216,12 @@ class Searching {
     }
     CheckConstraints constraints;
     std::optional<std::vector<double>> passed;
-    const auto look = [&](const std::vector<double>& values) -> std::optional<analysis::ConstrainedPoint> {
+    const auto look = [&](const std::vector<double>& values) -> std::optional<design::ConstrainedPoint> {
       if ((passed && until_it_passes) || !go_on()) return {};
       const DesignPlace place{start.choice, values};
       const DesignRun one = run(place, Depth::checks);
       if (found_.ended) return {};
-      analysis::ConstrainedPoint point;
+      design::ConstrainedPoint point;
       if (one.result.status != Status::ok) {
         point.value = std::nan("");
         point.over = constraints.nothing();
@@ -235,10 +235,10 @@ class Searching {
       if (here.trial.passes && (!found_.feasible || better(here, found_.best.answer.best))) take(here, values);
       return point;
     };
-    analysis::ConstrainedOptions options;
+    design::ConstrainedOptions options;
     options.tolerance = until_it_passes || !held.empty() ? coarse : fine;
     if (until_it_passes) options.most_evaluations = trials_of_near_miss;
-    analysis::least_within(look, sought, start.values, low, high, step, options);
+    design::least_within(look, sought, start.values, low, high, step, options);
     return passed;
   }
 
@@ -268,7 +268,7 @@ class Searching {
     const std::vector<bool> cost = that_cost(place);
     const auto free = std::count(cost.begin(), cost.end(), false);
     if (free == 0 || free == std::ssize(cost) || measured_) return;
-    move_from(place, analysis::Sought::most_reserve, false, cost);
+    move_from(place, design::Sought::most_reserve, false, cost);
   }
 
   /// At the values found no cheaper choice is to pass; and its neighbours are those at these values.
@@ -289,10 +289,10 @@ class Searching {
     }
   }
 
-  analysis::Sought sought_of(const DesignPlace& place) {
+  design::Sought sought_of(const DesignPlace& place) {
     const std::vector<bool> cost = that_cost(place);
-    return std::find(cost.begin(), cost.end(), true) == cost.end() ? analysis::Sought::most_reserve
-                                                                   : analysis::Sought::least_value;
+    return std::find(cost.begin(), cost.end(), true) == cost.end() ? design::Sought::most_reserve
+                                                                   : design::Sought::least_value;
   }
 
   /// The best choice, from the best places of the grid.
@@ -305,7 +305,7 @@ class Searching {
     std::stable_sort(points.begin(), points.end(),
                      [](const DesignPoint* a, const DesignPoint* b) { return better(a->answer.best, b->answer.best); });
     if (points.size() > starts) points.resize(starts);
-    const analysis::Sought sought = sought_of({choice, found_.best.values});
+    const design::Sought sought = sought_of({choice, found_.best.values});
     for (const DesignPoint* point : points) {
       if (!found_.ended) move_from({choice, point->values}, sought, false);
     }
@@ -346,7 +346,7 @@ class Searching {
   void move_near_miss(const std::vector<std::size_t>& choice, const std::vector<double>& values) {
     std::optional<std::vector<double>> start = values;
     if (!tried_.at(choice).first.trial.passes) {
-      start = move_from({choice, values}, analysis::Sought::most_reserve, true);
+      start = move_from({choice, values}, design::Sought::most_reserve, true);
     }
     if (start && !found_.ended) move_from({choice, *start}, sought_of({choice, *start}), false);
   }
@@ -370,4 +370,12 @@ bool is_measured(Seek seek) { return seek == Seek::least_tension || seek == Seek
 
 DesignFound search_design(const DesignTask& task) { return Searching(task).search(); }
 
-}  // namespace taut::app
+DesignPlace first_place(const DesignSpace& space) {
+  DesignPlace place;
+  place.choice.assign(space.ropes.size() + space.sections.size(), 0);
+  for (const UnknownValues& one : space.unknowns)
+    place.values.push_back(one.values.empty() ? one.low : one.values.front());
+  return place;
+}
+
+}  // namespace taut::design

@@ -4,21 +4,21 @@
 #include "taut/design/design.hpp"
 #include "taut/design/sizing.hpp"
 
-namespace taut::app {
+namespace taut::design {
 
 /// The answer where the unknowns have these values.
 struct DesignPoint {
   std::vector<double> values;
-  analysis::SizingAnswer answer;
+  design::SizingAnswer answer;
 };
 
 /// What a search has found.
 struct DesignFound {
-  std::vector<DesignPoint> points;    ///< of the grid, in its order, as far as the search came
-  bool feasible = false;              ///< whether `best` passes all checks
-  DesignPoint best;                   ///< with its neighbours where the unknowns have its values
-  bool refined = false;               ///< its values are not those of the grid
-  analysis::SizingCandidate nearest;  ///< where none passes: what comes nearest
+  std::vector<DesignPoint> points;  ///< of the grid, in its order, as far as the search came
+  bool feasible = false;            ///< whether `best` passes all checks
+  DesignPoint best;                 ///< with its neighbours where the unknowns have its values
+  bool refined = false;             ///< its values are not those of the grid
+  design::SizingCandidate nearest;  ///< where none passes: what comes nearest
   std::vector<double> nearest_values;
   double trials = 0;   ///< calculations of the machine with one choice and one set of values
   bool ended = false;  ///< from outside
@@ -34,4 +34,4 @@ DesignFound search_design(const DesignTask& task);
 /// Whether the cost follows from the calculation and not from the choice.
 bool is_measured(Seek seek);
 
-}  // namespace taut::app
+}  // namespace taut::design

@@ -9,11 +9,11 @@
 
 #include "taut/design/design_checks.hpp"
 
-namespace taut::app {
+namespace taut::design {
 namespace {
 
-using analysis::SizingCandidate;
 using catalogue::RopeRow;
+using design::SizingCandidate;
 
 constexpr double nearly_active = 0.9;  // utilisation of checks that are told as active
 
@@ -138,7 +138,7 @@ std::string names_of(const DesignSpace& space, const std::vector<std::size_t>& c
   return all;
 }
 
-void add_runner_ups(const DesignTask& task, const analysis::SizingAnswer& answer, const SizingCandidate& chosen,
+void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, const SizingCandidate& chosen,
                     Result& r) {
   const DesignSpace& space = task.space;
   if (space.ropes.empty() && space.sections.empty()) return;
@@ -173,9 +173,9 @@ void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& point
     const auto& answer = point.answer;
     const bool found = answer.outcome.ok();
     const bool failed = !found && !answer.below.empty();
-    const analysis::SizingTrial last = found    ? answer.best.trial
-                                       : failed ? answer.below.back().trial
-                                                : analysis::SizingTrial{false, std::nan(""), {}};
+    const design::SizingTrial last = found    ? answer.best.trial
+                                     : failed ? answer.below.back().trial
+                                              : design::SizingTrial{false, std::nan(""), {}};
     std::string words = found ? names_of(space, answer.best.choice) : answer.outcome.message;
     if (words.empty()) words = "passes";
     row.insert(row.end(), {found ? answer.best.cost : std::nan(""), last.governs, last.utilisation, std::move(words)});
@@ -213,4 +213,4 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
   if (!plot.curves.empty()) r.figures.emplace_back(std::move(plot));
 }
 
-}  // namespace taut::app
+}  // namespace taut::design

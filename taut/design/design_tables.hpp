@@ -4,15 +4,15 @@
 
 #include "taut/design/design_search.hpp"
 
-namespace taut::app {
+namespace taut::design {
 
 /// "skyline: EN 12385-4|6x36-IWRC|20|1960; mainline: ...".
 std::string names_of(const DesignSpace& space, const std::vector<std::size_t>& choice);
 
 /// The table `design_runner_ups`: cheaper choices with what each fails by, the one chosen, the next that pass.
 /// `chosen`: empty choice where none passes.
-void add_runner_ups(const DesignTask& task, const analysis::SizingAnswer& answer,
-                    const analysis::SizingCandidate& chosen, Result& r);
+void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, const design::SizingCandidate& chosen,
+                    Result& r);
 
 /// The table `design_trade_off`: over the grid of the unknowns the least choice, its cost, and what holds it.
 void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& points, Result& r);
@@ -21,4 +21,4 @@ void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& point
 /// `design_runner_ups`, `design_trade_off` before those of the result.
 void add_design(const DesignTask& task, const DesignFound& found, Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::design

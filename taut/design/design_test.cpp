@@ -15,7 +15,7 @@
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::design_test {
+namespace taut::design::design_test {
 
 using taut_test::expect_mistake;
 using taut_test::run_text;
@@ -175,7 +175,7 @@ class UserCatalogue : public testing::Test {
     std::ofstream(folder_ / "mine.csv") << csv;
     const std::string deck = line_deck(
         300, 2000, 15, "{}", fmt::format("design: {{catalogue: mine.csv, seek: {}, ropes: {{skyline: {{}}}}}}", seek));
-    return run(Job{deck, (folder_ / "deck.yaml").string(), {}});
+    return app::run(app::Job{deck, (folder_ / "deck.yaml").string(), {}});
   }
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / fmt::format("taut_design_test_{}", static_cast<const void*>(this));
@@ -215,9 +215,9 @@ class DesignExamples : public testing::TestWithParam<const char*> {};
 
 // A rope that a design has chosen passes everything when it stands in the deck by itself.
 TEST_P(DesignExamples, run_and_pass) {
-  const auto job = read_job((taut_test::source_dir() / "examples/design" / GetParam()).string());
+  const auto job = app::read_job((taut_test::source_dir() / "examples/design" / GetParam()).string());
   ASSERT_TRUE(job.has_value());
-  const Result r = run(*job);
+  const Result r = app::run(*job);
   EXPECT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
   EXPECT_FALSE(r.checks.empty());
 }
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(All, DesignExamples,
                          testing::Values("crane_hoist.yaml", "swiss_skyline.yaml", "rope_saw_life.yaml",
                                          "saw_take_up.yaml", "loop_by_cases.yaml"));
 
-}  // namespace taut::app::design_test
+}  // namespace taut::design::design_test

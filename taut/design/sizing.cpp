@@ -10,7 +10,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::analysis {
+namespace taut::design {
 namespace {
 
 using Choice = std::vector<std::size_t>;
@@ -145,4 +145,4 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
   return answer;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::design

@@ -6,7 +6,7 @@
 
 #include "taut/calc/outcome.hpp"
 
-namespace taut::analysis {
+namespace taut::design {
 
 /// How one candidate fared.
 struct SizingTrial {
@@ -53,4 +53,4 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
                             const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                             const SizingOptions& options = {});
 
-}  // namespace taut::analysis
+}  // namespace taut::design

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace taut::analysis::sizing_test {
+namespace taut::design::sizing_test {
 
 using Choice = std::vector<std::size_t>;
 
@@ -160,4 +160,4 @@ TEST(Sizing, ends_when_a_trial_says_so) {
   EXPECT_FALSE(none.outcome.ok());
 }
 
-}  // namespace taut::analysis::sizing_test
+}  // namespace taut::design::sizing_test

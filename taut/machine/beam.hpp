@@ -5,7 +5,7 @@
 #include "taut/machine/place.hpp"
 #include "taut/structure/rod.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// How a beam's end is held by what it ends on. hinged at the start: free to lean any way, held against turning about
 /// its axis (a universal joint). hinged at the end: a ball joint.
@@ -38,4 +38,4 @@ struct PieceState {
   Matrix3 axes = Matrix3::Identity();  ///< of the section at a hinged start
 };
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -1,6 +1,6 @@
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 double terrain_x(const Model& model, const Vector3& place) {
   return model.terrain_along.dot(place - model.terrain_from);
@@ -11,4 +11,4 @@ int branch_count(const Reeving& reeving) {
   return reeving.closed ? nodes : nodes - 1;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

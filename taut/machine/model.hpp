@@ -11,7 +11,7 @@
 #include "taut/machine/place.hpp"
 #include "taut/math/vector.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// A compiled machine: plain values and indices, checked by the compiler of descriptions, never changed by an analysis.
 /// SI and radians, right-handed axes, z up. Names serve tables and messages; everything is found by index.
@@ -206,4 +206,4 @@ double terrain_x(const Model& model, const Vector3& place);
 /// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.
 int branch_count(const Reeving& reeving);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -10,7 +10,7 @@
 #include "taut/math/vector.hpp"
 
 /// Parts of a compiled machine that matter when it moves: plain values and indices, as in model.hpp.
-namespace taut::model {
+namespace taut::machine {
 
 /// A displacement (m, from the body's place at the start) or rotation (rad) of a body that a signal gives.
 struct DrivenWay {
@@ -194,4 +194,4 @@ struct Event {
   Drive drive;
 };
 
-}  // namespace taut::model
+}  // namespace taut::machine

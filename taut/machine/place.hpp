@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/math/vector.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Not a body: fixed to the ground frame.
 inline constexpr int ground = -1;
@@ -12,4 +12,4 @@ struct Place {
   Vector3 at = Vector3::Zero();  ///< in the body's frame (ground: in the ground frame), m
 };
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 SignalValue value_of(double constant, double /*t*/) { return {constant, 0, 0}; }
@@ -120,4 +120,4 @@ Curve smooth_curve(std::vector<double> t, std::vector<double> value) {
   return {std::move(t), std::move(value), std::move(slopes)};
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -5,7 +5,7 @@
 
 #include "taut/units/unit.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// A quantity over time, with its first two derivatives: how a drum is driven, a body moved, a rope let out. Times in
 /// s from the start of the motion, values in SI of its unit.
@@ -66,4 +66,4 @@ std::vector<double> breakpoints(const Signal& signal);
 /// stands still before and after. `t` grows, at least two points.
 Curve smooth_curve(std::vector<double> t, std::vector<double> value);
 
-}  // namespace taut::model
+}  // namespace taut::machine

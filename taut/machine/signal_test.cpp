@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::model::signal_test {
+namespace taut::machine::signal_test {
 
 Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
   return {"r", si::m_per_s, Moves{from, {{start, to, duration, smooth}}}};
@@ -117,4 +117,4 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   RC_ASSERT(std::is_sorted(breaks.begin(), breaks.end()));
 }
 
-}  // namespace taut::model::signal_test
+}  // namespace taut::machine::signal_test

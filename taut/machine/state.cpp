@@ -7,7 +7,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/rope/tangent.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 Vector3 in_ground(const State& state, const Place& place) {
   if (place.body == ground) return place.at;
@@ -130,4 +130,4 @@ State initial_state(const Model& model) {
   return state;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

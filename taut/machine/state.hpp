@@ -6,7 +6,7 @@
 #include "taut/math/vector.hpp"
 #include "taut/rope/catenary.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 struct Pose {
   Vector3 position = Vector3::Zero();         ///< of the body's origin, m
@@ -48,4 +48,4 @@ double taut_length(const State& state, const Reeving& reeving, const Node& from,
 /// A place in the ground frame, m.
 Vector3 in_ground(const State& state, const Place& place);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut::model {
+namespace taut::machine {
 
 std::optional<Model> without_rope(Model model, int reeving) {
   const auto needs = [&](const Carriage& car) { return car.reeving == reeving || car.grip_reeving == reeving; };
@@ -22,4 +22,4 @@ std::optional<Model> without_rope(Model model, int reeving) {
   return model;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -3,11 +3,11 @@
 
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// The machine without one of its ropes, for an analysis at rest: the indices of the other ropes follow, carriages that
 /// it pulled have no such rope any more, and what belongs to motion alone (events, tensioners, observed quantities) is
 /// gone. Empty where a carriage rides on that rope or is fixed to it.
 std::optional<Model> without_rope(Model model, int reeving);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::model::without_rope_test {
+namespace taut::machine::without_rope_test {
 
 Reeving named(const std::string& name) {
   Reeving rope;
@@ -40,4 +40,4 @@ TEST(WithoutRope, WhatCarriesACarriageStays) {
   EXPECT_FALSE(without_rope(machine(), 3));
 }
 
-}  // namespace taut::model::without_rope_test
+}  // namespace taut::machine::without_rope_test

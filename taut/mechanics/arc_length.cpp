@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
 constexpr double as_good_as_equal = 1e-6;  ///< ln(T_x/T_e), below which the tension is one
@@ -60,4 +60,4 @@ ArcLength arc_length(const Arc& a) {
   return l;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

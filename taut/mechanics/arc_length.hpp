@@ -1,6 +1,6 @@
 #pragma once
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// Rope on a round, as it runs. `friction` of the rope on it; infinite: it does not slip. `flow`: +1 along the path, -1
 /// against it, 0: at rest.
@@ -25,4 +25,4 @@ struct ArcLength {
 };
 ArcLength arc_length(const Arc& arc);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace taut::analysis::arc_length_test {
+namespace taut::mechanics::arc_length_test {
 
 const double never = std::numeric_limits<double>::infinity();
 
@@ -85,4 +85,4 @@ TEST(ArcLength, DerivativesAreThoseOfDifferences) {
   }
 }
 
-}  // namespace taut::analysis::arc_length_test
+}  // namespace taut::mechanics::arc_length_test

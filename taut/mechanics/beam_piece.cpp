@@ -6,24 +6,24 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
-using model::BeamHold;
+using machine::BeamHold;
 using structure::BeamOrder;
 using structure::RodState;
 
 Matrix3 turn_of(const Configuration& c, int body) {
-  return body == model::ground ? Matrix3(Matrix3::Identity()) : c.bodies[at(body)].orientation;
+  return body == machine::ground ? Matrix3(Matrix3::Identity()) : c.bodies[at(body)].orientation;
 }
 
 /// From a body's origin to a place on it.
-Vector3 arm_of(const Configuration& c, const model::Place& place) {
-  return place.body == model::ground ? place.at : Vector3(turn_of(c, place.body) * place.at);
+Vector3 arm_of(const Configuration& c, const machine::Place& place) {
+  return place.body == machine::ground ? place.at : Vector3(turn_of(c, place.body) * place.at);
 }
 
-Vector3 in_ground(const Configuration& c, const model::Place& place) {
-  return place.body == model::ground ? place.at : Vector3(c.bodies[at(place.body)].position + arm_of(c, place));
+Vector3 in_ground(const Configuration& c, const machine::Place& place) {
+  return place.body == machine::ground ? place.at : Vector3(c.bodies[at(place.body)].position + arm_of(c, place));
 }
 
 /// A hinged start: the rotation of the section against what it stands on, the axis about which it may not turn, and the
@@ -34,7 +34,7 @@ struct Hinge {
   double twist = 0;
 };
 
-Hinge hinge_of(const Configuration& c, const model::BeamPiece& piece, const model::PieceState& state) {
+Hinge hinge_of(const Configuration& c, const machine::BeamPiece& piece, const machine::PieceState& state) {
   Hinge h;
   const Matrix3 held = turn_of(c, piece.start.body) * piece.start_axes;
   h.Q = state.axes * held.transpose();
@@ -45,16 +45,16 @@ Hinge hinge_of(const Configuration& c, const model::BeamPiece& piece, const mode
 }
 
 /// The section at a piece's start, as it stands.
-Matrix3 start_axes(const Configuration& c, const model::BeamPiece& piece, const model::PieceState& state) {
+Matrix3 start_axes(const Configuration& c, const machine::BeamPiece& piece, const machine::PieceState& state) {
   return piece.start_hold == BeamHold::hinged ? state.axes : Matrix3(turn_of(c, piece.start.body) * piece.start_axes);
 }
 
 /// First order: from the section as built to the section as it stands.
-Matrix3 small_turn(const Configuration& c, const model::BeamPiece& piece, const Matrix3& stands) {
+Matrix3 small_turn(const Configuration& c, const machine::BeamPiece& piece, const Matrix3& stands) {
   return stands * (turn_of(c, piece.reference) * piece.reference_axes).transpose();
 }
 
-RodState start_of(const Configuration& c, const model::BeamPiece& piece, const model::PieceState& state) {
+RodState start_of(const Configuration& c, const machine::BeamPiece& piece, const machine::PieceState& state) {
   RodState s;
   s.place = in_ground(c, piece.start);
   s.axes = start_axes(c, piece, state);
@@ -70,23 +70,23 @@ RodState start_of(const Configuration& c, const model::BeamPiece& piece, const m
 
 /// Rotation of a clamped end against the body that it ends on: second order Q of the end against the body, first order
 /// of the body against the end as built.
-Matrix3 end_rotation(const Configuration& c, const model::BeamPiece& piece, const RodState& end) {
+Matrix3 end_rotation(const Configuration& c, const machine::BeamPiece& piece, const RodState& end) {
   const Matrix3 held = turn_of(c, piece.end.body) * piece.end_axes;
   return piece.rod.order == BeamOrder::second ? Matrix3(end.axes * held.transpose())
                                               : Matrix3(held * end.axes.transpose());
 }
 
-Vector3 end_turn(const Configuration& c, const model::BeamPiece& piece, const RodState& end) {
+Vector3 end_turn(const Configuration& c, const machine::BeamPiece& piece, const RodState& end) {
   const Vector3 r = structure::sine_vector(end_rotation(c, piece, end));
   return piece.rod.order == BeamOrder::second ? r : Vector3(end.turn - r);
 }
 
-void add_force(const System& s, const Configuration& c, const model::Place& place, const Vector3& force,
+void add_force(const System& s, const Configuration& c, const machine::Place& place, const Vector3& force,
                const Vector3& moment, double factor, Eigen::VectorXd& residual) {
-  if (place.body == model::ground) return;
+  if (place.body == machine::ground) return;
   const Vector3 all = arm_of(c, place).cross(force) + moment;
   for (int i = s.layout.first_dof[at(place.body)]; i < s.layout.first_dof[at(place.body) + 1]; ++i) {
-    const model::Freedom& way = s.layout.dofs[at(i)].way;
+    const machine::Freedom& way = s.layout.dofs[at(i)].way;
     residual[i] += factor * (force.dot(way.along) + all.dot(way.about));
   }
 }
@@ -135,9 +135,9 @@ class PieceRates {
   bool first() const { return piece_.rod.order == BeamOrder::first; }
 
   void add_body(int body, bool start, bool end, bool reference) {
-    if (body == model::ground) return;
+    if (body == machine::ground) return;
     for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
-      const model::Freedom& way = s_.layout.dofs[at(i)].way;
+      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
       Input in;
       if (start) {
         in.start = way.along + way.about.cross(arm_of(c_, piece_.start));
@@ -216,13 +216,13 @@ class PieceRates {
     return structure::sine_by_left(small_) * in.section - structure::sine_by_right(small_) * in.reference;
   }
 
-  void add_force_rows(int column, const model::Place& place, const Vector3& turn, const Vector3& F, const Vector3& dF,
+  void add_force_rows(int column, const machine::Place& place, const Vector3& turn, const Vector3& F, const Vector3& dF,
                       const Vector3& dM, double factor) {
-    if (place.body == model::ground) return;
+    if (place.body == machine::ground) return;
     const Vector3 arm = arm_of(c_, place);
     const Vector3 all = turn.cross(arm).cross(F) + arm.cross(dF) + dM;
     for (int i = s_.layout.first_dof[at(place.body)]; i < s_.layout.first_dof[at(place.body) + 1]; ++i) {
-      const model::Freedom& way = s_.layout.dofs[at(i)].way;
+      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
       J_(i, column) += factor * (dF.dot(way.along) + all.dot(way.about));
     }
   }
@@ -230,8 +230,8 @@ class PieceRates {
   const System& s_;
   const Configuration& c_;
   const Layout::Piece& p_;
-  const model::BeamPiece& piece_;
-  const model::PieceState& state_;
+  const machine::BeamPiece& piece_;
+  const machine::PieceState& state_;
   Eigen::MatrixXd& J_;
   structure::RodRates rates_;
   RodState start_, end_;
@@ -241,7 +241,7 @@ class PieceRates {
 
 }  // namespace
 
-const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
+const machine::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
   return s.model.beams[at(p.beam)].pieces[at(p.piece)];
 }
 
@@ -252,7 +252,7 @@ structure::RodState piece_start(const System& s, const Configuration& c, std::si
 void add_beams(const System& s, const Configuration& c, Evaluation& e) {
   for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) {
     const Layout::Piece& p = s.layout.pieces[k];
-    const model::BeamPiece& piece = piece_of(s, p);
+    const machine::BeamPiece& piece = piece_of(s, p);
     const RodState start = start_of(c, piece, c.pieces[k]);
     const RodState end = along(piece.rod, start);
     add_force(s, c, piece.start, start.force, start.moment, 1, e.residual);
@@ -272,7 +272,7 @@ void add_beam_rates(const System& s, const Configuration& c, Eigen::MatrixXd& J)
 void move_beams(const System& s, const Eigen::VectorXd& step, double part, Configuration& moved) {
   for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) {
     const Layout::Piece& p = s.layout.pieces[k];
-    model::PieceState& state = moved.pieces[k];
+    machine::PieceState& state = moved.pieces[k];
     state.force += part * step.segment<3>(p.unknown);
     if (p.hinged) {
       state.torque += part * step[p.unknown + 3];
@@ -305,4 +305,4 @@ void scale_beams(const System& s, Eigen::VectorXd& columns) {
   }
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

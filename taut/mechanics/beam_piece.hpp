@@ -4,10 +4,10 @@
 /// Beams in the equations of equilibrium. The forces at the start of each piece are unknowns of their own, and its
 /// closure (the piece carried from its start ends where the next body is) are equations: nothing becomes stiff where a
 /// beam does, and a rigid beam is no special case.
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// The piece of a beam.
-const model::BeamPiece& piece_of(const System& s, const Layout::Piece& p);
+const machine::BeamPiece& piece_of(const System& s, const Layout::Piece& p);
 
 /// The start of a piece in the ground frame, as it follows from the unknowns.
 structure::RodState piece_start(const System& s, const Configuration& c, std::size_t index);
@@ -27,4 +27,4 @@ void add_beam_misfit(const System& system, const Evaluation& e, double& force, d
 /// Scales of the beams' unknowns.
 void scale_beams(const System& system, Eigen::VectorXd& columns);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

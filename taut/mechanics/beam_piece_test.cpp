@@ -10,23 +10,23 @@
 #include "test/support/machines.hpp"
 
 /// Rows of a piece against a textbook's cantilever, against the balance of a free body, and against plain rotations.
-namespace taut::analysis::beam_piece_test {
+namespace taut::mechanics::beam_piece_test {
 
-using model::BeamHold;
-using model::BeamTop;
+using machine::BeamHold;
+using machine::BeamTop;
 using taut_test::body;
 
 /// A machine with one beam from `b.from` to `b.to`, as built, with the forces at its start still open.
 struct OneBeam {
-  model::Model m;
+  machine::Model m;
   Layout layout;
   Configuration c;
   Evaluation e;
 
-  OneBeam(model::Model with, const model::StraightBeam& b) : m(std::move(with)) {
-    model::add_beam(m, b);
-    const model::State state = model::initial_state(m);
-    layout = analysis::layout(m, state, std::nullopt, taut_test::no_flow(m));
+  OneBeam(machine::Model with, const machine::StraightBeam& b) : m(std::move(with)) {
+    machine::add_beam(m, b);
+    const machine::State state = machine::initial_state(m);
+    layout = mechanics::layout(m, state, std::nullopt, taut_test::no_flow(m));
     c = taut_test::configuration_of(layout, state);
   }
   const Eigen::VectorXd& residual() {
@@ -36,8 +36,8 @@ struct OneBeam {
   }
 };
 
-model::StraightBeam upright(double height) {
-  model::StraightBeam b;
+machine::StraightBeam upright(double height) {
+  machine::StraightBeam b;
   b.name = "mast";
   b.to.at = {0, 0, height};
   b.section = structure::tube_section(0.3, 0.01);
@@ -47,7 +47,7 @@ model::StraightBeam upright(double height) {
 }
 
 TEST(BeamPiece, ACantileverOfFirstOrderEndsWhereTheTextbookSays) {
-  model::StraightBeam b = upright(8);
+  machine::StraightBeam b = upright(8);
   b.order = structure::BeamOrder::first;
   OneBeam beam({}, b);
   const double l = 8, Fx = 3e3, Fy = -2e3, Fz = -50e3, Mx = 7e3, My = 11e3, Mz = 5e3, w = 900;
@@ -72,10 +72,10 @@ TEST(BeamPiece, ACantileverOfFirstOrderEndsWhereTheTextbookSays) {
 /// Whatever its unknowns are, open or not: a beam gives its two ends its weight and no moment more.
 TEST(BeamPiece, WhatItGivesToItsEndsIsItsWeight) {
   for (const double weight : {0.0, 700.0}) {
-    model::Model m;
+    machine::Model m;
     m.bodies = {body("foot", {0.4, -0.2, 1}, 0, "xyzXYZ"), body("head", {2, 3, 9}, 0, "xyzXYZ")};
     m.bodies[0].orientation = Eigen::AngleAxisd(0.7, Vector3(1, -2, 0.5).normalized());
-    model::StraightBeam b = upright(8);
+    machine::StraightBeam b = upright(8);
     b.from = {0, {0.3, 0.1, -0.2}};
     b.to = {1, {-0.1, 0.2, 0.3}};
     b.top = BeamTop::clamped;
@@ -100,7 +100,7 @@ TEST(BeamPiece, WhatItGivesToItsEndsIsItsWeight) {
 }
 
 TEST(BeamPiece, AHingeLeansFreelyAndDoesNotTurnAboutItsAxis) {
-  model::StraightBeam b = upright(6);
+  machine::StraightBeam b = upright(6);
   b.base = BeamHold::hinged;
   b.section.weight = 0;
   OneBeam beam({}, b);
@@ -131,9 +131,9 @@ TEST(BeamPiece, AHingeLeansFreelyAndDoesNotTurnAboutItsAxis) {
 /// A ball joint at the end leaves a moment open that has to vanish: a force; a clamped one a turn: a length.
 TEST(BeamPiece, TheMisfitTellsForcesFromLengths) {
   for (const BeamTop top : {BeamTop::hinged, BeamTop::clamped}) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("head", {0, 0, 5}, 0, "z"));
-    model::StraightBeam b = upright(5);
+    machine::StraightBeam b = upright(5);
     b.to = {0, Vector3::Zero()};
     b.top = top;
     b.section.weight = 0;
@@ -149,4 +149,4 @@ TEST(BeamPiece, TheMisfitTellsForcesFromLengths) {
   }
 }
 
-}  // namespace taut::analysis::beam_piece_test
+}  // namespace taut::mechanics::beam_piece_test

@@ -6,11 +6,11 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 using std::numbers::pi;
 
-Bend bend(const model::Node& node, const BranchEnd& end, const Vector3& in, const Vector3& out) {
+Bend bend(const machine::Node& node, const BranchEnd& end, const Vector3& in, const Vector3& out) {
   Bend b;
   if (end.radius != 0) {
     const Vector3 n = end.radius > 0 ? end.axis : Vector3(-end.axis);
@@ -36,7 +36,7 @@ Bend bend(const model::Node& node, const BranchEnd& end, const Vector3& in, cons
   return b;
 }
 
-Loss loss(const model::ContactLaw& law, double wrap) {
+Loss loss(const machine::ContactLaw& law, double wrap) {
   const double bearing = -std::log(law.efficiency);
   if (std::isinf(law.friction)) {
     expects(std::isfinite(bearing), "a contact either turns or slips");
@@ -47,4 +47,4 @@ Loss loss(const model::ContactLaw& law, double wrap) {
   return grip < bearing ? Loss{grip, law.friction} : Loss{bearing, 0};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -2,7 +2,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/mechanics/branch.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// The turn of a rope at a node. Derivatives by the unit vectors along the path before and after it.
 struct Bend {
@@ -12,12 +12,12 @@ struct Bend {
 
 /// On a round: about its axis (`end`), in [-pi/2, 3 pi/2) + 2 pi turns. At a point: the angle between the directions;
 /// with a support, negative where the rope presses away from it.
-Bend bend(const model::Node& node, const BranchEnd& end, const Vector3& in, const Vector3& out);
+Bend bend(const machine::Node& node, const BranchEnd& end, const Vector3& in, const Vector3& out);
 
 /// ln(T_out/T_in) for a flow along the path, and its derivative by the wrap.
 struct Loss {
   double log = 0, by_wrap = 0;
 };
-Loss loss(const model::ContactLaw& law, double wrap);
+Loss loss(const machine::ContactLaw& law, double wrap);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

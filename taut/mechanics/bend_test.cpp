@@ -8,7 +8,7 @@
 
 #include "test/support/dice.hpp"
 
-namespace taut::analysis::bend_test {
+namespace taut::mechanics::bend_test {
 
 using std::numbers::pi;
 
@@ -16,7 +16,7 @@ using std::numbers::pi;
 Vector3 at_angle(double angle) { return Eigen::AngleAxisd(angle, Vector3::UnitY()) * Vector3::UnitX(); }
 
 TEST(Bend, OnARoundIsTheAngleTurnedAboutItsAxis) {
-  model::Node node;
+  machine::Node node;
   node.radius = 0.3;
   for (const double side : {1.0, -1.0}) {
     for (const double angle : {0.2, 1.5, 3.0, 4.5}) {
@@ -31,7 +31,7 @@ TEST(Bend, OnARoundIsTheAngleTurnedAboutItsAxis) {
 }
 
 TEST(Bend, AtAPointIsTheAngleBetweenWithTheSupportsSign) {
-  model::Node node;
+  machine::Node node;
   const BranchEnd end;
   EXPECT_NEAR(bend(node, end, at_angle(0), at_angle(0.7)).wrap, 0.7, 1e-12);
   EXPECT_NEAR(bend(node, end, at_angle(0.7), at_angle(0)).wrap, 0.7, 1e-12) << "no side without a support";
@@ -45,7 +45,7 @@ TEST(Bend, AtAPointIsTheAngleBetweenWithTheSupportsSign) {
 TEST(Bend, ItsDerivativesAreThoseOfDifferences) {
   taut_test::Dice dice{std::mt19937(3)};
   for (int i = 0; i < 200; ++i) {
-    model::Node node;
+    machine::Node node;
     node.radius = i % 2 == 0 ? 0.4 : 0;
     const BranchEnd end{Vector3::Zero(), Vector3(dice.in(-0.2, 0.2), 1, dice.in(-0.2, 0.2)).normalized(),
                         node.radius * (i % 4 == 0 ? 1 : -1)};
@@ -77,4 +77,4 @@ TEST(Loss, IsTheLesserOfGripAndBearing) {
   EXPECT_EQ(loss({0.1, 0.9}, -0.2).log, 0) << "does not touch";
 }
 
-}  // namespace taut::analysis::bend_test
+}  // namespace taut::mechanics::bend_test

@@ -7,7 +7,7 @@
 
 #include "taut/mechanics/branch_force.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
 constexpr int most_tangent_steps = 30;
@@ -154,7 +154,7 @@ namespace {
 
 /// Closes chord, tangent points and free length, from `start`.
 std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& from, const BranchEnd& to,
-                                      const BranchDirections& free, const model::BranchState& start, Branch& b) {
+                                      const BranchDirections& free, const machine::BranchState& start, Branch& b) {
   const Vector3 X = to.centre - from.centre;
   const bool round = from.radius != 0 || to.radius != 0;
   const double given = rope.length;
@@ -197,10 +197,10 @@ std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& 
 }  // namespace
 
 tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
-                                                    const BranchEnd& to, const model::BranchState& start) {
+                                                    const BranchEnd& to, const machine::BranchState& start) {
   Branch b;
   const bool round = from.radius != 0 || to.radius != 0;
-  model::BranchState near = start;
+  machine::BranchState near = start;
   near.length = rope.length;
   const bool known = start.leaves != Vector3::Zero() && start.arrives != Vector3::Zero();
   BranchDirections free{start.leaves, start.arrives};
@@ -269,4 +269,4 @@ Vector3 offset_change(const BranchEnd& end, const Vector3& direction, const Vect
   return end.radius / size * across(m / size) * direction.cross(axis_change);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -5,7 +5,7 @@
 #include "taut/math/vector.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// What a branch runs from or to: the circle of a round in the ground frame, or a point.
 struct BranchEnd {
@@ -53,11 +53,11 @@ struct BranchRates {
 /// an iteration that asks again closes it quadratically, together with all else. too_short as of a span; not_converged
 /// also where the rounds leave no line.
 tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& rope, const BranchEnd& from,
-                                                    const BranchEnd& to, const model::BranchState& start);
+                                                    const BranchEnd& to, const machine::BranchState& start);
 
 BranchRates rates(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to, const Branch& branch);
 
 /// d(offset)/d(axis) times a small change of the axis, the rope's direction kept, m.
 Vector3 offset_change(const BranchEnd& end, const Vector3& direction, const Vector3& axis_change);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
 constexpr int most_force_steps = 40;
@@ -181,4 +181,4 @@ std::optional<BranchForce> branch_force(const rope::CatenaryRope& rope, const Br
   return from_points(p);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

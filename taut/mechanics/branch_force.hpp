@@ -3,7 +3,7 @@
 
 #include "taut/mechanics/branch.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// Directions of a rope at its ends, along the path.
 struct BranchDirections {
@@ -38,4 +38,4 @@ Vector3 tangent_offset(const BranchEnd& end, const Vector3& direction);
 /// Its derivative by the direction.
 Matrix3 tangent_offset_rate(const BranchEnd& end, const Vector3& direction);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -7,7 +7,7 @@
 
 #include "test/support/dice.hpp"
 
-namespace taut::analysis::branch_force_test {
+namespace taut::mechanics::branch_force_test {
 
 BranchEnd round(const Vector3& centre, double radius, const Vector3& axis = Vector3::UnitY()) {
   return {centre, axis.normalized(), radius};
@@ -75,4 +75,4 @@ TEST(BranchForce, ItsForceEndsTheRopeAtTheTangentPoint) {
   EXPECT_GT(found, 280);
 }
 
-}  // namespace taut::analysis::branch_force_test
+}  // namespace taut::mechanics::branch_force_test

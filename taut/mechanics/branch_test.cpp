@@ -12,7 +12,7 @@
 namespace branch_test {
 
 using namespace taut;
-using namespace taut::analysis;
+using namespace taut::mechanics;
 
 struct Case {
   rope::CatenaryRope rope;
@@ -35,7 +35,7 @@ Case any_case(unsigned seed) {
 }
 
 /// Asked until its span is closed too.
-tl::expected<Branch, rope::NoCatenary> solved(const Case& c, model::BranchState at) {
+tl::expected<Branch, rope::NoCatenary> solved(const Case& c, machine::BranchState at) {
   auto b = solve_branch(c.rope, c.from, c.to, at);
   for (int i = 0; b && i < 3; ++i) {
     at = {b->length, b->leaves, b->arrives, b->span.force};

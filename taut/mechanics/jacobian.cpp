@@ -7,7 +7,7 @@
 #include "taut/mechanics/stiff_branch.hpp"
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
 using Columns = BranchColumns;
@@ -25,10 +25,10 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
                         Columns& columns, BranchWays& ends) {
   const Layout& layout = a.system.layout;
   const int body = start ? columns.from_body : columns.to_body;
-  if (body == model::ground) return;
+  if (body == machine::ground) return;
   const Vector3 arm = end.centre - a.c.bodies[at(body)].position;
   for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
-    const model::Freedom& way = layout.dofs[at(i)].way;
+    const machine::Freedom& way = layout.dofs[at(i)].way;
     const int k = columns.count++;
     columns.unknown[at(k)] = i;
     const Vector3 turn = way.about.cross(arm);
@@ -48,8 +48,8 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
 
 void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   const Layout::Link& link = a.system.layout.links[at(link_index)];
-  const model::Reeving& rope = a.system.model.reevings[at(link.reeving)];
-  const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+  const machine::Reeving& rope = a.system.model.reevings[at(link.reeving)];
+  const machine::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[at(link_index)];
   const bool stiff = link.force >= 0;
@@ -76,10 +76,10 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
 /// Rows of a body's freedoms from a force F with arm and their derivatives.
 void add_force_rows(Assembly& a, int body, const Vector3& F, const Vector3& arm, const Columns& columns, bool start,
                     double factor) {
-  if (body == model::ground) return;
+  if (body == machine::ground) return;
   const Layout& layout = a.system.layout;
   for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
-    const model::Freedom& way = layout.dofs[at(i)].way;
+    const machine::Freedom& way = layout.dofs[at(i)].way;
     const bool turns = way.about != Vector3::Zero();
     for (std::size_t k = 0; k < at(columns.count); ++k) {
       const Vector3& dF = start ? columns.pull_from[k] : columns.pull_to[k];
@@ -98,10 +98,10 @@ void add_ropes(Assembly& a) {
     const Branch& b = a.e.branches[k];
     if (b.slack) continue;
     const Layout::Link& link = a.system.layout.links[k];
-    const model::Reeving& rope = a.system.model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = a.system.model.reevings[at(link.reeving)];
     const Columns& columns = a.columns[k];
     const auto arm = [&](int node, int body, const Vector3& offset) -> Vector3 {
-      if (body == model::ground) return Vector3::Zero();
+      if (body == machine::ground) return Vector3::Zero();
       return end_at(rope.nodes[at(node)], a.c.bodies).centre + offset - a.c.bodies[at(body)].position;
     };
     add_force_rows(a, columns.from_body, b.pull_from, arm(link.from, columns.from_body, b.offset_from), columns, true,
@@ -124,13 +124,13 @@ void add_dead_force(Assembly& a, int body, const Vector3& arm, const Vector3& F)
 }
 
 void add_dead_forces(Assembly& a) {
-  const model::Model& model = a.system.model;
+  const machine::Model& model = a.system.model;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const model::Body& body = model.bodies[b];
+    const machine::Body& body = model.bodies[b];
     add_dead_force(a, static_cast<int>(b), a.c.bodies[b].orientation * body.centre, -body.mass * model.gravity * up());
   }
-  for (const model::Load& load : model.loads) {
-    if (load.at.body == model::ground) continue;
+  for (const machine::Load& load : model.loads) {
+    if (load.at.body == machine::ground) continue;
     add_dead_force(a, load.at.body, a.c.bodies[at(load.at.body)].orientation * load.at.at, load.force);
   }
 }
@@ -151,7 +151,7 @@ void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_ou
 
 void add_arc(Assembly& a, int turn, int row) {
   const Layout::Turn& t = a.system.layout.turns[at(turn)];
-  const model::Reeving& rope = a.system.model.reevings[at(t.reeving)];
+  const machine::Reeving& rope = a.system.model.reevings[at(t.reeving)];
   const double radius = rope.nodes[at(t.node)].radius;
   if (radius == 0) return;
   const ArcLength length = arc(a.system, a.e, turn);
@@ -160,7 +160,7 @@ void add_arc(Assembly& a, int turn, int row) {
 
 void add_contact(Assembly& a, int turn) {
   const Layout::Turn& t = a.system.layout.turns[at(turn)];
-  const model::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
+  const machine::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
   const Loss lost = loss(node.law, a.e.bends[at(turn)].wrap);
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;
@@ -184,19 +184,19 @@ void add_tension(Assembly& a, int link, bool start, int row) {
 }
 
 /// What is given of a rope as a row.
-void add_given(Assembly& a, const Layout::Rope& rope, model::Given given, int row) {
+void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int row) {
   switch (given) {
-    case model::Given::length:
+    case machine::Given::length:
       for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, row);
       for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) add_arc(a, t, row);
       break;
-    case model::Given::tension_at_start:
+    case machine::Given::tension_at_start:
       add_tension(a, rope.first, true, row);
       break;
-    case model::Given::tension_at_end:
+    case machine::Given::tension_at_end:
       add_tension(a, rope.first + rope.count - 1, false, row);
       break;
-    case model::Given::torque:
+    case machine::Given::torque:
       add_turn(a, rope.drive, row, 1, -1, 0);
       break;
   }
@@ -206,14 +206,14 @@ void add_laws(Assembly& a) {
   const Layout& layout = a.system.layout;
   for (std::size_t r = 0; r < layout.ropes.size(); ++r) {
     const Layout::Rope& rope = layout.ropes[r];
-    const model::Reeving& reeving = a.system.model.reevings[r];
+    const machine::Reeving& reeving = a.system.model.reevings[r];
     const int last = rope.first_turn + rope.turn_count;
     for (int t = rope.first_turn; t < last; ++t) {
       const Layout::Turn& turn = layout.turns[at(t)];
       if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
-      const model::NodeKind kind = reeving.nodes[at(turn.node)].kind;
-      if (kind == model::NodeKind::contact) add_contact(a, t);
-      if (kind != model::NodeKind::clamp) continue;
+      const machine::NodeKind kind = reeving.nodes[at(turn.node)].kind;
+      if (kind == machine::NodeKind::contact) add_contact(a, t);
+      if (kind != machine::NodeKind::clamp) continue;
       for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
       for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
     }
@@ -221,7 +221,7 @@ void add_laws(Assembly& a) {
       add_given(a, rope, reeving.given, rope.row);
     }
     if (rope.drive < 0 || layout.turns[at(rope.drive)].row < 0) continue;
-    add_given(a, rope, reeving.also ? reeving.also->first : model::Given::torque, layout.turns[at(rope.drive)].row);
+    add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, layout.turns[at(rope.drive)].row);
   }
 }
 
@@ -245,7 +245,7 @@ void add_coordinate(Assembly& a) {
   const auto add = [&](int unknown, const Vector3& d, const Vector3& darm) {
     const Vector3 turn = a.c.hold / size * (d - along * along.dot(d));
     for (int i = first; i < last; ++i) {
-      const model::Freedom& way = layout.dofs[at(i)].way;
+      const machine::Freedom& way = layout.dofs[at(i)].way;
       a.J(i, unknown) += turn.dot(way.along) + way.about.dot(arm.cross(turn) + a.c.hold * darm.cross(along));
     }
   };
@@ -253,7 +253,7 @@ void add_coordinate(Assembly& a) {
   for (std::size_t k = 0; k < at(out.count); ++k) add(out.unknown[k], out.leaves[k], Vector3::Zero());
   for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[at(j)].way.about.cross(arm));
   for (int i = first; i < last; ++i) {
-    const model::Freedom& way = layout.dofs[at(i)].way;
+    const machine::Freedom& way = layout.dofs[at(i)].way;
     a.J(i, layout.hold) = along.dot(way.along) + way.about.dot(arm.cross(along));
   }
 }
@@ -274,4 +274,4 @@ void jacobian(const System& system, const Configuration& c, const Evaluation& e,
   add_beam_rates(system, c, J);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -6,30 +6,30 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
-using model::NodeKind;
+using machine::NodeKind;
 
 int count(std::size_t n) { return static_cast<int>(n); }
 
-void check(const model::Reeving& rope) {
+void check(const machine::Reeving& rope) {
   expects(rope.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
   expects(!rope.closed || rope.nodes.front().kind == NodeKind::drive, "a closed rope begins at its drive");
-  const bool torque = rope.given == model::Given::torque;
-  expects(!rope.closed || torque || rope.given == model::Given::length, "a closed rope is given by length or torque");
+  const bool torque = rope.given == machine::Given::torque;
+  expects(!rope.closed || torque || rope.given == machine::Given::length, "a closed rope is given by length or torque");
   expects(!torque || (rope.closed && rope.nodes.front().tension_drop), "a given torque needs a closed rope's drive");
 }
 
 /// Which way along the path the force of a load points.
-int sense_of(const model::Reeving& rope, const model::RopeLoad& load, int flow) {
+int sense_of(const machine::Reeving& rope, const machine::RopeLoad& load, int flow) {
   return load.by_motion ? load.sense * (flow == 0 ? rope.haul : flow) : load.sense;
 }
 
 /// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
-bool has_row(const model::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
+bool has_row(const machine::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
 
-void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vector<bool>& touched,
+void add_rope(Layout& l, const machine::Reeving& rope, int index, const std::vector<bool>& touched,
               const std::vector<int>& flow) {
   check(rope);
   std::vector<int> nodes;
@@ -45,7 +45,7 @@ void add_rope(Layout& l, const model::Reeving& rope, int index, const std::vecto
     l.links.push_back({index, nodes[at(k)], nodes[at((k + 1) % count(nodes.size()))], l.size + k});
   }
   int row = l.size;
-  const auto is_open = [](const model::Node& node) { return node.kind == NodeKind::load && node.load.open; };
+  const auto is_open = [](const machine::Node& node) { return node.kind == NodeKind::load && node.load.open; };
   if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + links;
   for (int k = rope.closed ? 0 : 1; k < links; ++k) {
     const int node = nodes[at(k)];
@@ -74,15 +74,15 @@ int turn_at(const Layout& l, int reeving, int node) {
 }
 
 /// The rope whose length or tension follows from a carriage's place; -1: none.
-int gives_way(const model::Model& model, const model::Carriage& carriage) {
-  const auto by_length = [&](int rope) { return model.reevings.at(at(rope)).given == model::Given::length; };
+int gives_way(const machine::Model& model, const machine::Carriage& carriage) {
+  const auto by_length = [&](int rope) { return model.reevings.at(at(rope)).given == machine::Given::length; };
   const bool both = carriage.mainline >= 0 && carriage.haulback >= 0;
   if (both && !by_length(carriage.mainline) && by_length(carriage.haulback)) return carriage.haulback;
   return carriage.mainline >= 0 ? carriage.mainline : carriage.haulback;
 }
 
-void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribed) {
-  const model::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
+void prescribe(Layout& l, const machine::Model& model, const machine::Prescribed& prescribed) {
+  const machine::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
   const int turn = turn_at(l, carriage.reeving, carriage.node);
   const int rope = gives_way(model, carriage);
   l.coordinate_body = carriage.body;
@@ -105,33 +105,33 @@ void prescribe(Layout& l, const model::Model& model, const Prescribed& prescribe
 }
 
 /// The scales of force and length.
-void measure(Layout& l, const model::Model& model, const model::State& state) {
-  for (const model::Body& body : model.bodies) l.heaviest = std::max(l.heaviest, body.mass * model.gravity);
-  for (const model::Load& load : model.loads) l.heaviest = std::max(l.heaviest, load.force.norm());
-  for (const model::Reeving& rope : model.reevings) {
-    for (const model::Node& node : rope.nodes) {
+void measure(Layout& l, const machine::Model& model, const machine::State& state) {
+  for (const machine::Body& body : model.bodies) l.heaviest = std::max(l.heaviest, body.mass * model.gravity);
+  for (const machine::Load& load : model.loads) l.heaviest = std::max(l.heaviest, load.force.norm());
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
       l.heaviest = std::max({l.heaviest, node.load.force, std::abs(node.tension_drop.value_or(0))});
     }
   }
   for (const Layout::Link& link : l.links) {
-    const model::Reeving& rope = model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = model.reevings[at(link.reeving)];
     const Vector3 chord =
-        model::in_ground(state, rope.nodes[at(link.to)].at) - model::in_ground(state, rope.nodes[at(link.from)].at);
+        machine::in_ground(state, rope.nodes[at(link.to)].at) - machine::in_ground(state, rope.nodes[at(link.from)].at);
     l.length = std::max(l.length, chord.norm());
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
     if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
   }
-  for (const model::Beam& beam : model.beams) {
+  for (const machine::Beam& beam : model.beams) {
     l.length = std::max(l.length, beam.length);
     if (!beam.pieces.empty()) l.heaviest = std::max(l.heaviest, beam.length * beam.pieces.front().rod.section.weight);
   }
   if (l.length == 0) l.length = 1;
 }
 
-void add_beams(Layout& l, const model::Model& model) {
+void add_beams(Layout& l, const machine::Model& model) {
   for (std::size_t b = 0; b < model.beams.size(); ++b) {
     for (std::size_t k = 0; k < model.beams[b].pieces.size(); ++k) {
-      const bool hinged = model.beams[b].pieces[k].start_hold == model::BeamHold::hinged;
+      const bool hinged = model.beams[b].pieces[k].start_hold == machine::BeamHold::hinged;
       l.pieces.push_back({count(b), count(k), l.size, hinged});
       l.size += l.pieces.back().count();
     }
@@ -140,12 +140,12 @@ void add_beams(Layout& l, const model::Model& model) {
 
 }  // namespace
 
-Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
-              const std::vector<std::vector<int>>& flow) {
+Layout layout(const machine::Model& model, const machine::State& state,
+              const std::optional<machine::Prescribed>& prescribed, const std::vector<std::vector<int>>& flow) {
   Layout l;
   for (int b = 0; b < count(model.bodies.size()); ++b) {
     l.first_dof.push_back(count(l.dofs.size()));
-    for (const model::Freedom& way : model.bodies[at(b)].free) l.dofs.push_back({b, way});
+    for (const machine::Freedom& way : model.bodies[at(b)].free) l.dofs.push_back({b, way});
   }
   l.first_dof.push_back(count(l.dofs.size()));
   l.size = count(l.dofs.size());
@@ -158,4 +158,4 @@ Layout layout(const model::Model& model, const model::State& state, const std::o
   return l;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "taut/machine/model.hpp"
+#include "taut/machine/prescribed.hpp"
 #include "taut/machine/state.hpp"
-#include "taut/mechanics/prescribed.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// Which unknown and which equation is where. Unknowns: the freedoms of the bodies, the unstretched length of each
 /// branch, the open load of a rope, the hold of a prescribed carriage. Equations: the balance of each freedom, then for
@@ -14,7 +14,7 @@ namespace taut::analysis {
 struct Layout {
   struct Dof {
     int body = 0;
-    model::Freedom way;
+    machine::Freedom way;
   };
   /// A branch between two touched nodes; its length is unknown `unknown`. Of a rope that hardly stretches its force is
   /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); -1: the force follows from the
@@ -52,7 +52,7 @@ struct Layout {
   std::vector<Piece> pieces;  ///< the last unknowns and rows
   int size = 0;
   int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
-  int coordinate_body = model::ground;
+  int coordinate_body = machine::ground;
   Vector3 coordinate_along = Vector3::UnitX();  ///< along which the coordinate is measured
   int height_row = -1;                          ///< where its height is prescribed: its rope's row; -1: nowhere
   double height = 0;                            ///< m
@@ -65,7 +65,7 @@ struct Layout {
 };
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.
-Layout layout(const model::Model& model, const model::State& state, const std::optional<Prescribed>& prescribed,
-              const std::vector<std::vector<int>>& flow);
+Layout layout(const machine::Model& model, const machine::State& state,
+              const std::optional<machine::Prescribed>& prescribed, const std::vector<std::vector<int>>& flow);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -7,12 +7,12 @@
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 
-namespace taut::analysis::layout_test {
+namespace taut::mechanics::layout_test {
 
 using namespace taut_test;
 
-Layout layout_of(const model::Model& m, const std::optional<Prescribed>& prescribed = std::nullopt) {
-  return layout(m, model::initial_state(m), prescribed, no_flow(m));
+Layout layout_of(const machine::Model& m, const std::optional<machine::Prescribed>& prescribed = std::nullopt) {
+  return layout(m, machine::initial_state(m), prescribed, no_flow(m));
 }
 
 /// Every unknown and every row is somebody's, and nobody's twice.
@@ -52,8 +52,8 @@ void expect_complete(const Layout& l) {
 TEST(Layout, EveryUnknownHasItsEquation) {
   expect_complete(layout_of(three_spans(316, 0.1)));
   expect_complete(layout_of(with_carriage(true)));
-  expect_complete(layout_of(with_carriage(true), Prescribed{0, 150}));
-  expect_complete(layout_of(with_carriage(false), Prescribed{0, 150}));
+  expect_complete(layout_of(with_carriage(true), machine::Prescribed{0, 150}));
+  expect_complete(layout_of(with_carriage(false), machine::Prescribed{0, 150}));
   expect_complete(layout_of(rollers(2, 0.8, 0.3, 1000)));
   expect_complete(layout_of(tackle(6, 0.97, 3000)));
   expect_complete(layout_of(boom()));
@@ -62,18 +62,18 @@ TEST(Layout, EveryUnknownHasItsEquation) {
 TEST(Layout, WhatFollowsFromAPrescribedPlace) {
   const Layout free = layout_of(with_carriage(true));
   EXPECT_EQ(free.coordinate_row, -1);
-  const Layout by_rope = layout_of(with_carriage(true), Prescribed{0, 150});
+  const Layout by_rope = layout_of(with_carriage(true), machine::Prescribed{0, 150});
   EXPECT_EQ(by_rope.size, free.size) << "the mainline's length gives way";
   EXPECT_EQ(by_rope.coordinate_row, by_rope.ropes[1].row);
   EXPECT_EQ(by_rope.hold, -1);
-  const Layout by_force = layout_of(with_carriage(false), Prescribed{0, 150});
+  const Layout by_force = layout_of(with_carriage(false), machine::Prescribed{0, 150});
   EXPECT_EQ(by_force.size, layout_of(with_carriage(false)).size + 1) << "a force along the track";
   EXPECT_GE(by_force.hold, 0);
 }
 
 TEST(Layout, ALiftedSupportIsNoTurn) {
-  const model::Model m = three_spans(316, 0.1);
-  model::State state = model::initial_state(m);
+  const machine::Model m = three_spans(316, 0.1);
+  machine::State state = machine::initial_state(m);
   state.touched[0][1] = false;
   const Layout l = layout(m, state, {}, no_flow(m));
   ASSERT_EQ(l.links.size(), 2U);
@@ -85,7 +85,7 @@ TEST(Layout, ALiftedSupportIsNoTurn) {
 }
 
 TEST(Layout, ScalesAreTheLargest) {
-  model::Model m = with_carriage(true, 0.1, 2000);
+  machine::Model m = with_carriage(true, 0.1, 2000);
   m.loads.push_back({{0, origin}, {0, 0, -50e3}});
   const Layout l = layout_of(m);
   EXPECT_GE(l.heaviest, 50e3);
@@ -93,4 +93,4 @@ TEST(Layout, ScalesAreTheLargest) {
   EXPECT_GT(l.length, 100);
 }
 
-}  // namespace taut::analysis::layout_test
+}  // namespace taut::mechanics::layout_test

@@ -5,10 +5,10 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
-bool is_load(const System& s, const Layout::Turn& t) { return node_of(s, t).kind == model::NodeKind::load; }
+bool is_load(const System& s, const Layout::Turn& t) { return node_of(s, t).kind == machine::NodeKind::load; }
 
 /// The links of the span in which a load stands: between it and the next nodes of other kinds.
 struct LoadedSpan {
@@ -53,7 +53,7 @@ int row_count(const System& s, const Layout::Turn& t) {
 
 double rope_load(const System& s, const Configuration& c, const Evaluation&, int turn) {
   const Layout::Turn& t = s.layout.turns[at(turn)];
-  const model::RopeLoad& load = node_of(s, t).load;
+  const machine::RopeLoad& load = node_of(s, t).load;
   double force = load.open ? c.open_loads[at(t.reeving)] : load.force;
   if (load.rate != 0) {
     const auto [first, last] = span_of(s, turn);
@@ -82,7 +82,7 @@ void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e
   for (int turn = 0; turn < static_cast<int>(s.layout.turns.size()); ++turn) {
     const Layout::Turn& t = s.layout.turns[at(turn)];
     if (!is_load(s, t)) continue;
-    const model::RopeLoad& load = node_of(s, t).load;
+    const machine::RopeLoad& load = node_of(s, t).load;
     const auto [first, last] = span_of(s, turn);
     for (int k = first; k <= last; ++k) {
       const BranchColumns& free = columns[at(k)];
@@ -115,4 +115,4 @@ void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e
   }
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// Forces along the free rope (nodes of kind load), docs/theory/rope_load.md. At such a point the rope goes on in its
 /// direction d and loses or gains tension: T_out d - T_in d + F d = 0; the point lies at a share p of the unstretched
@@ -17,4 +17,4 @@ void add_rope_loads(const System& system, const Configuration& c, Evaluation& e)
 void add_rope_loads(const System& system, const Configuration& c, const Evaluation& e,
                     const std::vector<BranchColumns>& columns, Eigen::MatrixXd& J);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -6,12 +6,12 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
 constexpr double least_level = 1e-12;  ///< of the force: a rope in a vertical line has the limits of one beside it
 
-const model::Reeving& rope_at(const System& s, int link) {
+const machine::Reeving& rope_at(const System& s, int link) {
   return s.model.reevings[at(s.layout.links[at(link)].reeving)];
 }
 
@@ -21,7 +21,7 @@ struct LinkEnds {
 
 LinkEnds ends_of(const System& s, int link, const Configuration& c) {
   const Layout::Link& l = s.layout.links[at(link)];
-  const model::Reeving& rope = rope_at(s, link);
+  const machine::Reeving& rope = rope_at(s, link);
   return {end_at(rope.nodes[at(l.from)], c.bodies), end_at(rope.nodes[at(l.to)], c.bodies)};
 }
 
@@ -86,16 +86,16 @@ void pull_straight(const rope::CatenaryRope& rope, double T, Branch& b) {
   if (!b.slack) b.span.force = {T * std::hypot(b.leaves.x(), b.leaves.y()), T * b.leaves.z()};
 }
 
-double stretching(const System& s, const model::Reeving& rope, double T) {
+double stretching(const System& s, const machine::Reeving& rope, double T) {
   return T > 0 ? rope.stiffness : std::min(rope.stiffness, s.layout.loose);
 }
 
 }  // namespace
 
-int force_count(const model::Reeving& rope) { return rope.weight > 0 ? 3 : 1; }
+int force_count(const machine::Reeving& rope) { return rope.weight > 0 ? 3 : 1; }
 
 std::optional<Branch> stiff_branch(const System& s, int link, const Configuration& c, Eigen::VectorXd& residual) {
-  const model::Reeving& reeving = rope_at(s, link);
+  const machine::Reeving& reeving = rope_at(s, link);
   const LinkEnds ends = ends_of(s, link, c);
   const int row = s.layout.links[at(link)].force;
   const Vector3& F = c.forces[at(link)];
@@ -197,11 +197,11 @@ void add_stiff_columns(const System& s, int link, const Configuration& c, const 
   rope_at(s, link).weight > 0 ? add_heavy(s, link, c, b, ends, columns, J) : add_line(s, link, c, b, ends, columns, J);
 }
 
-Layout with_forces(Layout layout, const model::Model& model, double limit, double loose) {
+Layout with_forces(Layout layout, const machine::Model& model, double limit, double loose) {
   layout.loose = loose;
   layout.stiffest = 0;
   for (Layout::Link& link : layout.links) {
-    const model::Reeving& rope = model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = model.reevings[at(link.reeving)];
     if (!(rope.stiffness > limit)) {
       layout.stiffest = std::max(layout.stiffest, rope.stiffness);
       continue;
@@ -223,4 +223,4 @@ Configuration with_forces(const System& s, Configuration c, const Evaluation& e)
   return c;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -3,7 +3,7 @@
 
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// A branch of a rope that hardly stretches. Its tension is a small difference of its chord and its length, times EA:
 /// places rounded to their last digit leave EA times 1e-16 of it. So its force is an unknown of the machine, and that
@@ -11,7 +11,7 @@ namespace taut::analysis {
 /// tension and the row l/L - 1 - T/EA = 0. A rope that does not stretch is the row without T/EA.
 
 /// How many unknowns, and rows, the force of a branch of this rope has.
-int force_count(const model::Reeving& rope);
+int force_count(const machine::Reeving& rope);
 
 /// The branch at its force; fills what is open of its rows, m. Empty where its rounds leave no line.
 std::optional<Branch> stiff_branch(const System& system, int link, const Configuration& c, Eigen::VectorXd& residual);
@@ -29,9 +29,9 @@ void add_stiff_columns(const System& system, int link, const Configuration& c, c
 
 /// The layout with the forces of all branches of ropes stiffer than `limit` (N) among its unknowns. A slack rope
 /// without weight and stiffer than `loose` (N) shares its slack among its branches as one of this EA.
-Layout with_forces(Layout layout, const model::Model& model, double limit, double loose);
+Layout with_forces(Layout layout, const machine::Model& model, double limit, double loose);
 
 /// The configuration for it, with the forces that an evaluation by lengths found.
 Configuration with_forces(const System& system, Configuration c, const Evaluation& e);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

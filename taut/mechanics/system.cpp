@@ -9,33 +9,33 @@
 #include "taut/mechanics/rope_load.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 namespace {
 
-const model::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
+const machine::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
 
 /// Adds a force that acts at `place` to the balance of the freedoms of a body.
 void add_force(const System& s, const Configuration& c, int body, const Vector3& place, const Vector3& force,
                Eigen::VectorXd& residual) {
-  if (body == model::ground) return;
+  if (body == machine::ground) return;
   const Vector3 arm = place - c.bodies[at(body)].position;
   for (int i = s.layout.first_dof[at(body)]; i < s.layout.first_dof[at(body) + 1]; ++i) {
-    const model::Freedom& way = s.layout.dofs[at(i)].way;
+    const machine::Freedom& way = s.layout.dofs[at(i)].way;
     residual[i] += force.dot(way.along) + way.about.dot(arm.cross(force));
   }
 }
 
 void add_dead_forces(const System& s, const Configuration& c, Eigen::VectorXd& residual) {
   for (std::size_t b = 0; b < s.model.bodies.size(); ++b) {
-    const model::Body& body = s.model.bodies[b];
+    const machine::Body& body = s.model.bodies[b];
     if (body.free.empty()) continue;
-    const model::Pose& pose = c.bodies[b];
+    const machine::Pose& pose = c.bodies[b];
     add_force(s, c, static_cast<int>(b), pose.position + pose.orientation * body.centre,
               -body.mass * s.model.gravity * up(), residual);
   }
-  for (const model::Load& load : s.model.loads) {
-    if (load.at.body == model::ground) continue;
-    const model::Pose& pose = c.bodies[at(load.at.body)];
+  for (const machine::Load& load : s.model.loads) {
+    if (load.at.body == machine::ground) continue;
+    const machine::Pose& pose = c.bodies[at(load.at.body)];
     add_force(s, c, load.at.body, pose.position + pose.orientation * load.at.at, load.force, residual);
   }
 }
@@ -45,8 +45,8 @@ void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
     const Branch& b = e.branches[k];
     if (b.slack) continue;
     const Layout::Link& link = s.layout.links[k];
-    const model::Reeving& rope = reeving_of(s, link.reeving);
-    const model::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+    const machine::Reeving& rope = reeving_of(s, link.reeving);
+    const machine::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
     e.largest_force = std::max({e.largest_force, rope.copies * std::abs(b.T_from), rope.copies * std::abs(b.T_to)});
     add_force(s, c, from.at.body, end_at(from, c.bodies).centre + b.offset_from, rope.copies * b.pull_from, e.residual);
     add_force(s, c, to.at.body, end_at(to, c.bodies).centre + b.offset_to, -rope.copies * b.pull_to, e.residual);
@@ -61,41 +61,41 @@ double drop_misfit(const System& s, const Evaluation& e, int turn) {
 
 /// Whether the row of a turn is a length.
 bool is_length(const System& s, const Layout::Turn& t) {
-  const model::NodeKind kind = node_of(s, t).kind;
+  const machine::NodeKind kind = node_of(s, t).kind;
   const auto& also = reeving_of(s, t.reeving).also;
-  return kind == model::NodeKind::clamp || kind == model::NodeKind::load ||
-         (kind == model::NodeKind::drive && also && also->first == model::Given::length);
+  return kind == machine::NodeKind::clamp || kind == machine::NodeKind::load ||
+         (kind == machine::NodeKind::drive && also && also->first == machine::Given::length);
 }
 
 /// Laws of the contacts, places of the clamps, given quantities.
 void add_laws(const System& s, const Configuration& c, Evaluation& e) {
   for (const Layout::Rope& rope : s.layout.ropes) {
-    const model::Reeving& reeving = reeving_of(s, s.layout.links[at(rope.first)].reeving);
+    const machine::Reeving& reeving = reeving_of(s, s.layout.links[at(rope.first)].reeving);
     double length = 0;
     int link = rope.first;
     for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
       const Layout::Turn& turn = s.layout.turns[at(t)];
       for (; link < turn.after; ++link) length += c.links[at(link)].length;
-      const model::Node& node = node_of(s, turn);
+      const machine::Node& node = node_of(s, turn);
       const double T_in = e.branches[at(turn.before)].T_to, T_out = e.branches[at(turn.after)].T_from;
-      if (node.kind == model::NodeKind::clamp) {
+      if (node.kind == machine::NodeKind::clamp) {
         e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
-      } else if (node.kind == model::NodeKind::contact) {
+      } else if (node.kind == machine::NodeKind::contact) {
         const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
         e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t).length;
     }
     for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
-    const auto open = [&](model::Given given, double value) {
+    const auto open = [&](machine::Given given, double value) {
       switch (given) {
-        case model::Given::length:
+        case machine::Given::length:
           return length - value * (1 + reeving.thermal_strain);
-        case model::Given::tension_at_start:
+        case machine::Given::tension_at_start:
           return e.branches[at(rope.first)].T_from - value;
-        case model::Given::tension_at_end:
+        case machine::Given::tension_at_end:
           return e.branches[at(rope.first + rope.count - 1)].T_to - value;
-        case model::Given::torque:
+        case machine::Given::torque:
           break;
       }
       return drop_misfit(s, e, rope.drive);
@@ -117,7 +117,7 @@ void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
   add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
 
-void keep_shape(const model::Reeving& rope, const Branch& branch, model::BranchState& link) {
+void keep_shape(const machine::Reeving& rope, const Branch& branch, machine::BranchState& link) {
   link.length = branch.length;
   link.leaves = branch.leaves;
   link.arrives = branch.arrives;
@@ -126,18 +126,18 @@ void keep_shape(const model::Reeving& rope, const Branch& branch, model::BranchS
 
 }  // namespace
 
-const model::Node& node_of(const System& s, const Layout::Turn& t) {
+const machine::Node& node_of(const System& s, const Layout::Turn& t) {
   return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
 }
 
-rope::CatenaryRope rope_of(const model::Reeving& reeving, double length) {
+rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length) {
   return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};
 }
 
-BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies) {
+BranchEnd end_at(const machine::Node& node, const std::vector<machine::Pose>& bodies) {
   BranchEnd end{node.at.at, node.axis, node.side < 0 ? -node.radius : node.radius};
-  if (node.at.body != model::ground) {
-    const model::Pose& pose = bodies[at(node.at.body)];
+  if (node.at.body != machine::ground) {
+    const machine::Pose& pose = bodies[at(node.at.body)];
     end.centre = pose.position + pose.orientation * node.at.at;
     end.axis = pose.orientation * node.axis;
   }
@@ -146,8 +146,8 @@ BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies
 
 ArcLength arc(const System& s, const Evaluation& e, int turn) {
   const Layout::Turn& t = s.layout.turns[at(turn)];
-  const model::Node& node = node_of(s, t);
-  const bool runs = s.losses > 0 || node.kind == model::NodeKind::drive;
+  const machine::Node& node = node_of(s, t);
+  const bool runs = s.losses > 0 || node.kind == machine::NodeKind::drive;
   return arc_length({.radius = node.radius,
                      .wrap = e.bends[at(turn)].wrap,
                      .T_in = e.branches[at(t.before)].T_to,
@@ -175,7 +175,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   e.largest_force = s.layout.heaviest;
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const Layout::Link& link = s.layout.links[k];
-    const model::Reeving& rope = reeving_of(s, link.reeving);
+    const machine::Reeving& rope = reeving_of(s, link.reeving);
     if (link.force >= 0) {
       const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
       if (!stiff) return NoBranch{static_cast<int>(k), rope::NoCatenary::not_converged};
@@ -192,7 +192,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   }
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const Layout::Turn& turn = s.layout.turns[t];
-    const model::Node& node = node_of(s, turn);
+    const machine::Node& node = node_of(s, turn);
     e.bends[t] =
         bend(node, end_at(node, c.bodies), e.branches[at(turn.before)].arrives, e.branches[at(turn.after)].leaves);
   }
@@ -228,13 +228,13 @@ void move(const System& s, const Configuration& c, const Change& change, double 
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const Layout::Dof& dof = s.layout.dofs[i];
     const double by = part * change.step[static_cast<Eigen::Index>(i)];
-    model::Pose& pose = moved.bodies[at(dof.body)];
+    machine::Pose& pose = moved.bodies[at(dof.body)];
     pose.position += by * dof.way.along;
     if (dof.way.about == Vector3::Zero()) continue;
     pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;
   }
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    model::BranchState& link = moved.links[k];
+    machine::BranchState& link = moved.links[k];
     link.length += part * change.step[s.layout.links[k].unknown];
     if (const int force = s.layout.links[k].force; force >= 0) {
       const int count = force_count(reeving_of(s, s.layout.links[k].reeving));
@@ -272,7 +272,7 @@ Misfit misfit(const System& s, const Evaluation& e) {
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
     const int row = s.layout.ropes[r].row;
     const bool place = row == s.layout.coordinate_row || row == s.layout.height_row;
-    s.model.reevings[r].given == model::Given::length || place ? length(row) : force(row);
+    s.model.reevings[r].given == machine::Given::length || place ? length(row) : force(row);
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
@@ -284,4 +284,4 @@ Misfit misfit(const System& s, const Evaluation& e) {
   return m;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

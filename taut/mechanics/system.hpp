@@ -8,15 +8,15 @@
 #include "taut/mechanics/branch.hpp"
 #include "taut/mechanics/layout.hpp"
 
-namespace taut::analysis {
+namespace taut::mechanics {
 
 /// The unknowns' values.
 struct Configuration {
-  std::vector<model::Pose> bodies;
-  std::vector<model::BranchState> links;       ///< by Layout::links
-  double hold = 0;                             ///< N along the track
-  std::vector<model::PieceState> pieces = {};  ///< by Layout::pieces
-  std::vector<double> open_loads = {};         ///< by reeving, N, of those that have one
+  std::vector<machine::Pose> bodies;
+  std::vector<machine::BranchState> links;       ///< by Layout::links
+  double hold = 0;                               ///< N along the track
+  std::vector<machine::PieceState> pieces = {};  ///< by Layout::pieces
+  std::vector<double> open_loads = {};           ///< by reeving, N, of those that have one
   /// By Layout::links, of those whose force is an unknown: in the middle, of a rope without weight its tension as x, N.
   std::vector<Vector3> forces = {};
 };
@@ -37,7 +37,7 @@ struct NoBranch {
 
 /// The equations of equilibrium of a laid-out machine.
 struct System {
-  const model::Model& model;
+  const machine::Model& model;
   const Layout& layout;
   double coordinate = 0;      ///< what the carriage's x is prescribed to be, m
   double losses = 1;          ///< share of every contact's loss (its logarithm) that counts
@@ -56,7 +56,7 @@ struct BranchColumns {
   std::array<double, most> length;  ///< free length, m/m
   std::array<Vector3, most> pull_from, pull_to, leaves, arrives;
   std::array<Vector3, most> arm_from, arm_to;  ///< tangent point seen from its body's origin
-  int from_body = model::ground, to_body = model::ground;
+  int from_body = machine::ground, to_body = machine::ground;
 };
 
 /// d(residual)/d(unknowns), exact, by way of the branches' columns. Rotations: by a small turn about the freedom's
@@ -85,13 +85,13 @@ struct Misfit {
 Misfit misfit(const System& system, const Evaluation& e);
 
 /// The node of a rope's path at which it turns.
-const model::Node& node_of(const System& system, const Layout::Turn& turn);
+const machine::Node& node_of(const System& system, const Layout::Turn& turn);
 
 /// A branch's rope as it is: warmer, shorter.
-rope::CatenaryRope rope_of(const model::Reeving& reeving, double length);
+rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length);
 
 /// The end of a branch in the ground frame.
-BranchEnd end_at(const model::Node& node, const std::vector<model::Pose>& bodies);
+BranchEnd end_at(const machine::Node& node, const std::vector<machine::Pose>& bodies);
 
 /// Length of the arc at a turn, unstretched, with its derivatives.
 ArcLength arc(const System& system, const Evaluation& e, int turn);
@@ -103,4 +103,4 @@ Vector3 track(const System& system, const Evaluation& e);
 /// Where it is held: between its first and last roller, m.
 Vector3 hold_place(const System& system, const Configuration& c);
 
-}  // namespace taut::analysis
+}  // namespace taut::mechanics

@@ -11,21 +11,22 @@
 #include "test/support/machines.hpp"
 
 /// The equations out of equilibrium: balances against the slope of the machine's energy, laws against their formulas.
-namespace taut::analysis::system_test {
+namespace taut::mechanics::system_test {
 
 using namespace taut_test;
 
 struct Laid {
-  model::Model m;
+  machine::Model m;
   Layout layout;
   Configuration c;
   Evaluation e;
 
-  explicit Laid(model::Model of, int flow = 0, const std::optional<Prescribed>& prescribed = {}) : m(std::move(of)) {
-    const model::State state = model::initial_state(m);
+  explicit Laid(machine::Model of, int flow = 0, const std::optional<machine::Prescribed>& prescribed = {})
+      : m(std::move(of)) {
+    const machine::State state = machine::initial_state(m);
     std::vector<std::vector<int>> flows = no_flow(m);
     for (auto& rope : flows) rope.assign(rope.size(), flow);
-    layout = analysis::layout(m, state, prescribed, flows);
+    layout = mechanics::layout(m, state, prescribed, flows);
     c = configuration_of(layout, state);
     c.open_loads.assign(layout.ropes.size(), 0);
   }
@@ -53,8 +54,8 @@ double energy_of(const rope::CatenaryRope& rope, const Vector3& from, const Vect
 
 /// A body askew, heavy beside its origin, with a load at its rim, between heavy ropes, one of them doubled.
 TEST(System, BalancesAreTheSlopeOfTheEnergy) {
-  model::Model m;
-  model::Body b = body("body", {4, 1, 5}, 300, "xyzXYZ");
+  machine::Model m;
+  machine::Body b = body("body", {4, 1, 5}, 300, "xyzXYZ");
   b.orientation = Eigen::AngleAxisd(0.6, Vector3(1, 2, -1).normalized());
   b.centre = {0.2, -0.3, 0.4};
   m.bodies.push_back(b);
@@ -71,7 +72,7 @@ TEST(System, BalancesAreTheSlopeOfTheEnergy) {
   laid.c.bodies[0].position += Vector3(0.2, -0.1, 0.3);  // nowhere near an equilibrium
   const Eigen::VectorXd balance = laid.residual();
   const auto energy = [&](const Configuration& c) {
-    const model::Pose& pose = c.bodies[0];
+    const machine::Pose& pose = c.bodies[0];
     double sum = 300 * m.gravity * (pose.position + pose.orientation * b.centre).z();
     sum -= m.loads[0].force.dot(pose.position + pose.orientation * m.loads[0].at.at);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -94,7 +95,7 @@ TEST(System, BalancesAreTheSlopeOfTheEnergy) {
 /// A rope without weight over a sheave that turns and a saddle that does not, at tensions of its branches set by hand.
 TEST(System, LawsOfContactsAreEulersAndTheBearings) {
   const double EA = 1e6, mu = 0.3, eta = 0.93;
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve(
       "rope",
       {anchor("a", {-10, 0, 0}), saddle("saddle", {0, 0, 4}, mu), over("sheave", {9, 2, 5}), anchor("b", {14, 0, -3})},
@@ -120,22 +121,22 @@ TEST(System, LawsOfContactsAreEulersAndTheBearings) {
       EXPECT_NEAR(all.force, std::max(std::abs(r[laid.layout.turns[0].row]), std::abs(r[laid.layout.turns[1].row])),
                   1e-9);
     }
-    laid.m.reevings[0].given = model::Given::tension_at_start;
+    laid.m.reevings[0].given = machine::Given::tension_at_start;
     laid.m.reevings[0].value = 19e3;
     EXPECT_NEAR(laid.residual()[laid.layout.ropes[0].row], 1e3, 1e-6);
-    laid.m.reevings[0].given = model::Given::tension_at_end;
+    laid.m.reevings[0].given = machine::Given::tension_at_end;
     EXPECT_NEAR(laid.residual()[laid.layout.ropes[0].row], 4e3, 1e-6);
   }
 }
 
 /// A carriage on a straight skyline is held along the mean direction of its rope, at its roller.
 TEST(System, AHeldCarriageIsPulledAlongItsTrack) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("car", {60, 0, 10}, 0, "xyz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 20}), over("car", origin, 0), anchor("tail", {150, 30, 50})}, 165, 0, 1e6));
   m.carriages.push_back({"car", 0, 0, 1, -1});
-  Laid laid(m, 0, Prescribed{0, 55});
+  Laid laid(m, 0, machine::Prescribed{0, 55});
   ASSERT_GE(laid.layout.hold, 0);
   laid.residual(55);
   const Vector3 in = Vector3(60, 0, -10).normalized(), out = Vector3(90, 30, 40).normalized();
@@ -150,7 +151,7 @@ TEST(System, AHeldCarriageIsPulledAlongItsTrack) {
 
 TEST(System, ABranchWithoutAnswerIsNamed) {
   const double rigid = std::numeric_limits<double>::infinity();
-  model::Model m = three_spans(318, 0.1);
+  machine::Model m = three_spans(318, 0.1);
   Laid laid(m);
   laid.m.reevings[0].stiffness = rigid;
   laid.c.links[1].length = 90;  // of 114 m from saddle to saddle
@@ -160,4 +161,4 @@ TEST(System, ABranchWithoutAnswerIsNamed) {
   EXPECT_EQ(none->why, rope::NoCatenary::too_short);
 }
 
-}  // namespace taut::analysis::system_test
+}  // namespace taut::mechanics::system_test

@@ -5,21 +5,21 @@
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::Condition;
-using Kind = Condition::Kind;
+using solve::Condition;
+using Kind = solve::Condition::Kind;
 
 /// The free span of a rope with the longest chord, where the deck names none.
-int longest_span(const model::Model& m, int reeving) {
-  const model::State state = model::initial_state(m);
+int longest_span(const machine::Model& m, int reeving) {
+  const machine::State state = machine::initial_state(m);
   const auto& nodes = m.reevings[at(reeving)].nodes;
   int longest = 0;
   double most = -1;
-  for (int k = 0; k < model::branch_count(m.reevings[at(reeving)]); ++k) {
+  for (int k = 0; k < machine::branch_count(m.reevings[at(reeving)]); ++k) {
     const auto& next = nodes[at(k + 1) % nodes.size()];
-    const double chord = (model::in_ground(state, next.at) - model::in_ground(state, nodes[at(k)].at)).norm();
+    const double chord = (machine::in_ground(state, next.at) - machine::in_ground(state, nodes[at(k)].at)).norm();
     if (chord <= most) continue;
     most = chord;
     longest = k;
@@ -29,23 +29,23 @@ int longest_span(const model::Model& m, int reeving) {
 
 class Resolver {
  public:
-  Resolver(const GivenRequest& request, int carriage, std::string path, Preparation& p)
+  Resolver(const study::GivenRequest& request, int carriage, std::string path, Preparation& p)
       : request_(request), carriage_(carriage), path_(std::move(path)), p_(p) {}
 
-  Condition resolve() {
-    Condition c;
+  solve::Condition resolve() {
+    solve::Condition c;
     c.reeving = reeving_of(p_, request_.reeving, path_ + ".reeving");
     for (const std::string& name : request_.of) c.of.push_back(reeving_of(p_, name, path_ + ".of"));
     const bool known = c.reeving >= 0 && std::all_of(c.of.begin(), c.of.end(), [](int r) { return r >= 0; });
     if (!known) return {};
-    c.at_end = request_.at == RopeEnd::end;
+    c.at_end = request_.at == study::RopeEnd::end;
     if (carriage_ >= 0 && p_.model.carriages[at(carriage_)].mainline == c.reeving) {
       complain("reeving",
                fmt::format("the place of '{}' decides the length of its mainline; name the rope it rides on, "
                            "or another, and the mainline with 'of'",
                            p_.model.carriages[at(carriage_)].name));
     }
-    if (p_.model.reevings[at(c.reeving)].given == model::Given::torque && !request_.loop_length) {
+    if (p_.model.reevings[at(c.reeving)].given == machine::Given::torque && !request_.loop_length) {
       complain("reeving", "its rope is given by a torque already");
     }
     if (request_.winch_pull) pull(c);
@@ -65,7 +65,7 @@ class Resolver {
     p_.complaints.push_back({path_ + "." + key, std::move(message)});
   }
 
-  void pull(Condition& c) {
+  void pull(solve::Condition& c) {
     c.value = *request_.winch_pull * request_.efficiency.value_or(1);
     if (c.of.size() > 1) complain("of", "a winch pulls one rope");
     const bool own = c.of.empty() || (c.of.size() == 1 && c.of.front() == c.reeving);
@@ -74,7 +74,7 @@ class Resolver {
     c.kind = !own ? Kind::tension_of : c.at_end ? Kind::tension_at_end : Kind::tension_at_start;
   }
 
-  void length(Condition& c) {
+  void length(solve::Condition& c) {
     c.value = *request_.loop_length;
     const bool own = c.of.empty() || (c.of.size() == 1 && c.of.front() == c.reeving);
     if (!own && std::find(c.of.begin(), c.of.end(), c.reeving) == c.of.end()) {
@@ -83,27 +83,27 @@ class Resolver {
     c.kind = own ? Kind::length : Kind::length_of;
   }
 
-  void sag(Condition& c) {
+  void sag(solve::Condition& c) {
     c.value = *request_.sag;
     c.kind = carriage_ >= 0 && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
     if (c.kind == Kind::sag_at_carriage) return;
-    const int spans = model::branch_count(p_.model.reevings[at(c.reeving)]);
+    const int spans = machine::branch_count(p_.model.reevings[at(c.reeving)]);
     c.span = request_.span ? *request_.span - 1 : longest_span(p_.model, c.reeving);
     if (c.span >= spans) complain("span", fmt::format("'{}' has {} free spans", request_.reeving, spans));
   }
 
-  void free(Condition& c) {
+  void free(solve::Condition& c) {
     c.kind = Kind::free_running;
     if (!request_.free_running) return complain("free_running", "false says nothing: give one of the modes");
     if (carriage_ < 0) return complain("free_running", "needs 'carriage' and 'x': where it is to stand");
-    const model::Carriage& car = p_.model.carriages[at(carriage_)];
-    const bool clamped = p_.model.reevings[at(car.reeving)].nodes[at(car.node)].kind == model::NodeKind::clamp;
+    const machine::Carriage& car = p_.model.carriages[at(carriage_)];
+    const bool clamped = p_.model.reevings[at(car.reeving)].nodes[at(car.node)].kind == machine::NodeKind::clamp;
     if (car.mainline >= 0 || clamped) {
       complain("free_running", fmt::format("'{}' is {}", car.name, clamped ? "clamped" : "held by its mainline"));
     }
   }
 
-  const GivenRequest& request_;
+  const study::GivenRequest& request_;
   int carriage_;
   std::string path_;
   Preparation& p_;
@@ -111,8 +111,9 @@ class Resolver {
 
 }  // namespace
 
-analysis::Condition condition_of(const GivenRequest& request, int carriage, const std::string& path, Preparation& p) {
+solve::Condition condition_of(const study::GivenRequest& request, int carriage, const std::string& path,
+                              Preparation& p) {
   return Resolver(request, carriage, path, p).resolve();
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

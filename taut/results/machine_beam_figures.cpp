@@ -5,12 +5,12 @@
 
 #include "taut/results/machine_beams.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::BeamPoint;
-using analysis::BeamResult;
-using analysis::EquilibriumResult;
+using solve::BeamPoint;
+using solve::BeamResult;
+using solve::EquilibriumResult;
 
 constexpr double wanted_size = 0.06;  ///< of the drawing: the largest deflection
 constexpr double seen = 0.03;         ///< larger ones are seen as they are
@@ -35,12 +35,12 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
   bool dashed = false;
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    for (const BeamResult& b : one.result.beams) {
+    for (const solve::BeamResult& b : one.result.beams) {
       Curve c;
       c.label = one.model.beams[static_cast<std::size_t>(b.beam)].name;
       if (run.equilibria.size() > 1) c.label += ", " + one.words;
       c.dashed = dashed;
-      for (const BeamPoint& p : b.points) {
+      for (const solve::BeamPoint& p : b.points) {
         c.x.push_back(p.s);
         c.y.push_back(of(p));
       }
@@ -53,21 +53,21 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
 
 }  // namespace
 
-std::vector<std::vector<Vector3>> beam_lines(const EquilibriumResult& e, double times) {
+std::vector<std::vector<Vector3>> beam_lines(const solve::EquilibriumResult& e, double times) {
   std::vector<std::vector<Vector3>> all;
-  for (const BeamResult& b : e.beams) {
+  for (const solve::BeamResult& b : e.beams) {
     auto& line = all.emplace_back();
-    for (const BeamPoint& p : b.points) line.emplace_back(p.place + (times - 1) * p.deflection);
+    for (const solve::BeamPoint& p : b.points) line.emplace_back(p.place + (times - 1) * p.deflection);
   }
   return all;
 }
 
-std::vector<std::vector<Vector3>> beam_lines(const EquilibriumResult& e) { return beam_lines(e, 1); }
+std::vector<std::vector<Vector3>> beam_lines(const solve::EquilibriumResult& e) { return beam_lines(e, 1); }
 
-double shown_times(const EquilibriumResult& e, double size) {
+double shown_times(const solve::EquilibriumResult& e, double size) {
   double most = 0;
-  for (const BeamResult& b : e.beams) {
-    for (const BeamPoint& p : b.points) most = std::max(most, p.w);
+  for (const solve::BeamResult& b : e.beams) {
+    for (const solve::BeamPoint& p : b.points) most = std::max(most, p.w);
   }
   if (!(most > 1e-9 * size) || most > seen * size) return 0;
   return round_number(wanted_size * size / most);
@@ -76,21 +76,21 @@ double shown_times(const EquilibriumResult& e, double size) {
 void add_beam_plots(const MachineRun& run, Result& r) {
   add_plot(
       run, "beam_moments", "Bending moment along the beams", {"bending moment", si::N_m},
-      [](const BeamPoint& p) { return p.M; }, r);
+      [](const solve::BeamPoint& p) { return p.M; }, r);
   add_plot(
       run, "beam_forces", "Axial force along the beams, tension positive", {"axial force", si::N},
-      [](const BeamPoint& p) { return p.N; }, r);
+      [](const solve::BeamPoint& p) { return p.N; }, r);
   add_plot(
       run, "beam_deflections", "Deflection across the beams", {"deflection", si::m.in("mm")},
-      [](const BeamPoint& p) { return p.w; }, r);
+      [](const solve::BeamPoint& p) { return p.w; }, r);
 }
 
 void write_beams(Sheet<Num>& s, const MachineRun& run) {
   for (std::size_t i = 0; i < run.model.beams.size(); ++i) {
-    const BeamResult* worst = nullptr;
+    const solve::BeamResult* worst = nullptr;
     std::string when;
-    const auto size = [](const BeamResult& b) {
-      const BeamPoint& p = b.points[b.most_stressed];
+    const auto size = [](const solve::BeamResult& b) {
+      const solve::BeamPoint& p = b.points[b.most_stressed];
       return std::isnan(p.stress) ? b.points[b.most_bent].M : p.stress;
     };
     const std::vector<Answer> all = answers_of(run);
@@ -102,7 +102,7 @@ void write_beams(Sheet<Num>& s, const MachineRun& run) {
     if (worst == nullptr) continue;
     const auto& section = run.model.beams[i].pieces.front().rod.section;
     const bool stressed = !std::isnan(worst->points[worst->most_stressed].stress);
-    const BeamPoint& p = worst->points[stressed ? worst->most_stressed : worst->most_bent];
+    const solve::BeamPoint& p = worst->points[stressed ? worst->most_stressed : worst->most_bent];
     s.section(fmt::format("Beam {}: its most {} section, {:.4g} m from its base ({})", run.model.beams[i].name,
                           stressed ? "stressed" : "bent", p.s, when));
     const Num N = s.named("N", si::N, std::abs(p.N)), M = s.named("M", si::N_m, p.M);
@@ -122,4 +122,4 @@ void write_beams(Sheet<Num>& s, const MachineRun& run) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

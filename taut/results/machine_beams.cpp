@@ -10,24 +10,24 @@
 #include "taut/catalogue/steel.hpp"
 #include "taut/checks/checked_parts.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::BeamPoint;
-using analysis::BeamResult;
-using analysis::EquilibriumResult;
+using solve::BeamPoint;
+using solve::BeamResult;
+using solve::EquilibriumResult;
 
 constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
 
-const std::string& name_of(const model::Model& m, const BeamResult& b) {
+const std::string& name_of(const machine::Model& m, const solve::BeamResult& b) {
   return m.beams[static_cast<std::size_t>(b.beam)].name;
 }
 
-double critical_force(const BeamResult& b) {
+double critical_force(const solve::BeamResult& b) {
   return std::isfinite(b.critical_factor) && b.compression > 0 ? b.critical_factor * b.compression : none;
 }
 
-Table beams(const model::Model& m, const EquilibriumResult& e) {
+Table beams(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"beams",
           "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",
           {{"name", si::one},
@@ -42,8 +42,8 @@ Table beams(const model::Model& m, const EquilibriumResult& e) {
            {"stress", si::Pa},
            {"w", si::m.in("mm")}},
           {}};
-  for (const BeamResult& b : e.beams) {
-    for (const BeamPoint& p : b.points) {
+  for (const solve::BeamResult& b : e.beams) {
+    for (const solve::BeamPoint& p : b.points) {
       t.rows.push_back(
           {name_of(m, b), p.s, p.place.x(), p.place.y(), p.place.z(), p.N, p.V, p.M, p.torsion, p.stress, p.w});
     }
@@ -51,7 +51,7 @@ Table beams(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-Table ends(const model::Model& m, const EquilibriumResult& e) {
+Table ends(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"beam_ends",
           "Beams: largest values, force and moment of what the base stands on, critical axial force",
           {{"name", si::one},
@@ -70,7 +70,7 @@ Table ends(const model::Model& m, const EquilibriumResult& e) {
            {"My", si::N_m},
            {"Mz", si::N_m}},
           {}};
-  for (const BeamResult& b : e.beams) {
+  for (const solve::BeamResult& b : e.beams) {
     const Vector3 &F = b.base_force, &M = b.base_moment;
     t.rows.push_back({name_of(m, b), b.points[b.most_bent].M, b.points[b.most_bent].s, b.points.front().N,
                       std::abs(b.points[b.most_pressed].N), b.points[b.most_stressed].stress, b.top_displacement,
@@ -88,7 +88,7 @@ void add_fact(const std::string& beam, const std::string& where, Check check, Re
   r.checks.push_back(std::move(check));
 }
 
-void check_stress(const model::description::Beam& given, const WorstOf& stress, Result& r) {
+void check_stress(const machine::description::Beam& given, const checks::WorstOf& stress, Result& r) {
   if (!given.steel || std::isnan(stress.value)) return;
   const auto steel = catalogue::find_steel(*given.steel);
   if (!steel) return;
@@ -113,9 +113,9 @@ void check_stress(const model::description::Beam& given, const WorstOf& stress, 
            r);
 }
 
-void check_buckling(const model::description::Beam& given, const WorstOf& factor, Result& r) {
+void check_buckling(const machine::description::Beam& given, const checks::WorstOf& factor, Result& r) {
   if (std::isnan(factor.value)) return;
-  if (given.order == model::description::Order::first) {
+  if (given.order == machine::description::Order::first) {
     add_fact(given.name, factor.when,
              make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, first_order_factor, si::one,
                         "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
@@ -131,8 +131,8 @@ void check_buckling(const model::description::Beam& given, const WorstOf& factor
            r);
 }
 
-void add_worst(const model::description::Beam& given, const BeamWorst& worst, Result& r) {
-  const auto add = [&](const char* key, const WorstOf& w, const Unit& unit, const char* words) {
+void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
+  const auto add = [&](const char* key, const checks::WorstOf& w, const Unit& unit, const char* words) {
     if (std::isnan(w.value)) return;
     const std::string name = fmt::format("{}.{}", given.name, key);
     r.values.push_back({name, w.value, unit, name, fmt::format("{} of {} ({})", words, given.name, w.when), {}});
@@ -147,11 +147,11 @@ void add_worst(const model::description::Beam& given, const BeamWorst& worst, Re
   check_buckling(given, worst.alpha_cr, r);
 }
 
-void add_base(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
+void add_base(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
   const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
                                   [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
   if (first == run.equilibria.end()) return;
-  const BeamResult& b = first->result.beams[i];
+  const solve::BeamResult& b = first->result.beams[i];
   const auto add = [&](const char* key, double value, const Unit& unit, const char* words) {
     const std::string name = fmt::format("{}.{}", given.name, key);
     r.values.push_back({name, value, unit, name, fmt::format("{} of {} ({})", words, given.name, first->words), {}});
@@ -165,12 +165,12 @@ void add_base(const model::description::Beam& given, const MachineRun& run, std:
 }
 
 /// A bow or lean that the load takes back helps; the other sense is the one to look at.
-void warn_of_sense(const model::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
+void warn_of_sense(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
   if (!given.imperfection) return;
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
     const auto& pieces = run.model.beams[i].pieces;
-    const BeamResult& b = one.result.beams[i];
+    const solve::BeamResult& b = one.result.beams[i];
     const bool sways = given.imperfection->sway.value_or(0) != 0;
     Vector3 sense;
     if (given.imperfection->towards) {
@@ -193,7 +193,7 @@ void warn_of_sense(const model::description::Beam& given, const MachineRun& run,
 
 }  // namespace
 
-bool told(const model::Body& body) { return body.beam < 0 || body.name.ends_with(".top"); }
+bool told(const machine::Body& body) { return body.beam < 0 || body.name.ends_with(".top"); }
 
 void add_beam_tables(const MachineRun& run, Result& r) {
   for (const EquilibriumRun& one : run.equilibria) {
@@ -206,7 +206,7 @@ void add_beam_tables(const MachineRun& run, Result& r) {
   }
 }
 
-void add_beam_values(const model::Machine& machine, const MachineRun& run, Result& r) {
+void add_beam_values(const machine::Machine& machine, const MachineRun& run, Result& r) {
   for (std::size_t i = 0; i < run.model.beams.size(); ++i) {
     const auto given = std::find_if(machine.beams.begin(), machine.beams.end(),
                                     [&](const auto& one) { return one.name == run.model.beams[i].name; });
@@ -222,10 +222,10 @@ void add_beam_values(const model::Machine& machine, const MachineRun& run, Resul
   }
 }
 
-std::vector<std::string> beam_assumptions(const model::Machine& machine) {
+std::vector<std::string> beam_assumptions(const machine::Machine& machine) {
   std::vector<std::string> all;
   for (const auto& beam : machine.beams) {
-    const bool first = beam.order == model::description::Order::first;
+    const bool first = beam.order == machine::description::Order::first;
     std::string text = fmt::format("Beam {}: elastic, plane sections, no shear deformation, {}; ", beam.name,
                                    first ? "balance on the straight axis (first order)"
                                          : "balance on the bent axis (second order, exact rotations)");
@@ -241,4 +241,4 @@ std::vector<std::string> beam_assumptions(const model::Machine& machine) {
   return all;
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -7,10 +7,10 @@
 #include "taut/results/machine_run.hpp"
 
 /// What a machine's elastic beams add to its result.
-namespace taut::app {
+namespace taut::results {
 
 /// Whether a body is told of in tables: sections within beams are not, their free tops are.
-bool told(const model::Body& body);
+bool told(const machine::Body& body);
 
 /// Of each equilibrium: `beams` (forces, stress and deflection along each beam) and `beam_ends` (largest values,
 /// reactions of what a beam stands on, critical axial force).
@@ -19,9 +19,9 @@ void add_beam_tables(const MachineRun& run, Result& r);
 /// Worst cases over all analyses: NAME.M_max, N_max, stress_max, top_displacement, N_cr, alpha_cr; of the first
 /// equilibrium NAME.N_base and the reactions at the base. Checks of the stress against the steel's yield stress, and of
 /// the compression against the critical one. Warnings of unverified rows and imperfections on the harmless side.
-void add_beam_values(const model::Machine& machine, const MachineRun& run, Result& r);
+void add_beam_values(const machine::Machine& machine, const MachineRun& run, Result& r);
 
-std::vector<std::string> beam_assumptions(const model::Machine& machine);
+std::vector<std::string> beam_assumptions(const machine::Machine& machine);
 
 /// The beam's worst section, line by line.
 void write_beams(Sheet<Num>& s, const MachineRun& run);
@@ -30,13 +30,13 @@ void write_beams(Sheet<Num>& s, const MachineRun& run);
 void add_beam_plots(const MachineRun& run, Result& r);
 
 /// The beams of a state, as lines of points of the machine.
-std::vector<std::vector<Vector3>> beam_lines(const analysis::EquilibriumResult& e);
+std::vector<std::vector<Vector3>> beam_lines(const solve::EquilibriumResult& e);
 
 /// The factor by which a drawing of this size shows deflections beside their true size; 0: they can be seen as they
 /// are, or there are none.
-double shown_times(const analysis::EquilibriumResult& e, double size);
+double shown_times(const solve::EquilibriumResult& e, double size);
 
 /// The same lines with the deflections so many times as large.
-std::vector<std::vector<Vector3>> beam_lines(const analysis::EquilibriumResult& e, double times);
+std::vector<std::vector<Vector3>> beam_lines(const solve::EquilibriumResult& e, double times);
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -7,16 +7,18 @@
 #include "taut/results/machine_tables.hpp"
 #include "taut/solve/drives.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 /// Above, friction on a wet, oily or sap-covered rope is doubtful (mine hoists 0.20 to 0.25, ropeways 0.22 to 0.30).
 constexpr double doubtful_friction = 0.4;
 
-const model::Reeving& rope(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
-const model::Node& node(const model::Model& m, int r, int n) { return rope(m, r).nodes[static_cast<std::size_t>(n)]; }
+const machine::Reeving& rope(const machine::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
+const machine::Node& node(const machine::Model& m, int r, int n) {
+  return rope(m, r).nodes[static_cast<std::size_t>(n)];
+}
 
-Table rope_loads(const model::Model& m, const analysis::EquilibriumResult& e) {
+Table rope_loads(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"rope_loads",
           "Forces along the ropes (on one copy; F is positive along the path)",
           {{"name", si::one},
@@ -35,7 +37,7 @@ Table rope_loads(const model::Model& m, const analysis::EquilibriumResult& e) {
   return t;
 }
 
-Table drives(const model::Model& m, const std::vector<analysis::DriveResult>& all) {
+Table drives(const machine::Model& m, const std::vector<solve::DriveResult>& all) {
   Table t{"drives",
           "Driven sheaves",
           {{"name", si::one},
@@ -58,7 +60,7 @@ Table drives(const model::Model& m, const std::vector<analysis::DriveResult>& al
            {"power_creep", si::W}},
           {}};
   for (const auto& d : all) {
-    const model::Node& own = node(m, d.reeving, d.node);
+    const machine::Node& own = node(m, d.reeving, d.node);
     const bool grips = std::isfinite(own.law.friction);
     t.rows.push_back({own.name, rope(m, d.reeving).name, d.T_in, d.T_out, d.centrifugal, d.torque, d.wrap,
                       grips ? d.slip_arc : none, grips ? d.rest_arc : none, d.ratio, grips ? d.limit : none, d.creep,
@@ -68,7 +70,7 @@ Table drives(const model::Model& m, const std::vector<analysis::DriveResult>& al
   return t;
 }
 
-Table drums(const model::Model& m, const std::vector<analysis::DrumResult>& all) {
+Table drums(const machine::Model& m, const std::vector<solve::DrumResult>& all) {
   Table t{"drums",
           "Drums",
           {{"name", si::one},
@@ -85,7 +87,7 @@ Table drums(const model::Model& m, const std::vector<analysis::DrumResult>& all)
            {"power", si::W}},
           {}};
   for (const auto& d : all) {
-    const model::Drum& drum = m.drums[static_cast<std::size_t>(d.drum)];
+    const machine::Drum& drum = m.drums[static_cast<std::size_t>(d.drum)];
     const double power = d.speed ? rope(m, d.reeving).copies * d.pull * *d.speed : none;
     t.rows.push_back({drum.name, rope(m, d.reeving).name, static_cast<double>(d.layer), d.radius,
                       d.wraps.value_or(none), d.length.value_or(none), d.capacity.value_or(none), d.pull, d.torque,
@@ -94,7 +96,7 @@ Table drums(const model::Model& m, const std::vector<analysis::DrumResult>& all)
   return t;
 }
 
-void add_drive_values(const model::Model& m, const analysis::DriveResult& d, const EquilibriumRun& one, Result& r) {
+void add_drive_values(const machine::Model& m, const solve::DriveResult& d, const EquilibriumRun& one, Result& r) {
   const std::string& name = node(m, d.reeving, d.node).name;
   const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
     const std::string key = fmt::format("{}.{}{}", name, what, one.ending);
@@ -108,13 +110,13 @@ void add_drive_values(const model::Model& m, const analysis::DriveResult& d, con
 
 void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)>& add) {
   if (!one.result.rope_loads.empty()) add(rope_loads(one.model, one.result));
-  if (!one.model.motors.empty()) add(drives(one.model, analysis::drives(one.model, one.result)));
-  if (!one.model.drums.empty()) add(drums(one.model, analysis::drums(one.model, one.result)));
+  if (!one.model.motors.empty()) add(drives(one.model, solve::drives(one.model, one.result)));
+  if (!one.model.drums.empty()) add(drums(one.model, solve::drums(one.model, one.result)));
 }
 
-void add_drum_columns(const model::Model& m, std::vector<Column>& columns) {
-  for (const model::Reeving& one : m.reevings) {
-    for (const model::Node& end : {one.nodes.front(), one.nodes.back()}) {
+void add_drum_columns(const machine::Model& m, std::vector<Column>& columns) {
+  for (const machine::Reeving& one : m.reevings) {
+    for (const machine::Node& end : {one.nodes.front(), one.nodes.back()}) {
       if (end.drum < 0 || !m.drums[static_cast<std::size_t>(end.drum)].length_on_drum) continue;
       columns.push_back({end.name + ".length", si::m});
       columns.push_back({end.name + ".layer", si::one});
@@ -123,8 +125,8 @@ void add_drum_columns(const model::Model& m, std::vector<Column>& columns) {
   }
 }
 
-void add_drum_cells(const model::Model& m, const analysis::EquilibriumResult& e, std::vector<Cell>& row) {
-  for (const analysis::DrumResult& d : analysis::drums(m, e)) {
+void add_drum_cells(const machine::Model& m, const solve::EquilibriumResult& e, std::vector<Cell>& row) {
+  for (const solve::DrumResult& d : solve::drums(m, e)) {
     if (d.length) row.insert(row.end(), {*d.length, static_cast<double>(d.layer), d.torque});
   }
 }
@@ -132,15 +134,15 @@ void add_drum_cells(const model::Model& m, const analysis::EquilibriumResult& e,
 void add_drive_values(const MachineRun& run, Result& r) {
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    for (const auto& d : analysis::drives(one.model, one.result)) add_drive_values(one.model, d, one, r);
+    for (const auto& d : solve::drives(one.model, one.result)) add_drive_values(one.model, d, one, r);
   }
 }
 
-void warn_of_friction(const model::Model& m, Result& r) {
+void warn_of_friction(const machine::Model& m, Result& r) {
   std::set<std::string> told;
-  for (const model::Reeving& one : m.reevings) {
-    for (const model::Node& own : one.nodes) {
-      if (own.kind != model::NodeKind::drive || !std::isfinite(own.law.friction)) continue;
+  for (const machine::Reeving& one : m.reevings) {
+    for (const machine::Node& own : one.nodes) {
+      if (own.kind != machine::NodeKind::drive || !std::isfinite(own.law.friction)) continue;
       if (own.law.friction <= doubtful_friction || !told.insert(own.name).second) continue;
       r.warnings.push_back(
           fmt::format("friction {:.3g} on '{}' is more than a wet, oily or sap-covered rope gives: mine hoists are "
@@ -150,4 +152,4 @@ void warn_of_friction(const model::Model& m, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -15,10 +15,10 @@
 #include "taut/results/machine_tables.hpp"
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::EquilibriumResult;
+using solve::EquilibriumResult;
 
 constexpr int points_per_span = 32;
 /// Machines narrower than this part of their length need no plan.
@@ -42,7 +42,7 @@ struct Box {
   Vector3 size() const { return high - low; }
 };
 
-std::vector<Vector3> line_of(const analysis::SpanResult& s) {
+std::vector<Vector3> line_of(const solve::SpanResult& s) {
   if (s.slack || s.shape.rope.weight <= 0 || !(s.shape.rope.length > 0)) return {s.start, s.end};
   std::vector<Vector3> line;
   for (int i = 0; i <= points_per_span; ++i) {
@@ -51,7 +51,7 @@ std::vector<Vector3> line_of(const analysis::SpanResult& s) {
   return line;
 }
 
-Box box_of(const EquilibriumResult& e) {
+Box box_of(const solve::EquilibriumResult& e) {
   Box box;
   for (const auto& s : e.spans) {
     for (const Vector3& v : line_of(s)) box.add(v);
@@ -70,20 +70,20 @@ struct Held {
   bool moves = false;
 };
 
-std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResult& e) {
+std::map<std::string, Held> held_of(const machine::Model& m, const solve::EquilibriumResult& e) {
   std::map<std::string, Held> all;
   const auto add = [&](int reeving, int n, const Vector3& force) {
-    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
-    const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
+    const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
     Held& h = all[node.name];
-    h.at = model::in_ground(e.state, node.at);
+    h.at = machine::in_ground(e.state, node.at);
     h.radius = std::max(h.radius, node.radius);
     h.force += force * rope.copies;
-    h.moves = node.at.body != model::ground && !m.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+    h.moves = node.at.body != machine::ground && !m.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
   };
   const auto is_anchor = [&](int reeving, int n) {
     return m.reevings[static_cast<std::size_t>(reeving)].nodes[static_cast<std::size_t>(n)].kind ==
-           model::NodeKind::anchor;
+           machine::NodeKind::anchor;
   };
   for (const auto& s : e.spans) {
     if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
@@ -91,12 +91,12 @@ std::map<std::string, Held> held_of(const model::Model& m, const EquilibriumResu
   }
   for (const auto& c : e.contacts) {
     const auto& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
-    if (rope.nodes[static_cast<std::size_t>(c.node)].kind != model::NodeKind::load) add(c.reeving, c.node, c.force);
+    if (rope.nodes[static_cast<std::size_t>(c.node)].kind != machine::NodeKind::load) add(c.reeving, c.node, c.force);
   }
   return all;
 }
 
-void draw_ground(Drawing& d, const model::Model& m, const View& view, const Box& box) {
+void draw_ground(Drawing& d, const machine::Model& m, const View& view, const Box& box) {
   // seen along the profile, or not at all
   if (view.plan || m.terrain.empty() || std::abs(view.right.dot(m.terrain_along)) < 1 - 1e-9) return;
   const double margin = 0.03 * box.size().norm();
@@ -111,7 +111,7 @@ void draw_ground(Drawing& d, const model::Model& m, const View& view, const Box&
   if (ground.points.size() > 1) d.shapes.emplace_back(std::move(ground));
 }
 
-void draw_ropes(Drawing& d, const EquilibriumResult& e, const View& view) {
+void draw_ropes(Drawing& d, const solve::EquilibriumResult& e, const View& view) {
   for (const auto& s : e.spans) {
     Polyline line;
     line.role = s.reeving == 0 ? Role::rope : Role::second_rope;
@@ -121,23 +121,23 @@ void draw_ropes(Drawing& d, const EquilibriumResult& e, const View& view) {
 }
 
 /// Bodies as lines from their origin to where ropes hold them.
-void draw_bodies(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
+void draw_bodies(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
   std::set<std::pair<int, std::string>> drawn;
-  for (const model::Reeving& rope : m.reevings) {
-    for (const model::Node& node : rope.nodes) {
-      if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
       if (!drawn.insert({node.at.body, node.name}).second) continue;
       const Vector3& origin = e.state.bodies[static_cast<std::size_t>(node.at.body)].position;
       Polyline line;
       line.role = Role::structure;
-      line.points = {view.point(origin), view.point(model::in_ground(e.state, node.at))};
+      line.points = {view.point(origin), view.point(machine::in_ground(e.state, node.at))};
       d.shapes.emplace_back(std::move(line));
     }
   }
 }
 
 /// Beams as they stand, and beside them with deflections so many times as large.
-void draw_beams(Drawing& d, const EquilibriumResult& e, const View& view, double times) {
+void draw_beams(Drawing& d, const solve::EquilibriumResult& e, const View& view, double times) {
   const auto draw = [&](const std::vector<std::vector<Vector3>>& lines, Role role) {
     for (const auto& points : lines) {
       Polyline line;
@@ -150,7 +150,8 @@ void draw_beams(Drawing& d, const EquilibriumResult& e, const View& view, double
   if (times > 0) draw(beam_lines(e, times), Role::highlight);
 }
 
-void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view, double size) {
+void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
+                  double size) {
   for (const auto& [name, h] : held_of(m, e)) {
     const bool round = h.radius > 0 && !view.plan;
     d.shapes.emplace_back(Circle{view.point(h.at), round ? h.radius : size / 300, Role::body, 0, 0, !round});
@@ -162,9 +163,9 @@ void draw_holders(Drawing& d, const model::Model& m, const EquilibriumResult& e,
 }
 
 /// Forces along the ropes; a rate as one arrow in the middle of its parts.
-void draw_rope_loads(Drawing& d, const EquilibriumResult& e, const model::Model& m, const View& view) {
+void draw_rope_loads(Drawing& d, const solve::EquilibriumResult& e, const machine::Model& m, const View& view) {
   for (std::size_t i = 0; i < e.rope_loads.size();) {
-    const auto load_of = [&](std::size_t k) -> const model::Node& {
+    const auto load_of = [&](std::size_t k) -> const machine::Node& {
       const auto& one = e.rope_loads[k];
       return m.reevings[static_cast<std::size_t>(one.reeving)].nodes[static_cast<std::size_t>(one.node)];
     };
@@ -184,20 +185,20 @@ void draw_rope_loads(Drawing& d, const EquilibriumResult& e, const model::Model&
   }
 }
 
-void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e, const View& view) {
-  const auto draw = [&](const model::Place& place, const Vector3& force, const char* label) {
+void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
+  const auto draw = [&](const machine::Place& place, const Vector3& force, const char* label) {
     const Point f = view.point(force);
     if (std::hypot(f.x, f.y) <= 0) return;
     d.shapes.emplace_back(
-        ForceArrow{view.point(model::in_ground(e.state, place)), f.x, f.y, label, Role::second_force, false});
+        ForceArrow{view.point(machine::in_ground(e.state, place)), f.x, f.y, label, Role::second_force, false});
   };
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
-    const model::Body& body = m.bodies[i];
+    const machine::Body& body = m.bodies[i];
     const auto index = static_cast<int>(i);
     if (body.free.empty()) continue;
     // what hangs at the same place as the body's own weight is one arrow with it
     Vector3 own = -body.mass * m.gravity * up();
-    for (const model::Load& load : m.loads) {
+    for (const machine::Load& load : m.loads) {
       if (load.at.body != index) continue;
       if ((load.at.at - body.centre).norm() == 0) {
         own += load.force;
@@ -209,7 +210,8 @@ void draw_weights(Drawing& d, const model::Model& m, const EquilibriumResult& e,
   }
 }
 
-Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View& view, const std::string& words) {
+Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
+                   const std::string& words) {
   const Box box = box_of(e);
   const bool plan = view.plan;
   Drawing d;
@@ -233,7 +235,7 @@ Drawing drawing_of(const model::Model& m, const EquilibriumResult& e, const View
   return d;
 }
 
-void add_drawings(const model::Model& m, const EquilibriumResult& e, const std::optional<Vector3>& line,
+void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, const std::optional<Vector3>& line,
                   const std::string& words, Result& r) {
   const Box box = box_of(e);
   const Vector3 size = box.size();
@@ -276,7 +278,7 @@ Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dash
   return c;
 }
 
-void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
+void add_plots(const machine::Model& m, const LoadPathRun& run, Result& r) {
   Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {"tension", si::N});
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
@@ -290,7 +292,7 @@ void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
     Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {"clearance", si::m});
     clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
     clearance.curves.push_back(
-        curve(run, "lowest rope", [&](const auto& p) { return analysis::rope_clearance(m, p.at).height; }));
+        curve(run, "lowest rope", [&](const auto& p) { return study::rope_clearance(m, p.at).height; }));
     clearance.marks.push_back({0, 0, "ground", true});
     r.figures.emplace_back(std::move(way));
     r.figures.emplace_back(std::move(clearance));
@@ -299,7 +301,7 @@ void add_plots(const model::Model& m, const LoadPathRun& run, Result& r) {
   r.figures.emplace_back(std::move(way));
 }
 
-double largest_tension(const EquilibriumResult& e) {
+double largest_tension(const solve::EquilibriumResult& e) {
   double T = 0;
   for (const auto& rope : e.ropes) T = std::max(T, rope.T_max);
   return T;
@@ -331,4 +333,4 @@ void add_figures(const MachineRun& run, Result& r) {
   add_path_plots(run, r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

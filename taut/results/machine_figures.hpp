@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/results/machine_run.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 /// Drawings of the machine, side view and, where it has a width, plan, at its first equilibrium (else where a load path
 /// has its largest tension), with the forces of the ropes on what holds them; for each load path the way of the
@@ -12,4 +12,4 @@ void add_figures(const MachineRun& run, Result& r);
 /// plot, with the names of its path.
 void add_path_plots(const MachineRun& run, Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -6,39 +6,39 @@
 #include "taut/calc/none.hpp"
 #include "taut/results/machine_figures.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::EquilibriumResult;
-using analysis::SpanResult;
+using solve::EquilibriumResult;
+using solve::SpanResult;
 
 constexpr int clearance_points_per_span = 12;
 constexpr std::size_t most_curves = 6;
 constexpr std::size_t most_names = 9;
 /// Tension at a share of a span; what is above H and V, the centrifugal tension of a running rope, is the same
 /// everywhere.
-double tension_at(const SpanResult& s, double share) {
+double tension_at(const solve::SpanResult& s, double share) {
   const double running = s.T_from - std::hypot(s.H, s.V_from);
   return running + std::hypot(s.H, s.V_from + share * (s.V_to - s.V_from));
 }
 
-const analysis::ContactResult* contact_at(const EquilibriumResult& e, int reeving, int node) {
+const solve::ContactResult* contact_at(const solve::EquilibriumResult& e, int reeving, int node) {
   const auto at = std::find_if(e.contacts.begin(), e.contacts.end(),
                                [&](const auto& c) { return c.reeving == reeving && c.node == node; });
   return at == e.contacts.end() ? nullptr : &*at;
 }
 
 /// One rope's tension over its way, arcs counted. `marks`: where each node stands, or nullptr.
-Curve along(const model::Model& m, const EquilibriumResult& e, int reeving, std::vector<Mark>* marks) {
-  const model::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
+Curve along(const machine::Model& m, const solve::EquilibriumResult& e, int reeving, std::vector<Mark>* marks) {
+  const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
   Curve curve;
   curve.label = rope.name;
   double way = 0;
   const auto name = [&](int n) {
-    const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
-    if (marks != nullptr && node.kind != model::NodeKind::load) marks->push_back({way, 0, node.name, false});
+    const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    if (marks != nullptr && node.kind != machine::NodeKind::load) marks->push_back({way, 0, node.name, false});
   };
-  for (const SpanResult& s : e.spans) {
+  for (const solve::SpanResult& s : e.spans) {
     if (s.reeving != reeving) continue;
     if (s.slack) {
       curve.x.push_back(way);
@@ -116,4 +116,4 @@ void add_path_plots(const MachineRun& run, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

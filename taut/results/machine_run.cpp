@@ -4,7 +4,7 @@
 
 #include "taut/checks/checked_parts.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 std::vector<Answer> answers_of(const MachineRun& run) {
   std::vector<Answer> all;
@@ -29,12 +29,13 @@ std::vector<Answer> answers_of(const MachineRun& run) {
   return all;
 }
 
-void show_answers(const MachineRun& run, CheckedParts& checked) {
+void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
   for (const EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || !one.judged) continue;
-    const std::string name = analysis_name(one.ending, "equilibrium");
-    const std::string words =
-        one.ending.empty() ? one.words : fmt::format("{}, {}", analysis_words(one.ending, "equilibrium"), one.words);
+    const std::string name = checks::analysis_name(one.ending, "equilibrium");
+    const std::string words = one.ending.empty()
+                                  ? one.words
+                                  : fmt::format("{}, {}", checks::analysis_words(one.ending, "equilibrium"), one.words);
     checked.take(one.model, one.result, words, name);
   }
   for (const LoadPathRun& one : run.paths) {
@@ -43,11 +44,11 @@ void show_answers(const MachineRun& run, CheckedParts& checked) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
         const std::string words =
-            fmt::format("{}, {}, x = {:.6g} m", analysis_words(one.ending, "load path"), one.words, point.x);
-        checked.take(part.model, point.at, words, analysis_name(one.ending, "load_path"));
+            fmt::format("{}, {}, x = {:.6g} m", checks::analysis_words(one.ending, "load path"), one.words, point.x);
+        checked.take(part.model, point.at, words, checks::analysis_name(one.ending, "load_path"));
       }
     }
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

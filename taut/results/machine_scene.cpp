@@ -6,15 +6,15 @@
 
 #include "taut/results/machine_tables.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 constexpr int scene_points_per_span = 32;
 
 std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-SceneLine line_of(const model::Model& m, const analysis::SpanResult& s) {
-  const model::Reeving& rope = m.reevings[static_cast<std::size_t>(s.reeving)];
+SceneLine line_of(const machine::Model& m, const solve::SpanResult& s) {
+  const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(s.reeving)];
   SceneLine line{fmt::format("{}[{}]", rope.name, s.from + 1), s.reeving == 0 ? Role::rope : Role::second_rope, {}, {}};
   std::vector<std::array<double, 3>> points;
   std::vector<double> tension;
@@ -43,10 +43,11 @@ Scene scene_of(const EquilibriumRun& one) {
     scene.points.push_back({one.model.bodies[i].name, 0, {scene_point(one.result.state.bodies[i].position)}, {}});
   }
   std::set<std::string> known;
-  for (const model::Reeving& rope : one.model.reevings) {
-    for (const model::Node& node : rope.nodes) {
+  for (const machine::Reeving& rope : one.model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
       if (!known.insert(node.name).second) continue;
-      scene.points.push_back({node.name, node.radius, {scene_point(model::in_ground(one.result.state, node.at))}, {}});
+      scene.points.push_back(
+          {node.name, node.radius, {scene_point(machine::in_ground(one.result.state, node.at))}, {}});
     }
   }
   return scene;
@@ -60,4 +61,4 @@ void add_scenes(const MachineRun& run, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -11,14 +11,14 @@
 #include "taut/results/machine_beams.hpp"
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::ContactState;
-using analysis::EquilibriumResult;
+using solve::ContactState;
+using solve::EquilibriumResult;
 
-const model::Reeving& reeving_at(const model::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
-const std::string& node_name(const model::Model& m, int r, int n) {
+const machine::Reeving& reeving_at(const machine::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
+const std::string& node_name(const machine::Model& m, int r, int n) {
   return reeving_at(m, r).nodes[static_cast<std::size_t>(n)].name;
 }
 
@@ -29,7 +29,7 @@ void add_band(std::vector<Column>& columns, std::initializer_list<const char*> n
   }
 }
 
-Table spans(const model::Model& m, const EquilibriumResult& e) {
+Table spans(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"spans",
           "Spans",
           {{"rope", si::one},
@@ -61,13 +61,13 @@ Table spans(const model::Model& m, const EquilibriumResult& e) {
                              s.stretched,
                              s.sag};
     if (e.band) row.insert(row.end(), {s.T_from_min, s.T_from_max, s.T_to_min, s.T_to_max});
-    if (!m.terrain.empty()) row.emplace_back(analysis::rope_clearance(m, s).height);
+    if (!m.terrain.empty()) row.emplace_back(study::rope_clearance(m, s).height);
     t.rows.push_back(std::move(row));
   }
   return t;
 }
 
-Table sheaves(const model::Model& m, const EquilibriumResult& e) {
+Table sheaves(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"sheaves",
           "Sheaves, supports and carriages on their ropes",
           {{"name", si::one},
@@ -83,7 +83,7 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
           {}};
   if (e.band) add_band(t.columns, {"T_in", "T_out"});
   for (const auto& c : e.contacts) {
-    if (reeving_at(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == model::NodeKind::load) continue;
+    if (reeving_at(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == machine::NodeKind::load) continue;
     std::vector<Cell> row = {node_name(m, c.reeving, c.node),
                              c.T_in,
                              c.T_out,
@@ -100,7 +100,7 @@ Table sheaves(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-Table bodies(const model::Model& m, const EquilibriumResult& e) {
+Table bodies(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"bodies",
           "Bodies: places, rotations about x, then y, then z, and the force of what holds them",
           {{"name", si::one},
@@ -125,13 +125,13 @@ Table bodies(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-Table anchors(const model::Model& m, const EquilibriumResult& e) {
+Table anchors(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"anchors",
           "Ends of the ropes: force of the rope on what holds it",
           {{"name", si::one}, {"rope", si::one}, {"T", si::N}, {"Fx", si::N}, {"Fy", si::N}, {"Fz", si::N}},
           {}};
-  const auto add = [&](const analysis::SpanResult& s, int n, double T, const Vector3& f) {
-    if (reeving_at(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != model::NodeKind::anchor) return;
+  const auto add = [&](const solve::SpanResult& s, int n, double T, const Vector3& f) {
+    if (reeving_at(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != machine::NodeKind::anchor) return;
     t.rows.push_back({node_name(m, s.reeving, n), reeving_at(m, s.reeving).name, T, f.x(), f.y(), f.z()});
   };
   for (const auto& s : e.spans) {
@@ -142,12 +142,12 @@ Table anchors(const model::Model& m, const EquilibriumResult& e) {
 }
 
 /// Where a rope's largest tension is.
-std::string place_of(const model::Model& m, const EquilibriumResult& e, const analysis::RopeResult& r) {
+std::string place_of(const machine::Model& m, const solve::EquilibriumResult& e, const solve::RopeResult& r) {
   const auto& s = e.spans[static_cast<std::size_t>(r.span)];
   return node_name(m, s.reeving, r.at_end ? s.to : s.from);
 }
 
-Table ropes(const model::Model& m, const EquilibriumResult& e) {
+Table ropes(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"ropes",
           "Ropes",
           {{"name", si::one}, {"unstretched", si::m}, {"T_max", si::N}, {"where", si::one}, {"safety_factor", si::one}},
@@ -160,7 +160,7 @@ Table ropes(const model::Model& m, const EquilibriumResult& e) {
   return t;
 }
 
-Table closure(const EquilibriumResult& e) {
+Table closure(const solve::EquilibriumResult& e) {
   return {"closure",
           "How well the answer closes, worst of all",
           {{"rope_closure", si::m.in("mm")},
@@ -177,19 +177,19 @@ struct Turn {
   bool fixed = false;  ///< an end of the rope
   bool load = false;   ///< a force on it
 };
-std::vector<Turn> turns_of(const model::Reeving& r) {
+std::vector<Turn> turns_of(const machine::Reeving& r) {
   std::vector<Turn> all;
-  for (const model::Node& node : r.nodes) {
+  for (const machine::Node& node : r.nodes) {
     const auto same = [&](const Turn& other) { return !other.fixed && other.name == node.name; };
-    all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == model::NodeKind::anchor,
-                   node.kind == model::NodeKind::load});
+    all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == machine::NodeKind::anchor,
+                   node.kind == machine::NodeKind::load});
   }
   return all;
 }
 
 /// The contact of that name and turn; nullptr where the rope does not touch it.
-const analysis::ContactResult* contact(const model::Model& m, const EquilibriumResult& e, int reeving,
-                                       const Turn& turn) {
+const solve::ContactResult* contact(const machine::Model& m, const solve::EquilibriumResult& e, int reeving,
+                                    const Turn& turn) {
   const std::vector<Turn> turns = turns_of(reeving_at(m, reeving));
   for (const auto& c : e.contacts) {
     if (c.reeving != reeving) continue;
@@ -199,7 +199,7 @@ const analysis::ContactResult* contact(const model::Model& m, const EquilibriumR
   return nullptr;
 }
 
-Table load_path(const model::Model& all, const LoadPathRun& run) {
+Table load_path(const machine::Model& all, const LoadPathRun& run) {
   Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
   for (const LoadPathPart& part : run.parts) {
     for (const auto& point : part.result.points) {
@@ -211,15 +211,15 @@ Table load_path(const model::Model& all, const LoadPathRun& run) {
 
 }  // namespace
 
-std::vector<Column> load_path_columns(const model::Model& all) {
+std::vector<Column> load_path_columns(const machine::Model& all) {
   std::vector<Column> columns = {{"x", si::m}, {"z", si::m}, {"clearance", si::m}};
-  for (const model::Reeving& r : all.reevings) {
+  for (const machine::Reeving& r : all.reevings) {
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.front().name), si::N});
     columns.push_back({fmt::format("{}.T_{}", r.name, r.nodes.back().name), si::N});
     columns.push_back({fmt::format("{}.T_max", r.name), si::N});
     columns.push_back({fmt::format("{}.unstretched", r.name), si::m});
   }
-  for (const model::Reeving& r : all.reevings) {
+  for (const machine::Reeving& r : all.reevings) {
     for (const Turn& turn : turns_of(r)) {
       if (turn.fixed || turn.load) continue;
       const std::string which =
@@ -237,9 +237,9 @@ std::vector<Column> load_path_columns(const model::Model& all) {
   return columns;
 }
 
-std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, const analysis::LoadPathPoint& point) {
+std::vector<Cell> load_path_row(const machine::Model& all, const machine::Model& m, const study::LoadPathPoint& point) {
   std::vector<Cell> row = {point.x, point.z, point.clearance};
-  const EquilibriumResult& e = point.at;
+  const solve::EquilibriumResult& e = point.at;
   const auto count = static_cast<int>(all.reevings.size());
   for (int i = 0; i < count; ++i) {
     const auto own = [&](const auto& s) { return s.reeving == i; };
@@ -261,37 +261,37 @@ std::vector<Cell> load_path_row(const model::Model& all, const model::Model& m, 
   }
   add_drum_cells(all, e, row);
   row.emplace_back(e.closure.rope);
-  if (!all.terrain.empty()) row.emplace_back(analysis::rope_clearance(m, e).height);
+  if (!all.terrain.empty()) row.emplace_back(study::rope_clearance(m, e).height);
   return row;
 }
 
-Vector3 pull_on_start(const analysis::SpanResult& span) {
+Vector3 pull_on_start(const solve::SpanResult& span) {
   Vector3 along = span.end - span.start;
   along.z() = 0;
   if (along.norm() > 0) along.normalize();
   return span.H * along + span.V_from * up();
 }
 
-Vector3 pull_on_end(const analysis::SpanResult& span) {
+Vector3 pull_on_end(const solve::SpanResult& span) {
   Vector3 along = span.end - span.start;
   along.z() = 0;
   if (along.norm() > 0) along.normalize();
   return -span.H * along - span.V_to * up();
 }
 
-std::string_view to_text(ContactState state) {
+std::string_view to_text(solve::ContactState state) {
   switch (state) {
-    case ContactState::turning:
+    case solve::ContactState::turning:
       return "turning";
-    case ContactState::slipping:
+    case solve::ContactState::slipping:
       return "slipping";
-    case ContactState::stuck:
+    case solve::ContactState::stuck:
       return "stuck";
-    case ContactState::held:
+    case solve::ContactState::held:
       return "held";
-    case ContactState::pulled:
+    case solve::ContactState::pulled:
       return "pulled";
-    case ContactState::lifted:
+    case solve::ContactState::lifted:
       return "lifted";
   }
   return "";
@@ -320,4 +320,4 @@ void add_tables(const MachineRun& run, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

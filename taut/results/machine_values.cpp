@@ -6,7 +6,7 @@
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 void add_places(const MachineRun& run, Result& r) {
@@ -14,7 +14,7 @@ void add_places(const MachineRun& run, Result& r) {
                                   [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
-    const model::Body& body = run.model.bodies[i];
+    const machine::Body& body = run.model.bodies[i];
     if (body.free.empty() || body.of_rope || !told(body)) continue;
     const Vector3& p = first->result.state.bodies[i].position;
     const auto add = [&](const char* axis, double value) {
@@ -45,7 +45,7 @@ void add_ends(const MachineRun& run, Result& r) {
       const auto first = std::find_if(one.result.spans.begin(), one.result.spans.end(), own);
       const auto last = std::find_if(one.result.spans.rbegin(), one.result.spans.rend(), own);
       const auto add = [&](const char* end, int n, double T) {
-        const model::Reeving& rope = one.model.reevings[i];
+        const machine::Reeving& rope = one.model.reevings[i];
         const std::string name = fmt::format("{}.{}{}", rope.name, end, one.ending);
         r.values.push_back({name,
                             T,
@@ -70,7 +70,7 @@ void add_values(const MachineRun& run, Result& r) {
   add_drive_values(run, r);
 }
 
-std::vector<std::string> assumptions_of(const model::Machine& m) {
+std::vector<std::string> assumptions_of(const machine::Machine& m) {
   std::vector<std::string> all = {
       "Ropes are elastic catenaries between tangent points, without bending stiffness; weight per unstretched length; "
       "the "
@@ -82,7 +82,7 @@ std::vector<std::string> assumptions_of(const model::Machine& m) {
     std::string held =
         car.mainline ? fmt::format("held by {}", *car.mainline) : "held along its track where a place is prescribed";
     all.push_back(
-        car.hold == model::description::Hold::clamped
+        car.hold == machine::description::Hold::clamped
             ? fmt::format("Carriage {}: clamped to {}; tensions before and behind it differ.", car.name, car.rides)
             : fmt::format("Carriage {}: rolls on {} with {} tensions on both sides, {}; a point, its rollers' "
                           "radius and distance not counted.",
@@ -121,4 +121,4 @@ std::vector<std::string> assumptions_of(const model::Machine& m) {
   return all;
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 template <class T>
@@ -47,4 +47,4 @@ void append(Result& from, Result& to) {
   if (to.headline.empty()) to.headline = from.headline;
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

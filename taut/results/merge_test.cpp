@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace taut::app::merge_test {
+namespace taut::results::merge_test {
 
 TEST(Merge, WhatTheVerdictIsMadeOfComesAlong) {
   Result to;
@@ -23,4 +23,4 @@ TEST(Merge, WhatTheVerdictIsMadeOfComesAlong) {
   EXPECT_EQ(to.preface, "The deck breaks a rope at 1 s");
 }
 
-}  // namespace taut::app::merge_test
+}  // namespace taut::results::merge_test

@@ -4,7 +4,7 @@
 
 #include "taut/results/analyses/machine_analysis.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 void Missing::lose(const Outcome& outcome, const std::string& where, int states) {
   if (missing_ == 0) {
@@ -33,4 +33,4 @@ void Missing::note(Result& r, const std::string& analysis, bool judged) const {
                                    first_, why_.message));
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -4,7 +4,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 /// Counts the states of an analysis that have no answer. What exists is given; what is missing is said and is not
 /// judged. Only an analysis without any state has failed.
@@ -26,4 +26,4 @@ class Missing {
   std::string first_;
 };
 
-}  // namespace taut::app
+}  // namespace taut::results

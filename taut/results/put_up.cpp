@@ -8,7 +8,7 @@
 #include "taut/checks/checked_parts.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 /// A tension that a rope has at one of its ends in every state.
@@ -17,45 +17,45 @@ struct HeldTension {
   bool at_end = false;
 };
 
-std::vector<HeldTension> held_tensions(const model::description::Reeving& rope) {
+std::vector<HeldTension> held_tensions(const machine::description::Reeving& rope) {
   std::vector<HeldTension> all;
   if (rope.tension_at_start) all.push_back({*rope.tension_at_start, false});
   if (rope.tension_at_end) all.push_back({*rope.tension_at_end, true});
   return all;
 }
 
-std::string deck_name_of(const model::description::Reeving& rope) { return rope.name.value_or(rope.rope); }
+std::string deck_name_of(const machine::description::Reeving& rope) { return rope.name.value_or(rope.rope); }
 
 const char* end_name(bool at_end) { return at_end ? "end" : "start"; }
 
-bool has_take_up(const model::Machine& machine, const std::string& body) {
+bool has_take_up(const machine::Machine& machine, const std::string& body) {
   return std::any_of(machine.take_up.begin(), machine.take_up.end(), [&](const auto& t) { return t.body == body; });
 }
 
 /// Whether something at this end of a rope can hold a tension: a drum, a take-up, or a body that may move.
-bool can_hold(const model::Machine& machine, const model::Model& model, const model::Node& end) {
+bool can_hold(const machine::Machine& machine, const machine::Model& model, const machine::Node& end) {
   if (end.drum >= 0) return true;
-  if (end.at.body == model::ground) return false;
-  const model::Body& body = model.bodies[at(end.at.body)];
+  if (end.at.body == machine::ground) return false;
+  const machine::Body& body = model.bodies[at(end.at.body)];
   return !body.free.empty() || has_take_up(machine, body.name);
 }
 
 }  // namespace
 
-Outcome put_up_lines(model::Model& model, std::vector<analysis::PutUpLine>& lines) {
-  lines = analysis::put_up(model);
+Outcome put_up_lines(machine::Model& model, std::vector<study::PutUpLine>& lines) {
+  lines = study::put_up(model);
   return lines.empty() ? Outcome{} : lines.back().at.outcome;
 }
 
-std::string put_up_words(const model::Model& model, const analysis::PutUpLine& line) {
-  const model::Reeving& rope = model.reevings[at(line.reeving)];
+std::string put_up_words(const machine::Model& model, const study::PutUpLine& line) {
+  const machine::Reeving& rope = model.reevings[at(line.reeving)];
   std::vector<std::string> with;
   for (const int body : rope.put_up->bodies) with.push_back(model.bodies[at(body)].name);
   return with.empty() ? fmt::format("{} as put up, empty", rope.name)
                       : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
 }
 
-void add_put_up(const model::Model& model, const std::vector<analysis::PutUpLine>& lines, Result& r) {
+void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines, Result& r) {
   if (lines.empty()) return;
   Table t{
       "put_up",
@@ -70,7 +70,7 @@ void add_put_up(const model::Model& model, const std::vector<analysis::PutUpLine
        {"installed", si::m},
        {"stretched", si::m}},
       {}};
-  for (const analysis::PutUpLine& one : lines) {
+  for (const study::PutUpLine& one : lines) {
     const std::string& name = model.reevings[at(one.reeving)].name;
     const std::string words = put_up_words(model, one);
     t.rows.push_back(
@@ -88,15 +88,16 @@ void add_put_up(const model::Model& model, const std::vector<analysis::PutUpLine
   r.tables.push_back(std::move(t));
 }
 
-void show_put_up(const model::Model& model, const std::vector<analysis::PutUpLine>& lines, CheckedParts& checked) {
-  for (const analysis::PutUpLine& one : lines) {
+void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines,
+                 checks::CheckedParts& checked) {
+  for (const study::PutUpLine& one : lines) {
     if (!one.at.outcome.ok()) continue;
     checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[at(one.reeving)].name,
                        put_up_words(model, one));
   }
 }
 
-std::vector<std::string> tension_assumptions(const model::Machine& machine) {
+std::vector<std::string> tension_assumptions(const machine::Machine& machine) {
   std::vector<std::string> all;
   for (const auto& rope : machine.reevings) {
     for (const HeldTension& held : held_tensions(rope)) {
@@ -107,7 +108,7 @@ std::vector<std::string> tension_assumptions(const model::Machine& machine) {
                       deck_name_of(rope), end_name(held.at_end), held.tension / 1000));
     }
     if (!rope.install) continue;
-    const bool at_end = rope.install->at == model::description::BaseTensionAt::end;
+    const bool at_end = rope.install->at == machine::description::BaseTensionAt::end;
     all.push_back(fmt::format(
         "Rope {}: put up {} with {:.6g} kN at its {}, at the machine's temperature; its unstretched length is kept in "
         "all other states.",
@@ -118,7 +119,7 @@ std::vector<std::string> tension_assumptions(const model::Machine& machine) {
   return all;
 }
 
-std::vector<std::string> held_tension_warnings(const model::Machine& machine, const model::Model& model) {
+std::vector<std::string> held_tension_warnings(const machine::Machine& machine, const machine::Model& model) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < machine.reevings.size(); ++i) {
     const auto& rope = machine.reevings[i];
@@ -128,7 +129,7 @@ std::vector<std::string> held_tension_warnings(const model::Machine& machine, co
     if (!rides) continue;
     const auto& nodes = model.reevings[i].nodes;
     for (const HeldTension& held : held_tensions(rope)) {
-      const model::Node& end = held.at_end ? nodes.back() : nodes.front();
+      const machine::Node& end = held.at_end ? nodes.back() : nodes.front();
       if (can_hold(machine, model, end)) continue;
       all.push_back(fmt::format(
           "tension_at_{} of '{}': the tension at '{}' is held at {:.6g} kN in every state at rest, and no drum or "
@@ -139,4 +140,4 @@ std::vector<std::string> held_tension_warnings(const model::Machine& machine, co
   return all;
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

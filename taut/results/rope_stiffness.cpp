@@ -6,20 +6,20 @@
 
 #include "taut/machine/links/rope_of.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
-std::optional<catalogue::RopeStiffness> assumed_stiffness(const model::Machine& machine, const std::string& rope) {
+std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine& machine, const std::string& rope) {
   const auto own =
       std::find_if(machine.ropes.begin(), machine.ropes.end(), [&](const auto& one) { return one.name == rope; });
-  return own == machine.ropes.end() ? std::nullopt : model::catalogue_stiffness(*own);
+  return own == machine.ropes.end() ? std::nullopt : machine::catalogue_stiffness(*own);
 }
 
-void add_rope_stiffness(const model::Machine& machine, Result& r) {
+void add_rope_stiffness(const machine::Machine& machine, Result& r) {
   for (const auto& rope : machine.ropes) {
     const auto runs = [&](const auto& one) { return one.rope == rope.name; };
     const bool used = std::any_of(machine.reevings.begin(), machine.reevings.end(), runs) ||
                       std::any_of(machine.guys.begin(), machine.guys.end(), runs);
-    const auto s = model::catalogue_stiffness(rope);
+    const auto s = machine::catalogue_stiffness(rope);
     if (!used || !s) continue;
     const std::string name = fmt::format("{}.stiffness", rope.name);
     r.values.push_back({name, s->EA, si::N.in("MN"), name, catalogue::to_text(*s), {}});
@@ -30,4 +30,4 @@ void add_rope_stiffness(const model::Machine& machine, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

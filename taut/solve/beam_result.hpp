@@ -5,7 +5,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// A section of a loaded beam.
 struct BeamPoint {
@@ -42,4 +42,4 @@ struct BeamResult {
 inline constexpr double most_bend = 0.5;  // rad
 inline constexpr double most_lean = 0.5;  // rad
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -10,7 +10,7 @@
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/definite.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -96,7 +96,8 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
 /// The machine in pieces: coordinates of the sections within the beams first, then those of the bodies.
 class StiffnessAssembly {
  public:
-  StiffnessAssembly(const System& s, const Configuration& c, const Eigen::MatrixXd& rest, std::vector<int> coordinates)
+  StiffnessAssembly(const mechanics::System& s, const mechanics::Configuration& c, const Eigen::MatrixXd& rest,
+                    std::vector<int> coordinates)
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
@@ -152,10 +153,10 @@ class StiffnessAssembly {
 
   SectionMotion body_motion(int body, const Vector3& arm) const {
     SectionMotion m;
-    if (body == model::ground) return m;
+    if (body == machine::ground) return m;
     for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
       if (coordinates_[at(i)] < 0) continue;
-      const model::Freedom& way = s_.layout.dofs[at(i)].way;
+      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
       Vector6 v;
       v << way.along + way.about.cross(arm), way.about;
       m.emplace_back(-1 - coordinates_[at(i)], v);
@@ -182,16 +183,16 @@ class StiffnessAssembly {
     return m;
   }
 
-  Vector3 arm_of(const model::Place& place) const {
-    return place.body == model::ground ? Vector3(Vector3::Zero())
-                                       : Vector3(c_.bodies[at(place.body)].orientation * place.at);
+  Vector3 arm_of(const machine::Place& place) const {
+    return place.body == machine::ground ? Vector3(Vector3::Zero())
+                                         : Vector3(c_.bodies[at(place.body)].orientation * place.at);
   }
 
   void add_piece(std::size_t k) {
-    const Layout::Piece& p = s_.layout.pieces[k];
-    const model::Beam& beam = s_.model.beams[at(p.beam)];
-    const model::BeamPiece& piece = beam.pieces[at(p.piece)];
-    std::vector<structure::RodState> all = {piece_start(s_, c_, k)};
+    const mechanics::Layout::Piece& p = s_.layout.pieces[k];
+    const machine::Beam& beam = s_.model.beams[at(p.beam)];
+    const machine::BeamPiece& piece = beam.pieces[at(p.piece)];
+    std::vector<structure::RodState> all = {mechanics::piece_start(s_, c_, k)};
     structure::RodPiece rod = piece.rod;
     const double share = (rod.to - rod.from) / beam.length;
     const int count = std::max(2, static_cast<int>(std::ceil(elements * share)));
@@ -210,7 +211,7 @@ class StiffnessAssembly {
         e.to = free_section();
       } else {
         e.to = body_motion(piece.end.body, arm_of(piece.end));
-        if (piece.end_hold == model::BeamHold::hinged) {
+        if (piece.end_hold == machine::BeamHold::hinged) {
           e.to = joint(e.to, {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
         }
       }
@@ -221,13 +222,13 @@ class StiffnessAssembly {
     add_arm(p.beam, piece.end, -all.back().force);
   }
 
-  void add_arm(int beam, const model::Place& place, const Vector3& force) {
-    if (place.body == model::ground || place.at == Vector3::Zero()) return;
+  void add_arm(int beam, const machine::Place& place, const Vector3& force) {
+    if (place.body == machine::ground || place.at == Vector3::Zero()) return;
     arms_.push_back({beam, body_motion(place.body, Vector3::Zero()), arm_of(place), force});
   }
 
-  const System& s_;
-  const Configuration& c_;
+  const mechanics::System& s_;
+  const mechanics::Configuration& c_;
   const Eigen::MatrixXd& rest_;
   std::vector<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
   std::vector<Element> elements_;
@@ -256,11 +257,11 @@ double critical_factor(const StiffnessAssembly& machine, int beam, bool stable) 
 
 /// The machine without its beams, and without what prescribes a place: its ropes as long as they are. `kept`: the
 /// freedom along which a force held a carriage; -1: none.
-Layout without_beams(const Layout& layout, int& kept) {
-  Layout bare = layout;
+mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
+  mechanics::Layout bare = layout;
   bare.pieces.clear();
   if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
-  for (Layout::Link& link : bare.links) link.force = -1;  // these unknowns stand behind the beams'
+  for (mechanics::Layout::Link& link : bare.links) link.force = -1;  // these unknowns stand behind the beams'
   kept = -1;
   if (bare.hold >= 0) {
     --bare.size;  // the last one before the beams
@@ -276,16 +277,17 @@ Layout without_beams(const Layout& layout, int& kept) {
 
 }  // namespace
 
-std::optional<BeamStability> beam_stability(const System& s, const Configuration& c, bool factors) {
+std::optional<BeamStability> beam_stability(const mechanics::System& s, const mechanics::Configuration& c,
+                                            bool factors) {
   int kept = -1;
-  const Layout bare = without_beams(s.layout, kept);
-  const System rest{s.model, bare, s.coordinate, s.losses};
-  Configuration now = c;
-  Evaluation e;
-  if (evaluate(rest, now, e)) return std::nullopt;
+  const mechanics::Layout bare = without_beams(s.layout, kept);
+  const mechanics::System rest{s.model, bare, s.coordinate, s.losses};
+  mechanics::Configuration now = c;
+  mechanics::Evaluation e;
+  if (mechanics::evaluate(rest, now, e)) return std::nullopt;
   Eigen::MatrixXd J;
-  std::vector<BranchColumns> columns;
-  jacobian(rest, now, e, J, columns);
+  std::vector<mechanics::BranchColumns> columns;
+  mechanics::jacobian(rest, now, e, J, columns);
   std::vector<int> coordinates(s.layout.dofs.size(), -1), order, left;
   for (int i = 0; i < bare.size; ++i) {
     if (i >= static_cast<int>(coordinates.size())) {
@@ -312,4 +314,4 @@ std::optional<BeamStability> beam_stability(const System& s, const Configuration
   return result;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

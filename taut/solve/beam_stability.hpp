@@ -4,7 +4,7 @@
 
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 struct BeamStability {
   bool stable = true;           ///< the machine's tangent stiffness is positive (neutral ways not counted)
@@ -18,6 +18,7 @@ struct BeamStability {
 /// its ropes may move as they let it; one that a force holds may not. Empty where the ropes alone leave it
 /// undetermined.
 /// `factors`: where it is stable too; without them only whether it is.
-std::optional<BeamStability> beam_stability(const System& system, const Configuration& c, bool factors = true);
+std::optional<BeamStability> beam_stability(const mechanics::System& system, const mechanics::Configuration& c,
+                                            bool factors = true);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -11,28 +11,28 @@
 
 /// Critical factors of hand-set states, without any equilibrium solved: the textbook's struts, and a stiff mast on a
 /// hinge that ropes hold like springs.
-namespace taut::analysis::beam_stability_test {
+namespace taut::solve::beam_stability_test {
 
-using model::BeamHold;
-using model::BeamTop;
+using machine::BeamHold;
+using machine::BeamTop;
 using namespace taut_test;
 
 /// The machine as it is described, each beam with the same compression along it.
-std::optional<BeamStability> pressed(const model::Model& m, const Vector3& force, bool factors = true) {
-  const model::State state = model::initial_state(m);
-  const Layout layout = analysis::layout(m, state, std::nullopt, no_flow(m));
-  Configuration c = configuration_of(layout, state);
-  for (model::PieceState& piece : c.pieces) piece.force = force;
+std::optional<BeamStability> pressed(const machine::Model& m, const Vector3& force, bool factors = true) {
+  const machine::State state = machine::initial_state(m);
+  const mechanics::Layout layout = mechanics::layout(m, state, std::nullopt, no_flow(m));
+  mechanics::Configuration c = configuration_of(layout, state);
+  for (machine::PieceState& piece : c.pieces) piece.force = force;
   return beam_stability({m, layout}, c, factors);
 }
 
 /// A strut along `axis` whose far end slides along it.
-model::Model strut(BeamHold base, BeamTop top, const Vector3& axis, double length) {
-  model::Model m;
-  model::Body slide = body("slide", length * axis, 0, "");
+machine::Model strut(BeamHold base, BeamTop top, const Vector3& axis, double length) {
+  machine::Model m;
+  machine::Body slide = body("slide", length * axis, 0, "");
   slide.free.push_back({axis, Vector3::Zero()});
   m.bodies.push_back(slide);
-  model::StraightBeam b;
+  machine::StraightBeam b;
   b.name = "strut";
   b.to = {0, Vector3::Zero()};
   b.section = structure::tube_section(0.2, 0.008);
@@ -40,7 +40,7 @@ model::Model strut(BeamHold base, BeamTop top, const Vector3& axis, double lengt
   b.section.EA *= 1e5;    // and keeps its length
   b.base = base;
   b.top = top;
-  model::add_beam(m, b);
+  machine::add_beam(m, b);
   return m;
 }
 
@@ -58,7 +58,7 @@ TEST(BeamStability, StrutsBuckleAtTheTextbooksLoads) {
   for (const Vector3& axis : {Vector3(0, 0, 1), Vector3(0.48, 0.6, 0.64)}) {
     for (const auto& [base, top, kl] : cases) {
       const double critical = kl * kl * EI / (length * length);
-      const model::Model m = strut(base, top, axis, length);
+      const machine::Model m = strut(base, top, axis, length);
       for (const double share : {0.2, 0.99, 1.01, 3.0}) {
         const auto found = pressed(m, -share * critical * axis);
         ASSERT_TRUE(found);
@@ -80,14 +80,14 @@ TEST(BeamStability, StrutsBuckleAtTheTextbooksLoads) {
 TEST(BeamStability, AStiffMastOnAHingeFallsWhereItsRopesGiveWay) {
   const double h = 11, L = 20, EA = 4e5;
   for (const double T : {5e3, 60e3}) {
-    model::Model m;
-    model::StraightBeam b;
+    machine::Model m;
+    machine::StraightBeam b;
     b.name = "mast";
     b.to.at = {0, 0, h};
     b.section = structure::tube_section(0.5, 0.02);
     for (double* stiffness : {&b.section.EI_x, &b.section.EI_y, &b.section.EA, &b.section.GJ}) *stiffness *= 1e5;
     b.base = BeamHold::hinged;
-    model::add_beam(m, b);
+    machine::add_beam(m, b);
     const double unstretched = L / (1 + T / EA);
     for (const auto& [x, y] : {std::pair{L, 0.0}, {-L, 0.0}, {0.0, L}, {0.0, -L}}) {
       m.reevings.push_back(reeve("guy", {anchor("a", {x, y, h}), anchor_on("top", 0)}, unstretched, 0, EA));
@@ -104,8 +104,8 @@ TEST(BeamStability, AStiffMastOnAHingeFallsWhereItsRopesGiveWay) {
 
 /// Two masts on hinges side by side, joined by nothing: each has its own factor.
 TEST(BeamStability, EachBeamHasItsOwnFactor) {
-  model::Model m = strut(BeamHold::hinged, BeamTop::hinged, up(), 7),
-               other = strut(BeamHold::hinged, BeamTop::hinged, up(), 5);
+  machine::Model m = strut(BeamHold::hinged, BeamTop::hinged, up(), 7),
+                 other = strut(BeamHold::hinged, BeamTop::hinged, up(), 5);
   m.bodies.push_back(other.bodies[0]);
   other.beams[0].pieces[0].end.body = 1;
   m.beams.push_back(other.beams[0]);
@@ -117,4 +117,4 @@ TEST(BeamStability, EachBeamHasItsOwnFactor) {
   EXPECT_NEAR(found->factors.at(1), 2 * second / first, 1e-3);
 }
 
-}  // namespace taut::analysis::beam_stability_test
+}  // namespace taut::solve::beam_stability_test

@@ -10,7 +10,7 @@
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/beam_stability.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using structure::RodState;
@@ -42,18 +42,18 @@ Vector3 direction(const structure::RodPiece& rod, const RodState& state) {
 }
 
 /// Fills points and the largest values of one beam.
-void fill_points(const System& s, const Configuration& c, int beam, BeamResult& r) {
+void fill_points(const mechanics::System& s, const mechanics::Configuration& c, int beam, BeamResult& r) {
   RodState built;  // as built, on what the beam begins on as that stands
   Vector3 first = Vector3::UnitZ(), first_built = first;
   for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) {
     if (s.layout.pieces[k].beam != beam) continue;
-    const model::BeamPiece& piece = piece_of(s, s.layout.pieces[k]);
-    const RodState start = piece_start(s, c, k);
+    const machine::BeamPiece& piece = mechanics::piece_of(s, s.layout.pieces[k]);
+    const RodState start = mechanics::piece_start(s, c, k);
     structure::RodPiece bare = piece.rod;
     bare.section.weight = 0;
     bare.order = structure::BeamOrder::second;
     if (piece.rod.from == 0) {
-      const bool moves = piece.reference != model::ground;
+      const bool moves = piece.reference != machine::ground;
       built.place = start.place;
       built.axes =
           moves ? Matrix3(c.bodies[at(piece.reference)].orientation * piece.reference_axes) : piece.reference_axes;
@@ -90,7 +90,7 @@ void fill_worst(const Vector3& chord, BeamResult& r) {
 
 }  // namespace
 
-std::vector<BeamResult> beam_results(const System& s, const Configuration& c) {
+std::vector<BeamResult> beam_results(const mechanics::System& s, const mechanics::Configuration& c) {
   std::vector<BeamResult> all;
   for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
     BeamResult& r = all.emplace_back();
@@ -100,16 +100,16 @@ std::vector<BeamResult> beam_results(const System& s, const Configuration& c) {
     const Vector3 built = end - r.points.back().deflection - start;
     fill_worst(built.normalized(), r);
     const int top = s.model.beams[at(b)].pieces.back().end.body;
-    if (top != model::ground && s.model.bodies[at(top)].beam == b) r.lean = angle_between(built, end - start);
+    if (top != machine::ground && s.model.bodies[at(top)].beam == b) r.lean = angle_between(built, end - start);
   }
   return all;
 }
 
-void act_beams(const System& s, const Configuration& c, const std::function<void(int, const Vector3&)>& act,
-               Vector3& outside) {
+void act_beams(const mechanics::System& s, const mechanics::Configuration& c,
+               const std::function<void(int, const Vector3&)>& act, Vector3& outside) {
   for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) {
-    const model::BeamPiece& piece = piece_of(s, s.layout.pieces[k]);
-    const RodState start = piece_start(s, c, k);
+    const machine::BeamPiece& piece = mechanics::piece_of(s, s.layout.pieces[k]);
+    const RodState start = mechanics::piece_start(s, c, k);
     act(piece.start.body, start.force);
     act(piece.end.body, -along(piece.rod, start).force);
     outside -= piece.rod.section.weight * (piece.rod.to - piece.rod.from) * up();
@@ -118,7 +118,8 @@ void act_beams(const System& s, const Configuration& c, const std::function<void
 
 namespace {
 
-Outcome judge(const System& s, const Configuration& c, bool factors, std::vector<BeamResult>& results) {
+Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, bool factors,
+              std::vector<BeamResult>& results) {
   if (results.empty()) return {};
   const auto name = [&](const BeamResult& r) { return s.model.beams[at(r.beam)].name; };
   for (const BeamResult& r : results) {
@@ -156,13 +157,13 @@ Outcome judge(const System& s, const Configuration& c, bool factors, std::vector
 
 }  // namespace
 
-Outcome check_beams(const System& s, const Configuration& c, std::vector<BeamResult>& results) {
+Outcome check_beams(const mechanics::System& s, const mechanics::Configuration& c, std::vector<BeamResult>& results) {
   return judge(s, c, true, results);
 }
 
-Outcome beams_stay(const System& s, const Configuration& c) {
+Outcome beams_stay(const mechanics::System& s, const mechanics::Configuration& c) {
   std::vector<BeamResult> results = beam_results(s, c);
   return judge(s, c, false, results);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

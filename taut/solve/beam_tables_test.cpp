@@ -12,12 +12,12 @@
 #include "test/support/machines.hpp"
 
 /// What is told of a beam in a state set by hand, against the formulas of a cantilever; and each verdict on one.
-namespace taut::analysis::beam_tables_test {
+namespace taut::solve::beam_tables_test {
 
 constexpr double h = 9;
 
-model::StraightBeam cantilever(structure::BeamOrder order = structure::BeamOrder::first) {
-  model::StraightBeam b;
+machine::StraightBeam cantilever(structure::BeamOrder order = structure::BeamOrder::first) {
+  machine::StraightBeam b;
   b.name = "mast";
   b.to.at = {0, 0, h};
   b.section = structure::tube_section(0.4, 0.012);
@@ -26,17 +26,17 @@ model::StraightBeam cantilever(structure::BeamOrder order = structure::BeamOrder
 }
 
 struct SetByHand {
-  model::Model m;
-  Layout layout;
-  Configuration c;
+  machine::Model m;
+  mechanics::Layout layout;
+  mechanics::Configuration c;
 
-  explicit SetByHand(const model::StraightBeam& b) {
-    model::add_beam(m, b);
-    const model::State state = model::initial_state(m);
-    layout = analysis::layout(m, state, std::nullopt, taut_test::no_flow(m));
+  explicit SetByHand(const machine::StraightBeam& b) {
+    machine::add_beam(m, b);
+    const machine::State state = machine::initial_state(m);
+    layout = mechanics::layout(m, state, std::nullopt, taut_test::no_flow(m));
     c = taut_test::configuration_of(layout, state);
   }
-  System system() const { return {m, layout}; }
+  mechanics::System system() const { return {m, layout}; }
 };
 
 TEST(BeamTables, PointsOfACantileverAreTheTextbooks) {
@@ -74,7 +74,7 @@ TEST(BeamTables, PointsOfACantileverAreTheTextbooks) {
 
 /// What the ends feel of a beam, and its weight, are the same.
 TEST(BeamTables, ForcesOnItsEndsAddUpToItsWeight) {
-  model::StraightBeam b = cantilever(structure::BeamOrder::second);
+  machine::StraightBeam b = cantilever(structure::BeamOrder::second);
   b.section.weight = 1100;
   b.stations = {0.35};
   SetByHand one(b);
@@ -102,7 +102,7 @@ std::string verdict(SetByHand& one, double* factor = nullptr) {
 }
 
 TEST(BeamTables, ABeamBucklesAtEulersLoadAndNotBefore) {
-  model::StraightBeam b = cantilever(structure::BeamOrder::second);
+  machine::StraightBeam b = cantilever(structure::BeamOrder::second);
   b.section.EA *= 1e5;  // it keeps its length
   SetByHand one(b);
   const double critical = std::pow(std::numbers::pi / (2 * h), 2) * structure::tube_section(0.4, 0.012).EI_x;
@@ -129,8 +129,8 @@ TEST(BeamTables, ABeamThatIsBentTooFarGivesWay) {
 }
 
 TEST(BeamTables, ABeamThatLeansTooFarHasFallen) {
-  model::StraightBeam b = cantilever(structure::BeamOrder::second);
-  b.base = model::BeamHold::hinged;
+  machine::StraightBeam b = cantilever(structure::BeamOrder::second);
+  b.base = machine::BeamHold::hinged;
   for (double* stiffness : {&b.section.EI_x, &b.section.EI_y, &b.section.EA}) *stiffness *= 1e5;
   SetByHand one(b);
   for (const double lean : {0.99 * most_lean, 1.01 * most_lean}) {
@@ -145,4 +145,4 @@ TEST(BeamTables, ABeamThatLeansTooFarHasFallen) {
   }
 }
 
-}  // namespace taut::analysis::beam_tables_test
+}  // namespace taut::solve::beam_tables_test

@@ -11,13 +11,16 @@
 /// What any model of the telescopic boom has to show, whatever its data: balances, the ropes' common way, the ratio of
 /// the moving sheaves, results that do not hang on the step.
 namespace taut_test::boom_balance_test {
+
+namespace machine = taut::machine;
+
 namespace {
 
-using taut::analysis::Slid;
-using taut::analysis::Start;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Slid;
+using taut::solve::Start;
+using taut::solve::TransientFrame;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -35,10 +38,10 @@ TransientOptions sliding(double duration, int steps, double by = 0.1) {
 }
 
 /// All forces on a body: its weight, ropes and pads.
-Vector3 forces_on(int body, const model::Model& m, const TransientFrame& f) {
+Vector3 forces_on(int body, const machine::Model& m, const TransientFrame& f) {
   Vector3 sum = -m.bodies[static_cast<std::size_t>(body)].mass * m.gravity * Vector3::UnitZ();
   for (const auto& branch : f.branches) {
-    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(branch.reeving)];
+    const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(branch.reeving)];
     const auto node = [&](int k) { return rope.nodes[static_cast<std::size_t>(k)]; };
     const Vector3 along = (branch.end - branch.start).normalized();
     if (node(branch.from).at.body == body) sum += rope.copies * branch.T_from * along;
@@ -70,7 +73,7 @@ TEST(BoomBalance, EverySectionAndTheHookAreInBalance) {
       b.travel = retracts ? 5.9 : 3.1;
       b.start = 0;
       b.retracts = retracts;
-      const model::Model m = boom_machine(b);
+      const machine::Model m = boom_machine(b);
       const TransientResult r = run_to_end(m, sliding(3, 30, retracts ? -0.1 : 0.1));
       for (const TransientFrame& f : r.frames) {
         for (const int body : {boom_bodies::s3, boom_bodies::hook, boom_bodies::load}) {
@@ -140,7 +143,7 @@ TEST(BoomBalance, TheCylinderPushesTwiceWhatSection3Asks) {
       b.eta = 1;
       b.f0 = b.f_inf = 0;
       b.start = 0;
-      model::Model m = boom_machine(b);
+      machine::Model m = boom_machine(b);
       for (auto& pad : m.contacts) {  // rigid, so that no section leans
         pad.stiffness = pad.tangential_stiffness = 1e11;
         pad.clearance = 0;

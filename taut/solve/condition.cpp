@@ -10,7 +10,7 @@
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using Kind = Condition::Kind;
@@ -38,8 +38,8 @@ constexpr int most_search_steps = 60;
 /// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
 class ConditionSearch {
  public:
-  ConditionSearch(const model::Model& model, const Condition& condition, EquilibriumOptions options,
-                  const std::optional<model::State>& start)
+  ConditionSearch(const machine::Model& model, const Condition& condition, EquilibriumOptions options,
+                  const std::optional<machine::State>& start)
       : condition_(condition),
         options_(std::move(options)),
         near_(start),
@@ -49,9 +49,9 @@ class ConditionSearch {
 
   /// NaN where there is no equilibrium.
   double operator()(double u) {
-    model::Model varied = best.model;
-    model::Reeving& rope = varied.reevings[at(condition_.reeving)];
-    rope.value = rope.given == model::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
+    machine::Model varied = best.model;
+    machine::Reeving& rope = varied.reevings[at(condition_.reeving)];
+    rope.value = rope.given == machine::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
     EquilibriumResult r = equilibrium(varied, options_, near_);
     if (!r.outcome.ok()) {
       failed = r.outcome;
@@ -70,7 +70,7 @@ class ConditionSearch {
   Outcome failed;
 
  private:
-  double misfit(const model::Model& model, const EquilibriumResult& r) const {
+  double misfit(const machine::Model& model, const EquilibriumResult& r) const {
     switch (condition_.kind) {
       case Kind::sag_at_carriage:
         return sag_of_carriage(model, r, options_.prescribed->carriage) - condition_.value;
@@ -97,7 +97,7 @@ class ConditionSearch {
 
   Condition condition_;
   EquilibriumOptions options_;
-  std::optional<model::State> near_;
+  std::optional<machine::State> near_;
   double first_;
   double best_misfit = std::numeric_limits<double>::infinity();
 };
@@ -140,8 +140,8 @@ double sag_at_middle(const SpanResult& span) {
   return rope::sag_at(span.shape, std::hypot(span.shape.chord.x(), span.shape.chord.y()) / 2);
 }
 
-double sag_of_carriage(const model::Model& model, const EquilibriumResult& r, int carriage) {
-  const model::Carriage& car = model.carriages.at(at(carriage));
+double sag_of_carriage(const machine::Model& model, const EquilibriumResult& r, int carriage) {
+  const machine::Carriage& car = model.carriages.at(at(carriage));
   const SpanResult *before = nullptr, *after = nullptr;
   // a carriage of several rollers has spans of its own between them
   const auto& nodes = model.reevings[at(car.reeving)].nodes;
@@ -160,17 +160,17 @@ double sag_of_carriage(const model::Model& model, const EquilibriumResult& r, in
   return before->start.z() + part * chord.z() - place.z();
 }
 
-Conditioned equilibrium_under(const model::Model& model, const Condition& condition, const EquilibriumOptions& options,
-                              const std::optional<model::State>& start) {
+Conditioned equilibrium_under(const machine::Model& model, const Condition& condition,
+                              const EquilibriumOptions& options, const std::optional<machine::State>& start) {
   expects(condition.reeving >= 0 && at(condition.reeving) < model.reevings.size(), "a rope of the model");
   const bool by_carriage = condition.kind == Kind::sag_at_carriage || condition.kind == Kind::free_running;
   expects(!by_carriage || options.prescribed, "a condition at a carriage needs its place");
   if (direct(condition.kind)) {
     Conditioned done{model, {}};
-    model::Reeving& rope = done.model.reevings[at(condition.reeving)];
-    rope.given = condition.kind == Kind::length             ? model::Given::length
-                 : condition.kind == Kind::tension_at_start ? model::Given::tension_at_start
-                                                            : model::Given::tension_at_end;
+    machine::Reeving& rope = done.model.reevings[at(condition.reeving)];
+    rope.given = condition.kind == Kind::length             ? machine::Given::length
+                 : condition.kind == Kind::tension_at_start ? machine::Given::tension_at_start
+                                                            : machine::Given::tension_at_end;
     rope.value = condition.value;
     done.result = equilibrium(done.model, options, start);
     return done;
@@ -186,7 +186,7 @@ Conditioned equilibrium_under(const model::Model& model, const Condition& condit
     search.best.result.outcome = search.failed;
     return search.best;
   }
-  const bool by_length = model.reevings[at(condition.reeving)].given == model::Given::length;
+  const bool by_length = model.reevings[at(condition.reeving)].given == machine::Given::length;
   // more sag, or rope in a loop: more length, less tension
   const bool more = (at_zero < 0) != (condition.kind == Kind::tension_of);
   const double way = more == by_length ? 1 : -1;
@@ -209,4 +209,4 @@ Conditioned equilibrium_under(const model::Model& model, const Condition& condit
   return search.best;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -4,7 +4,7 @@
 
 #include "taut/solve/equilibrium.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// What is asked of a machine in place of what one rope has given: that rope's length, or where it is given by its
 /// tension that tension, follows. The modes of a line: a winch's pull, the length of the loop, a sag, or a carriage
@@ -32,21 +32,21 @@ struct Condition {
 
 /// A machine that meets a condition.
 struct Conditioned {
-  model::Model model;  ///< with what follows in the rope's `given` and `value`
+  machine::Model model;  ///< with what follows in the rope's `given` and `value`
   EquilibriumResult result;
 };
 
 /// The equilibrium under a condition. A sag, and the place of a free carriage, are found by a bracketed root in the
 /// rope's length (in the logarithm of its tension), from the given one on: the one nearest to it where there are
 /// several. Infeasible with the sags that there are when none fits.
-Conditioned equilibrium_under(const model::Model& model, const Condition& condition,
+Conditioned equilibrium_under(const machine::Model& model, const Condition& condition,
                               const EquilibriumOptions& options = {},
-                              const std::optional<model::State>& start = std::nullopt);
+                              const std::optional<machine::State>& start = std::nullopt);
 
 /// Sag of a span below its chord, at half its horizontal length, m.
 double sag_at_middle(const SpanResult& span);
 
 /// How far a carriage hangs below the straight line between the far ends of the two spans beside it, m.
-double sag_of_carriage(const model::Model& model, const EquilibriumResult& result, int carriage);
+double sag_of_carriage(const machine::Model& model, const EquilibriumResult& result, int carriage);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

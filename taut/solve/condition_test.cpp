@@ -11,14 +11,14 @@
 namespace condition_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 using Kind = Condition::Kind;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
   // an inextensible level catenary: f = a (cosh(l/2a) - 1), L = 2 a sinh(l/2a), H = w a
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 3}), anchor("b", {120, 0, 3})}, 121, 12, inf));
   for (const double f : {0.5, 4.0, 30.0}) {
     const Conditioned c = equilibrium_under(m, {Kind::sag_of_span, 0, f, 0});
@@ -35,9 +35,9 @@ TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
 }
 
 TEST(Condition, BySagByLengthAndByTensionAreOneState) {
-  const model::Model m = with_carriage(true, 0.1, 1500);
+  const machine::Model m = with_carriage(true, 0.1, 1500);
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{0, 150};
   options.band = false;
   for (const double sag : {6.0, 12.0}) {
     const Conditioned by_sag = equilibrium_under(m, {Kind::sag_at_carriage, 0, sag, 0}, options);
@@ -52,8 +52,8 @@ TEST(Condition, BySagByLengthAndByTensionAreOneState) {
         equilibrium_under(m, {Kind::length, 0, by_sag.result.ropes[0].unstretched, 0}, options);
     EXPECT_NEAR(sag_of_carriage(m, by_length.result, 0), sag, 1e-6);
     // the same where the tension is what is given and what follows
-    model::Model pulled = m;
-    pulled.reevings[0].given = model::Given::tension_at_end;
+    machine::Model pulled = m;
+    pulled.reevings[0].given = machine::Given::tension_at_end;
     pulled.reevings[0].value = 30e3;
     const Conditioned as_tension = equilibrium_under(pulled, {Kind::sag_at_carriage, 0, sag, 0}, options);
     ASSERT_TRUE(as_tension.result.outcome.ok()) << as_tension.result.outcome.message;
@@ -62,9 +62,9 @@ TEST(Condition, BySagByLengthAndByTensionAreOneState) {
 }
 
 TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
-  const model::Model m = with_carriage(false, 0, 1500);
+  const machine::Model m = with_carriage(false, 0, 1500);
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 130};
+  options.prescribed = machine::Prescribed{0, 130};
   options.band = false;
   const Conditioned c = equilibrium_under(m, {Kind::free_running, 0, 0, 0}, options);
   ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
@@ -75,9 +75,9 @@ TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
 }
 
 TEST(Condition, SaysWhenNoneFits) {
-  const model::Model m = with_carriage(true, 0.1, 1500);
+  const machine::Model m = with_carriage(true, 0.1, 1500);
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{0, 150};
   const Conditioned c = equilibrium_under(m, {Kind::sag_at_carriage, 0, 1e5, 0}, options);
   EXPECT_EQ(c.result.outcome.status, taut::Status::infeasible);
   EXPECT_NE(c.result.outcome.message.find("no length of 'skyline' found with this sag"), std::string::npos)
@@ -88,7 +88,7 @@ TEST(Condition, SaysWhenNoneFits) {
 /// of the return rope, is fixed to its end, and the traction rope pulls it.
 struct Loop {
   RunningLoop loop;
-  model::Model machine;
+  machine::Model machine;
 };
 
 Loop running_loop(double EA, double eta) {
@@ -101,10 +101,10 @@ Loop running_loop(double EA, double eta) {
   l.efficiency = eta;
   l.pull_z = -20e3;
   l.pull_x = 8e3;
-  model::Model& m = all.machine;
+  machine::Model& m = all.machine;
   m.bodies.push_back(body("car", {90, 0, -5}, 0, "xyz"));
   m.loads.push_back({{0, origin}, {8e3, 0, -20e3}});
-  model::Node tail = over("tail", {200, 0, 15});
+  machine::Node tail = over("tail", {200, 0, 15});
   tail.law.efficiency = eta;
   m.reevings.push_back(
       reeve("return", {anchor("head", {0, 0, 0}), over("car", origin, 0), tail, anchor_on("car", 0)}, 306, 10, EA));
@@ -117,7 +117,7 @@ TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
   for (const double EA : {5e6, 2e7}) {
     const Loop both = running_loop(EA, 0.9);
     EquilibriumOptions options;
-    options.prescribed = Prescribed{0, 90};
+    options.prescribed = machine::Prescribed{0, 90};
     options.motion = Motion::in;
     options.flow = {{0, 0, 1, 0},
                     {0, 0}};  // in-haul: the return rope runs from the upper branch over B to the lower one

@@ -7,7 +7,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr int most_step_halvings = 30;
@@ -18,10 +18,11 @@ constexpr double stays_sudden = 0.5;  ///< of the way, however small the steps: 
 constexpr double turning = 0.6;
 constexpr double look_back = 0.02;  ///< of a step, the d of that
 
-bool same_ropes(const model::Model& a, const model::Model& b) {
+bool same_ropes(const machine::Model& a, const machine::Model& b) {
   return a.bodies.size() == b.bodies.size() &&
-         std::equal(a.reevings.begin(), a.reevings.end(), b.reevings.begin(), b.reevings.end(),
-                    [](const model::Reeving& x, const model::Reeving& y) { return x.nodes.size() == y.nodes.size(); });
+         std::equal(
+             a.reevings.begin(), a.reevings.end(), b.reevings.begin(), b.reevings.end(),
+             [](const machine::Reeving& x, const machine::Reeving& y) { return x.nodes.size() == y.nodes.size(); });
 }
 
 /// The machine's size, m.
@@ -152,7 +153,7 @@ class Follow {
 
 }  // namespace
 
-double distance(const model::State& a, const model::State& b, double length) {
+double distance(const machine::State& a, const machine::State& b, double length) {
   if (a.bodies.size() != b.bodies.size() || a.branches.size() != b.branches.size()) {
     return std::numeric_limits<double>::infinity();
   }
@@ -176,4 +177,4 @@ Sweep sweep(const ModelAt& model_at, const SweepOptions& options) {
   return Follow(model_at, options).run();
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

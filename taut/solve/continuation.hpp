@@ -5,15 +5,15 @@
 
 #include "taut/solve/equilibrium.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// The machine at one value of a parameter, or why there is none.
-using ModelAt = std::function<tl::expected<model::Model, Outcome>(double value)>;
+using ModelAt = std::function<tl::expected<machine::Model, Outcome>(double value)>;
 
 /// One value of the parameter and its equilibrium.
 struct SweepPoint {
   double value = 0;
-  model::Model model;
+  machine::Model model;
   EquilibriumResult at;
 };
 
@@ -49,6 +49,6 @@ Sweep sweep(const ModelAt& model_at, const SweepOptions& options);
 
 /// How far two states of one machine are apart: the largest way of a body's origin, turn (times the length) or change
 /// of a branch's length (while the ropes touch the same supports), m. Infinite for different machines.
-double distance(const model::State& a, const model::State& b, double length);
+double distance(const machine::State& a, const machine::State& b, double length);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -9,12 +9,12 @@
 namespace continuation_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// An arm on a hinge at the origin, its weight at its tip, which a stay holds from (0, 0, 5).
-model::Model arm(double mass) {
-  model::Model m;
-  model::Body b = body("arm", {0, 0, 0}, mass, "Y");
+machine::Model arm(double mass) {
+  machine::Model m;
+  machine::Body b = body("arm", {0, 0, 0}, mass, "Y");
   b.centre = {4, 0, 0};
   b.orientation << std::cos(0.1), 0, -std::sin(0.1), 0, 1, 0, std::sin(0.1), 0, std::cos(0.1);  // a little upwards
   m.bodies.push_back(b);
@@ -37,7 +37,7 @@ double angle_of(const EquilibriumResult& r) {
 }
 
 TEST(Continuation, FollowsTheArmToWhatTheMomentSays) {
-  const auto at = [](double mass) -> tl::expected<model::Model, taut::Outcome> { return arm(mass); };
+  const auto at = [](double mass) -> tl::expected<machine::Model, taut::Outcome> { return arm(mass); };
   SweepOptions options;
   options.from = 100;
   options.to = 1500;
@@ -58,9 +58,9 @@ TEST(Continuation, FollowsTheArmToWhatTheMomentSays) {
 
 TEST(Continuation, FindsTheTurningPointOfAnOverhungLoad) {
   // a mast upright on a hinge under a load on its top, held by a stay: above some load the stay's lever gives up
-  const auto upright = [](double force) -> tl::expected<model::Model, taut::Outcome> {
-    model::Model m;
-    model::Body b = body("mast", {0, 0, 0}, 0, "Y");
+  const auto upright = [](double force) -> tl::expected<machine::Model, taut::Outcome> {
+    machine::Model m;
+    machine::Body b = body("mast", {0, 0, 0}, 0, "Y");
     b.orientation << std::cos(0.05), 0, std::sin(0.05), 0, 1, 0, -std::sin(0.05), 0, std::cos(0.05);
     m.bodies.push_back(b);
     m.reevings.push_back(reeve("stay", {anchor("back", {-3, 0, 0}), anchor_on("tip", 0, {0, 0, 4})}, 5.0, 0, 200e3));
@@ -90,8 +90,8 @@ TEST(Continuation, FindsTheTurningPointOfAnOverhungLoad) {
 }
 
 TEST(Continuation, EndsWhereARopeGetsTooShort) {
-  const auto at = [](double length) -> tl::expected<model::Model, taut::Outcome> {
-    model::Model m;
+  const auto at = [](double length) -> tl::expected<machine::Model, taut::Outcome> {
+    machine::Model m;
     m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 0}), anchor("b", {30, 0, 40})}, length, 10,
                                std::numeric_limits<double>::infinity()));
     return m;
@@ -108,7 +108,7 @@ TEST(Continuation, EndsWhereARopeGetsTooShort) {
 }
 
 TEST(Continuation, EndsWhereThereIsNoMachine) {
-  const auto at = [](double mass) -> tl::expected<model::Model, taut::Outcome> {
+  const auto at = [](double mass) -> tl::expected<machine::Model, taut::Outcome> {
     if (mass < 0) return tl::unexpected(taut::infeasible("no mass is below nothing"));
     return arm(mass + 500);
   };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double neutral = 1e-13;       ///< of the scaled matrix: a pivot that counts as none
@@ -81,4 +81,4 @@ std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const std
   return Eigen::MatrixXd(A.bottomRightCorner(n - count, n - count));
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

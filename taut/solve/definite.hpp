@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// A symmetric matrix, its lower half by rows, whose rows are empty up to some column: elements along a beam.
 class SkylineMatrix {
@@ -23,4 +23,4 @@ class SkylineMatrix {
 /// left, in the order given. Empty where they are undetermined.
 std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const std::vector<int>& order, int count);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

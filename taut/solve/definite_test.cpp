@@ -7,7 +7,7 @@
 
 #include "test/support/dice.hpp"
 
-namespace taut::analysis::definite_test {
+namespace taut::solve::definite_test {
 
 using taut_test::Dice;
 
@@ -94,4 +94,4 @@ TEST(Condense, SaysWhatIsUndetermined) {
   EXPECT_TRUE(condense(A, {0, 2, 1, 3}, 2)) << "it is not among those eliminated";
 }
 
-}  // namespace taut::analysis::definite_test
+}  // namespace taut::solve::definite_test

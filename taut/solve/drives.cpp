@@ -10,7 +10,7 @@
 #include "taut/rope/contact.hpp"
 #include "taut/solve/running.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 int sense_of(const std::vector<int>& flow) {
@@ -24,7 +24,7 @@ const ContactResult* contact_at(const EquilibriumResult& result, int reeving, in
   return found == result.contacts.end() ? nullptr : &*found;
 }
 
-void fill_grip(const model::Node& node, const model::Reeving& rope, const std::optional<double>& working_arc,
+void fill_grip(const machine::Node& node, const machine::Reeving& rope, const std::optional<double>& working_arc,
                DriveResult& d) {
   const double high = std::max(d.T_in, d.T_out), low = std::min(d.T_in, d.T_out);
   d.arc = working_arc ? std::min(*working_arc, d.wrap) : d.wrap;
@@ -39,7 +39,7 @@ void fill_grip(const model::Node& node, const model::Reeving& rope, const std::o
 /// Where the power of an endless running rope goes. It passes unstretched rope at the rate u everywhere; where its
 /// tension grows from T_a to T_b against what holds it, it gives off the integral of v dT = u (T_b - T_a) (1 + (T_a +
 /// T_b)/(2 EA)).
-void fill_ledger(const model::Reeving& rope, int sense, const EquilibriumResult& result, DriveResult& d) {
+void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResult& result, DriveResult& d) {
   const double arrives = sense > 0 ? d.T_in : d.T_out;
   const double u = std::abs(*d.speed) / (1 + arrives / rope.stiffness);
   d.power_loads = d.power_losses = d.power_carriages = 0;
@@ -49,19 +49,19 @@ void fill_ledger(const model::Reeving& rope, int sense, const EquilibriumResult&
     const double grows = sense * (c.T_out - c.T_in);
     const double power = rope.copies * u * grows * (1 + (c.T_in + c.T_out) / (2 * rope.stiffness));
     switch (rope.nodes[at(c.node)].kind) {
-      case model::NodeKind::load:
+      case machine::NodeKind::load:
         *d.power_loads += power;
         break;
-      case model::NodeKind::contact:
+      case machine::NodeKind::contact:
         *d.power_losses += power;
         break;
-      case model::NodeKind::clamp:
+      case machine::NodeKind::clamp:
         *d.power_carriages += power;
         break;
-      case model::NodeKind::drive:
+      case machine::NodeKind::drive:
         driven = -power;
         break;
-      case model::NodeKind::anchor:
+      case machine::NodeKind::anchor:
         break;
     }
   }
@@ -70,13 +70,13 @@ void fill_ledger(const model::Reeving& rope, int sense, const EquilibriumResult&
 
 }  // namespace
 
-std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result) {
+std::vector<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
   std::vector<DriveResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
-    const model::Reeving& rope = model.reevings[at(r)];
+    const machine::Reeving& rope = model.reevings[at(r)];
     for (int n = 0; n < static_cast<int>(rope.nodes.size()); ++n) {
-      const model::Node& node = rope.nodes[at(n)];
-      const ContactResult* c = node.kind == model::NodeKind::drive ? contact_at(result, r, n) : nullptr;
+      const machine::Node& node = rope.nodes[at(n)];
+      const ContactResult* c = node.kind == machine::NodeKind::drive ? contact_at(result, r, n) : nullptr;
       if (c == nullptr) continue;
       DriveResult d;
       d.reeving = r;
@@ -102,12 +102,12 @@ std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResu
 namespace {
 
 /// Rope and layers on a drum.
-void fill_layers(const model::Drum& drum, const model::Reeving& rope, double unstretched, DrumResult& d) {
+void fill_layers(const machine::Drum& drum, const machine::Reeving& rope, double unstretched, DrumResult& d) {
   if (drum.length_on_drum) {
-    const bool follows = rope.given == model::Given::length;
+    const bool follows = rope.given == machine::Given::length;
     d.length = *drum.length_on_drum + (follows ? rope.value - unstretched : 0);
   }
-  const rope::DrumLayers measures = model::measures_of(drum, rope.diameter);
+  const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (measures.width == 0) return;
   const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
   const double turns = rope::turns_per_layer(measures);
@@ -125,17 +125,17 @@ void fill_layers(const model::Drum& drum, const model::Reeving& rope, double uns
 
 }  // namespace
 
-std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result) {
+std::vector<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result) {
   std::vector<DrumResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
-    const model::Reeving& rope = model.reevings[at(r)];
+    const machine::Reeving& rope = model.reevings[at(r)];
     const auto own = [&](const SpanResult& s) { return s.reeving == r; };
     const auto first = std::find_if(result.spans.begin(), result.spans.end(), own);
     const auto last = std::find_if(result.spans.rbegin(), result.spans.rend(), own);
     for (const bool at_end : {false, true}) {
-      const model::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+      const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       if (node.drum < 0) continue;
-      const model::Drum& drum = model.drums[at(node.drum)];
+      const machine::Drum& drum = model.drums[at(node.drum)];
       DrumResult d;
       d.drum = node.drum;
       d.reeving = r;
@@ -145,7 +145,7 @@ std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult
       fill_layers(drum, rope, result.ropes[at(r)].unstretched, d);
       d.torque = rope.copies * d.pull * d.radius;
       const int sense = sense_of(result.flow[at(r)]);
-      if (drum.drive.kind == model::DriveKind::speed && rope.speed > 0 && sense != 0) {
+      if (drum.drive.kind == machine::DriveKind::speed && rope.speed > 0 && sense != 0) {
         d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
       }
       all.push_back(d);
@@ -154,4 +154,4 @@ std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult
   return all;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -4,7 +4,7 @@
 
 #include "taut/solve/equilibrium.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// What a driven sheave does, docs/theory/drives.md. Forces of all copies together where a torque or a power is told;
 /// tensions of one.
@@ -28,7 +28,7 @@ struct DriveResult {
 };
 
 /// Of every motor of the model.
-std::vector<DriveResult> drives(const model::Model& model, const EquilibriumResult& result);
+std::vector<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);
 
 /// What lies on a drum, and what it pulls.
 struct DrumResult {
@@ -47,6 +47,6 @@ struct DrumResult {
 
 /// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
 /// where an answer has another free length, the rest is on the drum.
-std::vector<DrumResult> drums(const model::Model& model, const EquilibriumResult& result);
+std::vector<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

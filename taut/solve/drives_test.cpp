@@ -13,21 +13,21 @@ namespace drives_test {
 
 using namespace taut;
 using namespace taut_test;
-using analysis::Motion;
+using solve::Motion;
 
 constexpr double EA = 3e6, mass = 0.8, speed = 18;
 
 /// A loop over a drive, two idlers with losses and a tightened slide, cut on its upper strand.
-model::Model saw(double force = 2500) {
-  model::Model m;
+machine::Model saw(double force = 2500) {
+  machine::Model m;
   m.bodies.push_back(body("slide", {8, 0, 0.3}, 0, "x"));
   m.bodies.push_back(body("cut", {5.2, 0, 1.05}, 0, "xyz"));
   m.loads.push_back({{0, origin}, {14e3, 0, 0}});
-  model::Node drive = sheave("drive", {0, 0, 0}, 0.4, 1);
-  drive.kind = model::NodeKind::drive;
+  machine::Node drive = sheave("drive", {0, 0, 0}, 0.4, 1);
+  drive.kind = machine::NodeKind::drive;
   drive.law = {0.3, 1};
-  model::Node cut = anchor_on("cut", 1);
-  cut.kind = model::NodeKind::load;
+  machine::Node cut = anchor_on("cut", 1);
+  cut.kind = machine::NodeKind::load;
   cut.load.force = force;
   cut.load.sense = -1;
   cut.load.by_motion = true;
@@ -43,23 +43,23 @@ model::Model saw(double force = 2500) {
 }
 
 struct Ran {
-  analysis::EquilibriumResult e;
-  analysis::DriveResult drive;
+  solve::EquilibriumResult e;
+  solve::DriveResult drive;
 };
 
-Ran run(const model::Model& m, Motion motion) {
-  analysis::EquilibriumOptions options;
+Ran run(const machine::Model& m, Motion motion) {
+  solve::EquilibriumOptions options;
   options.motion = motion;
   Ran r;
-  r.e = analysis::equilibrium(m, options);
+  r.e = solve::equilibrium(m, options);
   EXPECT_TRUE(r.e.outcome.ok()) << r.e.outcome.message;
-  if (r.e.outcome.ok()) r.drive = analysis::drives(m, r.e).at(0);
+  if (r.e.outcome.ok()) r.drive = solve::drives(m, r.e).at(0);
   return r;
 }
 
 /// The weight on the arcs is length, not load: what the free spans lift along the path does not add up to nothing, N m
 /// per metre of flow.
-double lifted(const analysis::EquilibriumResult& e) {
+double lifted(const solve::EquilibriumResult& e) {
   double height = 0;
   for (const auto& s : e.spans) height += (s.end - s.start).z();
   return mass * 9.80665 * height;
@@ -89,7 +89,7 @@ TEST(Drives, AtRestThereIsATorqueButNoPower) {
 }
 
 TEST(Drives, TheCentrifugalTensionIsFeltByNoSupport) {
-  model::Model slow = saw();
+  machine::Model slow = saw();
   slow.reevings[0].speed = 0;
   const auto still = run(slow, Motion::in), fast = run(saw(), Motion::in);
   const double c = mass * speed * speed;
@@ -136,11 +136,11 @@ TEST(Drives, ARunningSpanHasTheShapeOfItsTensionLessTheCentrifugalOne) {
 
 TEST(Drives, AnEndlessRopeReadTheOtherWayIsTheSame) {
   const auto there = run(saw(), Motion::in).drive;
-  model::Model back = saw();
+  machine::Model back = saw();
   auto& nodes = back.reevings[0].nodes;
   std::reverse(nodes.begin() + 1, nodes.end());
-  for (model::Node& node : nodes) node.side = -node.side;
-  for (model::Node& node : nodes) node.load.share = 1 - node.load.share;
+  for (machine::Node& node : nodes) node.side = -node.side;
+  for (machine::Node& node : nodes) node.load.share = 1 - node.load.share;
   const auto other = run(back, Motion::out).drive;
   EXPECT_NEAR(there.T_in, other.T_out, 1e-7 * there.T_in);
   EXPECT_NEAR(there.torque, -other.torque, 1e-7 * there.torque);
@@ -150,7 +150,7 @@ TEST(Drives, AnEndlessRopeReadTheOtherWayIsTheSame) {
 
 TEST(Drives, ATorqueSetsTheOpenLoad) {
   const auto known = run(saw(), Motion::in);
-  model::Model m = saw();
+  machine::Model m = saw();
   m.reevings[0].nodes[0].tension_drop = known.drive.torque / 0.4;
   m.reevings[0].nodes[2].load.open = true;
   const auto found = run(m, Motion::in);
@@ -158,44 +158,44 @@ TEST(Drives, ATorqueSetsTheOpenLoad) {
 }
 
 TEST(Drives, ATorqueSetsTheLengthWhereLossesGrowWithTheTension) {
-  model::Model m = saw(0);
+  machine::Model m = saw(0);
   m.bodies[0].position = run(m, Motion::in).e.state.bodies[0].position;
   m.bodies[0].free.clear();
   m.loads.clear();
   const auto known = run(m, Motion::in);
-  m.reevings[0].given = model::Given::torque;
+  m.reevings[0].given = machine::Given::torque;
   m.reevings[0].nodes[0].tension_drop = known.drive.torque / 0.4;
   const auto found = run(m, Motion::in);
   EXPECT_NEAR(found.e.ropes[0].unstretched, 19.6, 1e-7);
 }
 
 TEST(Drives, ATractionSheaveHoldsTheDifferenceOfItsWeights) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("cabin", {-0.5, 0, -20}, 900, "z"));
   m.bodies.push_back(body("weight", {0.5, 0, -30}, 700, "z"));
-  model::Node drive = sheave("drive", {0, 0, 0}, 0.5, 1);
-  drive.kind = model::NodeKind::drive;
+  machine::Node drive = sheave("drive", {0, 0, 0}, 0.5, 1);
+  drive.kind = machine::NodeKind::drive;
   m.reevings.push_back(reeve("hoist", {anchor_on("cabin", 0), drive, anchor_on("weight", 1)}, 51.6, 0, 5e6));
   m.reevings[0].copies = 4;
   // the lower body stands on a spring rope, so that the torque has something to stretch
   m.reevings.push_back(reeve("brace", {anchor("floor", {0.5, 0, -40}), anchor_on("weight", 1)}, 9.9, 0, 2e5));
   m.reevings[0].nodes[1].tension_drop = 300;
-  const auto r = analysis::equilibrium(m);
+  const auto r = solve::equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.spans[0].T_from, 900 * 9.80665 / 4, 1e-6);
   EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, 300, 1e-6);
-  EXPECT_NEAR(analysis::drives(m, r).at(0).torque, 4 * 300 * 0.5, 1e-6);
+  EXPECT_NEAR(solve::drives(m, r).at(0).torque, 4 * 300 * 0.5, 1e-6);
 }
 
 TEST(Drives, ARopeWhoseGivenTensionIsBelowTheCentrifugalOneLiftsOff) {
-  model::Model m = three_spans(316, 0.1);
+  machine::Model m = three_spans(316, 0.1);
   m.reevings[0].mass = 2;
   m.reevings[0].speed = 200;
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 70e3;
-  analysis::EquilibriumOptions options;
+  solve::EquilibriumOptions options;
   options.motion = Motion::in;
-  const auto r = analysis::equilibrium(m, options);
+  const auto r = solve::equilibrium(m, options);
   EXPECT_EQ(r.outcome.status, Status::infeasible);
   EXPECT_NE(r.outcome.message.find("centrifugal tension of 8e+04 N"), std::string::npos) << r.outcome.message;
 }

@@ -26,7 +26,7 @@
 #include "taut/solve/stiff_ropes.hpp"
 #include "taut/solve/tables.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using Flow = std::vector<std::vector<int>>;
@@ -42,33 +42,35 @@ constexpr int most_pull_doublings = 5;
 constexpr double pull_precision = 1e-4;
 
 /// The weight of a body and of the loads on it, N.
-double weight_on(const model::Model& model, int body) {
+double weight_on(const machine::Model& model, int body) {
   double weight = model.bodies[at(body)].mass * model.gravity;
-  for (const model::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
+  for (const machine::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
   return weight;
 }
 
 /// Whether motion changes tensions: by losses, or by the weight of rope that runs round.
-bool differs_in_motion(const model::Model& model) {
-  for (const model::Reeving& rope : model.reevings) {
+bool differs_in_motion(const machine::Model& model) {
+  for (const machine::Reeving& rope : model.reevings) {
     if (rope.mass * rope.speed > 0) return true;
-    for (const model::Node& node : rope.nodes) {
-      if (node.kind == model::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
+    for (const machine::Node& node : rope.nodes) {
+      if (node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
     }
   }
   return false;
 }
 
-Configuration configuration_of(const Layout& layout, const model::State& state) {
-  Configuration c;
+mechanics::Configuration configuration_of(const mechanics::Layout& layout, const machine::State& state) {
+  mechanics::Configuration c;
   c.bodies = state.bodies;
   c.open_loads.assign(layout.ropes.size(), 0);
-  for (const Layout::Link& link : layout.links) c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
-  for (const Layout::Piece& p : layout.pieces) c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
+  for (const mechanics::Layout::Link& link : layout.links)
+    c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
+  for (const mechanics::Layout::Piece& p : layout.pieces)
+    c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
   return c;
 }
 
-void keep(const Layout& layout, const Configuration& c, model::State& state) {
+void keep(const mechanics::Layout& layout, const mechanics::Configuration& c, machine::State& state) {
   state.bodies = c.bodies;
   for (std::size_t k = 0; k < layout.links.size(); ++k) {
     state.branches[at(layout.links[k].reeving)][at(layout.links[k].from)] = c.links[k];
@@ -79,22 +81,23 @@ void keep(const Layout& layout, const Configuration& c, model::State& state) {
 }
 
 /// Gives a branch a little less than its straight length. False where it does not stretch.
-bool draw_taut(const System& system, const model::State& state, int link_index, Configuration& c) {
-  const Layout::Link& link = system.layout.links[at(link_index)];
-  const model::Reeving& rope = system.model.reevings[at(link.reeving)];
+bool draw_taut(const mechanics::System& system, const machine::State& state, int link_index,
+               mechanics::Configuration& c) {
+  const mechanics::Layout::Link& link = system.layout.links[at(link_index)];
+  const machine::Reeving& rope = system.model.reevings[at(link.reeving)];
   if (std::isinf(rope.stiffness)) return false;
   c.links[at(link_index)] = {};
   c.links[at(link_index)].length =
-      drawn_taut * model::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+      drawn_taut * machine::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
   return true;
 }
 
 /// The configuration of `state`, with every branch that has no shape there (a loose loop on a sheave) drawn taut.
-Configuration usable_start(const System& system, const model::State& state) {
-  Configuration c = configuration_of(system.layout, state);
-  Evaluation e;
+mechanics::Configuration usable_start(const mechanics::System& system, const machine::State& state) {
+  mechanics::Configuration c = configuration_of(system.layout, state);
+  mechanics::Evaluation e;
   for (std::size_t tries = 0; tries <= c.links.size(); ++tries) {
-    const auto no = evaluate(system, c, e);
+    const auto no = mechanics::evaluate(system, c, e);
     if (!no) break;
     if (!draw_taut(system, state, no->link, c)) break;
   }
@@ -102,8 +105,8 @@ Configuration usable_start(const System& system, const model::State& state) {
 }
 
 /// The same with every branch drawn taut that can be.
-Configuration taut_start(const System& system, const model::State& state) {
-  Configuration c = configuration_of(system.layout, state);
+mechanics::Configuration taut_start(const mechanics::System& system, const machine::State& state) {
+  mechanics::Configuration c = configuration_of(system.layout, state);
   for (int k = 0; k < static_cast<int>(c.links.size()); ++k) draw_taut(system, state, k, c);
   return c;
 }
@@ -111,18 +114,19 @@ Configuration taut_start(const System& system, const model::State& state) {
 /// A machine solved with what touches now.
 struct Solved {
   Outcome outcome;
-  Layout layout;
-  Configuration c;
-  Evaluation e;
+  mechanics::Layout layout;
+  mechanics::Configuration c;
+  mechanics::Evaluation e;
   int steps = 0;
 };
 
-System system_of(const model::Model& model, const Layout& layout, const EquilibriumOptions& options) {
+mechanics::System system_of(const machine::Model& model, const mechanics::Layout& layout,
+                            const EquilibriumOptions& options) {
   return {model, layout, options.prescribed ? options.prescribed->x : 0, 1, options.lengths_kept};
 }
 
 /// Whether an answer is one to stay in, and its carriages hang as carriages do.
-Stability stays(const System& system, const Configuration& c, const Evaluation& e) {
+Stability stays(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Stability found = stability(system, c, e);
   if (found.outcome.ok()) found.outcome = no_far_loop(system, c, e);
   if (found.outcome.ok()) found.outcome = hanging(system, c, e).outcome;
@@ -130,15 +134,15 @@ Stability stays(const System& system, const Configuration& c, const Evaluation& 
 }
 
 /// An answer of which nothing else is wrong than that a carriage lifts off stands: its rollers' state tells.
-void accept_lifted(const System& system, Solved& s) {
+void accept_lifted(const mechanics::System& system, Solved& s) {
   if (stability(system, s.c, s.e).outcome.ok() && hanging(system, s.c, s.e).lifted) s.outcome = {};
 }
 
 /// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
 /// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
 /// fall, which tells best where things go.
-Iteration come_to_rest(const System& system, const model::State& state, const Configuration& start,
-                       const EquilibriumOptions& options, Solved& s) {
+Iteration come_to_rest(const mechanics::System& system, const machine::State& state,
+                       const mechanics::Configuration& start, const EquilibriumOptions& options, Solved& s) {
   constexpr double any = std::numeric_limits<double>::infinity();
   Iteration it, told;
   std::optional<Solved> ends;
@@ -166,18 +170,19 @@ Iteration come_to_rest(const System& system, const model::State& state, const Co
 }
 
 /// A search for the taut root of a given tension begins on its side.
-void leave_deep_loops(const System& system, Configuration& c) {
+void leave_deep_loops(const mechanics::System& system, mechanics::Configuration& c) {
   const std::vector<FedEnd> fed = fed_ends(system);
   if (fed.empty()) return;
-  Configuration now = c;
-  Evaluation e;
-  if (!evaluate(system, now, e) && deep_link(system, fed, now, e) >= 0) draw_fed_taut(system, fed, c);
+  mechanics::Configuration now = c;
+  mechanics::Evaluation e;
+  if (!mechanics::evaluate(system, now, e) && deep_link(system, fed, now, e) >= 0) draw_fed_taut(system, fed, c);
 }
 
 /// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
 /// is no other, and said in s.outcome.
-Iteration find(const System& system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
-  Configuration start = configuration_of(s.layout, state);
+Iteration find(const mechanics::System& system, const machine::State& state, const EquilibriumOptions& options,
+               Solved& s) {
+  mechanics::Configuration start = configuration_of(s.layout, state);
   leave_deep_loops(system, start);
   s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
@@ -196,7 +201,7 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
     if (found.rope) {
       // which way a rope runs off is a matter of chance
       const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
-      move(system, unstable->c, {found.push, no_change}, 1, start);
+      mechanics::move(system, unstable->c, {found.push, no_change}, 1, start);
     }
   }
   it = come_to_rest(system, state, start, options, s);
@@ -213,7 +218,8 @@ Iteration find(const System& system, const model::State& state, const Equilibriu
 }
 
 /// From the lossless answer, the losses brought on by parts. False where a part has no answer.
-bool bring_on_losses(System system, const model::State& state, const EquilibriumOptions& options, Solved& s) {
+bool bring_on_losses(mechanics::System system, const machine::State& state, const EquilibriumOptions& options,
+                     Solved& s) {
   system.losses = 0;
   if (!find(system, state, options, s).converged) return false;
   for (int part = 1; part <= parts_of_losses; ++part) {
@@ -231,9 +237,9 @@ bool bring_on_losses(System system, const model::State& state, const Equilibrium
 
 /// From fed ropes that weigh next to nothing, and so have one root alone, to their weight by parts. False where the
 /// equilibrium ends on the way.
-bool bring_on_weight(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+bool bring_on_weight(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
                      Solved& s) {
-  model::Model light = model;
+  machine::Model light = model;
   bool weighs_at_all = false;
   const auto weigh = [&](double share) {
     for (const FedEnd& end : fed_ends({model, s.layout, 0})) {
@@ -244,7 +250,7 @@ bool bring_on_weight(const model::Model& model, const model::State& state, const
   };
   weigh(lightest);
   if (!weighs_at_all) return false;
-  const System system = system_of(light, s.layout, options);
+  const mechanics::System system = system_of(light, s.layout, options);
   if (!find(system, state, options, s).converged || !s.outcome.ok()) return false;
   for (double weighs = lightest, step = lightest; weighs < 1;) {
     weigh(std::min(1.0, weighs + step));
@@ -266,14 +272,14 @@ bool bring_on_weight(const model::Model& model, const model::State& state, const
 
 /// The least tension of a fed rope, N, between one that has an answer and the given one, which has none; 0 where none
 /// was found, or not sought: at each place of a load path, and of a rope with two tensions.
-double least_pull(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+double least_pull(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
                   const Solved& failed, int reeving) {
-  model::Model pulled = model;
-  model::Reeving& rope = pulled.reevings[at(reeving)];
+  machine::Model pulled = model;
+  machine::Reeving& rope = pulled.reevings[at(reeving)];
   if (options.prescribed || rope.also) return 0;
   double low = rope.value, high = low;
   Solved s = failed;
-  const System system = system_of(pulled, s.layout, options);
+  const mechanics::System system = system_of(pulled, s.layout, options);
   const auto holds = [&](const Solved& found) { return stays(system, found.c, found.e).outcome.ok(); };
   for (int doubling = 0; doubling < most_pull_doublings; ++doubling) {
     rope.value = high = 2 * high;
@@ -291,11 +297,11 @@ double least_pull(const model::Model& model, const model::State& state, const Eq
   return high;
 }
 
-Solved solve_by_lengths(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+Solved solve_by_lengths(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
                         const Flow& flow) {
   Solved s;
-  s.layout = layout(model, state, options.prescribed, flow);
-  const System system = system_of(model, s.layout, options);
+  s.layout = mechanics::layout(model, state, options.prescribed, flow);
+  const mechanics::System system = system_of(model, s.layout, options);
   const Iteration it = find(system, state, options, s);
   // where a tension is given there may be a stable answer beside one that is not
   const bool fed = !fed_ends(system).empty();
@@ -312,7 +318,7 @@ Solved solve_by_lengths(const model::Model& model, const model::State& state, co
 }
 
 /// The answer beside `near` with the forces of stiff ropes as unknowns.
-Solved with_forces_from(const model::Model& model, const Solved& near, double softest,
+Solved with_forces_from(const machine::Model& model, const Solved& near, double softest,
                         const EquilibriumOptions& options) {
   const double coordinate = options.prescribed ? options.prescribed->x : 0;
   StiffAnswer s = with_stiff_ropes(model, {near.outcome, near.layout, near.c, near.e, 0}, coordinate, softest, options);
@@ -320,15 +326,15 @@ Solved with_forces_from(const model::Model& model, const Solved& near, double so
 }
 
 /// Of ropes that hardly stretch: by way of softer ones, which also show whether it is an answer to stay in.
-Solved solve_stiff(const model::Model& model, const model::State& state, double force,
+Solved solve_stiff(const machine::Model& model, const machine::State& state, double force,
                    const EquilibriumOptions& options, const Flow& flow) {
   Solved first;
   for (const std::vector<double>& ratios : {std::vector<double>{1e4, 1e6}, {1e2, 1e3, 1e4, 1e5, 1e6}}) {
-    model::Model before = model;
-    model::State near = state;
+    machine::Model before = model;
+    machine::State near = state;
     Solved soft, stiff;
     for (const double ratio : ratios) {
-      const model::Model softer = softened(model, ratio * force);
+      const machine::Model softer = softened(model, ratio * force);
       near = with_stiffness(std::move(near), before, softer);
       soft = solve_by_lengths(softer, near, options, flow);
       if (!soft.outcome.ok()) break;
@@ -344,9 +350,9 @@ Solved solve_stiff(const model::Model& model, const model::State& state, double 
   return first;
 }
 
-Solved solve(const model::Model& model, const model::State& state, const EquilibriumOptions& options,
+Solved solve(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
              const Flow& flow) {
-  const double force = force_scale(model, layout(model, state, options.prescribed, flow));
+  const double force = force_scale(model, mechanics::layout(model, state, options.prescribed, flow));
   if (has_stiff_ropes(model, force)) return solve_stiff(model, state, force, options, flow);
   Solved s = solve_by_lengths(model, state, options, flow);
   if (!s.outcome.ok() || !is_rough({model, s.layout, 0}, s.e)) return s;
@@ -355,11 +361,11 @@ Solved solve(const model::Model& model, const model::State& state, const Equilib
 }
 
 /// Solved with what touches found out.
-Solved solve_touching(const model::Model& model, model::State& state, const EquilibriumOptions& options,
+Solved solve_touching(const machine::Model& model, machine::State& state, const EquilibriumOptions& options,
                       const Flow& flow) {
   int steps = 0;
   Flow let_go;  // how often each node has
-  for (const model::Reeving& rope : model.reevings) let_go.emplace_back(rope.nodes.size(), 0);
+  for (const machine::Reeving& rope : model.reevings) let_go.emplace_back(rope.nodes.size(), 0);
   for (int change = 0; change < most_changes; ++change) {
     Solved s = solve(model, state, options, flow);
     s.steps = steps += s.steps;
@@ -374,7 +380,7 @@ Solved solve_touching(const model::Model& model, model::State& state, const Equi
 
 /// A carriage that nothing holds, and that was not found between its neighbours: from where it rolls to rest, or the
 /// reason.
-void roll(const model::Model& model, const EquilibriumOptions& options, const Flow& flow, model::State& state,
+void roll(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow, machine::State& state,
           Solved& s) {
   if (options.prescribed) return;
   const std::string away = s.outcome.ok() ? rolled_away(model, state) : std::string();
@@ -384,7 +390,7 @@ void roll(const model::Model& model, const EquilibriumOptions& options, const Fl
       s.outcome = infeasible(rest->reason);
       return;
     }
-    model::State near = *rest->state;
+    machine::State near = *rest->state;
     Solved rolled = solve_touching(model, near, options, flow);
     if (rolled.outcome.ok() && rolled_away(model, near).empty()) {
       s = std::move(rolled);
@@ -398,47 +404,47 @@ void roll(const model::Model& model, const EquilibriumOptions& options, const Fl
 /// A carriage prescribed by its mainline, with a hold along the track in the mainline's place: why it has no answer
 /// there (it lies past a stop of its rope, or the mainline would have to push), or where its taut answer is sought.
 struct WithoutMainline {
-  std::string why;                        ///< empty for other reasons
-  std::optional<model::State> near = {};  ///< the machine with its mainline straight under the force of the hold
-  bool loose = false;                     ///< that force is none
+  std::string why;                          ///< empty for other reasons
+  std::optional<machine::State> near = {};  ///< the machine with its mainline straight under the force of the hold
+  bool loose = false;                       ///< that force is none
 };
 
 /// The branches of a mainline put into a state of the machine without it, straight under a tension.
-model::State with_mainline(model::State state, const model::Reeving& mainline, int index, double tension) {
-  std::vector<model::BranchState> own(mainline.nodes.size() - 1);
+machine::State with_mainline(machine::State state, const machine::Reeving& mainline, int index, double tension) {
+  std::vector<machine::BranchState> own(mainline.nodes.size() - 1);
   for (std::size_t k = 0; k < own.size(); ++k) {
-    const model::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
-    own[k].length =
-        tension > 0 ? model::taut_length(state, mainline, from, to, tension) : model::straight_length(state, from, to);
+    const machine::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
+    own[k].length = tension > 0 ? machine::taut_length(state, mainline, from, to, tension)
+                                : machine::straight_length(state, from, to);
   }
   state.branches.insert(state.branches.begin() + index, std::move(own));
   state.touched.insert(state.touched.begin() + index, std::vector<bool>(mainline.nodes.size(), true));
   return state;
 }
 
-WithoutMainline without_mainline(const model::Model& model, const EquilibriumOptions& options, const Flow& flow) {
+WithoutMainline without_mainline(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
-  const model::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
   if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
-  const model::Reeving& mainline = model.reevings[at(carriage.mainline)];
-  auto rest = model::without_rope(model, carriage.mainline);
+  const machine::Reeving& mainline = model.reevings[at(carriage.mainline)];
+  auto rest = machine::without_rope(model, carriage.mainline);
   if (!rest) return {};
-  model::Model& without = *rest;
+  machine::Model& without = *rest;
   Flow flow_without = flow;
   flow_without.erase(flow_without.begin() + carriage.mainline);
   without.carriages[at(options.prescribed->carriage)].haulback = -1;
-  const model::State start = model::initial_state(without);
+  const machine::State start = machine::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
-  const System system{without, s.layout, 0};
+  const mechanics::System system{without, s.layout, 0};
   if (std::string past = past_stop(system, s.c); !past.empty()) return {past};
-  model::State held = start;
+  machine::State held = start;
   keep(s.layout, s.c, held);
   const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[at(carriage.body)].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
-  const Vector3 pull = model::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
+  const Vector3 pull = machine::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
   if (hold.norm() <= no_force * weight_on(model, carriage.body)) {
     if (mainline.weight > 0) {
       return {
@@ -459,8 +465,8 @@ WithoutMainline without_mainline(const model::Model& model, const EquilibriumOpt
 }
 
 /// The tensions of both directions of motion beside the answer at rest.
-void add_band(const model::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
-  const model::Model held = with_loads_held(model);
+void add_band(const machine::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
+  const machine::Model held = with_loads_held(model);
   for (const Motion motion : {Motion::in, Motion::out}) {
     EquilibriumOptions moving = options;
     moving.motion = motion;
@@ -495,8 +501,8 @@ void add_band(const model::Model& model, const EquilibriumOptions& options, Equi
 }
 
 /// The machine with its ropes' flow known; no rope's running counts.
-EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& options, const Flow& flow,
-                           const std::optional<model::State>& start) {
+EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow,
+                           const std::optional<machine::State>& start) {
   EquilibriumResult result;
   result.state = start ? *start : first_state(model, options);
   Solved s = solve_touching(model, result.state, options, flow);
@@ -509,7 +515,7 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
     if (found.near) {
       EquilibriumOptions near = options;
       if (found.loose) near.tolerance = std::max(options.tolerance, no_force);
-      model::State state = *found.near;
+      machine::State state = *found.near;
       Solved taut = solve_touching(model, state, near, flow);
       if (taut.outcome.ok() && !(deep && deep_mainline_link({model, taut.layout, 0}, taut.c, taut.e) >= 0)) {
         s = std::move(taut);
@@ -521,7 +527,7 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
   if (!result.outcome.ok()) return result;
-  const System system = system_of(model, s.layout, options);
+  const mechanics::System system = system_of(model, s.layout, options);
   if (const std::string past = past_stop(system, s.c); !past.empty()) {
     result.outcome = taut::infeasible(past);
     return result;
@@ -534,10 +540,10 @@ EquilibriumResult standing(const model::Model& model, const EquilibriumOptions& 
 
 }  // namespace
 
-Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& options,
+Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
                          const EquilibriumResult& result) {
   if (!options.prescribed) return {};
-  const model::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
   double largest = 0;
   for (const RopeResult& rope : result.ropes) largest = std::max(largest, rope.T_max);
   const double none = std::max(no_force * weight_on(model, carriage.body), options.tolerance * largest);
@@ -549,12 +555,12 @@ Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& op
                   carriage.name, options.prescribed->x, result.hold.norm() / 1e3));
 }
 
-EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options,
-                              const std::optional<model::State>& start) {
+EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options,
+                              const std::optional<machine::State>& start) {
   const Flow flow = flow_of(model, options);
   bool runs = false;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
-  const auto solve_on = [&](const model::Model& on, const std::optional<model::State>& near) {
+  const auto solve_on = [&](const machine::Model& on, const std::optional<machine::State>& near) {
     return standing(on, options, flow, near);
   };
   EquilibriumResult result;
@@ -578,14 +584,14 @@ EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOption
   return result;
 }
 
-model::Model installed(const model::Model& model, const EquilibriumResult& result) {
+machine::Model installed(const machine::Model& model, const EquilibriumResult& result) {
   expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
-  model::Model frozen = model::with_sides(model, result.state);
+  machine::Model frozen = machine::with_sides(model, result.state);
   for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
-    frozen.reevings[r].given = model::Given::length;
+    frozen.reevings[r].given = machine::Given::length;
     frozen.reevings[r].value = result.ropes[r].unstretched;
   }
   return frozen;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

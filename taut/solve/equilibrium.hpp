@@ -4,12 +4,12 @@
 
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/machine/prescribed.hpp"
 #include "taut/machine/state.hpp"
-#include "taut/mechanics/prescribed.hpp"
 #include "taut/rope/span.hpp"
 #include "taut/solve/beam_result.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// How the ropes run over their contacts, which sets the direction of every loss. hoist and in mean the same: each rope
 /// flows by its `haul`; lower and out the other way. at_rest: no loss, and beside it the band between the two.
@@ -23,7 +23,7 @@ struct EquilibriumOptions {
   /// Given tensions are those that ropes are put up with: the machine has to stay with the lengths found, not with the
   /// tensions held.
   bool lengths_kept = false;
-  std::optional<Prescribed> prescribed;
+  std::optional<machine::Prescribed> prescribed;
   /// Whether a force along its track may hold a prescribed carriage that no rope holds. False: there is no equilibrium
   /// where one is needed, but for 1e-9 of the carriage's weight and load.
   bool held = true;
@@ -96,7 +96,7 @@ struct Closure {
 /// `outcome` not ok: the message says what to change, and nothing else here is a result.
 struct EquilibriumResult {
   Outcome outcome;
-  model::State state;
+  machine::State state;
   std::vector<SpanResult> spans;           ///< by reeving, along its path
   std::vector<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
   std::vector<RopeLoadResult> rope_loads;  ///< by reeving, along its path
@@ -115,13 +115,14 @@ struct EquilibriumResult {
 /// rope weight are stepped. Ropes with a speed run where the motion makes them flow: their tensions contain the
 /// centrifugal one, m v^2, which no support feels. At rest the loads that go by the motion act as if the ropes hauled
 /// in, also in the band. docs/theory/equilibrium.md, docs/theory/drives.md.
-EquilibriumResult equilibrium(const model::Model& model, const EquilibriumOptions& options = {},
-                              const std::optional<model::State>& start = std::nullopt);
+EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options = {},
+                              const std::optional<machine::State>& start = std::nullopt);
 
 /// Not ok where a prescribed carriage stays in its place only by the result's `hold`, as of EquilibriumOptions::held.
-Outcome stands_by_itself(const model::Model& model, const EquilibriumOptions& options, const EquilibriumResult& result);
+Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
+                         const EquilibriumResult& result);
 
 /// The machine with each rope's length frozen as it is in `result`: guys installed by tension, then loaded.
-model::Model installed(const model::Model& model, const EquilibriumResult& result);
+machine::Model installed(const machine::Model& model, const EquilibriumResult& result);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -12,10 +12,10 @@
 namespace equilibrium_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 using taut::Status;
 
-EquilibriumResult moving(const model::Model& m, Motion motion) {
+EquilibriumResult moving(const machine::Model& m, Motion motion) {
   EquilibriumOptions options;
   options.motion = motion;
   return equilibrium(m, options);
@@ -28,7 +28,7 @@ double total_length(const EquilibriumResult& r, int reeving) {
 }
 
 TEST(Equilibrium, LevelCatenaryOfTheSpecification) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {80, 0, 0})}, 100, 9.81, 1e7));
   const EquilibriumResult r = equilibrium(m);
@@ -42,7 +42,7 @@ TEST(Equilibrium, LevelCatenaryOfTheSpecification) {
 TEST(Equilibrium, EverySaddleObeysItsLawInBothDirections) {
   for (const Motion motion : {Motion::at_rest, Motion::in, Motion::out}) {
     for (const double length : {312.5, 316.0, 330.0}) {
-      const model::Model m = three_spans(length, 0.15);
+      const machine::Model m = three_spans(length, 0.15);
       const EquilibriumResult r = moving(m, motion);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       const double flow = motion == Motion::at_rest ? 0 : motion == Motion::in ? -1 : 1;  // haul = -1
@@ -61,7 +61,7 @@ TEST(Equilibrium, EverySaddleObeysItsLawInBothDirections) {
 }
 
 TEST(Equilibrium, BandAtRestHoldsBothDirections) {
-  const model::Model m = three_spans(316, 0.15);
+  const machine::Model m = three_spans(316, 0.15);
   const EquilibriumResult rest = equilibrium(m);
   ASSERT_TRUE(rest.band);
   const EquilibriumResult in = moving(m, Motion::in), out = moving(m, Motion::out);
@@ -83,7 +83,7 @@ double lead_line(double Q, int n, double K) {
 TEST(Equilibrium, LeadLineOfTackles) {
   for (const int falls : {2, 3, 4, 6}) {
     for (const double efficiency : {1.0, 0.98, 0.95}) {
-      const model::Model m = tackle(falls, efficiency, 3000);
+      const machine::Model m = tackle(falls, efficiency, 3000);
       const double Q = 3000 * m.gravity, K = 1 / efficiency;
       const EquilibriumResult up = moving(m, Motion::hoist), down = moving(m, Motion::lower), rest = equilibrium(m);
       ASSERT_TRUE(up.outcome.ok() && down.outcome.ok() && rest.outcome.ok());
@@ -107,21 +107,21 @@ TEST(Equilibrium, ArcsAreCountedWithTheirStrain) {
 }
 
 TEST(Equilibrium, ColdAndWarmRopes) {
-  model::Model m = three_spans(313, 0);
+  machine::Model m = three_spans(313, 0);
   const EquilibriumResult r = equilibrium(m);
   m.reevings[0].thermal_strain = -30 * 12e-6;
   const EquilibriumResult cold = equilibrium(m);
   EXPECT_GT(cold.ropes[0].T_max, r.ropes[0].T_max);
   EXPECT_NEAR(cold.ropes[0].unstretched, 313, 1e-9);
   // the same as a rope made shorter by hand, with its weight
-  model::Model shorter = three_spans(313 * (1 - 30 * 12e-6), 0);
+  machine::Model shorter = three_spans(313 * (1 - 30 * 12e-6), 0);
   shorter.reevings[0].weight /= 1 - 30 * 12e-6;
   EXPECT_NEAR(equilibrium(shorter).ropes[0].T_max, cold.ropes[0].T_max, 1e-6);
 }
 
 TEST(Equilibrium, GivenTensionThenFrozenLength) {
-  model::Model m = three_spans(0, 0.1);
-  m.reevings[0].given = model::Given::tension_at_end;
+  machine::Model m = three_spans(0, 0.1);
+  m.reevings[0].given = machine::Given::tension_at_end;
   m.reevings[0].value = 50e3;
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -132,11 +132,11 @@ TEST(Equilibrium, GivenTensionThenFrozenLength) {
 
 TEST(Equilibrium, ClosedRopeWithTakeUp) {
   // a belt over a drive and an idler on a slide, pulled by 5 kN
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("slide", {3, 0, 0}, 0, "x"));
   m.loads.push_back({{0, origin}, {5e3, 0, 0}});
-  model::Node drive = sheave("drive", origin, 0.3, 1);
-  drive.kind = model::NodeKind::drive;
+  machine::Node drive = sheave("drive", origin, 0.3, 1);
+  drive.kind = machine::NodeKind::drive;
   m.reevings.push_back(reeve("belt", {drive, sheave("idler", origin, 0.3, 1, 0.97, 0)}, 8, 0, 1e6));
   m.reevings[0].closed = true;
   const EquilibriumResult rest = equilibrium(m);
@@ -157,17 +157,17 @@ TEST(Equilibrium, ClosedRopeWithTakeUp) {
 }
 
 TEST(Equilibrium, CopiesShareTheLoad) {
-  model::Model m = tackle(2, 1, 3000, 8);
+  machine::Model m = tackle(2, 1, 3000, 8);
   m.reevings[0].copies = 2;
   const EquilibriumResult two = equilibrium(m);
   ASSERT_TRUE(two.outcome.ok());
-  model::Model half = tackle(2, 1, 1500, 8);
+  machine::Model half = tackle(2, 1, 1500, 8);
   EXPECT_NEAR(two.spans[0].T_from / equilibrium(half).spans[0].T_from, 1, 1e-9);
 }
 
 TEST(Equilibrium, SlackGuyDropsOut) {
   // a pole on a hinge, leaning on the guy to its left; the right one is too long to carry
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
   m.loads.push_back({{0, {0, 0, 10}}, {1e3, 0, -5e3}});
   m.reevings.push_back(reeve("left", {anchor_on("top", 0, {0, 0, 10}), anchor("a", {-10, 0, 0})}, 14.1, 0, 1e6));
@@ -184,10 +184,10 @@ TEST(Equilibrium, SlackGuyDropsOut) {
 }
 
 TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
-  model::Model m = with_carriage(false);
+  machine::Model m = with_carriage(false);
   EquilibriumOptions options;
   for (const double x : {100.0, 150.0, 190.0}) {
-    options.prescribed = Prescribed{0, x};
+    options.prescribed = machine::Prescribed{0, x};
     m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
     const EquilibriumResult rigid = equilibrium(m, options);
     ASSERT_TRUE(rigid.outcome.ok()) << rigid.outcome.message;
@@ -202,14 +202,14 @@ TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
 }
 
 TEST(Equilibrium, SaysWhatIsMissing) {
-  model::Model m = three_spans(300, 0);
+  machine::Model m = three_spans(300, 0);
   m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
   EquilibriumResult r = equilibrium(m);
   EXPECT_EQ(r.outcome.status, Status::infeasible);
   EXPECT_NE(r.outcome.message.find("'skyline'"), std::string::npos) << r.outcome.message;
   EXPECT_NE(r.outcome.message.find("does not reach"), std::string::npos) << r.outcome.message;
 
-  model::Model free;
+  machine::Model free;
   free.bodies.push_back(body("hook", {0, 0, 5}, 100, "xz"));
   free.loads.push_back({{0, Vector3::Zero()}, {10, 0, 0}});
   r = equilibrium(free);
@@ -219,7 +219,7 @@ TEST(Equilibrium, SaysWhatIsMissing) {
 
 TEST(Equilibrium, FreeCarriageRollsAgainstASupport) {
   // a steep tight line without mainline
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("car", {50, 0, 40}, 100, "xz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 90})}, 134.5, 10, 2e7));

@@ -12,7 +12,7 @@
 #include "taut/math/eigen_general.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 using Eigen::Index;
@@ -26,14 +26,14 @@ constexpr double drawn_share = 1.0 / 12;  ///< of the machine's size: displaceme
 constexpr int most_halved = 20;           ///< times that it is halved until it can be drawn
 
 /// Nothing is driven: the machine stands as it is at the start.
-model::Model at_rest(const model::Model& model) {
-  model::Model still = model;
-  for (model::Body& body : still.bodies) body.driven.clear();
-  const auto hold = [](model::Drive& drive) {
-    if (drive.kind == model::DriveKind::speed) drive.kind = model::DriveKind::held;
+machine::Model at_rest(const machine::Model& model) {
+  machine::Model still = model;
+  for (machine::Body& body : still.bodies) body.driven.clear();
+  const auto hold = [](machine::Drive& drive) {
+    if (drive.kind == machine::DriveKind::speed) drive.kind = machine::DriveKind::held;
   };
-  for (model::Drum& drum : still.drums) hold(drum.drive);
-  for (model::Motor& motor : still.motors) hold(motor.drive);
+  for (machine::Drum& drum : still.drums) hold(drum.drive);
+  for (machine::Motor& motor : still.motors) hold(motor.drive);
   still.events.clear();
   still.observed.clear();
   still.measures.clear();
@@ -288,12 +288,12 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
 }
 
 }  // namespace
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics
 
-namespace taut::analysis {
+namespace taut::solve {
 
-ModesResult modes(const model::Model& model, const ModesOptions& options) {
-  model::Model still = dynamics::sided_at_rest(dynamics::at_rest(model), options.start);
+ModesResult modes(const machine::Model& model, const ModesOptions& options) {
+  machine::Model still = dynamics::sided_at_rest(dynamics::at_rest(model), options.start);
   TransientOptions o;
   o.duration = 1;
   o.start = options.start;
@@ -327,7 +327,7 @@ ModesResult modes(const model::Model& model, const ModesOptions& options) {
     ModeSet set;
     set.sheaves = sheaves;
     if (sheaves == Sheaves::released && !pads.empty()) {
-      for (model::FaceContact& contact : still.contacts) contact.static_friction = contact.kinetic_friction = 0;
+      for (machine::FaceContact& contact : still.contacts) contact.static_friction = contact.kinetic_friction = 0;
       rest = at_rest();
     }
     result.outcome = dynamics::find_modes(run, rest, options.most, set);
@@ -340,4 +340,4 @@ ModesResult modes(const model::Model& model, const ModesOptions& options) {
   return result;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

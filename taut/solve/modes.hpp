@@ -6,7 +6,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// Small vibrations of the machine about the state where its motion would begin.
 struct ModesOptions {
@@ -64,6 +64,6 @@ inline constexpr int most_mode_freedoms = 400;
 /// Frequencies, damping and shapes, from the residual of the transient analysis and its exact derivatives: its tangent
 /// for steps of three sizes gives mass, damping and stiffness. Driven bodies, drums and sheaves by speed stand still;
 /// what is slack stays slack. docs/theory/vibrations.md.
-ModesResult modes(const model::Model& model, const ModesOptions& options = {});
+ModesResult modes(const machine::Model& model, const ModesOptions& options = {});
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -12,19 +12,19 @@ namespace taut_test::modes_test {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Mode;
-using taut::analysis::ModeKind;
-using taut::analysis::modes;
-using taut::analysis::ModesOptions;
-using taut::analysis::ModesResult;
-using taut::analysis::Sheaves;
+using taut::solve::Mode;
+using taut::solve::ModeKind;
+using taut::solve::modes;
+using taut::solve::ModesOptions;
+using taut::solve::ModesResult;
+using taut::solve::Sheaves;
 
 constexpr double g = 9.81;
 
 /// Masses on a hanging rope each, one below the other; `stretched` lengths at rest.
-model::Model hanging(const std::vector<double>& masses, const std::vector<double>& lengths, double EA,
-                     const std::string& free) {
-  model::Model m;
+machine::Model hanging(const std::vector<double>& masses, const std::vector<double>& lengths, double EA,
+                       const std::string& free) {
+  machine::Model m;
   m.gravity = g;
   double z = 0, below = 0;
   for (const double mass : masses) below += mass;
@@ -32,7 +32,7 @@ model::Model hanging(const std::vector<double>& masses, const std::vector<double
     z -= lengths[i];
     m.bodies.push_back(body("m" + std::to_string(i), {0, 0, z}, masses[i], free));
     const double unstretched = lengths[i] / (1 + below * g / EA);
-    const model::Node from =
+    const machine::Node from =
         i == 0 ? anchor("top", origin) : anchor_on("a" + std::to_string(i), static_cast<int>(i) - 1);
     m.reevings.push_back(
         reeve("r" + std::to_string(i), {from, anchor_on("b", static_cast<int>(i))}, unstretched, 0, EA));
@@ -41,14 +41,14 @@ model::Model hanging(const std::vector<double>& masses, const std::vector<double
   return m;
 }
 
-ModesResult found(const model::Model& m, const ModesOptions& options = {}) {
+ModesResult found(const machine::Model& m, const ModesOptions& options = {}) {
   ModesResult r = modes(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   return r;
 }
 
 TEST(Modes, MassOnARope) {
-  model::Model m = hanging({100}, {8}, 1e5, "xyz");
+  machine::Model m = hanging({100}, {8}, 1e5, "xyz");
   m.reevings[0].damping_ratio = 0.03;
   const ModesResult r = found(m);
   ASSERT_EQ(r.sets.size(), 1U) << "no sheave makes a difference";
@@ -69,7 +69,7 @@ TEST(Modes, MassOnARope) {
 }
 
 TEST(Modes, MoreThanCriticalDampingCreeps) {
-  model::Model m = hanging({100}, {8}, 1e5, "z");
+  machine::Model m = hanging({100}, {8}, 1e5, "z");
   m.reevings[0].damping_ratio = 2;
   const auto all = found(m).sets[0].modes;
   ASSERT_EQ(all.size(), 2U);
@@ -95,8 +95,8 @@ TEST(Modes, DoublePendulum) {
 }
 
 TEST(Modes, PhysicalPendulumTurnsWhereNothingShifts) {
-  model::Model m = hanging({5}, {2}, 1e6, "z");
-  model::Body rod = body("rod", {10, 0, 0}, 12, "Y");
+  machine::Model m = hanging({5}, {2}, 1e6, "z");
+  machine::Body rod = body("rod", {10, 0, 0}, 12, "Y");
   rod.centre = {0, 0, -0.7};
   rod.inertia = {1.3, 1.3, 0.1};
   m.bodies.push_back(rod);
@@ -111,7 +111,7 @@ TEST(Modes, PhysicalPendulumTurnsWhereNothingShifts) {
 TEST(Modes, TautString) {
   const double L = 100, EA = 1e6, mass = 0.5;
   const int n = 20;
-  model::Model m;
+  machine::Model m;
   m.gravity = 1e-6;
   m.reevings.push_back(reeve("string", {anchor("a", origin), anchor("b", {L, 0, 0})}, L / 1.01, 1e-6 * mass, EA));
   m.reevings[0].segments = n;
@@ -132,8 +132,8 @@ TEST(Modes, TautString) {
 }
 
 /// Two equal masses on legs of one rope over a sheave.
-model::Model over_sheave(double mass, double leg, double EA, const model::Node& round) {
-  model::Model m;
+machine::Model over_sheave(double mass, double leg, double EA, const machine::Node& round) {
+  machine::Model m;
   m.gravity = g;
   const double R = round.radius, T = mass * g;
   m.bodies = {body("left", {-R, 0, -leg}, mass, "z"), body("right", {R, 0, -leg}, mass, "z")};
@@ -160,9 +160,9 @@ TEST(Modes, AStuckSheaveHoldsTheRopeAReleasedOneLetsItRun) {
 
 TEST(Modes, ASheaveWithInertiaTurnsWithItsRope) {
   const double mass = 200, leg = 6, EA = 1e6, R = 0.3, J = 3;
-  model::Node head = sheave("head", origin, R, 1);
+  machine::Node head = sheave("head", origin, R, 1);
   head.inertia = J;
-  model::Model m = over_sheave(mass, leg, EA, head);
+  machine::Model m = over_sheave(mass, leg, EA, head);
   const ModesResult r = found(m);
   ASSERT_EQ(r.sets.size(), 1U);
   const auto& all = r.sets[0].modes;
@@ -177,19 +177,19 @@ TEST(Modes, ASheaveWithInertiaTurnsWithItsRope) {
 
 TEST(Modes, ATurnedMachineHasTheSameModes) {
   const auto straight = found(boom()).sets;
-  model::Model m = boom();
+  machine::Model m = boom();
   const Eigen::Matrix3d turn = (Eigen::Matrix3d() << 0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1).finished();
-  for (model::Body& b : m.bodies) {
+  for (machine::Body& b : m.bodies) {
     b.position = turn * b.position;
     b.orientation = turn * b.orientation;
-    for (model::Freedom& way : b.free) {
+    for (machine::Freedom& way : b.free) {
       way.along = turn * way.along;
       way.about = turn * way.about;
     }
   }
-  for (model::Reeving& rope : m.reevings) {
-    for (model::Node& node : rope.nodes) {
-      if (node.at.body != model::ground) continue;
+  for (machine::Reeving& rope : m.reevings) {
+    for (machine::Node& node : rope.nodes) {
+      if (node.at.body != machine::ground) continue;
       node.at.at = turn * node.at.at;
       node.axis = turn * node.axis;
     }
@@ -206,7 +206,7 @@ TEST(Modes, ATurnedMachineHasTheSameModes) {
 }
 
 TEST(Modes, TooManyFreedomsAreTold) {
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("rope", {anchor("a", origin), anchor("b", {100, 0, 0})}, 101, 10, 1e7));
   m.reevings[0].segments = 200;
   EXPECT_NE(modes(m).outcome.message.find("fewer 'segments'"), std::string::npos);

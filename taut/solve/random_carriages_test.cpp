@@ -14,10 +14,10 @@
 namespace random_carriages_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 struct Line {
-  model::Model model;
+  machine::Model model;
   EquilibriumOptions options;
   double length = 0;
   int kind = 0;
@@ -25,17 +25,17 @@ struct Line {
 
 /// A haul rope below the supports `p`, from a drive at the first to a sheave at the last and back, gripped in the span
 /// `loaded`.
-void add_haul_rope(model::Model& m, const std::vector<Vector3>& p, std::size_t loaded, double excess) {
+void add_haul_rope(machine::Model& m, const std::vector<Vector3>& p, std::size_t loaded, double excess) {
   const Vector3 below(0, 0, -2);
-  model::Node drive = over("drive", p.front() + below);
-  drive.kind = model::NodeKind::drive;
-  std::vector<model::Node> nodes{drive};
+  machine::Node drive = over("drive", p.front() + below);
+  drive.kind = machine::NodeKind::drive;
+  std::vector<machine::Node> nodes{drive};
   double length = 0;
   for (std::size_t i = 1; i < p.size(); ++i) {
     length += 2 * (p[i] - p[i - 1]).norm();
     if (i - 1 == loaded) {
       nodes.push_back(anchor_on("car", 0));
-      nodes.back().kind = model::NodeKind::clamp;
+      nodes.back().kind = machine::NodeKind::clamp;
       nodes.back().length_before = (p[i] - p[0]).norm();
       m.carriages[0].grip_reeving = 1;
       m.carriages[0].grip_node = static_cast<int>(nodes.size()) - 1;
@@ -61,16 +61,16 @@ Line random_line(unsigned seed) {
     sky += (p[p.size() - 1] - p[p.size() - 2]).norm();
   }
   line.length = sky;
-  model::Model& m = line.model;
+  machine::Model& m = line.model;
   const int count = 1 + dice.below(2);
   const double height = dice.below(2) == 0 && count == 1 ? 0 : dice.in(0.1, 0.8), base = dice.in(0.3, 2);
-  model::Body car =
+  machine::Body car =
       body("car", (p[loaded] + p[loaded + 1]) / 2 - Vector3(0, 0, 3), std::pow(10, dice.in(2, 3.7)), "xyz");
   if (count > 1 || height > 0) car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
-  model::turn_along(car, p[loaded + 1] - p[loaded], count);
+  machine::turn_along(car, p[loaded + 1] - p[loaded], count);
   m.bodies.push_back(car);
   m.carriages.push_back({"car", 0, 0, static_cast<int>(loaded) + 1, -1, count});
-  std::vector<model::Node> nodes{anchor("a", p[0])};
+  std::vector<machine::Node> nodes{anchor("a", p[0])};
   const double mu = dice.in(0, 0.2);
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
     for (int k = 0; i == loaded && k < count; ++k) {
@@ -80,12 +80,13 @@ Line random_line(unsigned seed) {
     nodes.push_back(i + 2 < p.size() ? saddle("support", p[i + 1], mu) : anchor("b", p[i + 1]));
   }
   m.reevings.push_back(reeve("skyline", nodes, sky * dice.in(1.0, 1.1), std::pow(10, dice.in(0.5, 1.6)), 2e7));
-  line.options.prescribed = Prescribed{0, p[loaded].x() + dice.in(0.1, 0.9) * (p[loaded + 1].x() - p[loaded].x())};
+  line.options.prescribed =
+      machine::Prescribed{0, p[loaded].x() + dice.in(0.1, 0.9) * (p[loaded + 1].x() - p[loaded].x())};
   if (line.kind == 1) add_haul_rope(m, p, loaded, dice.in(1.001, 1.03));
   if (line.kind == 2) {
     m.reevings.push_back(reeve("mainline", {anchor("w", p.back()), anchor_on("car", 0)}, sky / 2, 6, 6e6));
     m.reevings.push_back(reeve("haulback", {anchor("t", p.front()), anchor_on("car", 0)}, sky / 2, 4, 4e6));
-    m.reevings[2].given = model::Given::tension_at_start;
+    m.reevings[2].given = machine::Given::tension_at_start;
     m.reevings[2].value = dice.in(2e3, 3e4);
     m.carriages[0].mainline = 1;
     m.carriages[0].haulback = 2;
@@ -97,15 +98,15 @@ Line random_line(unsigned seed) {
 
 /// The line moved by `turn` (a rotation about z, or a mirror image in a plane through z), axes of pitch included.
 Line moved(Line line, const taut::Matrix3& turn) {
-  for (model::Body& b : line.model.bodies) {
+  for (machine::Body& b : line.model.bodies) {
     b.position = turn * b.position;
     b.orientation = turn * b.orientation;
     if (turn.determinant() < 0) b.orientation.col(1) *= -1;  // stays right-handed
-    for (model::Freedom& way : b.free) way = {turn * way.along, turn * way.about};
+    for (machine::Freedom& way : b.free) way = {turn * way.along, turn * way.about};
   }
-  for (model::Reeving& r : line.model.reevings) {
-    for (model::Node& n : r.nodes) {
-      if (n.at.body == model::ground) n.at.at = turn * n.at.at;
+  for (machine::Reeving& r : line.model.reevings) {
+    for (machine::Node& n : r.nodes) {
+      if (n.at.body == machine::ground) n.at.at = turn * n.at.at;
     }
   }
   line.options.prescribed->along = turn * line.options.prescribed->along;
@@ -126,9 +127,9 @@ RC_GTEST_PROP(RandomCarriages, AResultCloses, (unsigned seed)) {
   RC_ASSERT(r.closure.force <= 1e-8 * largest);
   RC_ASSERT(r.closure.balance <= 1e-7 * largest);
   for (std::size_t k = 0; k < line.model.reevings.size(); ++k) {
-    const model::Reeving& rope = line.model.reevings[k];
+    const machine::Reeving& rope = line.model.reevings[k];
     const bool free = line.kind == 2 && k == 1;
-    if (rope.given == model::Given::length && !free)
+    if (rope.given == machine::Given::length && !free)
       RC_ASSERT(std::abs(r.ropes[k].unstretched - rope.value) <= 1e-9 * rope.value);
   }
   RC_ASSERT(std::abs(r.state.bodies[0].position.x() - line.options.prescribed->x) <= 1e-9 * line.length);

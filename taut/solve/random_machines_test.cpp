@@ -15,11 +15,11 @@
 namespace random_machines_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 using taut::Matrix3;
 
 struct Machine {
-  model::Model model;
+  machine::Model model;
   double size = 1;
 };
 
@@ -31,7 +31,7 @@ Machine random_tackle(Dice& dice) {
   const double efficiency = dice.below(2) == 0 ? 1 : dice.in(0.9, 1);
   t.model.bodies.push_back(body("block", {dice.in(-1, 1), 0, h * (1 - part)}, mass, "xz"));
   const Vector3 winch{-dice.in(2, 15), 0, dice.in(-5, 5)};
-  std::vector<model::Node> nodes{anchor("winch", winch)};
+  std::vector<machine::Node> nodes{anchor("winch", winch)};
   for (int i = 0; i < falls; ++i) {
     const bool head = i % 2 == 0;
     nodes.push_back(head ? sheave("head", {0, 0, h}, r, 1, efficiency) : sheave("block", origin, r, 1, efficiency, 0));
@@ -99,18 +99,18 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
   const std::size_t n = t.model.bodies.size();
   std::vector<Vector3> force(n, Vector3::Zero()), moment(n, Vector3::Zero());
   const auto act = [&](int b, const Vector3& at, const Vector3& f) {
-    if (b == model::ground) return;
+    if (b == machine::ground) return;
     const auto i = static_cast<std::size_t>(b);
     force[i] += f;
     moment[i] += (at - r.state.bodies[i].position).cross(f);
   };
   for (int b = 0; b < static_cast<int>(n); ++b) {
-    const model::Body& body = t.model.bodies[static_cast<std::size_t>(b)];
-    act(b, model::in_ground(r.state, {b, body.centre}), {0, 0, -body.mass * t.model.gravity});
+    const machine::Body& body = t.model.bodies[static_cast<std::size_t>(b)];
+    act(b, machine::in_ground(r.state, {b, body.centre}), {0, 0, -body.mass * t.model.gravity});
   }
-  for (const model::Load& load : t.model.loads) act(load.at.body, model::in_ground(r.state, load.at), load.force);
+  for (const machine::Load& load : t.model.loads) act(load.at.body, machine::in_ground(r.state, load.at), load.force);
   for (const SpanResult& s : r.spans) {
-    const model::Reeving& rope = t.model.reevings[static_cast<std::size_t>(s.reeving)];
+    const machine::Reeving& rope = t.model.reevings[static_cast<std::size_t>(s.reeving)];
     Vector3 along = s.end - s.start;
     along.z() = 0;
     if (along.norm() > 0) along.normalize();
@@ -120,7 +120,7 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
   }
   double worst = 0;
   for (std::size_t b = 0; b < n; ++b) {
-    for (const model::Freedom& way : t.model.bodies[b].free) {
+    for (const machine::Freedom& way : t.model.bodies[b].free) {
       worst = std::max({worst, std::abs(way.along.dot(force[b])), std::abs(way.about.dot(moment[b])) / t.size});
     }
   }
@@ -129,7 +129,7 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
 
 double largest(const Machine& t, const EquilibriumResult& r) {
   double most = 0;
-  for (const model::Body& b : t.model.bodies) most = std::max(most, b.mass * t.model.gravity);
+  for (const machine::Body& b : t.model.bodies) most = std::max(most, b.mass * t.model.gravity);
   for (const SpanResult& s : r.spans) most = std::max({most, s.T_from, s.T_to});
   return most;
 }
@@ -142,7 +142,7 @@ RC_GTEST_PROP(RandomMachines, TablesBalance, (unsigned seed)) {
     return;
   }
   double stiffest = 0;
-  for (const model::Reeving& rope : t.model.reevings) stiffest = std::max(stiffest, rope.stiffness);
+  for (const machine::Reeving& rope : t.model.reevings) stiffest = std::max(stiffest, rope.stiffness);
   const double force = 1e-9 * largest(t, r) + 2e-14 * stiffest;
   RC_ASSERT(worst_balance(t, r) <= 10 * force);
   RC_ASSERT(r.closure.rope <= 1e-9 * t.size);
@@ -159,19 +159,19 @@ RC_GTEST_PROP(RandomMachines, TablesBalance, (unsigned seed)) {
 }
 
 /// The machine in a frame turned, mirrored or scaled: `M` orthogonal times a scale; forces kept.
-model::Model transformed(model::Model m, const Matrix3& M) {
+machine::Model transformed(machine::Model m, const Matrix3& M) {
   const double mirror = M.determinant() < 0 ? -1 : 1, scale = std::cbrt(std::abs(M.determinant()));
   const Matrix3 turn = M / scale;
-  for (model::Body& b : m.bodies) {
+  for (machine::Body& b : m.bodies) {
     b.position = M * b.position;
     b.centre = M * b.centre;
-    for (model::Freedom& way : b.free) way = {turn * way.along, mirror * (turn * way.about)};
+    for (machine::Freedom& way : b.free) way = {turn * way.along, mirror * (turn * way.about)};
   }
-  for (model::Load& load : m.loads) load = {{load.at.body, M * load.at.at}, turn * load.force};
-  for (model::Reeving& r : m.reevings) {
+  for (machine::Load& load : m.loads) load = {{load.at.body, M * load.at.at}, turn * load.force};
+  for (machine::Reeving& r : m.reevings) {
     r.value *= scale;
     r.weight /= scale;
-    for (model::Node& n : r.nodes) {
+    for (machine::Node& n : r.nodes) {
       n.at.at = M * n.at.at;
       n.radius *= scale;
       n.axis = mirror * (turn * n.axis);
@@ -185,7 +185,7 @@ std::vector<double> answer(const EquilibriumResult& r, double scale) {
   std::vector<double> all;
   all.reserve(r.ropes.size() + r.state.bodies.size());
   for (const RopeResult& rope : r.ropes) all.push_back(rope.T_max);
-  for (const model::Pose& p : r.state.bodies) all.push_back(p.position.z() / scale);
+  for (const machine::Pose& p : r.state.bodies) all.push_back(p.position.z() / scale);
   return all;
 }
 

@@ -12,11 +12,11 @@
 namespace random_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// What a seed makes: numbers from low to high, integers below n.
 struct Line {
-  model::Model model;
+  machine::Model model;
   EquilibriumOptions options;
   double chords = 0;
 };
@@ -32,7 +32,7 @@ Line random_line(unsigned seed) {
     line.chords += (p[p.size() - 1] - p[p.size() - 2]).norm();
   }
   const double weight = dice.below(6) == 0 ? 0 : std::pow(10, dice.in(0, 2)), EA = std::pow(10, dice.in(6, 9));
-  std::vector<model::Node> nodes{anchor("a", p[0])};
+  std::vector<machine::Node> nodes{anchor("a", p[0])};
   for (int i = 0; i < spans; ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (kind > 0 && i == loaded) {
@@ -41,7 +41,7 @@ Line random_line(unsigned seed) {
           body("car", (p[at] + p[at + 1]) / 2 - Vector3(0, 0, 3), std::pow(10, dice.in(1, 4)), "xyz"));
       line.model.carriages.push_back({"car", 0, 0, static_cast<int>(nodes.size()) - 1, kind == 3 ? 1 : -1});
       if (kind >= 2) {
-        line.options.prescribed = Prescribed{0, p[at].x() + dice.in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
+        line.options.prescribed = machine::Prescribed{0, p[at].x() + dice.in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
       }
     }
     if (i + 1 == spans) break;
@@ -74,8 +74,8 @@ RC_GTEST_PROP(RandomMachines, AResultCloses, (unsigned seed)) {
     RC_ASSERT(s.T_from >= 0 && s.T_to >= 0);
     RC_ASSERT(s.stretched >= s.unstretched);
   }
-  for (const model::Body& b : line.model.bodies) heaviest = std::max(heaviest, b.mass * line.model.gravity);
-  const model::Reeving& sky = line.model.reevings[0];
+  for (const machine::Body& b : line.model.bodies) heaviest = std::max(heaviest, b.mass * line.model.gravity);
+  const machine::Reeving& sky = line.model.reevings[0];
   const double force = std::max(largest, heaviest) * 1e-9 + 1e-14 * sky.stiffness;
   RC_ASSERT(std::abs(total - sky.value) <= 1e-9 * sky.value);
   RC_ASSERT(r.closure.rope <= 1e-9 * line.chords);

@@ -1,13 +1,12 @@
 #include "taut/mechanics/rope_load.hpp"
 
-#include "taut/solve/equilibrium.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "taut/solve/equilibrium.hpp"
 #include "test/support/machines.hpp"
 
 // Forces along the free rope against closed forms and against the rope's differential equation, integrated along it.
@@ -17,36 +16,36 @@ using namespace taut;
 using namespace taut_test;
 
 /// A load on the first rope, before the node `before`.
-void add_load(model::Model& m, int before, const model::RopeLoad& load) {
+void add_load(machine::Model& m, int before, const machine::RopeLoad& load) {
   const auto b = static_cast<int>(m.bodies.size());
   const auto& nodes = m.reevings[0].nodes;
   const Vector3 &from = nodes.front().at.at, &to = nodes.back().at.at;
   m.bodies.push_back(body("load", from + load.share * (to - from), 0, "xyz"));
-  model::Node node = anchor_on("load", b);
-  node.kind = model::NodeKind::load;
+  machine::Node node = anchor_on("load", b);
+  node.kind = machine::NodeKind::load;
   node.load = load;
   m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + before, node);
 }
 
-model::RopeLoad point_load(double share, double force, int sense) {
-  model::RopeLoad load;
+machine::RopeLoad point_load(double share, double force, int sense) {
+  machine::RopeLoad load;
   load.share = share;
   load.force = force;
   load.sense = sense;
   return load;
 }
 
-void add_rate(model::Model& m, double from, double to, double rate, int elements, int sense) {
+void add_rate(machine::Model& m, double from, double to, double rate, int elements, int sense) {
   for (int i = 0; i < elements; ++i) {
-    model::RopeLoad load = point_load(from + (to - from) * (i + 0.5) / elements, 0, sense);
+    machine::RopeLoad load = point_load(from + (to - from) * (i + 0.5) / elements, 0, sense);
     load.rate = rate;
     load.part = (to - from) / elements;
     add_load(m, 1 + i, load);
   }
 }
 
-model::Model span(double weight, double length) {
-  model::Model m;
+machine::Model span(double weight, double length) {
+  machine::Model m;
   m.reevings.push_back(reeve("saw", {anchor("a", {0, 0, 3}), anchor("b", {60, 8, -4})}, length, weight, 2e6));
   return m;
 }
@@ -84,7 +83,7 @@ Vector3 end_by_integration(Vector3 T, double w, double EA, double L, double q, d
   return x;
 }
 
-Vector3 start_pull(const analysis::EquilibriumResult& r) {
+Vector3 start_pull(const solve::EquilibriumResult& r) {
   const auto& s = r.spans.front();
   Vector3 along = s.end - s.start;
   along.z() = 0;
@@ -94,9 +93,9 @@ Vector3 start_pull(const analysis::EquilibriumResult& r) {
 TEST(RopeLoad, WithoutWeightTheTensionsShareTheForceByTheLengths) {
   for (const double share : {0.1, 0.5, 0.8}) {
     for (const int sense : {1, -1}) {
-      model::Model m = span(0, 60);
+      machine::Model m = span(0, 60);
       add_load(m, 1, point_load(share, 4000, sense));
-      const auto r = analysis::equilibrium(m);
+      const auto r = solve::equilibrium(m);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       const double T_1 = 2e6 * (chord() / 60 - 1) + sense * 4000 * (1 - share);
       EXPECT_NEAR(r.spans[0].T_to, T_1, 1e-9 * T_1);
@@ -110,9 +109,9 @@ TEST(RopeLoad, WithoutWeightTheTensionsShareTheForceByTheLengths) {
 TEST(RopeLoad, HeavyRopeAgreesWithItsDifferentialEquation) {
   for (const double length : {60.5, 61.5, 80.0}) {
     for (const int sense : {1, -1}) {
-      model::Model m = span(30, length);
+      machine::Model m = span(30, length);
       add_load(m, 1, point_load(0.3, 700, sense));
-      const auto r = analysis::equilibrium(m);
+      const auto r = solve::equilibrium(m);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       EXPECT_NEAR(r.spans[0].unstretched, 0.3 * length, 1e-8);
       EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, sense * 700, 1e-6);
@@ -125,9 +124,9 @@ TEST(RopeLoad, HeavyRopeAgreesWithItsDifferentialEquation) {
 /// The closed form of an inextensible rope under its weight and a rate along itself would do as well; the equation is
 /// integrated, so that the stretch is there.
 double miss_of_rate(int elements) {
-  model::Model m = span(30, 62);
+  machine::Model m = span(30, 62);
   add_rate(m, 0.2, 0.7, 40, elements, -1);
-  const auto r = analysis::equilibrium(m);
+  const auto r = solve::equilibrium(m);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.spans.back().T_from - r.spans.front().T_to - 30 * (r.spans.back().start - r.spans.front().end).z(),
               40 * 0.5 * 62, 0.02 * 40 * 31);
@@ -142,13 +141,13 @@ TEST(RopeLoad, RateConvergesToTheDifferentialEquation) {
 }
 
 TEST(RopeLoad, RateOnAShortPartIsAPointLoad) {
-  model::Model point = span(30, 61);
+  machine::Model point = span(30, 61);
   add_load(point, 1, point_load(0.4, 900, 1));
-  const auto a = analysis::equilibrium(point);
+  const auto a = solve::equilibrium(point);
   const auto difference = [&](double half) {
-    model::Model rate = span(30, 61);
+    machine::Model rate = span(30, 61);
     add_rate(rate, 0.4 - half, 0.4 + half, 900 / (2 * half * 61), 8, 1);
-    const auto b = analysis::equilibrium(rate);
+    const auto b = solve::equilibrium(rate);
     EXPECT_TRUE(b.outcome.ok()) << b.outcome.message;
     return std::abs(a.spans.front().T_from - b.spans.front().T_from);
   };
@@ -159,12 +158,12 @@ TEST(RopeLoad, RateOnAShortPartIsAPointLoad) {
 }
 
 TEST(RopeLoad, EndsSwappedIsTheSameRope) {
-  model::Model there = span(30, 61);
+  machine::Model there = span(30, 61);
   add_load(there, 1, point_load(0.3, 900, 1));
-  model::Model back = span(30, 61);
+  machine::Model back = span(30, 61);
   std::swap(back.reevings[0].nodes[0], back.reevings[0].nodes[1]);
   add_load(back, 1, point_load(0.7, 900, -1));
-  const auto a = analysis::equilibrium(there), b = analysis::equilibrium(back);
+  const auto a = solve::equilibrium(there), b = solve::equilibrium(back);
   ASSERT_TRUE(a.outcome.ok() && b.outcome.ok()) << a.outcome.message << b.outcome.message;
   EXPECT_NEAR(a.spans[0].T_from, b.spans[1].T_to, 1e-9 * a.spans[0].T_from);
   EXPECT_LT((a.rope_loads[0].at - b.rope_loads[0].at).norm(), 1e-8);
@@ -172,29 +171,29 @@ TEST(RopeLoad, EndsSwappedIsTheSameRope) {
 }
 
 TEST(RopeLoad, GoesByTheMotionOrByThePath) {
-  model::Model m = span(30, 61);
-  model::RopeLoad load = point_load(0.5, 500, -1);
+  machine::Model m = span(30, 61);
+  machine::RopeLoad load = point_load(0.5, 500, -1);
   load.by_motion = true;
   add_load(m, 1, load);
   m.reevings[0].haul = 1;
-  const auto force = [&](analysis::Motion motion) {
-    analysis::EquilibriumOptions options;
+  const auto force = [&](solve::Motion motion) {
+    solve::EquilibriumOptions options;
     options.motion = motion;
-    return analysis::equilibrium(m, options).rope_loads.at(0).along_path;
+    return solve::equilibrium(m, options).rope_loads.at(0).along_path;
   };
-  EXPECT_NEAR(force(analysis::Motion::in), -500, 1e-9);
-  EXPECT_NEAR(force(analysis::Motion::out), 500, 1e-9);
-  EXPECT_NEAR(force(analysis::Motion::at_rest), -500, 1e-9) << "as if hauling in";
+  EXPECT_NEAR(force(solve::Motion::in), -500, 1e-9);
+  EXPECT_NEAR(force(solve::Motion::out), 500, 1e-9);
+  EXPECT_NEAR(force(solve::Motion::at_rest), -500, 1e-9) << "as if hauling in";
   m.reevings[0].haul = -1;
-  EXPECT_NEAR(force(analysis::Motion::in), 500, 1e-9);
+  EXPECT_NEAR(force(solve::Motion::in), 500, 1e-9);
 }
 
 TEST(RopeLoad, CopiesCarryOneForceEach) {
-  model::Model m = span(30, 61);
+  machine::Model m = span(30, 61);
   add_load(m, 1, point_load(0.3, 900, 1));
-  const auto one = analysis::equilibrium(m);
+  const auto one = solve::equilibrium(m);
   m.reevings[0].copies = 3;
-  const auto three = analysis::equilibrium(m);
+  const auto three = solve::equilibrium(m);
   ASSERT_TRUE(one.outcome.ok() && three.outcome.ok());
   EXPECT_NEAR(one.spans[0].T_from, three.spans[0].T_from, 1e-9 * one.spans[0].T_from);
   EXPECT_LT(three.closure.balance, 1e-6);

@@ -6,35 +6,36 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
-std::vector<std::vector<int>> flow_of(const model::Model& model, const EquilibriumOptions& options) {
+std::vector<std::vector<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;
   std::vector<std::vector<int>> flow;
   flow.reserve(model.reevings.size());
   const int sense = options.motion == Motion::hoist || options.motion == Motion::in ? 1 : -1;
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     flow.emplace_back(rope.nodes.size(), options.motion == Motion::at_rest ? 0 : sense * rope.haul);
   }
   return flow;
 }
 
-double centrifugal(const model::Reeving& rope, const std::vector<int>& flow) {
+double centrifugal(const machine::Reeving& rope, const std::vector<int>& flow) {
   const bool runs = std::any_of(flow.begin(), flow.end(), [](int f) { return f != 0; });
   return runs ? rope.mass * rope.speed * rope.speed : 0;
 }
 
-tl::expected<model::Model, std::string> running(const model::Model& model, const std::vector<std::vector<int>>& flow) {
-  model::Model moving = model;
+tl::expected<machine::Model, std::string> running(const machine::Model& model,
+                                                  const std::vector<std::vector<int>>& flow) {
+  machine::Model moving = model;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-    model::Reeving& rope = moving.reevings[r];
+    machine::Reeving& rope = moving.reevings[r];
     const double c = centrifugal(rope, flow[r]);
     if (c == 0) continue;
     rope.thermal_strain = (1 + rope.thermal_strain) * (1 + c / rope.stiffness) - 1;
     rope.stiffness += c;
     bool above = true;
-    const auto lower = [&](model::Given given, double& value) {
-      if (given != model::Given::tension_at_start && given != model::Given::tension_at_end) return;
+    const auto lower = [&](machine::Given given, double& value) {
+      if (given != machine::Given::tension_at_start && given != machine::Given::tension_at_end) return;
       value -= c;
       above = above && value > 0;
     };
@@ -49,7 +50,8 @@ tl::expected<model::Model, std::string> running(const model::Model& model, const
   return moving;
 }
 
-void add_centrifugal(const model::Model& model, const std::vector<std::vector<int>>& flow, EquilibriumResult& result) {
+void add_centrifugal(const machine::Model& model, const std::vector<std::vector<int>>& flow,
+                     EquilibriumResult& result) {
   std::vector<double> c;
   c.reserve(model.reevings.size());
   for (std::size_t r = 0; r < model.reevings.size(); ++r) c.push_back(centrifugal(model.reevings[r], flow[r]));
@@ -77,10 +79,10 @@ void add_centrifugal(const model::Model& model, const std::vector<std::vector<in
   }
 }
 
-model::Model with_loads_held(model::Model model) {
-  for (model::Reeving& rope : model.reevings) {
-    for (model::Node& node : rope.nodes) {
-      if (node.kind != model::NodeKind::load || !node.load.by_motion) continue;
+machine::Model with_loads_held(machine::Model model) {
+  for (machine::Reeving& rope : model.reevings) {
+    for (machine::Node& node : rope.nodes) {
+      if (node.kind != machine::NodeKind::load || !node.load.by_motion) continue;
       node.load.by_motion = false;
       node.load.sense *= rope.haul;
     }
@@ -88,4 +90,4 @@ model::Model with_loads_held(model::Model model) {
   return model;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

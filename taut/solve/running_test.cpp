@@ -8,15 +8,15 @@
 
 /// Ropes that run along themselves, against Routh's theorem in its plain words: on fixed supports the shape and the
 /// tension of an elastic rope do not know of the speed; what holds it feels the tension less m v^2.
-namespace taut::analysis::running_test {
+namespace taut::solve::running_test {
 
 using namespace taut_test;
 
 constexpr double speed = 40, mass = 2.5, c = mass * speed * speed;  // 4 kN
 
 /// A rope over a sheave between two pins on walls; it runs through (as long as there is rope).
-model::Model over_a_sheave(double weight) {
-  model::Model m;
+machine::Model over_a_sheave(double weight) {
+  machine::Model m;
   m.reevings.push_back(reeve("rope",
                              {anchor("a", {-30, 0, 0}), sheave("top", {0, 0, 12}, 0.4, 1), anchor("b", {25, 0, -3})},
                              61.5, weight, 3e6));
@@ -24,7 +24,7 @@ model::Model over_a_sheave(double weight) {
   return m;
 }
 
-EquilibriumResult running_at(model::Model m, double v) {
+EquilibriumResult running_at(machine::Model m, double v) {
   m.reevings[0].speed = v;
   EquilibriumOptions options;
   options.motion = Motion::in;
@@ -85,7 +85,7 @@ TEST(Running, AHeavyRopeHangsByWhatTheSpeedLeaves) {
 /// A rope on a take-up: the weight holds 2 (T - c), so T = W/2 + c; at rest it is W/2.
 TEST(Running, ATakeUpHoldsWhatIsLeft) {
   for (const double v : {0.0, speed}) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("take-up", {0, 0, -10}, 9000 / 9.80665, "z"));
     m.reevings.push_back(
         reeve("rope", {anchor("a", {-0.3, 0, 0}), sheave("block", origin, 0.3, -1, 1, 0), anchor("b", {0.3, 0, 0})},
@@ -99,9 +99,9 @@ TEST(Running, ATakeUpHoldsWhatIsLeft) {
 }
 
 TEST(Running, WhatIsGivenHasToBeMoreThanTheCentrifugalTension) {
-  model::Model m = over_a_sheave(0);
+  machine::Model m = over_a_sheave(0);
   m.reevings[0].speed = speed;
-  m.reevings[0].given = model::Given::tension_at_end;
+  m.reevings[0].given = machine::Given::tension_at_end;
   const std::vector<std::vector<int>> flow = {{1, 1, 1}}, still = {{0, 0, 0}};
   m.reevings[0].value = c + 1;
   const auto just = running(m, flow);
@@ -117,23 +117,23 @@ TEST(Running, WhatIsGivenHasToBeMoreThanTheCentrifugalTension) {
   EXPECT_EQ(centrifugal(m.reevings[0], {0, -1, 0}), c);
   // the other tension of a rope over a drive counts as well
   m.reevings[0].value = 3 * c;
-  m.reevings[0].also = std::pair(model::Given::tension_at_start, c / 2);
+  m.reevings[0].also = std::pair(machine::Given::tension_at_start, c / 2);
   EXPECT_FALSE(running(m, flow).has_value());
-  m.reevings[0].also = std::pair(model::Given::length, c / 2);
+  m.reevings[0].also = std::pair(machine::Given::length, c / 2);
   EXPECT_TRUE(running(m, flow).has_value());
 }
 
 TEST(Running, LoadsByMotionAreHeldAsTheHaulGoes) {
   for (const int haul : {1, -1}) {
     for (const int sense : {1, -1}) {
-      model::Model m = over_a_sheave(0);
+      machine::Model m = over_a_sheave(0);
       m.reevings[0].haul = haul;
-      model::Node load = anchor("cut", {5, 0, 8});
-      load.kind = model::NodeKind::load;
+      machine::Node load = anchor("cut", {5, 0, 8});
+      load.kind = machine::NodeKind::load;
       load.load.by_motion = true;
       load.load.sense = sense;
       m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 2, load);
-      const model::Model held = with_loads_held(m);
+      const machine::Model held = with_loads_held(m);
       EXPECT_FALSE(held.reevings[0].nodes[2].load.by_motion);
       EXPECT_EQ(held.reevings[0].nodes[2].load.sense, sense * haul);
       EXPECT_EQ(with_loads_held(held).reevings[0].nodes[2].load.sense, sense * haul);  // once is enough
@@ -148,7 +148,7 @@ TEST(Running, LoadsByMotionAreHeldAsTheHaulGoes) {
 /// sheaves lose something or not: no jump at the ideal sheave.
 TEST(Running, TheBandAtRestIsContinuousInTheLoss) {
   const auto at_rest = [](double efficiency) {
-    model::Model m = over_a_sheave(25);
+    machine::Model m = over_a_sheave(25);
     m.reevings[0].speed = speed;
     m.reevings[0].breaking_force = 100e3;
     m.reevings[0].nodes[1].law.efficiency = efficiency;
@@ -160,7 +160,7 @@ TEST(Running, TheBandAtRestIsContinuousInTheLoss) {
   const EquilibriumResult ideal = at_rest(1);
   EquilibriumOptions options;
   options.motion = Motion::in;
-  model::Model m = over_a_sheave(25);
+  machine::Model m = over_a_sheave(25);
   m.reevings[0].speed = speed;
   EXPECT_NEAR(ideal.ropes[0].T_max, equilibrium(m, options).ropes[0].T_max, 1e-9 * ideal.ropes[0].T_max);
   for (const double loss : {1e-11, 1e-6}) {
@@ -176,4 +176,4 @@ TEST(Running, TheBandAtRestIsContinuousInTheLoss) {
   }
 }
 
-}  // namespace taut::analysis::running_test
+}  // namespace taut::solve::running_test

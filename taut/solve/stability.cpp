@@ -11,7 +11,7 @@
 #include "taut/solve/beam_tables.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
@@ -19,17 +19,17 @@ constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
 
 /// Forces along a rope or torques that follow it: they have no potential.
-bool has_followers(const System& s) {
-  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
-    const model::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
-    if (node.kind == model::NodeKind::load || (node.kind == model::NodeKind::drive && t.row >= 0)) return true;
-    return node.kind == model::NodeKind::drive && s.model.reevings[at(t.reeving)].given == model::Given::torque;
+bool has_followers(const mechanics::System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
+    const machine::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row >= 0)) return true;
+    return node.kind == machine::NodeKind::drive && s.model.reevings[at(t.reeving)].given == machine::Given::torque;
   });
 }
 
-bool loses(const System& s) {
-  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const Layout::Turn& t) {
-    const model::ContactLaw& law = node_of(s, t).law;
+bool loses(const mechanics::System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
+    const machine::ContactLaw& law = mechanics::node_of(s, t).law;
     return s.losses > 0 && t.flow != 0 && law.efficiency < 1 && law.friction > 0;
   });
 }
@@ -42,16 +42,17 @@ struct Coordinates {
   std::vector<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
 };
 
-void add_rope(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed, int r, Coordinates& all) {
-  const Layout::Rope& rope = s.layout.ropes[at(r)];
-  const model::Reeving& reeving = s.model.reevings[at(r)];
+void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const std::vector<FedEnd>& fed, int r,
+              Coordinates& all) {
+  const mechanics::Layout::Rope& rope = s.layout.ropes[at(r)];
+  const machine::Reeving& reeving = s.model.reevings[at(r)];
   const auto stretch = [&](double T) { return reeving.copies * (1 + T / reeving.stiffness); };
   for (int k = rope.first; k < rope.first + rope.count; ++k) {
     if (e.branches[at(k)].slack) return;
   }
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
-    const Layout::Turn& turn = s.layout.turns[at(t)];
-    if (reeving.nodes[at(turn.node)].kind != model::NodeKind::contact) continue;
+    const mechanics::Layout::Turn& turn = s.layout.turns[at(t)];
+    if (reeving.nodes[at(turn.node)].kind != machine::NodeKind::contact) continue;
     all.rows.push_back({-1, t, -1});
     all.residual.push_back(turn.row);
     all.factor.push_back(stretch(e.branches[at(turn.after)].T_from));
@@ -67,11 +68,11 @@ void add_rope(const System& s, const Evaluation& e, const std::vector<FedEnd>& f
   }
 }
 
-Coordinates coordinates_of(const System& s, const Evaluation& e, const std::vector<FedEnd>& fed) {
+Coordinates coordinates_of(const mechanics::System& s, const mechanics::Evaluation& e, const std::vector<FedEnd>& fed) {
   Coordinates all;
   for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, fed, r, all);
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
-    const Layout::Dof& dof = s.layout.dofs[at(i)];
+    const mechanics::Layout::Dof& dof = s.layout.dofs[at(i)];
     const bool kept =
         s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
     if (kept) continue;
@@ -88,25 +89,25 @@ Coordinates coordinates_of(const System& s, const Evaluation& e, const std::vect
 struct RoundEnd {
   Vector3 arc = Vector3::Zero();      ///< by the direction of the rope, unstretched
   double by_tension = 0;              ///< m/N
-  int body = model::ground;           ///< the arc is counted from a direction that turns with it,
+  int body = machine::ground;         ///< the arc is counted from a direction that turns with it,
   Vector3 by_turn = Vector3::Zero();  ///< m/rad
 };
 
-RoundEnd round_end(const System& s, const Configuration& c, const Evaluation& e, const Layout::Link& link,
-                   bool leaves) {
+RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                   const mechanics::Layout::Link& link, bool leaves) {
   RoundEnd r;
-  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
-  const model::Node& node = rope.nodes[at(leaves ? link.from : link.to)];
+  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const machine::Node& node = rope.nodes[at(leaves ? link.from : link.to)];
   if (node.radius == 0) return r;  // a drum keeps its rope, although a machine counts only what is free of it
   const auto k = static_cast<std::size_t>(&link - s.layout.links.data());
-  const Branch& b = e.branches[k];
+  const mechanics::Branch& b = e.branches[k];
   const double stretch = 1 + (leaves ? b.T_from : b.T_to) / rope.stiffness;
-  const BranchEnd end = end_at(node, c.bodies);
-  r.arc = arc_rate(end, leaves ? b.leaves : b.arrives, leaves) / stretch;
+  const mechanics::BranchEnd end = mechanics::end_at(node, c.bodies);
+  r.arc = mechanics::arc_rate(end, leaves ? b.leaves : b.arrives, leaves) / stretch;
   r.body = node.at.body;
   r.by_turn = (leaves ? -end.radius : end.radius) / stretch * end.axis;
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
-    const Layout::Turn& turn = s.layout.turns[t];
+    const mechanics::Layout::Turn& turn = s.layout.turns[t];
     if (turn.reeving != link.reeving || (leaves ? turn.after : turn.before) != static_cast<int>(k)) continue;
     r.by_tension = -node.radius * e.bends[t].wrap / 2 / (stretch * stretch) / rope.stiffness;
   }
@@ -114,16 +115,17 @@ RoundEnd round_end(const System& s, const Configuration& c, const Evaluation& e,
 }
 
 /// Unstretched rope from the middle of one arc to that of the next, by the unknowns that move the branch.
-std::vector<double> material_rates(const System& s, const Configuration& c, const Evaluation& e,
-                                   const BranchColumns& columns, std::size_t k) {
-  const Layout::Link& link = s.layout.links[k];
+std::vector<double> material_rates(const mechanics::System& s, const mechanics::Configuration& c,
+                                   const mechanics::Evaluation& e, const mechanics::BranchColumns& columns,
+                                   std::size_t k) {
+  const mechanics::Layout::Link& link = s.layout.links[k];
   const RoundEnd from = round_end(s, c, e, link, true), to = round_end(s, c, e, link, false);
-  const Branch& b = e.branches[k];
+  const mechanics::Branch& b = e.branches[k];
   std::vector<double> rates;
   rates.reserve(at(columns.count));
   const auto turned = [&](const RoundEnd& end, int unknown) {
     if (at(unknown) >= s.layout.dofs.size()) return 0.0;
-    const Layout::Dof& dof = s.layout.dofs[at(unknown)];
+    const mechanics::Layout::Dof& dof = s.layout.dofs[at(unknown)];
     return dof.body == end.body ? end.by_turn.dot(dof.way.about) : 0.0;
   };
   for (std::size_t j = 0; j < at(columns.count); ++j) {
@@ -136,8 +138,9 @@ std::vector<double> material_rates(const System& s, const Configuration& c, cons
 }
 
 /// The unknowns by the coordinates: rope between the middles of arcs is kept, but for what passes a contact.
-Eigen::MatrixXd unknowns_by(const System& s, const Configuration& c, const Evaluation& e,
-                            const std::vector<BranchColumns>& columns, const Coordinates& all) {
+Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configuration& c,
+                            const mechanics::Evaluation& e, const std::vector<mechanics::BranchColumns>& columns,
+                            const Coordinates& all) {
   const auto n = static_cast<Eigen::Index>(all.rows.size());
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(s.layout.size, n);
   if (n == 0) return Z;  // nothing moves, and a matrix without columns has no rows to take
@@ -162,9 +165,9 @@ std::string_view axis_name(const Vector3& d) {
   return {};
 }
 
-std::string words(const System& s, const EnergyCurvature::Row& row) {
+std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
   if (row.freedom >= 0) {
-    const Layout::Dof& dof = s.layout.dofs[at(row.freedom)];
+    const mechanics::Layout::Dof& dof = s.layout.dofs[at(row.freedom)];
     const bool turns = dof.way.about != Vector3::Zero();
     const Vector3& d = turns ? dof.way.about : dof.way.along;
     const std::string_view name = axis_name(d);
@@ -175,23 +178,24 @@ std::string words(const System& s, const EnergyCurvature::Row& row) {
   }
   if (row.fed >= 0) {
     const FedEnd end = fed_ends(s)[at(row.fed)];
-    const model::Reeving& rope = s.model.reevings[at(end.rope)];
+    const machine::Reeving& rope = s.model.reevings[at(end.rope)];
     return fmt::format("rope '{}' runs in or out at '{}'", rope.name,
                        (end.at_end ? rope.nodes.back() : rope.nodes.front()).name);
   }
-  const Layout::Turn& t = s.layout.turns[at(row.turn)];
-  const model::Reeving& rope = s.model.reevings[at(t.reeving)];
+  const mechanics::Layout::Turn& t = s.layout.turns[at(row.turn)];
+  const machine::Reeving& rope = s.model.reevings[at(t.reeving)];
   return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[at(t.node)].name);
 }
 
 }  // namespace
 
-std::optional<EnergyCurvature> energy_curvature(const System& s, const Configuration& c, const Evaluation& e) {
+std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, const mechanics::Configuration& c,
+                                                const mechanics::Evaluation& e) {
   const std::vector<FedEnd> fed = s.lengths_kept ? std::vector<FedEnd>() : fed_ends(s);
   if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
   Eigen::MatrixXd J;
-  std::vector<BranchColumns> columns;
-  jacobian(s, c, e, J, columns);
+  std::vector<mechanics::BranchColumns> columns;
+  mechanics::jacobian(s, c, e, J, columns);
   const Coordinates all = coordinates_of(s, e, fed);
   EnergyCurvature curvature{all.rows, {}, unknowns_by(s, c, e, columns, all)};
   const auto n = static_cast<Eigen::Index>(all.rows.size());
@@ -237,7 +241,7 @@ std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix)
 namespace {
 
 /// The ropes whose tension is held, in words; empty without one.
-std::string of_given_tension(const System& s) {
+std::string of_given_tension(const mechanics::System& s) {
   std::string names;
   for (const FedEnd& end : fed_ends(s)) {
     const std::string& name = s.model.reevings[at(end.rope)].name;
@@ -247,12 +251,12 @@ std::string of_given_tension(const System& s) {
 }
 
 /// A fed rope that is a deep loop, with its name; ok without one.
-Outcome no_deep_loop(const System& s, const Configuration& c, const Evaluation& e) {
+Outcome no_deep_loop(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   const std::vector<FedEnd> fed = fed_ends(s);
   const int deep = deep_link(s, fed, c, e);
   if (deep < 0) return {};
-  const Layout::Link& link = s.layout.links[at(deep)];
-  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const mechanics::Layout::Link& link = s.layout.links[at(deep)];
+  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
   return infeasible(fmt::format(
       "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
       "rope pulls harder: it runs out at the least push; give it more tension, or a length",
@@ -262,7 +266,7 @@ Outcome no_deep_loop(const System& s, const Configuration& c, const Evaluation& 
 
 }  // namespace
 
-Stability stability(const System& s, const Configuration& c, const Evaluation& e) {
+Stability stability(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Stability result;
   result.outcome = no_deep_loop(s, c, e);
   if (!result.outcome.ok()) return result;
@@ -297,4 +301,4 @@ Stability stability(const System& s, const Configuration& c, const Evaluation& e
   return result;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -3,7 +3,7 @@
 
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// The second derivative of the potential energy of a machine, by the rope that passes each contact or is fed in where
 /// a tension is given and, behind them, the freedoms of its bodies; `rows` tells which. From the Jacobian at
@@ -27,7 +27,8 @@ struct EnergyCurvature {
 /// machine without fed ropes. Ropes that carry nothing are left out. The length
 /// of a mainline and the place of a clamp that follow from a prescribed x are kept as found; so is that x where a force
 /// holds the carriage.
-std::optional<EnergyCurvature> energy_curvature(const System& system, const Configuration& c, const Evaluation& e);
+std::optional<EnergyCurvature> energy_curvature(const mechanics::System& system, const mechanics::Configuration& c,
+                                                const mechanics::Evaluation& e);
 
 /// A direction in which a matrix that is symmetric, or nearly so, is negative; empty where there is none beyond
 /// rounding. By elimination in the order of its rows (Sylvester's law of inertia): what is left of a row is the force
@@ -41,6 +42,6 @@ struct Stability {
 };
 
 /// Whether an equilibrium is one to stay in. Ok also where energy does not tell, if no fed rope is a deep loop.
-Stability stability(const System& system, const Configuration& c, const Evaluation& e);
+Stability stability(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

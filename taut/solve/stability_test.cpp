@@ -9,26 +9,28 @@
 
 namespace {
 
+namespace mechanics = taut::mechanics;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 using taut::Status;
 
-EnergyCurvature curvature_at_rest(const model::Model& m) {
+EnergyCurvature curvature_at_rest(const machine::Model& m) {
   const EquilibriumResult r = equilibrium(m);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  const Layout l = layout(m, r.state, {}, {});
-  const System system{m, l, 0};
-  Configuration c;
+  const mechanics::Layout l = mechanics::layout(m, r.state, {}, {});
+  const mechanics::System system{m, l, 0};
+  mechanics::Configuration c;
   c.bodies = r.state.bodies;
-  for (const Layout::Link& k : l.links) {
+  for (const mechanics::Layout::Link& k : l.links) {
     c.links.push_back(r.state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
-  Evaluation e;
-  EXPECT_FALSE(evaluate(system, c, e));
+  mechanics::Evaluation e;
+  EXPECT_FALSE(mechanics::evaluate(system, c, e));
   return *energy_curvature(system, c, e);
 }
 
-double asymmetry(const model::Model& m) {
+double asymmetry(const machine::Model& m) {
   const Eigen::MatrixXd H = curvature_at_rest(m).matrix;
   return (H - H.transpose()).norm() / H.norm();
 }
@@ -37,14 +39,14 @@ TEST(Stability, TheCurvatureOfAnEnergyIsSymmetric) {
   EXPECT_LT(asymmetry(three_spans(316, 0)), 1e-9);
   EXPECT_LT(asymmetry(three_spans(313, 0)), 1e-9);
   EXPECT_LT(asymmetry(with_carriage(true, 0)), 1e-9);
-  model::Model copies = with_carriage(true, 0);
+  machine::Model copies = with_carriage(true, 0);
   copies.reevings[0].copies = 2;
   EXPECT_LT(asymmetry(copies), 1e-9);
   // on rounds, with the strain of their arcs; there the machine leaves out the weight of the rope
   EXPECT_LT(asymmetry(tackle(6, 1, 3000)), 1e-9);
   EXPECT_LT(asymmetry(tackle(5, 1, 3000)), 1e-9);
-  model::Model turning = boom();
-  for (model::Reeving& rope : turning.reevings) rope.weight = 0;
+  machine::Model turning = boom();
+  for (machine::Reeving& rope : turning.reevings) rope.weight = 0;
   turning.reevings[1].nodes[0].radius = 0;  // of a drum's rope only the free part is counted
   turning.reevings[1].nodes[1].axis = Vector3::UnitY();
   turning.reevings[1].nodes[1].at.at.y() = 0;
@@ -63,8 +65,8 @@ TEST(Stability, NegativeDirections) {
 }
 
 /// A pole on a hinge between two weightless guys in its plane, with a weight on top.
-model::Model pole(double weight) {
-  model::Model m;
+machine::Model pole(double weight) {
+  machine::Model m;
   m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
   m.loads.push_back({{0, {0, 0, 10}}, {0, 0, -weight}});
   for (const double side : {-1.0, 1.0}) {
@@ -84,7 +86,7 @@ TEST(Stability, AGuyedPoleHoldsUpToItsStiffness) {
 }
 
 TEST(Stability, APendulumHangsAndAPoleFalls) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("rod", {0, 0, 0}, 100, "XY"));
   m.bodies[0].centre = {0, 0, -2};
   EXPECT_TRUE(equilibrium(m).outcome.ok());
@@ -97,7 +99,7 @@ TEST(Stability, APendulumHangsAndAPoleFalls) {
 TEST(Stability, ASlackRopeRunsOverItsSupportIntoOneSpan) {
   // two equal spans, each twice as long as its chord: shared equally, the rope has tension enough to stay only while
   // more length in a span means less tension; here it means more
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(
       reeve("rope", {anchor("a", {0, 0, 0}), saddle("mid", {50, 0, 0}, 0), anchor("b", {100, 0, 0})}, 200, 10, 1e8));
   const EquilibriumResult r = equilibrium(m);

@@ -7,14 +7,14 @@
 namespace start_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// A ropeway with a counterweight; its tower is a saddle of any size.
-model::Model ropeway(double tower_diameter) {
-  model::Model m;
+machine::Model ropeway(double tower_diameter) {
+  machine::Model m;
   m.bodies.push_back(body("counterweight", {-1, 0, -8}, 11e3, "z"));
   m.bodies.push_back(body("cabin", {285, 0, 110}, 1700, "xyz"));
-  model::Node tower = sheave("tower", {150, 0, 69}, tower_diameter / 2, 1, 0);
+  machine::Node tower = sheave("tower", {150, 0, 69}, tower_diameter / 2, 1, 0);
   tower.law = {0.08, 0};
   tower.support = Vector3::UnitZ();
   m.reevings.push_back(reeve("track",
@@ -28,11 +28,11 @@ model::Model ropeway(double tower_diameter) {
 
 TEST(Start, ColdBesideASaddleOfAnySize) {
   for (const double diameter : {0.0, 0.6, 2.0, 4.0, 8.0, 12.0}) {
-    const model::Model m = ropeway(diameter);
+    const machine::Model m = ropeway(diameter);
     double last = 0;
     for (double x = 410; x >= 155 + diameter; x -= 10) {
       EquilibriumOptions options;
-      options.prescribed = Prescribed{0, x};
+      options.prescribed = machine::Prescribed{0, x};
       options.band = false;
       const EquilibriumResult r = equilibrium(m, options);
       ASSERT_TRUE(r.outcome.ok()) << diameter << " m, x " << x << ": " << r.outcome.message;
@@ -50,9 +50,9 @@ TEST(Start, ColdBesideASaddleOfAnySize) {
 TEST(Start, ALightHookThatStartsFarTooLow) {
   for (const double mass : {150.0, 720.0, 6000.0}) {
     for (const double stiffness : {11e6, 13e6, 13.39e6, 20e6}) {
-      model::Model m;
+      machine::Model m;
       m.bodies.push_back(body("hook", {0, 0, 3}, mass, "xz"));
-      std::vector<model::Node> nodes{anchor("winch", {-6, 0, 1})};
+      std::vector<machine::Node> nodes{anchor("winch", {-6, 0, 1})};
       nodes[0].radius = 0.158;
       for (int i = 0; i < 6; ++i) {
         nodes.push_back(i % 2 == 0 ? sheave("head", {0, 0, 10}, 0.16, 1, 0.97)

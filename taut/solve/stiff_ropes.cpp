@@ -8,7 +8,7 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double found_by_length = 1e6;   ///< EA of the largest force: up to here lengths alone find an answer
@@ -18,15 +18,15 @@ constexpr double rough_balance = 1e-9;    ///< of a force
 constexpr double rounded_way = 1e-15;     ///< of a way between places that do not move
 constexpr double open_way = 1e-9;         ///< of one over bodies, where the iteration has failed
 
-std::string branch_of(const System& s, int link) {
-  const Layout::Link& l = s.layout.links[at(link)];
-  const model::Reeving& rope = s.model.reevings[at(l.reeving)];
+std::string branch_of(const mechanics::System& s, int link) {
+  const mechanics::Layout::Link& l = s.layout.links[at(link)];
+  const machine::Reeving& rope = s.model.reevings[at(l.reeving)];
   return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(l.from)].name,
                      rope.nodes[at(l.to)].name);
 }
 
 /// The branch with the largest force of those that do not stretch, -1: none.
-int hardest(const System& s, const Evaluation& e) {
+int hardest(const mechanics::System& s, const mechanics::Evaluation& e) {
   int worst = -1;
   for (int k = 0; k < static_cast<int>(e.branches.size()); ++k) {
     if (!std::isinf(s.model.reevings[at(s.layout.links[at(k)].reeving)].stiffness)) continue;
@@ -41,24 +41,24 @@ struct Shortage {
   double share = 0, length = 0, way = 0;
 };
 
-Shortage shortage(const System& s, const Evaluation& e, std::size_t r, bool converged) {
-  const model::Reeving& rope = s.model.reevings[r];
-  const Layout::Rope& l = s.layout.ropes[r];
+Shortage shortage(const mechanics::System& s, const mechanics::Evaluation& e, std::size_t r, bool converged) {
+  const machine::Reeving& rope = s.model.reevings[r];
+  const mechanics::Layout::Rope& l = s.layout.ropes[r];
   const bool follows = l.row == s.layout.coordinate_row || l.row == s.layout.height_row;
-  if (!std::isinf(rope.stiffness) || rope.given != model::Given::length || follows) return {};
+  if (!std::isinf(rope.stiffness) || rope.given != machine::Given::length || follows) return {};
   const bool fixed = std::all_of(rope.nodes.begin(), rope.nodes.end(),
-                                 [](const model::Node& node) { return node.at.body == model::ground; });
+                                 [](const machine::Node& node) { return node.at.body == machine::ground; });
   if (converged && !fixed) return {};
   Shortage found{0, rope.value * (1 + rope.thermal_strain), 0};
   for (int k = l.first; k < l.first + l.count; ++k) found.way += e.branches[at(k)].chord.norm();
-  for (int t = l.first_turn; t < l.first_turn + l.turn_count; ++t) found.way += arc(s, e, t).length;
+  for (int t = l.first_turn; t < l.first_turn + l.turn_count; ++t) found.way += mechanics::arc(s, e, t).length;
   const double share = found.way / found.length - 1;
   if (share > (fixed ? rounded_way : open_way)) found.share = share;
   return found;
 }
 
 /// A rope that does not stretch, shorter than its way, in words; empty without one.
-std::string short_rope(const System& s, const Evaluation& e, bool converged) {
+std::string short_rope(const mechanics::System& s, const mechanics::Evaluation& e, bool converged) {
   Shortage worst;
   const std::string* name = nullptr;
   for (std::size_t r = 0; r < s.model.reevings.size(); ++r) {
@@ -74,7 +74,7 @@ std::string short_rope(const System& s, const Evaluation& e, bool converged) {
       *name, worst.length, worst.way);
 }
 
-Outcome why_unsettled(const System& s, const Evaluation& e, const Iteration& it) {
+Outcome why_unsettled(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& it) {
   if (const std::string why = short_rope(s, e, it.converged); !why.empty()) return infeasible(why);
   if (it.undetermined >= 0) {
     return infeasible(
@@ -83,7 +83,7 @@ Outcome why_unsettled(const System& s, const Evaluation& e, const Iteration& it)
                     "the same twice",
                     branch_of(s, it.undetermined)));
   }
-  const Misfit m = misfit(s, e);
+  const mechanics::Misfit m = mechanics::misfit(s, e);
   const int worst = std::max(0, hardest(s, e));
   return not_converged(
       fmt::format("the tensions of ropes that hardly stretch did not settle ({:.3g} N and {:.3g} m are open; largest: "
@@ -93,34 +93,34 @@ Outcome why_unsettled(const System& s, const Evaluation& e, const Iteration& it)
 
 }  // namespace
 
-double force_scale(const model::Model& model, const Layout& layout) {
+double force_scale(const machine::Model& model, const mechanics::Layout& layout) {
   double force = layout.heaviest;
-  for (const model::Reeving& rope : model.reevings) {
-    const bool tension = rope.given == model::Given::tension_at_start || rope.given == model::Given::tension_at_end;
+  for (const machine::Reeving& rope : model.reevings) {
+    const bool tension = rope.given == machine::Given::tension_at_start || rope.given == machine::Given::tension_at_end;
     if (tension) force = std::max(force, rope.value);
   }
   if (force > 0) return std::max(force, 1e-6);
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     if (std::isfinite(rope.stiffness)) force = std::max(force, usual_strain * rope.stiffness);
   }
   return std::max(force, 1e-6);
 }
 
-bool has_stiff_ropes(const model::Model& model, double force) {
+bool has_stiff_ropes(const machine::Model& model, double force) {
   return std::any_of(model.reevings.begin(), model.reevings.end(),
-                     [&](const model::Reeving& rope) { return rope.stiffness > found_by_length * force; });
+                     [&](const machine::Reeving& rope) { return rope.stiffness > found_by_length * force; });
 }
 
-model::Model softened(model::Model model, double most) {
-  for (model::Reeving& rope : model.reevings) rope.stiffness = std::min(rope.stiffness, most);
+machine::Model softened(machine::Model model, double most) {
+  for (machine::Reeving& rope : model.reevings) rope.stiffness = std::min(rope.stiffness, most);
   return model;
 }
 
-model::State with_stiffness(model::State state, const model::Model& before, const model::Model& after) {
+machine::State with_stiffness(machine::State state, const machine::Model& before, const machine::Model& after) {
   for (std::size_t r = 0; r < after.reevings.size(); ++r) {
     const double was = before.reevings[r].stiffness, is = after.reevings[r].stiffness;
     if (was == is) continue;
-    for (model::BranchState& branch : state.branches[r]) {
+    for (machine::BranchState& branch : state.branches[r]) {
       if (!branch.force) continue;
       const double T = std::hypot(branch.force->H, branch.force->V);
       branch.length *= (1 + T / was) / (1 + T / is);
@@ -129,26 +129,26 @@ model::State with_stiffness(model::State state, const model::Model& before, cons
   return state;
 }
 
-bool is_rough(const System& s, const Evaluation& e) {
+bool is_rough(const mechanics::System& s, const mechanics::Evaluation& e) {
   const double largest = e.largest_force;
-  if (misfit(s, e).force > rough_balance * largest) return true;
+  if (mechanics::misfit(s, e).force > rough_balance * largest) return true;
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
-    const model::Reeving& rope = s.model.reevings[r];
+    const machine::Reeving& rope = s.model.reevings[r];
     const int row = s.layout.ropes[r].row;
-    if (rope.given == model::Given::length || row == s.layout.coordinate_row || row == s.layout.height_row) continue;
+    if (rope.given == machine::Given::length || row == s.layout.coordinate_row || row == s.layout.height_row) continue;
     if (std::abs(e.residual[row]) > rough_balance * std::abs(rope.value)) return true;
   }
   return false;
 }
 
-StiffAnswer with_stiff_ropes(const model::Model& model, const StiffAnswer& near, double coordinate, double softest,
+StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& near, double coordinate, double softest,
                              const EquilibriumOptions& options) {
   StiffAnswer s;
   const double force = force_scale(model, near.layout);
   const double limit = options.tolerance * force / rounded_length;
-  s.layout = with_forces(near.layout, model, limit, std::min(softest, found_by_length * force));
-  const System system{model, s.layout, coordinate};
-  s.c = with_forces(system, near.c, near.e);
+  s.layout = mechanics::with_forces(near.layout, model, limit, std::min(softest, found_by_length * force));
+  const mechanics::System system{model, s.layout, coordinate};
+  s.c = mechanics::with_forces(system, near.c, near.e);
   for (std::size_t k = 0; k < s.c.links.size(); ++k) {
     const double is = model.reevings[at(s.layout.links[k].reeving)].stiffness, was = std::min(softest, is);
     const double T = std::max(0.0, s.c.forces[k].norm());
@@ -161,4 +161,4 @@ StiffAnswer with_stiff_ropes(const model::Model& model, const StiffAnswer& near,
   return s;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -1,36 +1,36 @@
 #pragma once
 #include "taut/solve/rest/newton.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// The largest weight, load or given tension, N: what the stiffness of the ropes is measured by. Without any of them
 /// forces come from stretch alone: what the stiffest rope bears at a strain of 1e-3.
-double force_scale(const model::Model& model, const Layout& layout);
+double force_scale(const machine::Model& model, const mechanics::Layout& layout);
 
 /// Whether a rope stretches so little that its machine is found with softer ropes first.
-bool has_stiff_ropes(const model::Model& model, double force);
+bool has_stiff_ropes(const machine::Model& model, double force);
 
 /// The machine with no rope stiffer than `most`, N.
-model::Model softened(model::Model model, double most);
+machine::Model softened(machine::Model model, double most);
 
 /// A state of a machine for the same one with other stiffnesses: its branches as long as they stretch to now.
-model::State with_stiffness(model::State state, const model::Model& before, const model::Model& after);
+machine::State with_stiffness(machine::State state, const machine::Model& before, const machine::Model& after);
 
 /// Whether the balance, or a tension given, is open by more than 1e-9.
-bool is_rough(const System& system, const Evaluation& e);
+bool is_rough(const mechanics::System& system, const mechanics::Evaluation& e);
 
 /// An answer found by the lengths of all ropes, perhaps of softer ones.
 struct StiffAnswer {
   Outcome outcome;  ///< not ok: why the forces of the ropes as they are could not be found
-  Layout layout;
-  Configuration c;
-  Evaluation e;
+  mechanics::Layout layout;
+  mechanics::Configuration c;
+  mechanics::Evaluation e;
   int steps = 0;
 };
 
 /// The answer beside it with the forces of stiff ropes as unknowns: docs/theory/equilibrium.md. `coordinate`: as of a
 /// System; `softest`: EA of the ropes in `near`, N; infinite: as in the model.
-StiffAnswer with_stiff_ropes(const model::Model& model, const StiffAnswer& near, double coordinate, double softest,
+StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& near, double coordinate, double softest,
                              const EquilibriumOptions& options);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

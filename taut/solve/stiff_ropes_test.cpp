@@ -9,18 +9,18 @@
 namespace stiff_ropes_test {
 
 using namespace taut_test;
+using machine::Prescribed;
 using taut::Status;
-using taut::analysis::equilibrium;
-using taut::analysis::EquilibriumOptions;
-using taut::analysis::EquilibriumResult;
-using taut::analysis::Motion;
-using taut::analysis::Prescribed;
+using taut::solve::equilibrium;
+using taut::solve::EquilibriumOptions;
+using taut::solve::EquilibriumResult;
+using taut::solve::Motion;
 
 constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr double g = 9.80665;
 
-model::Model hanging_body(double off, double length, double weight, double stiffness) {
-  model::Model m;
+machine::Model hanging_body(double off, double length, double weight, double stiffness) {
+  machine::Model m;
   m.bodies.push_back(body("load", {off, 0, -0.8 * length}, 300, "xyz"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("load", 0)}, length, weight, stiffness));
   return m;
@@ -44,7 +44,7 @@ TEST(StiffRopes, BodyOnOneRopeThatDoesNotStretchHangsByItsWeight) {
 TEST(StiffRopes, BodyOnTwoRopesByTheTriangleOfForces) {
   // ropes of 5 and 4 m over 3 m beside and above each other: a right angle at the body
   for (const double stiffness : {1e16, rigid}) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("load", {3, 0, -2}, 100, "xyz"));
     m.reevings.push_back(reeve("long", {anchor("a", {0, 0, 0}), anchor_on("load", 0)}, 4, 0, stiffness));
     m.reevings.push_back(reeve("short", {anchor("b", {5, 0, 0}), anchor_on("load", 0)}, 3, 0, stiffness));
@@ -62,14 +62,14 @@ TEST(StiffRopes, CatenaryThatDoesNotStretchByItsClosedForm) {
   const double c = 120, w = 15;
   for (const double a : {100.0, 1e3, 1e5}) {
     const double length = 2 * a * std::sinh(c / (2 * a)), end = w * a * std::cosh(c / (2 * a));
-    model::Model m;
+    machine::Model m;
     m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {c, 0, 0})}, length, w, rigid));
     EquilibriumResult r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     // the length is rounded to its last digit, and the tension follows the difference of length and chord
     const double rounded = 1e-9 + 1e-16 * length / (length - c);
     EXPECT_NEAR(r.spans[0].T_to / end, 1, rounded);
-    m.reevings[0].given = model::Given::tension_at_end;
+    m.reevings[0].given = machine::Given::tension_at_end;
     m.reevings[0].value = end;
     r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -82,17 +82,17 @@ TEST(StiffRopes, GivenTensionIsMetAtAnyStiffness) {
   EquilibriumOptions options;
   options.motion = Motion::in;
   for (const bool mainline : {false, true}) {
-    for (const auto given : {model::Given::tension_at_start, model::Given::tension_at_end}) {
+    for (const auto given : {machine::Given::tension_at_start, machine::Given::tension_at_end}) {
       double before = 0;
       for (const double stiffness : {1e4, 1e6, 1e8, 1e10, 1e12, 1e14, 1e16, 1e18, rigid}) {
-        model::Model m = with_carriage(mainline);
+        machine::Model m = with_carriage(mainline);
         m.reevings[0].given = given;
         m.reevings[0].value = 123456;
-        for (model::Reeving& rope : m.reevings) rope.stiffness = stiffness;
-        options.prescribed = Prescribed{0, 150};
+        for (machine::Reeving& rope : m.reevings) rope.stiffness = stiffness;
+        options.prescribed = machine::Prescribed{0, 150};
         const EquilibriumResult r = equilibrium(m, options);
         ASSERT_TRUE(r.outcome.ok()) << stiffness << " " << r.outcome.message;
-        const bool start = given == model::Given::tension_at_start;
+        const bool start = given == machine::Given::tension_at_start;
         EXPECT_NEAR((start ? r.spans[0].T_from : r.spans[3].T_to) / 123456, 1, 1e-9) << stiffness;
         EXPECT_LT(r.closure.force, 1e-9 * 123456) << stiffness;
         const double other = start ? r.spans[3].T_to : r.spans[0].T_from;
@@ -112,7 +112,7 @@ TEST(StiffRopes, TackleOfRopeThatDoesNotStretchKeepsTheRatioOfItsSheaves) {
     for (const int falls : {2, 4, 6}) {
       EquilibriumOptions options;
       options.motion = Motion::hoist;
-      model::Model m = tackle(falls, e, 3000, weight);
+      machine::Model m = tackle(falls, e, 3000, weight);
       m.reevings[0].stiffness = rigid;
       const EquilibriumResult r = equilibrium(m, options);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -135,7 +135,7 @@ TEST(StiffRopes, TackleOfRopeThatDoesNotStretchKeepsTheRatioOfItsSheaves) {
 TEST(StiffRopes, RopeShorterThanItsWayIsRefusedWithBothLengths) {
   for (const double weight : {0.0, 10.0}) {
     for (const double lacks : {1e-8, 1e-3, 1.0}) {
-      model::Model m;
+      machine::Model m;
       m.reevings.push_back(
           reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {80, 0, 60})}, 100 - lacks, weight, rigid));
       const EquilibriumResult r = equilibrium(m);
@@ -149,7 +149,7 @@ TEST(StiffRopes, RopeShorterThanItsWayIsRefusedWithBothLengths) {
 }
 
 TEST(StiffRopes, LoadSharedInMoreThanOneWayIsRefused) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("load", {0, 0, -10}, 100, "z"));
   m.reevings.push_back(reeve("left", {anchor("a", {-1, 0, 0}), anchor_on("load", 0)}, 10, 0, rigid));
   m.reevings.push_back(reeve("right", {anchor("b", {1, 0, 0}), anchor_on("load", 0)}, 10, 0, rigid));
@@ -166,7 +166,7 @@ TEST(StiffRopes, LoadSharedInMoreThanOneWayIsRefused) {
 
 TEST(StiffRopes, SlackRopeWithoutWeightCarriesNothing) {
   for (const double stiffness : {1e16, rigid}) {
-    model::Model m = hanging_body(0, 5, 0, rigid);
+    machine::Model m = hanging_body(0, 5, 0, rigid);
     m.reevings.push_back(reeve("loose", {anchor("b", {3, 0, 0}), anchor_on("load", 0)}, 8, 0, stiffness));
     const EquilibriumResult r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -178,9 +178,9 @@ TEST(StiffRopes, SlackRopeWithoutWeightCarriesNothing) {
 
 TEST(StiffRopes, AnswerIsAStartForTheNextOne) {
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
-  model::Model m = with_carriage(true);
-  for (model::Reeving& rope : m.reevings) rope.stiffness = rigid;
+  options.prescribed = machine::Prescribed{0, 150};
+  machine::Model m = with_carriage(true);
+  for (machine::Reeving& rope : m.reevings) rope.stiffness = rigid;
   const EquilibriumResult first = equilibrium(m, options);
   ASSERT_TRUE(first.outcome.ok()) << first.outcome.message;
   const EquilibriumResult again = equilibrium(m, options, first.state);
@@ -192,13 +192,13 @@ TEST(StiffRopes, AnswerIsAStartForTheNextOne) {
 }
 
 TEST(StiffRopes, CarriageThatOnlyAForceHoldsHasNoEquilibriumUnlessItIsHeld) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("car", {30, 0, -1}, 200, "xz"));
   m.reevings.push_back(
       reeve("line", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 0})}, 101, 5, 1e7));
   m.carriages.push_back({"car", 0, 0, 1, -1});
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 30};
+  options.prescribed = machine::Prescribed{0, 30};
   const EquilibriumResult held = equilibrium(m, options);
   ASSERT_TRUE(held.outcome.ok()) << held.outcome.message;
   EXPECT_GT(held.hold.norm(), 10);
@@ -213,7 +213,7 @@ TEST(StiffRopes, CarriageThatOnlyAForceHoldsHasNoEquilibriumUnlessItIsHeld) {
 }
 
 TEST(StiffRopes, MainlineThatHardlyHasToPushIsSlack) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("car", {50, 0, -1}, 200, "xz"));
   m.reevings.push_back(
       reeve("line", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 0})}, 101, 5, 1e7));
@@ -221,13 +221,13 @@ TEST(StiffRopes, MainlineThatHardlyHasToPushIsSlack) {
   m.carriages.push_back({"car", 0, 0, 1, 1});
   EquilibriumOptions options;
   for (const double off : {1e-12, 1e-10, 1e-8}) {
-    options.prescribed = Prescribed{0, 50 - off};
+    options.prescribed = machine::Prescribed{0, 50 - off};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << off << " " << r.outcome.message;
     EXPECT_LT(r.spans[2].T_from, 1e-9 * 200 * g);
     EXPECT_NEAR(r.state.bodies[0].position.x(), 50 - off, 1e-13 * 50);
   }
-  options.prescribed = Prescribed{0, 49};
+  options.prescribed = machine::Prescribed{0, 49};
   EXPECT_EQ(equilibrium(m, options).outcome.status, Status::infeasible);
 }
 

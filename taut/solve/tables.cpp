@@ -7,13 +7,14 @@
 #include "taut/mechanics/rope_load.hpp"
 #include "taut/solve/beam_tables.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
-SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e, std::size_t k) {
-  const Layout::Link& link = s.layout.links[k];
-  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
-  const Branch& b = e.branches[k];
+SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                   std::size_t k) {
+  const mechanics::Layout::Link& link = s.layout.links[k];
+  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const mechanics::Branch& b = e.branches[k];
   SpanResult r;
   r.reeving = link.reeving;
   r.from = link.from;
@@ -27,11 +28,11 @@ SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e,
   r.chord = b.chord.norm();
   const double length = c.links[k].length;  // in this state: at the rope's temperature, of a running rope with its c
   r.unstretched = length / (1 + rope.thermal_strain);
-  r.start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
-  r.end = end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
+  r.start = mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
+  r.end = mechanics::end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
   r.shape = b.span;
   if (rope.weight == 0 && link.force < 0) {
-    if (const auto straight = rope::solve_span(rope_of(rope, length), b.chord)) r.shape = *straight;
+    if (const auto straight = rope::solve_span(mechanics::rope_of(rope, length), b.chord)) r.shape = *straight;
   }
   r.stretched = b.slack ? length : rope::stretched_length(r.shape);
   r.sag = rope::largest_sag(r.shape);
@@ -41,7 +42,7 @@ SpanResult span_of(const System& s, const Configuration& c, const Evaluation& e,
 }
 
 /// How far the end of a branch, at the force told, is from where it should be, m.
-double open_end(const Branch& b) {
+double open_end(const mechanics::Branch& b) {
   if (b.span.rope.weight == 0) return b.closure;
   const rope::ExactEnd end = rope::exact_end(b.span.rope, b.span.force);
   const double x = std::hypot(b.chord.x(), b.chord.y());
@@ -50,13 +51,13 @@ double open_end(const Branch& b) {
 }
 
 /// Whether the rope presses away from what supports it.
-bool pulled(const model::Node& node, const Bend& bend, const Vector3& force) {
+bool pulled(const machine::Node& node, const mechanics::Bend& bend, const Vector3& force) {
   if (node.radius > 0) return bend.wrap < 0;
   return node.support != Vector3::Zero() && force.dot(node.support) > 0;
 }
 
-ContactState state_of(const model::Node& node, const Bend& bend, const Vector3& force, int flow) {
-  if (node.kind != model::NodeKind::contact) return ContactState::held;
+ContactState state_of(const machine::Node& node, const mechanics::Bend& bend, const Vector3& force, int flow) {
+  if (node.kind != machine::NodeKind::contact) return ContactState::held;
   if (pulled(node, bend, force)) return ContactState::pulled;
   const bool turns = node.law.efficiency > 0;
   const bool lossless = node.law.efficiency == 1 || node.law.friction == 0;
@@ -66,10 +67,10 @@ ContactState state_of(const model::Node& node, const Bend& bend, const Vector3& 
   return slips ? ContactState::slipping : ContactState::turning;
 }
 
-ContactResult contact_of(const System& s, const Evaluation& e, int index) {
-  const Layout::Turn& turn = s.layout.turns[at(index)];
-  const Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
-  const model::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation& e, int index) {
+  const mechanics::Layout::Turn& turn = s.layout.turns[at(index)];
+  const mechanics::Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+  const machine::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
   ContactResult r;
   r.reeving = turn.reeving;
   r.node = turn.node;
@@ -84,12 +85,13 @@ ContactResult contact_of(const System& s, const Evaluation& e, int index) {
   return r;
 }
 
-void fill_rope_loads(const System& s, const Configuration& c, const Evaluation& e, EquilibriumResult& result) {
+void fill_rope_loads(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                     EquilibriumResult& result) {
   for (int i = 0; i < static_cast<int>(s.layout.turns.size()); ++i) {
-    const Layout::Turn& turn = s.layout.turns[at(i)];
-    const model::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
-    if (node.kind != model::NodeKind::load) continue;
-    const Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+    const mechanics::Layout::Turn& turn = s.layout.turns[at(i)];
+    const machine::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+    if (node.kind != machine::NodeKind::load) continue;
+    const mechanics::Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
     RopeLoadResult r;
     r.reeving = turn.reeving;
     r.node = turn.node;
@@ -102,10 +104,11 @@ void fill_rope_loads(const System& s, const Configuration& c, const Evaluation& 
   }
 }
 
-void fill_contacts(const System& s, const Evaluation& e, const model::State& state, EquilibriumResult& result) {
+void fill_contacts(const mechanics::System& s, const mechanics::Evaluation& e, const machine::State& state,
+                   EquilibriumResult& result) {
   int turn = 0;
   for (int r = 0; r < static_cast<int>(s.model.reevings.size()); ++r) {
-    const model::Reeving& rope = s.model.reevings[at(r)];
+    const machine::Reeving& rope = s.model.reevings[at(r)];
     const int last = static_cast<int>(rope.nodes.size()) - (rope.closed ? 0 : 1);
     for (int n = rope.closed ? 0 : 1; n < last; ++n) {
       if (state.touched[at(r)][at(n)]) {
@@ -121,9 +124,9 @@ void fill_contacts(const System& s, const Evaluation& e, const model::State& sta
   }
 }
 
-void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result) {
+void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, EquilibriumResult& result) {
   for (std::size_t r = 0; r < s.model.reevings.size(); ++r) {
-    const Layout::Rope& rope = s.layout.ropes[r];
+    const mechanics::Layout::Rope& rope = s.layout.ropes[r];
     RopeResult row;
     row.span = rope.first;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
@@ -135,7 +138,8 @@ void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result)
       row.T_max = std::max(span.T_from, span.T_to);
     }
     double on_rounds = 0;
-    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) on_rounds += arc(s, e, t).length;
+    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t)
+      on_rounds += mechanics::arc(s, e, t).length;
     row.unstretched += on_rounds / (1 + s.model.reevings[r].thermal_strain);
     const double breaks = s.model.reevings[r].breaking_force;
     row.safety_factor = breaks > 0 && row.T_max > 0 ? breaks / row.T_max : 0;
@@ -144,9 +148,9 @@ void fill_ropes(const System& s, const Evaluation& e, EquilibriumResult& result)
 }
 
 /// What is left of a force across the directions in which a body is free to move.
-Vector3 across_freedoms(const model::Body& body, Vector3 force) {
+Vector3 across_freedoms(const machine::Body& body, Vector3 force) {
   std::vector<Vector3> basis;
-  for (const model::Freedom& way : body.free) {
+  for (const machine::Freedom& way : body.free) {
     Vector3 d = way.along;
     for (const Vector3& b : basis) d -= b * b.dot(d);
     if (d.norm() > 1e-9) basis.push_back(d.normalized());
@@ -156,24 +160,25 @@ Vector3 across_freedoms(const model::Body& body, Vector3 force) {
 }
 
 /// Reactions, and all forces on the machine from outside together.
-void fill_balance(const System& s, const Configuration& c, const Evaluation& e, EquilibriumResult& result) {
+void fill_balance(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                  EquilibriumResult& result) {
   std::vector<Vector3> on_body(s.model.bodies.size(), Vector3::Zero());
   Vector3 outside = Vector3::Zero();
   const auto act = [&](int body, const Vector3& force) {
-    if (body == model::ground) {
+    if (body == machine::ground) {
       outside -= force;
     } else {
       on_body[at(body)] += force;
     }
   };
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const Branch& b = e.branches[k];
+    const mechanics::Branch& b = e.branches[k];
     if (b.slack) continue;
-    const Layout::Link& link = s.layout.links[k];
-    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const mechanics::Layout::Link& link = s.layout.links[k];
+    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
     act(rope.nodes[at(link.from)].at.body, rope.copies * b.pull_from);
     act(rope.nodes[at(link.to)].at.body, -rope.copies * b.pull_to);
-    outside -= rope.copies * rope_of(rope, 1).weight * c.links[k].length * up();
+    outside -= rope.copies * mechanics::rope_of(rope, 1).weight * c.links[k].length * up();
   }
   act_beams(s, c, act, outside);
   const auto dead = [&](int body, const Vector3& force) {
@@ -183,11 +188,11 @@ void fill_balance(const System& s, const Configuration& c, const Evaluation& e, 
   for (std::size_t b = 0; b < on_body.size(); ++b) {
     dead(static_cast<int>(b), -s.model.bodies[b].mass * s.model.gravity * up());
   }
-  for (const model::Load& load : s.model.loads) {
-    if (load.at.body != model::ground) dead(load.at.body, load.force);
+  for (const machine::Load& load : s.model.loads) {
+    if (load.at.body != machine::ground) dead(load.at.body, load.force);
   }
   for (const RopeLoadResult& load : result.rope_loads) {
-    const model::Reeving& rope = s.model.reevings[at(load.reeving)];
+    const machine::Reeving& rope = s.model.reevings[at(load.reeving)];
     dead(rope.nodes[at(load.node)].at.body, rope.copies * load.force);
   }
   if (s.layout.hold >= 0) {
@@ -203,18 +208,18 @@ void fill_balance(const System& s, const Configuration& c, const Evaluation& e, 
 
 }  // namespace
 
-void fill_tables(const System& s, const Configuration& c, const Evaluation& e, const model::State& state,
-                 EquilibriumResult& result) {
+void fill_tables(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                 const machine::State& state, EquilibriumResult& result) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) result.spans.push_back(span_of(s, c, e, k));
   fill_contacts(s, e, state, result);
   fill_rope_loads(s, c, e, result);
   fill_ropes(s, e, result);
   fill_balance(s, c, e, result);
   result.beams = beam_results(s, c);
-  const Misfit m = misfit(s, e);
+  const mechanics::Misfit m = mechanics::misfit(s, e);
   result.closure.rope = m.length;
-  for (const Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));
+  for (const mechanics::Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));
   result.closure.force = m.force;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -1,10 +1,10 @@
 #pragma once
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// Fills spans, contacts, ropes, reactions, hold and closure of a solved configuration. `touched` as in the state.
-void fill_tables(const System& system, const Configuration& c, const Evaluation& e, const model::State& state,
-                 EquilibriumResult& result);
+void fill_tables(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                 const machine::State& state, EquilibriumResult& result);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -6,11 +6,11 @@
 
 #include "test/support/machines.hpp"
 
-namespace taut::analysis::tables_test {
+namespace taut::solve::tables_test {
 
 using namespace taut_test;
 
-EquilibriumResult solved(const model::Model& m, Motion motion = Motion::in) {
+EquilibriumResult solved(const machine::Model& m, Motion motion = Motion::in) {
   EquilibriumOptions options;
   options.motion = motion;
   EquilibriumResult r = equilibrium(m, options);
@@ -19,7 +19,7 @@ EquilibriumResult solved(const model::Model& m, Motion motion = Motion::in) {
 }
 
 TEST(Tables, WhatHoldsTheEndsAndSupportsCarriesTheRope) {
-  const model::Model m = three_spans(316, 0.15);
+  const machine::Model m = three_spans(316, 0.15);
   const EquilibriumResult r = solved(m);
   Vector3 sum = Vector3::Zero();
   double free = 0;
@@ -36,7 +36,7 @@ TEST(Tables, UnstretchedIsTheSameOfSpansAndRopes) {
   // cold, warm, and the rope on rounds and on points
   for (const double strain : {-6e-4, 0.0, 6e-4}) {
     for (const double radius : {0.0, 0.6}) {
-      model::Model m = three_spans(316, 0.15);
+      machine::Model m = three_spans(316, 0.15);
       m.reevings[0].thermal_strain = strain;
       for (std::size_t k = 1; k + 1 < m.reevings[0].nodes.size(); ++k) m.reevings[0].nodes[k].radius = radius;
       const EquilibriumResult r = solved(m);
@@ -75,7 +75,7 @@ TEST(Tables, ASpansRowIsItsShape) {
 }
 
 TEST(Tables, ARopesRowIsTheWorstOfItsSpans) {
-  model::Model m = with_carriage(true);
+  machine::Model m = with_carriage(true);
   m.reevings[0].breaking_force = 300e3;
   const EquilibriumResult r = solved(m);
   double most = 0;
@@ -90,7 +90,7 @@ TEST(Tables, ARopesRowIsTheWorstOfItsSpans) {
 }
 
 TEST(Tables, AReactionIsWhatFixedDirectionsTake) {
-  model::Model m = tackle(4, 1, 3000);
+  machine::Model m = tackle(4, 1, 3000);
   m.bodies[0].free.pop_back();  // the block on a vertical... slide along x only
   m.bodies[0].position = {0, 0, 5};
   const EquilibriumResult r = solved(m, Motion::at_rest);
@@ -103,4 +103,4 @@ TEST(Tables, AReactionIsWhatFixedDirectionsTake) {
   EXPECT_NEAR(r.reactions[0].x(), 0, 1e-6);
 }
 
-}  // namespace taut::analysis::tables_test
+}  // namespace taut::solve::tables_test

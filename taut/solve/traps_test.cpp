@@ -10,11 +10,11 @@
 namespace traps_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// A loaded line of two spans, its ends and its middle support at the heights told.
-model::Model line(double start, double middle, double end) {
-  model::Model m;
+machine::Model line(double start, double middle, double end) {
+  machine::Model m;
   m.bodies.push_back(body("car", {60, 0, (start + middle) / 2 - 4}, 1500, "xyz"));
   m.reevings.push_back(reeve("skyline",
                              {anchor("a", {0, 0, start}), over("car", origin, 0), saddle("mid", {120, 0, middle}, 0),
@@ -25,9 +25,9 @@ model::Model line(double start, double middle, double end) {
   return m;
 }
 
-EquilibriumResult solved(const model::Model& m) {
+EquilibriumResult solved(const machine::Model& m) {
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 60};
+  options.prescribed = machine::Prescribed{0, 60};
   const EquilibriumResult r = equilibrium(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   return r;
@@ -83,12 +83,12 @@ TEST(Traps, HeightOfTheLoadBelongsToItsTensions) {
 /// tension is that of the length given, not of one a centimetre away.
 TEST(Traps, LengthClosesFarBelowACentimetre) {
   for (const auto& h : heights) {
-    const model::Model m = line(h[0], h[1], h[2]);
+    const machine::Model m = line(h[0], h[1], h[2]);
     const EquilibriumResult r = solved(m);
     double length = 0;
     for (const SpanResult& s : r.spans) length += s.unstretched;
     EXPECT_NEAR(length, m.reevings[0].value, 1e-9);
-    model::Model longer = m;
+    machine::Model longer = m;
     longer.reevings[0].value += 0.01;
     const double change = r.ropes[0].T_max / solved(longer).ropes[0].T_max - 1;
     EXPECT_GT(change, 5e-4);

@@ -11,7 +11,7 @@
 namespace witness_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// A plane chain of springs and lumped weights from (0, 0), hung up by its first tension (H, V), with one load.
 struct Chain {
@@ -55,10 +55,10 @@ struct Chain {
 TEST(Witness, ClampedCarriageOnALumpedChain) {
   for (const double part : {0.2, 0.5, 0.8}) {
     const double length = 262, weight = 21, stiffness = 26.6e6;
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("car", {250 * part, 0, 102 * part - 8}, 2000, "xz"));
-    model::Node car = over("car", origin, 0);
-    car.kind = model::NodeKind::clamp;
+    machine::Node car = over("car", origin, 0);
+    car.kind = machine::NodeKind::clamp;
     car.length_before = part * length;
     m.reevings.push_back(
         reeve("skyline", {anchor("head", {0, 0, 0}), car, anchor("tail", {240, 0, 102})}, length, weight, stiffness));
@@ -83,13 +83,13 @@ TEST(Witness, ClampedCarriageOnALumpedChain) {
 }
 
 TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("car", {100, 0, 30}, 1500, "xz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 0}), over("car", origin, 0), anchor("tail", {240, 0, 102})}, 262, 21, 26.6e6));
   m.carriages.push_back({"car", 0, 0, 1, -1});
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 90};
+  options.prescribed = machine::Prescribed{0, 90};
   const EquilibriumResult r = equilibrium(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.spans[0].T_to / r.spans[1].T_from, 1, 1e-10);
@@ -110,14 +110,14 @@ TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
 }
 
 /// Elastic and gravitational energy of a machine of points, by quadrature along every rope.
-double energy(const model::Model& m, const std::vector<SpanResult>& spans, const std::vector<double>& lengths,
-              const model::State& state) {
+double energy(const machine::Model& m, const std::vector<SpanResult>& spans, const std::vector<double>& lengths,
+              const machine::State& state) {
   double sum = 0;
   for (std::size_t b = 0; b < m.bodies.size(); ++b) sum += m.bodies[b].mass * m.gravity * state.bodies[b].position.z();
   for (std::size_t k = 0; k < spans.size(); ++k) {
-    const model::Reeving& r = m.reevings[static_cast<std::size_t>(spans[k].reeving)];
-    const Vector3 from = model::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].from)].at);
-    const Vector3 to = model::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].to)].at);
+    const machine::Reeving& r = m.reevings[static_cast<std::size_t>(spans[k].reeving)];
+    const Vector3 from = machine::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].from)].at);
+    const Vector3 to = machine::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].to)].at);
     const taut::rope::CatenaryRope rope{lengths[k], r.weight, r.stiffness};
     const auto span = taut::rope::solve_span(rope, to - from);
     EXPECT_TRUE(span.has_value());
@@ -133,7 +133,7 @@ double energy(const model::Model& m, const std::vector<SpanResult>& spans, const
 }
 
 TEST(Witness, EnergyIsStationaryWithoutFriction) {
-  const model::Model m = with_carriage(true, 0);
+  const machine::Model m = with_carriage(true, 0);
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   std::vector<double> lengths;
@@ -152,7 +152,7 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
   }
   // the carriage moved
   for (int axis = 0; axis < 3; ++axis) {
-    model::State ahead = r.state, back = r.state;
+    machine::State ahead = r.state, back = r.state;
     ahead.bodies[0].position[axis] += h;
     back.bodies[0].position[axis] -= h;
     const double slope = (energy(m, r.spans, lengths, ahead) - energy(m, r.spans, lengths, back)) / (2 * h);
@@ -174,17 +174,17 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b, dou
 }
 
 /// The machine in a frame turned, mirrored or scaled: `M` orthogonal times a scale.
-model::Model transformed(model::Model m, const taut::Matrix3& M) {
+machine::Model transformed(machine::Model m, const taut::Matrix3& M) {
   const double mirror = M.determinant() < 0 ? -1 : 1;
   const double scale = std::cbrt(std::abs(M.determinant()));
-  for (model::Body& b : m.bodies) {
+  for (machine::Body& b : m.bodies) {
     b.position = M * b.position;
-    for (model::Freedom& way : b.free) way.along = M / scale * way.along;
+    for (machine::Freedom& way : b.free) way.along = M / scale * way.along;
   }
-  for (model::Reeving& r : m.reevings) {
+  for (machine::Reeving& r : m.reevings) {
     r.value *= scale;
     r.weight /= scale;
-    for (model::Node& n : r.nodes) {
+    for (machine::Node& n : r.nodes) {
       n.at.at = M * n.at.at;
       n.radius *= scale;
       n.axis = mirror / scale * (M * n.axis);
@@ -196,7 +196,7 @@ model::Model transformed(model::Model m, const taut::Matrix3& M) {
 TEST(Witness, SameAnswerMirroredTurnedAndInOtherUnits) {
   const taut::Matrix3 mirror = Vector3(-1, 1, 1).asDiagonal();
   const taut::Matrix3 turned = Eigen::AngleAxisd(0.7, Vector3::UnitZ()).toRotationMatrix();
-  for (const model::Model& m : {with_carriage(true), tackle(6, 0.97, 3000, 8), tackle(3, 0.96, 2000)}) {
+  for (const machine::Model& m : {with_carriage(true), tackle(6, 0.97, 3000, 8), tackle(3, 0.96, 2000)}) {
     for (const Motion motion : {Motion::at_rest, Motion::hoist, Motion::lower}) {
       EquilibriumOptions options;
       options.motion = motion;
@@ -209,23 +209,23 @@ TEST(Witness, SameAnswerMirroredTurnedAndInOtherUnits) {
 }
 
 TEST(Witness, SameAnswerWithTheRopeRunTheOtherWay) {
-  for (const model::Model& m : {with_carriage(true), tackle(4, 0.97, 3000, 8)}) {
-    model::Model back = m;
-    model::Reeving& r = back.reevings[0];
+  for (const machine::Model& m : {with_carriage(true), tackle(4, 0.97, 3000, 8)}) {
+    machine::Model back = m;
+    machine::Reeving& r = back.reevings[0];
     std::reverse(r.nodes.begin(), r.nodes.end());
-    for (model::Node& n : r.nodes) n.side = -n.side;
+    for (machine::Node& n : r.nodes) n.side = -n.side;
     r.haul = -r.haul;
     EquilibriumOptions options;
     options.motion = Motion::hoist;
     auto T = tensions(equilibrium(m, options));
     const auto B = tensions(equilibrium(back, options));
-    std::reverse(T.begin(), T.begin() + std::ptrdiff_t{2} * model::branch_count(r));
+    std::reverse(T.begin(), T.begin() + std::ptrdiff_t{2} * machine::branch_count(r));
     expect_same(T, B);
   }
 }
 
 TEST(Witness, EndsNeedNotBeOrderedLowToHigh) {
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve(
       "rope", {anchor("high", {0, 0, 60}), saddle("mid", {80, 0, 10}, 0), anchor("end", {150, 0, 35})}, 180, 12, 1e7));
   const EquilibriumResult r = equilibrium(m);

@@ -8,26 +8,26 @@
 
 #include "taut/machine/compile/carriage_span.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
-const model::Node* support_at(const model::Model& model, int carriage, double x, const Vector3& along) {
-  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  for (const model::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
-    if (node.at.body == model::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
+const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along) {
+  const machine::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
+  for (const machine::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
+    if (node.at.body == machine::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
       return &node;
   }
   return nullptr;
 }
 
-std::vector<WayPart> parts_of(const model::Model& model, const Way& way) {
-  const auto node = [&](const model::Model& m) { return m.carriages[static_cast<std::size_t>(way.carriage)].node; };
+std::vector<WayPart> parts_of(const machine::Model& model, const Way& way) {
+  const auto node = [&](const machine::Model& m) { return m.carriages[static_cast<std::size_t>(way.carriage)].node; };
   std::vector<WayPart> parts;
   for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
-    WayPart part{model::with_carriage_at(model, way.carriage, way.x(i), way.along), i, i,
+    WayPart part{machine::with_carriage_at(model, way.carriage, way.x(i), way.along), i, i,
                  support_at(model, way.carriage, way.x(i), way.along)};
     while (part.support == nullptr && part.last < way.steps &&
            support_at(model, way.carriage, way.x(part.last + 1), way.along) == nullptr &&
-           node(model::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along)) == node(part.model)) {
+           node(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along)) == node(part.model)) {
       ++part.last;
     }
     parts.push_back(std::move(part));
@@ -35,8 +35,8 @@ std::vector<WayPart> parts_of(const model::Model& model, const Way& way) {
   return parts;
 }
 
-analysis::LoadPathOptions path_over(const Way& way, const WayPart& part) {
-  analysis::LoadPathOptions options;
+study::LoadPathOptions path_over(const Way& way, const WayPart& part) {
+  study::LoadPathOptions options;
   options.carriage = way.carriage;
   options.from = way.x(part.first);
   options.to = way.x(part.last);
@@ -51,11 +51,11 @@ Vector3 direction_of(const std::vector<double>& along, const std::string& path, 
   return Vector3::UnitX();
 }
 
-void check_hold(const model::Model& model, int carriage, std::vector<Complaint>& complaints) {
+void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints) {
   if (carriage < 0) return;
-  const model::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  const auto rope = [&](int i) -> const model::Reeving& { return model.reevings[static_cast<std::size_t>(i)]; };
-  const auto by_length = [&](int i) { return i >= 0 && rope(i).given == model::Given::length; };
+  const machine::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
+  const auto rope = [&](int i) -> const machine::Reeving& { return model.reevings[static_cast<std::size_t>(i)]; };
+  const auto by_length = [&](int i) { return i >= 0 && rope(i).given == machine::Given::length; };
   if (!by_length(car.mainline) || !by_length(car.haulback) || car.grip_reeving >= 0) return;
   const std::string at = fmt::format("machine.carriages.{}.haulback", car.name);
   if (std::any_of(complaints.begin(), complaints.end(), [&](const auto& c) { return c.path == at; })) return;
@@ -65,4 +65,4 @@ void check_hold(const model::Model& model, int carriage, std::vector<Complaint>&
                        car.name, rope(car.haulback).name, rope(car.mainline).name)});
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -13,25 +13,28 @@
 
 namespace carriages_test {
 
+namespace mechanics = taut::mechanics;
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::study;
 
 constexpr double g = 9.80665;
 
-EquilibriumResult placed(const model::Model& m, double x) {
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, x};
-  EquilibriumResult r = equilibrium(m, options);
+solve::EquilibriumResult placed(const machine::Model& m, double x) {
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, x};
+  solve::EquilibriumResult r = solve::equilibrium(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   return r;
 }
 
 TEST(Rollers, AsTheyComeTogetherTheyAreOne) {
-  const EquilibriumResult one = placed(rollers(1, 0, 0, 1500), 60);
+  const solve::EquilibriumResult one = placed(rollers(1, 0, 0, 1500), 60);
   double before = 0;
   for (const double wheelbase : {0.4, 0.2, 0.1, 1e-3}) {
     for (const int count : {2, 3}) {
-      const EquilibriumResult r = placed(rollers(count, wheelbase, 0, 1500), 60);
+      const solve::EquilibriumResult r = placed(rollers(count, wheelbase, 0, 1500), 60);
       const double off = std::abs(r.ropes[0].T_max / one.ropes[0].T_max - 1);
       // the span grows shorter by the wheelbase: first order
       EXPECT_LT(off, 0.05 * wheelbase);
@@ -41,7 +44,7 @@ TEST(Rollers, AsTheyComeTogetherTheyAreOne) {
       if (count == 2) before = off;
       EXPECT_NEAR(r.hold.x() / one.hold.x(), 1, 0.05 * wheelbase);
       double wrap = 0;
-      for (const ContactResult& c : r.contacts) wrap += c.wrap;
+      for (const solve::ContactResult& c : r.contacts) wrap += c.wrap;
       EXPECT_NEAR(wrap, one.contacts[0].wrap, 0.02 * wheelbase);
     }
   }
@@ -50,8 +53,8 @@ TEST(Rollers, AsTheyComeTogetherTheyAreOne) {
 TEST(Rollers, BalanceOfForcesAndMomentsByHand) {
   // every force that acts on the carriage, from the tables alone
   for (const double height : {0.0, 0.4}) {
-    const model::Model m = rollers(3, 1.2, height, 900);
-    const EquilibriumResult r = placed(m, 100);
+    const machine::Model m = rollers(3, 1.2, height, 900);
+    const solve::EquilibriumResult r = placed(m, 100);
     const auto& pose = r.state.bodies[0];
     Vector3 force = -900 * g * Vector3::UnitZ() + r.hold, moment = Vector3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -73,8 +76,8 @@ TEST(Rollers, BalanceOfForcesAndMomentsByHand) {
 TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
   // level span, load in the middle, two rollers: by symmetry each leg carries half the weight, the piece between lies
   // level
-  model::Model m;
-  model::Body car = body("car", {50, 0, -5}, 1000, "xyz");
+  machine::Model m;
+  machine::Body car = body("car", {50, 0, -5}, 1000, "xyz");
   car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
   m.bodies.push_back(car);
   m.reevings.push_back(reeve(
@@ -82,7 +85,7 @@ TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
       {anchor("a", {0, 0, 0}), over("car", {-1, 0, 0.3}, 0), over("car", {1, 0, 0.3}, 0), anchor("b", {100, 0, 0})},
       101, 0, 2e7));
   m.carriages.push_back({"car", 0, 0, 1, -1, 2});
-  const EquilibriumResult r = placed(m, 50);
+  const solve::EquilibriumResult r = placed(m, 50);
   const double T = r.spans[1].T_from, depth = -r.state.bodies[0].position.z() - 0.3;
   const double leg = std::hypot(49, depth);
   EXPECT_NEAR(2 * T * depth / leg, 1000 * g, 1e-5);
@@ -93,22 +96,23 @@ TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
 }
 
 TEST(Rollers, ALoadOutsideThemLiftsTheOtherOne) {
-  model::Model m = rollers(2, 0.6, 0.2, 0, 0);
+  machine::Model m = rollers(2, 0.6, 0.2, 0, 0);
   m.loads.push_back({{0, {0.1, 0, -0.3}}, {0, 0, -8000}});
-  EquilibriumResult r = placed(m, 75);
-  EXPECT_EQ(r.contacts[0].state, ContactState::turning);
-  EXPECT_EQ(r.contacts[1].state, ContactState::turning);
+  solve::EquilibriumResult r = placed(m, 75);
+  EXPECT_EQ(r.contacts[0].state, solve::ContactState::turning);
+  EXPECT_EQ(r.contacts[1].state, solve::ContactState::turning);
   // pushed forward at its lower end: it would tip up over its rear roller
   m.loads[0] = {{0, {0, 0, -1.5}}, {-2500, 0, -3000}};
   r = placed(m, 75);
-  EXPECT_EQ(r.contacts[0].state == ContactState::pulled || r.contacts[1].state == ContactState::pulled, true);
+  EXPECT_EQ(r.contacts[0].state == solve::ContactState::pulled || r.contacts[1].state == solve::ContactState::pulled,
+            true);
   EXPECT_TRUE(r.contacts[0].wrap < 0 || r.contacts[1].wrap < 0);
 }
 
 /// The derivative of the machine's energy by a displacement, at fixed rope lengths, is 0: elastic energy, weights.
 TEST(Rollers, TheAnswerIsStationaryInEnergy) {
-  const model::Model m = rollers(2, 1, 0.5, 1200);
-  EquilibriumResult r = placed(m, 60);
+  const machine::Model m = rollers(2, 1, 0.5, 1200);
+  solve::EquilibriumResult r = placed(m, 60);
   const Vector3 hold = r.hold;
   const auto energy = [&](double dx, double dz, double turn) {
     const Vector3 origin_at = r.state.bodies[0].position + Vector3(dx, 0, dz);
@@ -139,17 +143,17 @@ TEST(Rollers, TheAnswerIsStationaryInEnergy) {
 }
 
 /// A skyline with a carriage that is fixed to an endless haul rope from a drive at the head to a wheel at the tail.
-model::Model hauled(double rise, double friction) {
-  model::Model m;
+machine::Model hauled(double rise, double friction) {
+  machine::Model m;
   m.bodies.push_back(body("car", {80, 0, 10}, 1500, "xyz"));
-  model::Node wheels = over("car", origin, 0);
-  wheels.law = friction > 0 ? model::ContactLaw{friction, 0} : model::ContactLaw{};
+  machine::Node wheels = over("car", origin, 0);
+  wheels.law = friction > 0 ? machine::ContactLaw{friction, 0} : machine::ContactLaw{};
   m.reevings.push_back(reeve("skyline", {anchor("head", {0, 0, 20}), wheels, anchor("tail", {200, 0, 20 + rise})},
                              203 + rise * rise / 400, 17, 26e6));
-  model::Node drive = sheave("drive", {0, 0, 17}, 0.5, -1);
-  drive.kind = model::NodeKind::drive;
-  model::Node grip = anchor_on("car", 0);
-  grip.kind = model::NodeKind::clamp;
+  machine::Node drive = sheave("drive", {0, 0, 17}, 0.5, -1);
+  drive.kind = machine::NodeKind::drive;
+  machine::Node grip = anchor_on("car", 0);
+  grip.kind = machine::NodeKind::clamp;
   grip.length_before = 80;
   m.reevings.push_back(reeve("haul", {drive, grip, sheave("wheel", {200, 0, 17 + rise}, 0.5, -1, 0.96)},
                              2 * std::hypot(200, rise) + 8, 7, 8e6));
@@ -161,9 +165,9 @@ model::Model hauled(double rise, double friction) {
 
 TEST(FixedTo, TheHaulRopeBearsWhatTheTrackDoesNot) {
   for (const double rise : {0.0, 60.0, -60.0}) {
-    const EquilibriumResult r = placed(hauled(rise, 0), 80);
-    const ContactResult &wheels = r.contacts[0], &grip = r.contacts[1].node == 0 ? r.contacts[2] : r.contacts[1];
-    ASSERT_EQ(grip.state, ContactState::held);
+    const solve::EquilibriumResult r = placed(hauled(rise, 0), 80);
+    const solve::ContactResult &wheels = r.contacts[0], &grip = r.contacts[1].node == 0 ? r.contacts[2] : r.contacts[1];
+    ASSERT_EQ(grip.state, solve::ContactState::held);
     EXPECT_NEAR(wheels.T_in, wheels.T_out, 1e-4);
     const Vector3 sum = wheels.force + grip.force - 1500 * g * Vector3::UnitZ();
     EXPECT_LT(sum.norm(), 1e-4);
@@ -174,80 +178,80 @@ TEST(FixedTo, TheHaulRopeBearsWhatTheTrackDoesNot) {
 }
 
 TEST(FixedTo, FoundAgainByTheLengthBeforeTheGrip) {
-  model::Model m = hauled(40, 0.02);
-  EquilibriumOptions options;
-  options.motion = Motion::in;
-  options.prescribed = Prescribed{0, 130};
-  const EquilibriumResult at = equilibrium(m, options);
+  machine::Model m = hauled(40, 0.02);
+  solve::EquilibriumOptions options;
+  options.motion = solve::Motion::in;
+  options.prescribed = machine::Prescribed{0, 130};
+  const solve::EquilibriumResult at = solve::equilibrium(m, options);
   ASSERT_TRUE(at.outcome.ok()) << at.outcome.message;
   double before = 0;
-  for (const SpanResult& s : at.spans) {
+  for (const solve::SpanResult& s : at.spans) {
     if (s.reeving == 1 && s.from == 0) before = s.unstretched;
   }
   // it counts from where the rope arrives at its drive
-  for (const ContactResult& c : at.contacts) {
+  for (const solve::ContactResult& c : at.contacts) {
     if (c.reeving == 1 && c.node == 0) {
-      before += arc_length({.radius = 0.5,
-                            .wrap = c.wrap,
-                            .T_in = c.T_in,
-                            .T_out = c.T_out,
-                            .stiffness = 8e6,
-                            .friction = m.reevings[1].nodes[0].law.friction,
-                            .flow = 1})
+      before += mechanics::arc_length({.radius = 0.5,
+                                       .wrap = c.wrap,
+                                       .T_in = c.T_in,
+                                       .T_out = c.T_out,
+                                       .stiffness = 8e6,
+                                       .friction = m.reevings[1].nodes[0].law.friction,
+                                       .flow = 1})
                     .length;
     }
   }
   m.reevings[1].nodes[1].length_before = before;
   options.prescribed.reset();
-  const EquilibriumResult again = equilibrium(m, options);
+  const solve::EquilibriumResult again = solve::equilibrium(m, options);
   ASSERT_TRUE(again.outcome.ok()) << again.outcome.message;
   EXPECT_NEAR(again.state.bodies[0].position.x(), 130, 1e-7);
   EXPECT_NEAR(again.ropes[0].T_max / at.ropes[0].T_max, 1, 1e-9);
 }
 
 TEST(Haulback, WhatGivesWayIsTheMainlineOrTheHaulbacksLength) {
-  model::Model m = with_carriage(true, 0);
+  machine::Model m = with_carriage(true, 0);
   m.reevings.push_back(reeve("haulback", {anchor("tail block", {0, 0, 12}), anchor_on("car", 0)}, 0, 4, 4e6));
-  m.reevings[2].given = model::Given::tension_at_start;
+  m.reevings[2].given = machine::Given::tension_at_start;
   m.reevings[2].value = 15e3;
   m.carriages[0].haulback = 2;
-  const EquilibriumResult by_pull = placed(m, 150);
+  const solve::EquilibriumResult by_pull = placed(m, 150);
   EXPECT_NEAR(by_pull.spans.back().T_from, 15e3, 1e-5);
   // its length given instead: the same machine
-  m.reevings[2].given = model::Given::length;
+  m.reevings[2].given = machine::Given::length;
   m.reevings[2].value = by_pull.ropes[2].unstretched;
   m.reevings[1].value = by_pull.ropes[1].unstretched;
-  const EquilibriumResult by_lengths = equilibrium(m);
+  const solve::EquilibriumResult by_lengths = solve::equilibrium(m);
   ASSERT_TRUE(by_lengths.outcome.ok()) << by_lengths.outcome.message;
   EXPECT_NEAR(by_lengths.state.bodies[0].position.x(), 150, 1e-6);
   // the mainline's pull given: the haulback's length follows
-  m.reevings[1].given = model::Given::tension_at_start;
-  for (const SpanResult& s : by_pull.spans) {
+  m.reevings[1].given = machine::Given::tension_at_start;
+  for (const solve::SpanResult& s : by_pull.spans) {
     if (s.reeving == 1) m.reevings[1].value = s.T_from;
   }
   m.reevings[2].value = 100;
-  const EquilibriumResult by_mainline = placed(m, 150);
+  const solve::EquilibriumResult by_mainline = placed(m, 150);
   EXPECT_NEAR(by_mainline.ropes[2].unstretched, by_pull.ropes[2].unstretched, 1e-6);
 }
 
 /// A carriage locked on the skyline while its mainline pulls: the place of the lock follows from x, the pull stays.
 TEST(Locked, TheClampGivesWayAndTheMainlineKeepsItsPull) {
-  model::Model m = with_carriage(true, 0);
-  m.reevings[0].nodes[2].kind = model::NodeKind::clamp;
+  machine::Model m = with_carriage(true, 0);
+  m.reevings[0].nodes[2].kind = machine::NodeKind::clamp;
   m.reevings[0].nodes[2].length_before = 150;
-  m.reevings[1].given = model::Given::tension_at_start;
+  m.reevings[1].given = machine::Given::tension_at_start;
   m.reevings[1].value = 9e3;
-  const EquilibriumResult r = placed(m, 150);
-  for (const SpanResult& s : r.spans) {
+  const solve::EquilibriumResult r = placed(m, 150);
+  for (const solve::SpanResult& s : r.spans) {
     if (s.reeving == 1) {
       EXPECT_NEAR(s.T_from, 9e3, 1e-5);
     }
   }
   EXPECT_NEAR(r.ropes[0].unstretched, 318, 1e-9);
   double before = 0;
-  for (const SpanResult& s : r.spans) before += s.reeving == 0 && s.from < 2 ? s.unstretched : 0;
+  for (const solve::SpanResult& s : r.spans) before += s.reeving == 0 && s.from < 2 ? s.unstretched : 0;
   m.reevings[0].nodes[2].length_before = before;
-  const EquilibriumResult again = equilibrium(m);
+  const solve::EquilibriumResult again = solve::equilibrium(m);
   ASSERT_TRUE(again.outcome.ok()) << again.outcome.message;
   EXPECT_NEAR(again.state.bodies[0].position.x(), 150, 1e-6);
 }
@@ -284,10 +288,10 @@ TEST(AnyDirection, ALineTurnedInPlanHasTheSameNumbers) {
 }
 
 TEST(AnyDirection, EndsSwapped) {
-  const model::Model m = rollers(3, 1, 0.3, 1000);
-  model::Model back = m;
+  const machine::Model m = rollers(3, 1, 0.3, 1000);
+  machine::Model back = m;
   std::reverse(back.reevings[0].nodes.begin(), back.reevings[0].nodes.end());
-  const EquilibriumResult a = placed(m, 45), b = placed(back, 45);
+  const solve::EquilibriumResult a = placed(m, 45), b = placed(back, 45);
   EXPECT_NEAR(a.ropes[0].T_max / b.ropes[0].T_max, 1, 1e-11);
   EXPECT_NEAR((a.hold - b.hold).norm() / a.hold.norm(), 0, 1e-9);
   EXPECT_NEAR(a.contacts[0].wrap, b.contacts[2].wrap, 1e-10);

@@ -7,16 +7,16 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
-bool touches(const model::Reeving& rope, const std::vector<bool>& bodies) {
+bool touches(const machine::Reeving& rope, const std::vector<bool>& bodies) {
   return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                     [&](const model::Node& n) { return n.at.body != model::ground && bodies[at(n.at.body)]; });
+                     [&](const machine::Node& n) { return n.at.body != machine::ground && bodies[at(n.at.body)]; });
 }
 
-bool holds(const model::Reeving& rope, int body) {
-  return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const model::Node& n) { return n.at.body == body; });
+bool holds(const machine::Reeving& rope, int body) {
+  return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& n) { return n.at.body == body; });
 }
 
 bool is_in(const std::vector<int>& all, std::size_t index) {
@@ -24,7 +24,7 @@ bool is_in(const std::vector<int>& all, std::size_t index) {
 }
 
 /// Which bodies and ropes go, until nothing more does. `gone` bodies and ropes are given; those in `with` stay.
-void spread(const model::Model& model, int kept, const PutUpWith& with, std::vector<bool>& gone,
+void spread(const machine::Model& model, int kept, const PutUpWith& with, std::vector<bool>& gone,
             std::vector<bool>& ropes_gone) {
   for (bool changed = true; changed;) {
     changed = false;
@@ -47,9 +47,9 @@ void spread(const model::Model& model, int kept, const PutUpWith& with, std::vec
 }
 
 /// The stretched length of what lies on the contacts of a rope: R theta.
-double on_contacts(const model::Model& model, const EquilibriumResult& r, int reeving) {
+double on_contacts(const machine::Model& model, const solve::EquilibriumResult& r, int reeving) {
   double length = 0;
-  for (const ContactResult& c : r.contacts) {
+  for (const solve::ContactResult& c : r.contacts) {
     if (c.reeving == reeving) length += model.reevings[at(reeving)].nodes[at(c.node)].radius * c.wrap;
   }
   return length;
@@ -57,7 +57,7 @@ double on_contacts(const model::Model& model, const EquilibriumResult& r, int re
 
 /// Leaves the carriages that are still there, with their ropes and nodes by the numbers that these will have.
 template <class Taken>
-void keep_carriages(model::Model& model, int reeving, const std::vector<bool>& gone,
+void keep_carriages(machine::Model& model, int reeving, const std::vector<bool>& gone,
                     const std::vector<bool>& ropes_gone, const Taken& taken) {
   const auto rope = [&](int r) {
     if (r < 0 || ropes_gone[at(r)]) return -1;
@@ -69,8 +69,8 @@ void keep_carriages(model::Model& model, int reeving, const std::vector<bool>& g
     return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k, taken));
   };
   std::erase_if(model.carriages,
-                [&](const model::Carriage& car) { return gone[at(car.body)] || rope(car.reeving) < 0; });
-  for (model::Carriage& car : model.carriages) {
+                [&](const machine::Carriage& car) { return gone[at(car.body)] || rope(car.reeving) < 0; });
+  for (machine::Carriage& car : model.carriages) {
     car.node = node(car.reeving, car.node);
     if (car.grip_reeving >= 0) car.grip_node = node(car.grip_reeving, car.grip_node);
     for (int* r : {&car.reeving, &car.mainline, &car.grip_reeving, &car.haulback}) *r = rope(*r);
@@ -80,23 +80,23 @@ void keep_carriages(model::Model& model, int reeving, const std::vector<bool>& g
 
 }  // namespace
 
-EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& with) {
+EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with) {
   expects(reeving >= 0 && at(reeving) < model.reevings.size(), "a rope of the model");
   EmptyLine line;
   std::vector<bool> gone(model.bodies.size(), false), ropes_gone(model.reevings.size(), false);
-  for (const model::Carriage& car : model.carriages) {
+  for (const machine::Carriage& car : model.carriages) {
     if (car.reeving == reeving && !is_in(with.bodies, at(car.body))) gone[at(car.body)] = true;
   }
   for (const int rope : with.absent) ropes_gone[at(rope)] = true;
   spread(model, reeving, with, gone, ropes_gone);
   line.model = model;
-  model::Reeving& own = line.model.reevings[at(reeving)];
-  const auto taken = [&](const model::Node& n) {
-    return n.kind != model::NodeKind::anchor && n.at.body != model::ground && gone[at(n.at.body)];
+  machine::Reeving& own = line.model.reevings[at(reeving)];
+  const auto taken = [&](const machine::Node& n) {
+    return n.kind != machine::NodeKind::anchor && n.at.body != machine::ground && gone[at(n.at.body)];
   };
   keep_carriages(line.model, reeving, gone, ropes_gone, taken);
   std::erase_if(own.nodes, taken);
-  const bool loses_drive = own.closed && (own.nodes.empty() || own.nodes.front().kind != model::NodeKind::drive);
+  const bool loses_drive = own.closed && (own.nodes.empty() || own.nodes.front().kind != machine::NodeKind::drive);
   if (touches(own, gone) || own.nodes.size() < 2 || loses_drive) {
     line.outcome = infeasible(fmt::format("'{}' ends on what rides on it: it is never empty", own.name));
     return line;
@@ -111,10 +111,10 @@ EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& wi
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const int body = model.loads[i].at.body;
     const bool left =
-        body != model::ground && (gone[at(body)] || (is_in(with.bodies, at(body)) && !is_in(with.loads, i)));
+        body != machine::ground && (gone[at(body)] || (is_in(with.bodies, at(body)) && !is_in(with.loads, i)));
     if (!left) line.model.loads.push_back(model.loads[i]);
   }
-  std::vector<model::Reeving> kept;
+  std::vector<machine::Reeving> kept;
   for (std::size_t r = 0; r < ropes_gone.size(); ++r) {
     if (static_cast<int>(r) == reeving) line.reeving = static_cast<int>(kept.size());
     if (ropes_gone[r]) {
@@ -127,11 +127,11 @@ EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& wi
   return line;
 }
 
-RopeLengths lengths_of(const model::Model& model, const EquilibriumResult& r, int reeving) {
+RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& r, int reeving) {
   RopeLengths all;
   all.unstretched = r.ropes[at(reeving)].unstretched;
   all.cut = all.unstretched * (1 + model.reevings[at(reeving)].thermal_strain);
-  for (const SpanResult& s : r.spans) {
+  for (const solve::SpanResult& s : r.spans) {
     if (s.reeving == reeving) all.free += s.stretched;
   }
   all.on_sheaves = on_contacts(model, r, reeving);
@@ -139,26 +139,27 @@ RopeLengths lengths_of(const model::Model& model, const EquilibriumResult& r, in
   return all;
 }
 
-Installation installation(const EmptyLine& line, const Condition& given, const std::optional<model::State>& near) {
+Installation installation(const EmptyLine& line, const solve::Condition& given,
+                          const std::optional<machine::State>& near) {
   Installation i;
   i.outcome = line.outcome;
   if (!i.outcome.ok()) return i;
-  Condition condition = given;
+  solve::Condition condition = given;
   condition.reeving = line.reeving;
-  EquilibriumOptions options;
+  solve::EquilibriumOptions options;
   options.band = false;
-  i.at = equilibrium_under(line.model, condition, options, near);
-  const EquilibriumResult& r = i.at.result;
+  i.at = solve::equilibrium_under(line.model, condition, options, near);
+  const solve::EquilibriumResult& r = i.at.result;
   i.outcome = r.outcome;
   if (!i.outcome.ok()) return i;
-  const SpanResult* last = nullptr;
-  for (const SpanResult& s : r.spans) {
+  const solve::SpanResult* last = nullptr;
+  for (const solve::SpanResult& s : r.spans) {
     if (s.reeving != line.reeving) continue;
     if (last == nullptr) {
       i.T_start = s.T_from;
       i.H = s.H;
     }
-    i.sag.push_back(sag_at_middle(s));
+    i.sag.push_back(solve::sag_at_middle(s));
     last = &s;
   }
   i.T_end = last->T_to;
@@ -169,4 +170,4 @@ Installation installation(const EmptyLine& line, const Condition& given, const s
   return i;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

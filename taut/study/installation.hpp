@@ -4,12 +4,12 @@
 
 #include "taut/solve/condition.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// A machine with one rope empty, as when it is rigged.
 struct EmptyLine {
   Outcome outcome;  ///< infeasible: the rope ends on what was taken away
-  model::Model model;
+  machine::Model model;
   int reeving = 0;                   ///< the rope, among those left
   std::vector<std::string> removed;  ///< names of carriages and ropes taken away
 };
@@ -23,7 +23,7 @@ struct PutUpWith {
 
 /// Takes away the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
 /// rigged yet), and whatever then hangs on nothing. The rest (masts, guys, other ropes) stays as it is.
-EmptyLine empty_line(const model::Model& model, int reeving, const PutUpWith& with = {});
+EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with = {});
 
 /// An empty rope as it is put up.
 struct Installation {
@@ -34,12 +34,12 @@ struct Installation {
   double unstretched = 0;         ///< at the reference temperature, m; what lies on sheaves counted
   double cut = 0;                 ///< unstretched at the temperature it is put up at: as measured on the ground, m
   double stretched = 0;           ///< under its tensions at that temperature, m
-  Conditioned at;
+  solve::Conditioned at;
 };
 
 /// The state of the empty line under what is given; `near`: of a temperature nearby.
-Installation installation(const EmptyLine& line, const Condition& given,
-                          const std::optional<model::State>& near = std::nullopt);
+Installation installation(const EmptyLine& line, const solve::Condition& given,
+                          const std::optional<machine::State>& near = std::nullopt);
 
 /// Lengths of one rope in a state, m.
 struct RopeLengths {
@@ -49,6 +49,6 @@ struct RopeLengths {
   double free = 0;         ///< of `stretched`: between sheaves
   double on_sheaves = 0;   ///< of `stretched`: lying on sheaves, saddles and drives
 };
-RopeLengths lengths_of(const model::Model& model, const EquilibriumResult& result, int reeving);
+RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& result, int reeving);
 
-}  // namespace taut::analysis
+}  // namespace taut::study

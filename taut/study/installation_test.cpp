@@ -10,9 +10,11 @@
 
 namespace installation_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
-using Kind = Condition::Kind;
+using namespace taut::study;
+using Kind = solve::Condition::Kind;
 
 /// A level inextensible catenary by its parameter a = H/w.
 struct Catenary {
@@ -33,7 +35,7 @@ Catenary of_length(double length, double span) {
 TEST(Installation, FollowsTheTemperatureAsTheClosedCatenary) {
   // L grows by a dT, its weight stays: w/(1 + a dT) per metre, so the end tension is W/2 sqrt(1 + (2a/L)^2)
   const double inf = std::numeric_limits<double>::infinity();
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 0}), anchor("b", {150, 0, 0})}, 151, 12, inf));
   for (const double dT : {-35.0, 0.0, 25.0}) {
     m.reevings[0].thermal_strain = 1.2e-5 * dT;
@@ -58,14 +60,14 @@ TEST(Installation, FollowsTheTemperatureAsTheClosedCatenary) {
 }
 
 TEST(Installation, AnEmptyLineIsTheLineThatNeverHadACarriage) {
-  const model::Model m = with_carriage(true, 0.1, 2000);
+  const machine::Model m = with_carriage(true, 0.1, 2000);
   const EmptyLine line = empty_line(m, 0);
   ASSERT_TRUE(line.outcome.ok());
   EXPECT_EQ(line.removed, (std::vector<std::string>{"car", "mainline"}));
   ASSERT_EQ(line.model.reevings.size(), 1U);
   const Installation i = installation(line, {Kind::length, 0, 318, 0});
   ASSERT_TRUE(i.outcome.ok()) << i.outcome.message;
-  const EquilibriumResult e = equilibrium(three_spans(318, 0.1));
+  const solve::EquilibriumResult e = solve::equilibrium(three_spans(318, 0.1));
   EXPECT_NEAR(i.T_start, e.spans.front().T_from, 1e-5);
   EXPECT_NEAR(i.T_end, e.spans.back().T_to, 1e-5);
   EXPECT_EQ(i.sag.size(), 3U);
@@ -74,7 +76,7 @@ TEST(Installation, AnEmptyLineIsTheLineThatNeverHadACarriage) {
 }
 
 TEST(Installation, EndsSwappedIsTheSame) {
-  model::Model m = three_spans(315, 0.1);
+  machine::Model m = three_spans(315, 0.1);
   const Installation there = installation(empty_line(m, 0), {Kind::tension_at_start, 0, 30e3, 0});
   std::reverse(m.reevings[0].nodes.begin(), m.reevings[0].nodes.end());
   const Installation back = installation(empty_line(m, 0), {Kind::tension_at_end, 0, 30e3, 0});
@@ -86,8 +88,8 @@ TEST(Installation, EndsSwappedIsTheSame) {
 }
 
 TEST(Installation, LengthsAddUp) {
-  const model::Model m = tackle(4, 1, 2000, 5);
-  const EquilibriumResult e = equilibrium(m);
+  const machine::Model m = tackle(4, 1, 2000, 5);
+  const solve::EquilibriumResult e = solve::equilibrium(m);
   ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
   const RopeLengths l = lengths_of(m, e, 0);
   EXPECT_NEAR(l.unstretched, m.reevings[0].value, 1e-9);
@@ -100,7 +102,7 @@ TEST(Installation, LengthsAddUp) {
 }
 
 TEST(Installation, ARopeThatEndsOnItsCarriageIsNeverEmpty) {
-  model::Model m = with_carriage(true, 0.1, 2000);
+  machine::Model m = with_carriage(true, 0.1, 2000);
   m.reevings[0].nodes.back() = anchor_on("car", 0);
   EXPECT_EQ(empty_line(m, 0).outcome.status, taut::Status::infeasible);
 }

@@ -10,7 +10,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
 constexpr int most_rounds = 60;
@@ -21,27 +21,27 @@ constexpr int most_halves = 12;
 
 /// All cases with the lengths as they are.
 struct CaseSet {
-  std::vector<model::Model> models;
-  std::vector<EquilibriumResult> results;
+  std::vector<machine::Model> models;
+  std::vector<solve::EquilibriumResult> results;
 };
 
 /// Solves the cases; the number of the first that fails, -1: none does.
 int solve_cases(CaseSet& set) {
-  EquilibriumOptions at_rest;
+  solve::EquilibriumOptions at_rest;
   at_rest.band = false;
   for (std::size_t c = 0; c < set.models.size(); ++c) {
-    std::optional<model::State> near;
+    std::optional<machine::State> near;
     if (set.results[c].outcome.ok() && !set.results[c].spans.empty()) near = set.results[c].state;
-    set.results[c] = equilibrium(set.models[c], at_rest, near);
-    if (!set.results[c].outcome.ok() && near) set.results[c] = equilibrium(set.models[c], at_rest);
+    set.results[c] = solve::equilibrium(set.models[c], at_rest, near);
+    if (!set.results[c].outcome.ok() && near) set.results[c] = solve::equilibrium(set.models[c], at_rest);
     if (!set.results[c].outcome.ok()) return static_cast<int>(c);
   }
   return -1;
 }
 
 void set_length(CaseSet& set, int reeving, double length) {
-  for (model::Model& model : set.models) {
-    model.reevings[at(reeving)].given = model::Given::length;
+  for (machine::Model& model : set.models) {
+    model.reevings[at(reeving)].given = machine::Given::length;
     model.reevings[at(reeving)].value = length;
   }
 }
@@ -92,25 +92,25 @@ std::vector<std::vector<double>> tension_slopes(const CaseSet& set, const std::v
                                                 const std::vector<std::pair<int, double>>& worst) {
   const std::size_t n = chosen.size();
   std::vector<std::vector<double>> slopes(n, std::vector<double>(n, 0.0));
-  EquilibriumOptions at_rest;
+  solve::EquilibriumOptions at_rest;
   at_rest.band = false;
   for (std::size_t j = 0; j < n; ++j) {
     const double length = set.models.front().reevings[at(chosen[j])].value, step = nudge * length;
-    std::vector<std::optional<EquilibriumResult>> nudged(set.models.size());
+    std::vector<std::optional<solve::EquilibriumResult>> nudged(set.models.size());
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t c = at(worst[i].first);
       if (worst[i].second <= 0) continue;
       if (!nudged[c]) {
-        model::Model model = set.models[c];
+        machine::Model model = set.models[c];
         model.reevings[at(chosen[j])].value = length - step;
-        nudged[c] = equilibrium(model, at_rest, set.results[c].state);
+        nudged[c] = solve::equilibrium(model, at_rest, set.results[c].state);
       }
       if (nudged[c]->outcome.ok()) slopes[i][j] = (worst[i].second - least_tension_of(*nudged[c], chosen[i])) / step;
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (slopes[i][i] < 0) continue;
-    const model::Reeving& rope = set.models.front().reevings[at(chosen[i])];
+    const machine::Reeving& rope = set.models.front().reevings[at(chosen[i])];
     std::fill(slopes[i].begin(), slopes[i].end(), 0.0);
     slopes[i][i] = -(std::isfinite(rope.stiffness) ? rope.stiffness : rope.weight * rope.value / nudge) / rope.value;
   }
@@ -149,9 +149,9 @@ bool go_nearer(CaseSet& set, const std::vector<int>& chosen, double least, doubl
 
 }  // namespace
 
-double least_tension_of(const EquilibriumResult& result, int reeving) {
+double least_tension_of(const solve::EquilibriumResult& result, int reeving) {
   double least = std::numeric_limits<double>::infinity();
-  for (const SpanResult& span : result.spans) {
+  for (const solve::SpanResult& span : result.spans) {
     if (span.reeving != reeving) continue;
     // where the rope sags below both ends its tension is least there: the horizontal part
     const bool sags = span.V_from < 0 && span.V_to > 0;
@@ -160,18 +160,18 @@ double least_tension_of(const EquilibriumResult& result, int reeving) {
   return std::isfinite(least) ? std::max(0.0, least) : 0;
 }
 
-LeastTensionResult least_tension(const std::vector<model::Model>& cases, const std::vector<int>& chosen, double least,
+LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const std::vector<int>& chosen, double least,
                                  const std::function<bool()>& go_on) {
   expects(!cases.empty() && !chosen.empty() && least > 0, "ropes that are to be taut under some loads");
   LeastTensionResult r;
-  CaseSet set{cases, std::vector<EquilibriumResult>(cases.size())};
+  CaseSet set{cases, std::vector<solve::EquilibriumResult>(cases.size())};
   // lengths first: those that the first case gives
-  EquilibriumOptions at_rest;
+  solve::EquilibriumOptions at_rest;
   at_rest.band = false;
-  const EquilibriumResult first = equilibrium(cases.front(), at_rest);
+  const solve::EquilibriumResult first = solve::equilibrium(cases.front(), at_rest);
   r.outcome = first.outcome;
   if (!r.outcome.ok()) return r;
-  const model::Model frozen = installed(cases.front(), first);
+  const machine::Model frozen = solve::installed(cases.front(), first);
   std::vector<double> begun;
   for (const int rope : chosen) {
     begun.push_back(frozen.reevings[at(rope)].value);
@@ -209,7 +209,7 @@ LeastTensionResult least_tension(const std::vector<model::Model>& cases, const s
     one.taken_out = begun[k] - one.unstretched;
     one.T_least = worst[k].second;
     one.governing = worst[k].first;
-    for (const EquilibriumResult& result : set.results) one.T_min.push_back(least_tension_of(result, chosen[k]));
+    for (const solve::EquilibriumResult& result : set.results) one.T_min.push_back(least_tension_of(result, chosen[k]));
     r.ropes.push_back(std::move(one));
   }
   r.at = std::move(set.results);
@@ -217,4 +217,4 @@ LeastTensionResult least_tension(const std::vector<model::Model>& cases, const s
   return r;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

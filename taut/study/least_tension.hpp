@@ -5,7 +5,7 @@
 
 #include "taut/solve/equilibrium.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// A rope whose length was found.
 struct LeastTension {
@@ -21,9 +21,9 @@ struct LeastTension {
 struct LeastTensionResult {
   Outcome outcome;
   bool interrupted = false;
-  std::vector<LeastTension> ropes;    ///< as chosen
-  std::vector<EquilibriumResult> at;  ///< by case
-  std::vector<model::Model> models;   ///< by case, with the lengths found
+  std::vector<LeastTension> ropes;           ///< as chosen
+  std::vector<solve::EquilibriumResult> at;  ///< by case
+  std::vector<machine::Model> models;        ///< by case, with the lengths found
   int iterations = 0;
 };
 
@@ -31,10 +31,10 @@ struct LeastTensionResult {
 /// that slackens it most: pretensioned as little as keeps them taut. `cases`: one machine under several loads, with the
 /// same reevings, the first one as it is put up. Newton on all lengths together, each rope by its governing case;
 /// derivatives of tensions by lengths are differences of equilibria. Infeasible where no lengths do.
-LeastTensionResult least_tension(const std::vector<model::Model>& cases, const std::vector<int>& chosen, double least,
+LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const std::vector<int>& chosen, double least,
                                  const std::function<bool()>& go_on = {});
 
 /// Least tension anywhere in a rope, N.
-double least_tension_of(const EquilibriumResult& result, int reeving);
+double least_tension_of(const solve::EquilibriumResult& result, int reeving);
 
-}  // namespace taut::analysis
+}  // namespace taut::study

@@ -12,15 +12,15 @@
 namespace taut_test::least_tension_test {
 namespace {
 
-using taut::analysis::least_tension;
-using taut::analysis::least_tension_of;
-using taut::analysis::LeastTensionResult;
+using taut::study::least_tension;
+using taut::study::least_tension_of;
+using taut::study::LeastTensionResult;
 
 constexpr double EA = 2e6;
 
 /// A ring between two ropes of 20 m without weight, drawn along them by a force.
-model::Model ring(double force, double left = 10e3, double right = 10e3) {
-  model::Model m;
+machine::Model ring(double force, double left = 10e3, double right = 10e3) {
+  machine::Model m;
   m.bodies.push_back(body("ring", origin, 1, "x"));
   m.reevings.push_back(reeve("left", {anchor("a", {-20, 0, 0}), anchor_on("ring", 0)}, 20 / (1 + left / EA), 0, EA));
   m.reevings.push_back(reeve("right", {anchor_on("ring", 0), anchor("b", {20, 0, 0})}, 20 / (1 + right / EA), 0, EA));
@@ -65,7 +65,7 @@ TEST(LeastTension, OneRopeFollows) {
 TEST(LeastTension, ThreeHeavyGuysUnderWindFromAllSides) {
   const double s = 3e3, turned = 0.3;
   const auto post = [&](double wind, double from) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("top", {0, 0, 12}, 20, "xyz"));
     m.reevings.push_back(reeve("post", {anchor("foot", origin), anchor_on("top", 0)}, 12, 0, 1e9));
     // the post is the weight: held down by its guys, held up by a rope from above
@@ -80,7 +80,7 @@ TEST(LeastTension, ThreeHeavyGuysUnderWindFromAllSides) {
     if (wind > 0) m.loads.push_back({{0, origin}, {wind * std::cos(from), wind * std::sin(from), 0}});
     return m;
   };
-  std::vector<model::Model> cases = {post(0, 0)};
+  std::vector<machine::Model> cases = {post(0, 0)};
   for (int k = 0; k < 3; ++k) cases.push_back(post(4e3, turned + k * 2 * std::numbers::pi / 3));
   const LeastTensionResult r = least_tension(cases, {1, 2, 3}, s);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;

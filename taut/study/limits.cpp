@@ -8,16 +8,16 @@
 #include "taut/math/index.hpp"
 #include "taut/study/load_path.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
 /// Heights by the size of what they are measured against, so that one tolerance serves all limits.
 double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }
 
 /// The largest tension at an end of a rope, the band at rest counted, and its node.
-LimitState pull_at(const EquilibriumResult& r, const EndLimit& end) {
+LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
   LimitState state{LimitKind::pull, end.reeving, 0, 0, end.tension};
-  for (const SpanResult& s : r.spans) {
+  for (const solve::SpanResult& s : r.spans) {
     if (s.reeving != end.reeving) continue;
     if (!end.at_end) {
       state.node = s.from;
@@ -31,12 +31,12 @@ LimitState pull_at(const EquilibriumResult& r, const EndLimit& end) {
   return state;
 }
 
-void add_supports(const model::Model& model, const PayloadLimits& limits, const EquilibriumResult& r,
+void add_supports(const machine::Model& model, const PayloadLimits& limits, const solve::EquilibriumResult& r,
                   std::vector<LimitState>& all) {
-  for (const ContactResult& c : r.contacts) {
-    const model::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+  for (const solve::ContactResult& c : r.contacts) {
+    const machine::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
     // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
-    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const model::Carriage& car) {
+    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const machine::Carriage& car) {
       return car.reeving == c.reeving && car.node == c.node;
     });
     if (carries || node.support == Vector3::Zero()) continue;
@@ -49,14 +49,14 @@ void add_supports(const model::Model& model, const PayloadLimits& limits, const 
     if (std::isfinite(limits.least_break_angle)) {
       add(LimitKind::least_break_angle, limits.least_break_angle, c.wrap - limits.least_break_angle);
     }
-    if (limits.lift_off) add(LimitKind::lift_off, 0, c.state == ContactState::lifted ? -1 : c.wrap);
+    if (limits.lift_off) add(LimitKind::lift_off, 0, c.state == solve::ContactState::lifted ? -1 : c.wrap);
   }
 }
 
 }  // namespace
 
-std::vector<LimitState> limits_at(const model::Model& model, int body, const PayloadLimits& limits,
-                                  const EquilibriumResult& r) {
+std::vector<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
+                                  const solve::EquilibriumResult& r) {
   std::vector<LimitState> all;
   if (!r.outcome.ok()) {
     all.push_back({LimitKind::none, -1, -1, 0, 0, -1, true});
@@ -85,7 +85,7 @@ std::vector<LimitState> limits_at(const model::Model& model, int body, const Pay
   return all;
 }
 
-std::string limit_words(const model::Model& model, int body, const LimitState& l) {
+std::string limit_words(const machine::Model& model, int body, const LimitState& l) {
   if (l.fails) return "no equilibrium with more";
   const auto rope = [&] { return model.reevings[at(l.reeving)].name; };
   const auto node = [&] { return model.reevings[at(l.reeving)].nodes[at(l.node)].name; };
@@ -110,4 +110,4 @@ std::string limit_words(const model::Model& model, int body, const LimitState& l
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

@@ -5,7 +5,7 @@
 
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// The tension at one end of a rope: what a winch there has to pull.
 struct EndLimit {
@@ -46,10 +46,10 @@ struct LimitState {
 };
 
 /// All limits in one state, in the order of the limits' members. A state without equilibrium: one that fails.
-std::vector<LimitState> limits_at(const model::Model& model, int body, const PayloadLimits& limits,
-                                  const EquilibriumResult& result);
+std::vector<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
+                                  const solve::EquilibriumResult& result);
 
 /// "tension of 'skyline'", "break angle at 'jack1'".
-std::string limit_words(const model::Model& model, int body, const LimitState& limit);
+std::string limit_words(const machine::Model& model, int body, const LimitState& limit);
 
-}  // namespace taut::analysis
+}  // namespace taut::study

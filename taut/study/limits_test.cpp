@@ -12,19 +12,21 @@
 
 namespace limits_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::study;
 
 TEST(Clearance, OfARopeIsThatOfAFineGrid) {
-  model::Model m = with_carriage(true, 0.1, 1500);
+  machine::Model m = with_carriage(true, 0.1, 1500);
   m.terrain = {{-10, 2}, {40, 21}, {70, 20}, {120, 36}, {160, 30}, {230, 55}, {310, 60}};
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
-  const EquilibriumResult e = equilibrium(m, options);
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, 150};
+  const solve::EquilibriumResult e = solve::equilibrium(m, options);
   ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
   for (const auto& [from, to] : {std::pair{0.0, 300.0}, {60.0, 110.0}, {280.0, 100.0}, {210.0, 215.0}}) {
     double least = 1e9;
-    for (const SpanResult& s : e.spans) {
+    for (const solve::SpanResult& s : e.spans) {
       if (s.reeving != 0) continue;
       for (int i = 0; i <= 20000; ++i) {
         const Vector3 p = s.start + taut::rope::point_at(s.shape, s.shape.rope.length * (i / 20000.0));
@@ -43,25 +45,25 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
 }
 
 TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
-  model::Model m = with_carriage(true, 0.1, 200);
+  machine::Model m = with_carriage(true, 0.1, 200);
   m.terrain = {{-10, -12}, {40, 7}, {70, 6}, {120, 22}, {160, 16}, {230, 41}, {310, 46}};
   PayloadLimits limits;
   limits.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
   limits.rope_between = {Vector3::UnitX(), 100, 190};
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, 150};
   const Payload straight = payload(m, 0, limits, options);
   ASSERT_TRUE(straight.outcome.ok()) << straight.outcome.message;
   ASSERT_EQ(straight.limit.kind, LimitKind::rope_clearance) << straight.governing;
   for (const double angle : {0.5, M_PI / 2, 2.5, M_PI, -1.2}) {
     const Vector3 by(12, -7, 3), along(std::cos(angle), std::sin(angle), 0);
     const double shift = by.dot(along);
-    model::Model other = turned(m, angle, by);
-    for (model::GroundPoint& p : other.terrain) p.z += by.z();
+    machine::Model other = turned(m, angle, by);
+    for (machine::GroundPoint& p : other.terrain) p.z += by.z();
     PayloadLimits there = limits;
     there.rope_between = {along, 100 + shift, 190 + shift};
-    EquilibriumOptions placed;
-    placed.prescribed = Prescribed{0, 150 + shift, along};
+    solve::EquilibriumOptions placed;
+    placed.prescribed = machine::Prescribed{0, 150 + shift, along};
     const Payload p = payload(other, 0, there, placed);
     ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
     EXPECT_EQ(p.governing, straight.governing);
@@ -70,10 +72,10 @@ TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
 }
 
 TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
   m.terrain = {{0, 0}, {100, 0}};
-  const EquilibriumResult e = equilibrium(m);
+  const solve::EquilibriumResult e = solve::equilibrium(m);
   ASSERT_TRUE(e.outcome.ok());
   const auto height = [&](double from, double to) {
     return rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to}).height;
@@ -93,10 +95,10 @@ TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
 }
 
 TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
   m.reevings.push_back(reeve("guy", {anchor("c", {0, 0, 10}), anchor("d", {-30, 40, 0})}, 51, 15, 1e9));
-  const EquilibriumResult e = equilibrium(m);
+  const solve::EquilibriumResult e = solve::equilibrium(m);
   ASSERT_TRUE(e.outcome.ok());
   const auto expect_gap = [](const TerrainGap& gap, double before, double after) {
     EXPECT_NEAR(gap.before, before, 1e-9);
@@ -122,11 +124,11 @@ TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
 }
 
 TEST(Limits, EachIsReachedByItsPayload) {
-  model::Model m = with_carriage(true, 0.1, 200);
+  machine::Model m = with_carriage(true, 0.1, 200);
   m.terrain = {{0, 0}, {300, 60}};
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
-  options.motion = Motion::in;
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, 150};
+  options.motion = solve::Motion::in;
   PayloadLimits pull;
   pull.ends = {{1, false, 3e3}};
   PayloadLimits rope;
@@ -141,10 +143,10 @@ TEST(Limits, EachIsReachedByItsPayload) {
     ASSERT_EQ(p.limit.kind, kind) << p.governing;
     EXPECT_GT(p.mass, 10);
     EXPECT_NEAR(p.limit.value / p.limit.limit, 1, 1e-7) << p.governing;
-    model::Model loaded = m;
+    machine::Model loaded = m;
     for (const double share : {0.999, 1.001}) {
       loaded.bodies[0].mass = 200 + share * p.mass;
-      const auto all = limits_at(loaded, 0, limits, equilibrium(loaded, options));
+      const auto all = limits_at(loaded, 0, limits, solve::equilibrium(loaded, options));
       const bool broken = std::any_of(all.begin(), all.end(), [](const LimitState& s) { return s.margin < 0; });
       EXPECT_EQ(broken, share > 1) << p.governing << " " << share;
     }
@@ -153,15 +155,15 @@ TEST(Limits, EachIsReachedByItsPayload) {
 
 TEST(Limits, LiftOffEndsThePayload) {
   // a support low between two high ones: the load beside it draws the rope out of it
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("skyline",
                              {anchor("a", {0, 0, 10}), saddle("low", {100, 0, 1}, 0), anchor("b", {200, 0, 10})}, 201.6,
                              15, 500e6));
   m.bodies.push_back(body("car", {60, 0, 3}, 10, "xyz"));
   m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, over("car", origin, 0));
   m.carriages.push_back({"car", 0, 0, 1, -1});
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 60};
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, 60};
   PayloadLimits limits;
   limits.lift_off = true;
   limits.most = 20e3;
@@ -170,9 +172,9 @@ TEST(Limits, LiftOffEndsThePayload) {
   ASSERT_EQ(p.limit.kind, LimitKind::lift_off) << p.governing;
   EXPECT_EQ(p.governing, "lift-off from 'low'");
   m.bodies[0].mass = 10 + 0.999 * p.mass;
-  EXPECT_LT(equilibrium(m, options).contacts[1].force.z(), 0) << "still presses on it";
+  EXPECT_LT(solve::equilibrium(m, options).contacts[1].force.z(), 0) << "still presses on it";
   m.bodies[0].mass = 10 + 1.001 * p.mass;
-  EXPECT_EQ(equilibrium(m, options).contacts[1].state, ContactState::pulled);
+  EXPECT_EQ(solve::equilibrium(m, options).contacts[1].state, solve::ContactState::pulled);
 }
 
 }  // namespace limits_test

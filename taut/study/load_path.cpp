@@ -8,9 +8,9 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
-double ground_height(const std::vector<model::GroundPoint>& terrain, double x) {
+double ground_height(const std::vector<machine::GroundPoint>& terrain, double x) {
   const auto right =
       std::lower_bound(terrain.begin(), terrain.end(), x, [](const auto& point, double at) { return point.x < at; });
   if (right == terrain.end()) return std::numeric_limits<double>::quiet_NaN();
@@ -24,14 +24,14 @@ namespace {
 
 /// A start for the next of equal steps: the parabola through the last three states, or what there is of it. Branch
 /// lengths stay positive; what touches and how bodies are turned stays as it was last.
-std::optional<model::State> ahead(const std::vector<LoadPathPoint>& points) {
+std::optional<machine::State> ahead(const std::vector<LoadPathPoint>& points) {
   const std::size_t n = points.size();
   if (n == 0 || !points[n - 1].at.outcome.ok()) return std::nullopt;
-  model::State next = points[n - 1].at.state;
+  machine::State next = points[n - 1].at.state;
   if (n < 2 || !points[n - 2].at.outcome.ok()) return next;
   const bool curved = n >= 3 && points[n - 3].at.outcome.ok();
-  const model::State &last = points[n - 1].at.state, &before = points[n - 2].at.state;
-  const model::State& first = curved ? points[n - 3].at.state : before;
+  const machine::State &last = points[n - 1].at.state, &before = points[n - 2].at.state;
+  const machine::State& first = curved ? points[n - 3].at.state : before;
   if (last.touched != before.touched || last.touched != first.touched) return next;
   const auto extrapolate = [&](const auto& a, const auto& b, const auto& c) {
     return curved ? 3 * a - 3 * b + c : 2 * a - b;
@@ -43,8 +43,8 @@ std::optional<model::State> ahead(const std::vector<LoadPathPoint>& points) {
   }
   for (std::size_t r = 0; r < next.branches.size(); ++r) {
     for (std::size_t k = 0; k < next.branches[r].size(); ++k) {
-      const model::BranchState &a = last.branches[r][k], &b = before.branches[r][k], &c = first.branches[r][k];
-      model::BranchState& branch = next.branches[r][k];
+      const machine::BranchState &a = last.branches[r][k], &b = before.branches[r][k], &c = first.branches[r][k];
+      machine::BranchState& branch = next.branches[r][k];
       branch.length = extrapolate(a.length, b.length, c.length);
       if (branch.length < a.length / 4) return last;
       if (!a.force || !b.force || !c.force) continue;
@@ -58,24 +58,24 @@ std::optional<model::State> ahead(const std::vector<LoadPathPoint>& points) {
 
 }  // namespace
 
-LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
+LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
-  const model::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));
+  const machine::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));
   LoadPath path;
-  model::Model varied = options.condition ? model : model::Model{};
+  machine::Model varied = options.condition ? model : machine::Model{};
   path.points.reserve(static_cast<std::size_t>(options.steps) + 1);
   for (int i = 0; i <= options.steps; ++i) {
     LoadPathPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     if (options.go_on && !options.go_on(point.x)) break;
-    EquilibriumOptions here = options.equilibrium;
-    here.prescribed = Prescribed{options.carriage, point.x, options.along};
+    solve::EquilibriumOptions here = options.equilibrium;
+    here.prescribed = machine::Prescribed{options.carriage, point.x, options.along};
     if (options.condition) {
-      Conditioned found = equilibrium_under(varied, *options.condition, here, ahead(path.points));
+      solve::Conditioned found = solve::equilibrium_under(varied, *options.condition, here, ahead(path.points));
       point.at = std::move(found.result);
       if (point.at.outcome.ok()) varied = std::move(found.model);
     } else {
-      point.at = equilibrium(model, here, ahead(path.points));
+      point.at = solve::equilibrium(model, here, ahead(path.points));
     }
     if (point.at.outcome.ok()) {
       const Vector3& place = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position;
@@ -90,4 +90,4 @@ LoadPath load_path(const model::Model& model, const LoadPathOptions& options) {
   return path;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

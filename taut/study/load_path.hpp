@@ -5,7 +5,7 @@
 
 #include "taut/solve/condition.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// A carriage moved along its line, at equal steps of x.
 struct LoadPathOptions {
@@ -13,15 +13,15 @@ struct LoadPathOptions {
   double from = 0, to = 0;           ///< x of the carriage's body along `along`, m, either order
   int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
-  EquilibriumOptions equilibrium;
-  std::optional<Condition> condition;   ///< in place of what one rope has given, at every position
-  std::function<bool(double x)> go_on;  ///< asked before every position; false ends the way there. May be empty
+  solve::EquilibriumOptions equilibrium;
+  std::optional<solve::Condition> condition;  ///< in place of what one rope has given, at every position
+  std::function<bool(double x)> go_on;        ///< asked before every position; false ends the way there. May be empty
 };
 
 struct LoadPathPoint {
-  double x = 0, z = 0;   ///< of the carriage, m
-  double clearance = 0;  ///< z above the terrain, m; NaN without terrain there
-  EquilibriumResult at;  ///< spans, contacts, ropes there; its outcome tells where there is no equilibrium
+  double x = 0, z = 0;          ///< of the carriage, m
+  double clearance = 0;         ///< z above the terrain, m; NaN without terrain there
+  solve::EquilibriumResult at;  ///< spans, contacts, ropes there; its outcome tells where there is no equilibrium
 };
 
 struct LoadPath {
@@ -30,9 +30,9 @@ struct LoadPath {
 };
 
 /// Each position starts from the one before. A position without equilibrium stays in the list with its outcome.
-LoadPath load_path(const model::Model& model, const LoadPathOptions& options);
+LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
 
 /// Height of the ground at x, linear between its points; NaN outside.
-double ground_height(const std::vector<model::GroundPoint>& terrain, double x);
+double ground_height(const std::vector<machine::GroundPoint>& terrain, double x);
 
-}  // namespace taut::analysis
+}  // namespace taut::study

@@ -8,12 +8,14 @@
 
 namespace load_path_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::study;
 using taut::Status;
 
 TEST(LoadPath, GroundIsLinearBetweenItsPoints) {
-  const std::vector<model::GroundPoint> ground{{0, 10}, {50, 20}, {100, 0}};
+  const std::vector<machine::GroundPoint> ground{{0, 10}, {50, 20}, {100, 0}};
   EXPECT_DOUBLE_EQ(ground_height(ground, 0), 10);
   EXPECT_DOUBLE_EQ(ground_height(ground, 25), 15);
   EXPECT_DOUBLE_EQ(ground_height(ground, 50), 20);
@@ -26,7 +28,7 @@ TEST(LoadPath, GroundIsLinearBetweenItsPoints) {
 
 TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
   for (const bool mainline : {true, false}) {
-    model::Model m = with_carriage(mainline);
+    machine::Model m = with_carriage(mainline);
     m.terrain = {{0, 0}, {300, 60}};
     LoadPathOptions options;
     options.from = mainline ? 135 : 95;
@@ -36,9 +38,9 @@ TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
     ASSERT_TRUE(path.outcome.ok()) << path.outcome.message;
     ASSERT_EQ(path.points.size(), 13U);
     for (const LoadPathPoint& p : path.points) {
-      EquilibriumOptions alone;
-      alone.prescribed = Prescribed{0, p.x};
-      const EquilibriumResult cold = equilibrium(m, alone);
+      solve::EquilibriumOptions alone;
+      alone.prescribed = machine::Prescribed{0, p.x};
+      const solve::EquilibriumResult cold = solve::equilibrium(m, alone);
       ASSERT_TRUE(cold.outcome.ok());
       EXPECT_NEAR(p.at.state.bodies[0].position.x(), p.x, 1e-8);
       EXPECT_NEAR(p.z, cold.state.bodies[0].position.z(), 1e-7);
@@ -60,7 +62,7 @@ TEST(LoadPath, SameThereAndBack) {
   there.steps = 10;
   LoadPathOptions back = there;
   std::swap(back.from, back.to);
-  const model::Model m = with_carriage(false);
+  const machine::Model m = with_carriage(false);
   const LoadPath a = load_path(m, there), b = load_path(m, back);
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     EXPECT_NEAR(a.points[i].at.ropes[0].T_max / b.points[10 - i].at.ropes[0].T_max, 1, 1e-8);
@@ -81,8 +83,8 @@ TEST(LoadPath, AMainlineThatWouldHaveToPushIsNamed) {
 }
 
 TEST(LoadPath, ClampedCarriageIsMovedByItsClamp) {
-  model::Model m = with_carriage(false);
-  m.reevings[0].nodes[2].kind = model::NodeKind::clamp;
+  machine::Model m = with_carriage(false);
+  m.reevings[0].nodes[2].kind = machine::NodeKind::clamp;
   LoadPathOptions options;
   options.from = 100;
   options.to = 190;
@@ -107,7 +109,7 @@ TEST(LoadPath, SidesFollowPlaceByPlace) {
   for (std::size_t i = 0; i < above.points.size(); ++i) {
     EXPECT_EQ(above.points[i].at.state.sides, below.points[i].at.state.sides);
     EXPECT_NEAR(above.points[i].at.ropes[0].T_max / below.points[i].at.ropes[0].T_max, 1, 1e-8);
-    for (const ContactResult& c : above.points[i].at.contacts) EXPECT_GE(c.wrap, 0);
+    for (const solve::ContactResult& c : above.points[i].at.contacts) EXPECT_GE(c.wrap, 0);
   }
 }
 
@@ -117,7 +119,7 @@ TEST(LoadPath, ASkylineOfGivenTensionKeepsItsTautRoot) {
     options.from = 10;
     options.to = 135;
     options.steps = 25;
-    options.equilibrium.motion = Motion::in;
+    options.equilibrium.motion = solve::Motion::in;
     std::vector<double> first;
     for (const double z : {-300.0, 0.0, 30.0, 60.0}) {
       const LoadPath path = load_path(fed_skyline(z, efficiency), options);
@@ -128,10 +130,10 @@ TEST(LoadPath, ASkylineOfGivenTensionKeepsItsTautRoot) {
         EXPECT_LT(path.points[i].at.ropes[0].unstretched, 1.1 * 450);
         // the same line by its length has the same place
         if (i % 8 == 0) {
-          const model::Model kept = installed(fed_skyline(z, efficiency), path.points[i].at);
-          EquilibriumOptions same = options.equilibrium;
-          same.prescribed = Prescribed{0, path.points[i].x};
-          const EquilibriumResult by_length = equilibrium(kept, same, path.points[i].at.state);
+          const machine::Model kept = solve::installed(fed_skyline(z, efficiency), path.points[i].at);
+          solve::EquilibriumOptions same = options.equilibrium;
+          same.prescribed = machine::Prescribed{0, path.points[i].x};
+          const solve::EquilibriumResult by_length = solve::equilibrium(kept, same, path.points[i].at.state);
           ASSERT_TRUE(by_length.outcome.ok()) << by_length.outcome.message;
           EXPECT_NEAR(by_length.state.bodies[0].position.z(), path.points[i].z, 1e-6);
         }
@@ -141,19 +143,19 @@ TEST(LoadPath, ASkylineOfGivenTensionKeepsItsTautRoot) {
 }
 
 TEST(LoadPath, AConditionHoldsAlongIt) {
-  const model::Model m = with_carriage(true, 0.1, 1500);
+  const machine::Model m = with_carriage(true, 0.1, 1500);
   LoadPathOptions path;
   path.from = 140;
   path.to = 185;
   path.steps = 5;
   path.equilibrium.band = false;
-  path.condition = Condition{Condition::Kind::sag_at_carriage, 0, 9, 0};
+  path.condition = solve::Condition{solve::Condition::Kind::sag_at_carriage, 0, 9, 0};
   const LoadPath there = load_path(m, path);
   ASSERT_TRUE(there.outcome.ok()) << there.outcome.message;
   std::swap(path.from, path.to);
   const LoadPath back = load_path(m, path);
   for (std::size_t i = 0; i < there.points.size(); ++i) {
-    EXPECT_NEAR(sag_of_carriage(m, there.points[i].at, 0), 9, 1e-7);
+    EXPECT_NEAR(solve::sag_of_carriage(m, there.points[i].at, 0), 9, 1e-7);
     EXPECT_NEAR(back.points[5 - i].at.ropes[0].unstretched, there.points[i].at.ropes[0].unstretched, 1e-6);
   }
 }

@@ -11,7 +11,7 @@
 
 #include "taut/base/suggest.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
 using Found = tl::expected<Parameter, std::string>;
@@ -180,4 +180,4 @@ tl::expected<Parameter, std::string> find_parameter(const Description& descripti
   return Finder(below).find(description, object);
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

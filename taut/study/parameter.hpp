@@ -5,7 +5,7 @@
 
 #include "taut/calc/field.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// One number of a described struct, found by its path in the deck.
 struct Parameter {
@@ -24,4 +24,4 @@ struct Parameter {
 tl::expected<Parameter, std::string> find_parameter(const Description& description, void* object,
                                                     const std::string& path);
 
-}  // namespace taut::app
+}  // namespace taut::study

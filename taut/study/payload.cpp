@@ -9,7 +9,7 @@
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
 constexpr double first_part = 1.0 / 64;  ///< of the most that is looked for: tried first where nothing is expected
@@ -18,14 +18,14 @@ constexpr double more = 1.3;             ///< than expected: likely too much
 /// The payload that is looked for: what holds, what does not, and the limit that stops it.
 class PayloadSearch {
  public:
-  PayloadSearch(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
-                const std::optional<model::State>& start)
+  PayloadSearch(const machine::Model& model, int body, const PayloadLimits& limits,
+                const solve::EquilibriumOptions& options, const std::optional<machine::State>& start)
       : model_(model), loaded_(model), body_(body), limits_(limits), options_(options), near_(start) {}
 
   /// The margin of the nearest limit with this payload, and what it is.
   double margin(double mass) {
     loaded_.bodies[at(body_)].mass = model_.bodies[at(body_)].mass + mass;
-    EquilibriumResult r = equilibrium(loaded_, options_, near_);
+    solve::EquilibriumResult r = solve::equilibrium(loaded_, options_, near_);
     LimitState nearest;
     for (const LimitState& one : limits_at(loaded_, body_, limits_, r)) {
       if (one.margin < nearest.margin) nearest = one;
@@ -49,16 +49,16 @@ class PayloadSearch {
   double holds = -1;
   double stops = std::numeric_limits<double>::infinity();
   LimitState held, stopped;
-  EquilibriumResult result;
-  std::optional<model::State> unloaded;
+  solve::EquilibriumResult result;
+  std::optional<machine::State> unloaded;
 
  private:
-  const model::Model& model_;
-  model::Model loaded_;
+  const machine::Model& model_;
+  machine::Model loaded_;
   int body_;
   const PayloadLimits& limits_;
-  const EquilibriumOptions& options_;
-  std::optional<model::State> near_;
+  const solve::EquilibriumOptions& options_;
+  std::optional<machine::State> near_;
 };
 
 /// A limit that stops the payload, at the payload that still holds.
@@ -72,8 +72,8 @@ LimitState governing_of(const PayloadSearch& search, const std::vector<LimitStat
 
 }  // namespace
 
-Payload payload(const model::Model& model, int body, const PayloadLimits& limits, const EquilibriumOptions& options,
-                const std::optional<model::State>& start, double expected) {
+Payload payload(const machine::Model& model, int body, const PayloadLimits& limits,
+                const solve::EquilibriumOptions& options, const std::optional<machine::State>& start, double expected) {
   expects(limits.tension.empty() || limits.tension.size() == model.reevings.size(), "a limit for every rope");
   expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
   expects(body >= 0 && at(body) < model.bodies.size(), "a body of the model");
@@ -112,19 +112,19 @@ Payload payload(const model::Model& model, int body, const PayloadLimits& limits
   return answer;
 }
 
-std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadLimits& limits,
+std::vector<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
                                        const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
-  const model::Carriage& carriage = model.carriages.at(at(options.carriage));
+  const machine::Carriage& carriage = model.carriages.at(at(options.carriage));
   std::vector<PayloadPoint> points;
-  std::optional<model::State> start;
+  std::optional<machine::State> start;
   double expected = 0;
   for (int i = 0; i <= options.steps; ++i) {
     PayloadPoint point;
     point.x = options.from + (options.to - options.from) * i / options.steps;
     if (options.go_on && !options.go_on(point.x)) break;
-    EquilibriumOptions here = options.equilibrium;
-    here.prescribed = Prescribed{options.carriage, point.x, options.along};
+    solve::EquilibriumOptions here = options.equilibrium;
+    here.prescribed = machine::Prescribed{options.carriage, point.x, options.along};
     point.payload = payload(model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
       start = point.payload.unloaded;
@@ -138,4 +138,4 @@ std::vector<PayloadPoint> payload_path(const model::Model& model, const PayloadL
   return points;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

@@ -6,14 +6,16 @@
 
 namespace payload_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::study;
 using taut::Status;
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
 TEST(Payload, OfATackleIsItsFallsTimesTheRope) {
-  const model::Model m = tackle(4, 1, 500);
+  const machine::Model m = tackle(4, 1, 500);
   PayloadLimits limits;
   limits.tension = {10e3};
   const Payload p = payload(m, 0, limits);
@@ -24,10 +26,10 @@ TEST(Payload, OfATackleIsItsFallsTimesTheRope) {
 }
 
 TEST(Payload, TheFirstLimitReachedGoverns) {
-  model::Model m = with_carriage(true, 0.1, 200);
+  machine::Model m = with_carriage(true, 0.1, 200);
   m.terrain = {{0, 0}, {300, 60}};
-  EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{0, 150};
   PayloadLimits limits;
   limits.tension = {40e3, none};
   const Payload by_rope = payload(m, 0, limits, options);
@@ -48,7 +50,7 @@ TEST(Payload, TheFirstLimitReachedGoverns) {
 }
 
 TEST(Payload, SaysWhenNothingCanBeCarried) {
-  const model::Model m = tackle(4, 1, 5000);
+  const machine::Model m = tackle(4, 1, 5000);
   PayloadLimits limits;
   limits.tension = {10e3};
   const Payload p = payload(m, 0, limits);
@@ -66,7 +68,7 @@ TEST(Payload, WithoutLimitsTheLargestAskedFor) {
 }
 
 TEST(Payload, AlongTheLine) {
-  const model::Model m = with_carriage(false, 0.1, 200);
+  const machine::Model m = with_carriage(false, 0.1, 200);
   LoadPathOptions path;
   path.from = 100;
   path.to = 190;
@@ -75,8 +77,8 @@ TEST(Payload, AlongTheLine) {
   limits.tension = {40e3};
   for (const PayloadPoint& p : payload_path(m, limits, path)) {
     ASSERT_TRUE(p.payload.outcome.ok()) << p.payload.outcome.message;
-    EquilibriumOptions options;
-    options.prescribed = Prescribed{0, p.x};
+    solve::EquilibriumOptions options;
+    options.prescribed = machine::Prescribed{0, p.x};
     EXPECT_NEAR(p.payload.mass / payload(m, 0, limits, options).mass, 1, 1e-7);
     EXPECT_NEAR(p.payload.at.ropes[0].T_max / 40e3, 1, 1e-8);
   }

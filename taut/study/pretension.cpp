@@ -9,40 +9,40 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
 constexpr double pull_speed = 1e-3;  ///< m/s of rope taken out
 constexpr int pull_steps = 250;
 
-std::string words_of_pull(const model::Model& model, std::size_t number, const Pull& pull) {
+std::string words_of_pull(const machine::Model& model, std::size_t number, const Pull& pull) {
   return fmt::format("pull {}, '{}'", number + 1, model.reevings[at(pull.reeving)].name);
 }
 
 // ---- without friction: equilibria ----
 
-PullEnd end_of(const model::Model& model, const EquilibriumResult& result) {
+PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& result) {
   PullEnd end;
   const std::size_t ropes = model.reevings.size();
   end.T_start.assign(ropes, 0.0);
   end.T_end = end.T_start;
-  for (const SpanResult& span : result.spans | std::views::reverse) end.T_start[at(span.reeving)] = span.T_from;
-  for (const SpanResult& span : result.spans) end.T_end[at(span.reeving)] = span.T_to;
-  for (const RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
+  for (const solve::SpanResult& span : result.spans | std::views::reverse) end.T_start[at(span.reeving)] = span.T_from;
+  for (const solve::SpanResult& span : result.spans) end.T_end[at(span.reeving)] = span.T_to;
+  for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
   end.at = result;
   return end;
 }
 
-PretensionResult pull_at_rest(const model::Model& given, const std::vector<Pull>& pulls,
+PretensionResult pull_at_rest(const machine::Model& given, const std::vector<Pull>& pulls,
                               const PretensionOptions& options) {
   PretensionResult r;
-  EquilibriumOptions at_rest;
+  solve::EquilibriumOptions at_rest;
   at_rest.band = false;
   at_rest.lengths_kept = true;
-  EquilibriumResult found = equilibrium(given, at_rest);
+  solve::EquilibriumResult found = solve::equilibrium(given, at_rest);
   r.outcome = found.outcome;
   if (!r.outcome.ok()) return r;
-  model::Model model = installed(given, found);
+  machine::Model model = solve::installed(given, found);
   r.before = end_of(model, found);
   std::vector<double> taken(model.reevings.size(), 0.0);
   for (std::size_t i = 0; i < pulls.size(); ++i) {
@@ -51,21 +51,21 @@ PretensionResult pull_at_rest(const model::Model& given, const std::vector<Pull>
       return r;
     }
     const Pull& pull = pulls[i];
-    model::Reeving& rope = model.reevings[at(pull.reeving)];
+    machine::Reeving& rope = model.reevings[at(pull.reeving)];
     const double length = rope.value;
     if (pull.force) {
-      rope.given = pull.at_end ? model::Given::tension_at_end : model::Given::tension_at_start;
+      rope.given = pull.at_end ? machine::Given::tension_at_end : machine::Given::tension_at_start;
       rope.value = *pull.force;
     } else {
       expects(pull.take_up.has_value(), "a pull at rest ends at a force or a length");
       rope.value = length - *pull.take_up;
     }
-    found = equilibrium(model, at_rest, found.state);
+    found = solve::equilibrium(model, at_rest, found.state);
     if (!found.outcome.ok()) {
       r.outcome = {found.outcome.status, fmt::format("{}: {}", words_of_pull(model, i, pull), found.outcome.message)};
       return r;
     }
-    model = installed(model, found);
+    model = solve::installed(model, found);
     PullEnd end = end_of(model, found);
     end.taken = length - model.reevings[at(pull.reeving)].value;
     taken[at(pull.reeving)] += end.taken;
@@ -78,63 +78,63 @@ PretensionResult pull_at_rest(const model::Model& given, const std::vector<Pull>
 
 // ---- with friction: slowly ----
 
-model::Observable tension_at(const Pull& pull) {
-  model::Observable o;
+machine::Observable tension_at(const Pull& pull) {
+  machine::Observable o;
   o.name = "tension";
-  o.quantity = pull.at_end ? model::Quantity::T_end : model::Quantity::T_start;
+  o.quantity = pull.at_end ? machine::Quantity::T_end : machine::Quantity::T_start;
   o.unit = si::N;
   o.index = pull.reeving;
   return o;
 }
 
-model::Event stop_when(const model::Observable& of, bool above, double threshold) {
-  model::Event stop;
+machine::Event stop_when(const machine::Observable& of, bool above, double threshold) {
+  machine::Event stop;
   stop.words = "pulled";
-  stop.kind = model::EventKind::stop;
-  stop.when = model::Condition{of, above, threshold};
+  stop.kind = machine::EventKind::stop;
+  stop.when = machine::Condition{of, above, threshold};
   return stop;
 }
 
-void hold_still(model::Signal& signal) {
-  const double value = model::at(signal, 0).value;
-  if (!std::isnan(value)) signal.law = model::Moves{value, {}};
+void hold_still(machine::Signal& signal) {
+  const double value = machine::at(signal, 0).value;
+  if (!std::isnan(value)) signal.law = machine::Moves{value, {}};
 }
 
-void hold_still(model::Drive& drive) {
-  if (drive.kind == model::DriveKind::speed) drive.kind = model::DriveKind::held;
+void hold_still(machine::Drive& drive) {
+  if (drive.kind == machine::DriveKind::speed) drive.kind = machine::DriveKind::held;
   hold_still(drive.signal);
 }
 
 /// The machine with its drives and signals as they begin, and no events.
-model::Model standing_still(const model::Model& given) {
-  model::Model m = given;
+machine::Model standing_still(const machine::Model& given) {
+  machine::Model m = given;
   m.events.clear();
-  for (model::Signal& signal : m.signals) hold_still(signal);
-  for (model::Drum& drum : m.drums) hold_still(drum.drive);
-  for (model::Motor& motor : m.motors) hold_still(motor.drive);
-  for (model::Tensioner& tensioner : m.tensioners) hold_still(tensioner.change);
-  for (model::Body& body : m.bodies) {
-    for (model::DrivenWay& way : body.driven) hold_still(way.signal);
+  for (machine::Signal& signal : m.signals) hold_still(signal);
+  for (machine::Drum& drum : m.drums) hold_still(drum.drive);
+  for (machine::Motor& motor : m.motors) hold_still(motor.drive);
+  for (machine::Tensioner& tensioner : m.tensioners) hold_still(tensioner.change);
+  for (machine::Body& body : m.bodies) {
+    for (machine::DrivenWay& way : body.driven) hold_still(way.signal);
   }
-  for (model::Actuator& actuator : m.actuators) {
+  for (machine::Actuator& actuator : m.actuators) {
     hold_still(actuator.signal);
-    if (actuator.kind != model::ActuatorKind::force && actuator.lock_stiffness > 0)
-      actuator.mode = model::ActuatorMode::lock;
+    if (actuator.kind != machine::ActuatorKind::force && actuator.lock_stiffness > 0)
+      actuator.mode = machine::ActuatorMode::lock;
   }
   return m;
 }
 
 /// The machine slowly: the ropes' tensions are observed behind what the deck observes.
 struct SlowMachine {
-  model::Model model;
+  machine::Model model;
   std::size_t own = 0;  ///< observed by the deck
-  TransientOptions options;
+  solve::TransientOptions options;
   double t = 0;
   PullEnd last;
-  TransientFrame frame;  ///< of that end
+  solve::TransientFrame frame;  ///< of that end
 };
 
-SlowMachine slow_machine(const model::Model& given, const PretensionOptions& options) {
+SlowMachine slow_machine(const machine::Model& given, const PretensionOptions& options) {
   SlowMachine slow;
   slow.model = standing_still(given);
   slow.own = given.observed.size();
@@ -155,7 +155,7 @@ SlowMachine slow_machine(const model::Model& given, const PretensionOptions& opt
 }
 
 /// What the run has left; goes on from there.
-void take_over(const TransientResult& r, SlowMachine& slow) {
+void take_over(const solve::TransientResult& r, SlowMachine& slow) {
   PullEnd end;
   for (std::size_t k = 0; k < slow.own; ++k) end.observed.push_back(r.observed[k].back());
   for (std::size_t i = 0; i < slow.model.reevings.size(); ++i) {
@@ -175,13 +175,13 @@ void take_over(const TransientResult& r, SlowMachine& slow) {
 }
 
 /// The machine with that rope being pulled from now on.
-model::Model being_pulled(const SlowMachine& slow, const Pull& pull, double way, double where) {
-  model::Model m = slow.model;
-  model::Tensioner tensioner;
+machine::Model being_pulled(const SlowMachine& slow, const Pull& pull, double way, double where) {
+  machine::Model m = slow.model;
+  machine::Tensioner tensioner;
   tensioner.reeving = pull.reeving;
   tensioner.at_start = !pull.at_end;
   tensioner.change.unit = si::m;
-  tensioner.change.law = model::Curve{{slow.t, slow.t + slow.options.duration}, {0, -way}, {}};
+  tensioner.change.law = machine::Curve{{slow.t, slow.t + slow.options.duration}, {0, -way}, {}};
   m.tensioners.push_back(tensioner);
   if (pull.force) m.events.push_back(stop_when(tension_at(pull), way > 0, *pull.force));
   if (pull.until) {
@@ -193,11 +193,11 @@ model::Model being_pulled(const SlowMachine& slow, const Pull& pull, double way,
 
 /// Value of what is not to move, in the machine as it stands.
 double where_now(const SlowMachine& slow, const Pull& pull) {
-  model::Model m = slow.model;
+  machine::Model m = slow.model;
   m.observed.push_back(*pull.until);
-  TransientOptions o = slow.options;
+  solve::TransientOptions o = slow.options;
   o.duration = o.output_step;
-  const TransientResult r = transient(m, o);
+  const solve::TransientResult r = solve::transient(m, o);
   return r.observed.back().empty() ? 0 : r.observed.back().back();
 }
 
@@ -209,7 +209,7 @@ Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMach
   slow.options.duration = std::abs(way) / pull_speed;
   slow.options.output_step = slow.options.duration / pull_steps;
   const double where = pull.until ? where_now(slow, pull) : 0;
-  const TransientResult r = transient(being_pulled(slow, pull, way, where), slow.options);
+  const solve::TransientResult r = solve::transient(being_pulled(slow, pull, way, where), slow.options);
   interrupted = r.interrupted;
   if (!r.outcome.ok() || r.interrupted) return r.outcome;
   const double begun = slow.t;
@@ -230,14 +230,14 @@ void add_frame(const SlowMachine& slow, PretensionResult& r) {
   r.frames.back().t = static_cast<double>(r.ends.size());
 }
 
-PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>& pulls,
+PretensionResult pull_slowly(const machine::Model& given, const std::vector<Pull>& pulls,
                              const PretensionOptions& options) {
   PretensionResult r;
   r.slowly = true;
   SlowMachine slow = slow_machine(given, options);
-  TransientOptions rest = slow.options;
+  solve::TransientOptions rest = slow.options;
   rest.duration = rest.output_step;
-  const TransientResult before = transient(slow.model, rest);
+  const solve::TransientResult before = solve::transient(slow.model, rest);
   r.outcome = before.outcome;
   if (!r.outcome.ok()) return r;
   take_over(before, slow);
@@ -267,12 +267,12 @@ PretensionResult pull_slowly(const model::Model& given, const std::vector<Pull>&
 
 }  // namespace
 
-bool pulled_slowly(const model::Model& model, const std::vector<Pull>& pulls) {
+bool pulled_slowly(const machine::Model& model, const std::vector<Pull>& pulls) {
   return !model.contacts.empty() || !model.actuators.empty() ||
          std::any_of(pulls.begin(), pulls.end(), [](const Pull& one) { return one.until.has_value(); });
 }
 
-PretensionResult pretension(const model::Model& model, const std::vector<Pull>& pulls,
+PretensionResult pretension(const machine::Model& model, const std::vector<Pull>& pulls,
                             const PretensionOptions& options) {
   for (const Pull& one : pulls) {
     expects((one.force ? 1 : 0) + (one.take_up ? 1 : 0) + (one.until ? 1 : 0) == 1, "a pull ends in one way");
@@ -281,4 +281,4 @@ PretensionResult pretension(const model::Model& model, const std::vector<Pull>& 
   return pulled_slowly(model, pulls) ? pull_slowly(model, pulls, options) : pull_at_rest(model, pulls, options);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

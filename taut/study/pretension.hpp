@@ -7,7 +7,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// One rope tightened at one of its ends: unstretched rope is taken out there (let out, where it is too tight already)
 /// until one of these is reached.
@@ -17,24 +17,24 @@ struct Pull {
   std::optional<double> force;    ///< N: its tension at that end
   std::optional<double> take_up;  ///< m: so much rope is out; < 0: in
   /// Something has left its place by `moves`, either way: a section that the rope draws along begins to slide.
-  std::optional<model::Observable> until;
+  std::optional<machine::Observable> until;
   double moves = 0;  ///< in the unit of `until`, > 0
 };
 
 /// The machine as a pull has ended.
 struct PullEnd {
-  double taken = 0;                     ///< unstretched rope taken out by this pull, m
-  double taken_in_all = 0;              ///< of this rope, by all pulls so far, m
-  std::vector<double> T_start, T_end;   ///< by reeving, N
-  std::vector<double> observed;         ///< as in the model
-  std::vector<double> unstretched;      ///< by reeving, m
-  std::optional<EquilibriumResult> at;  ///< of a machine without friction
+  double taken = 0;                            ///< unstretched rope taken out by this pull, m
+  double taken_in_all = 0;                     ///< of this rope, by all pulls so far, m
+  std::vector<double> T_start, T_end;          ///< by reeving, N
+  std::vector<double> observed;                ///< as in the model
+  std::vector<double> unstretched;             ///< by reeving, m
+  std::optional<solve::EquilibriumResult> at;  ///< of a machine without friction
 };
 
 struct PretensionOptions {
   double longest = 0.5;  ///< m: a pull of more is not right
   double tolerance = 1e-9;
-  Start start = Start::settled;  ///< of a machine with friction, before the first pull
+  solve::Start start = solve::Start::settled;  ///< of a machine with friction, before the first pull
   /// Before each pull, with its number; false interrupts.
   std::function<bool(std::size_t)> progress;
 };
@@ -46,18 +46,19 @@ struct PretensionResult {
   bool slowly = false;        ///< with friction, as a quasi-static motion; else by equilibria without
   PullEnd before;             ///< any pull
   std::vector<PullEnd> ends;  ///< by pull
-  model::Model model;  ///< of a machine without friction: with the lengths that its ropes have after the last one
-  std::optional<DynamicState> state;   ///< after the last one, of a machine with friction
-  std::vector<TransientFrame> frames;  ///< of such a one: before any pull and as each ends, its number as the time
+  machine::Model model;  ///< of a machine without friction: with the lengths that its ropes have after the last one
+  std::optional<solve::DynamicState> state;  ///< after the last one, of a machine with friction
+  std::vector<solve::TransientFrame>
+      frames;  ///< of such a one: before any pull and as each ends, its number as the time
 };
 
 /// Whether friction holds parts of the machine: contacts on faces, cylinders, or sheaves with losses in motion alone.
-bool pulled_slowly(const model::Model& model, const std::vector<Pull>& pulls);
+bool pulled_slowly(const machine::Model& model, const std::vector<Pull>& pulls);
 
 /// Ropes pulled in turn, as they are put up. A machine with contacts or cylinders moves quasi-statically with all its
 /// friction (TransientOptions::quasi_static); else each pull ends in an equilibrium at rest. Drives and signals stand
 /// still, and no events happen. docs/theory/dynamics.md.
-PretensionResult pretension(const model::Model& model, const std::vector<Pull>& pulls,
+PretensionResult pretension(const machine::Model& model, const std::vector<Pull>& pulls,
                             const PretensionOptions& options = {});
 
-}  // namespace taut::analysis
+}  // namespace taut::study

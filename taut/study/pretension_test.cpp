@@ -8,26 +8,29 @@
 
 /// Ropes pulled tight in turn, with friction and without.
 namespace taut_test::pretension_test {
+
+namespace machine = taut::machine;
+
 namespace {
 
-using taut::analysis::pretension;
-using taut::analysis::PretensionOptions;
-using taut::analysis::PretensionResult;
-using taut::analysis::Pull;
+using taut::study::pretension;
+using taut::study::PretensionOptions;
+using taut::study::PretensionResult;
+using taut::study::Pull;
 
 constexpr int extension = 0, retraction = 1;
 
-model::Observable place_of(int body, int seen_from = -1) {
-  model::Observable o;
+machine::Observable place_of(int body, int seen_from = -1) {
+  machine::Observable o;
   o.name = "x";
-  o.quantity = model::Quantity::x;
+  o.quantity = machine::Quantity::x;
   o.unit = taut::si::m;
   o.index = body;
   o.seen_from = seen_from;
   return o;
 }
 
-Pull until_it_moves(int reeving, const model::Observable& what, double moves = 1e-5) {
+Pull until_it_moves(int reeving, const machine::Observable& what, double moves = 1e-5) {
   Pull pull;
   pull.reeving = reeving;
   pull.until = what;
@@ -45,7 +48,7 @@ Pull to_force(int reeving, double force, bool at_end = false) {
 
 /// The boom at 9 m and 0 degrees as the paper reckons with it: rigid but for its ropes, which are slack at first, and
 /// f_0 G_3 rounded.
-model::Model boom_with_slack_ropes(double slip) {
+machine::Model boom_with_slack_ropes(double slip) {
   Boom b;
   b.angle = 0;
   b.hook = b.load = 0;
@@ -54,7 +57,7 @@ model::Model boom_with_slack_ropes(double slip) {
   b.C1 = 2.72e6;
   b.eta = 1;
   b.f0 = b.f_inf = slip / b.G3;
-  model::Model m = boom_machine(b);
+  machine::Model m = boom_machine(b);
   for (auto& pad : m.contacts) pad.stiffness = pad.tangential_stiffness = 1e11;
   m.actuators[0].lock_stiffness = 1e11;
   return m;
@@ -110,8 +113,8 @@ TEST(Pretension, TheLimitOfSlidingHoldsInAYieldingBoom) {
 }
 
 /// A body between two ropes, free along them.
-model::Model between_two_ropes(double tension) {
-  model::Model m;
+machine::Model between_two_ropes(double tension) {
+  machine::Model m;
   m.bodies.push_back(body("ring", origin, 10, "x"));
   const double EA = 2e6, length = 20;
   m.reevings.push_back(
@@ -150,8 +153,8 @@ TEST(Pretension, ATakeUpIsTaken) {
 }
 
 /// The same ring on a floor that holds it by friction.
-model::Model on_a_floor(double tension, double mass, double f0) {
-  model::Model m = between_two_ropes(tension);
+machine::Model on_a_floor(double tension, double mass, double f0) {
+  machine::Model m = between_two_ropes(tension);
   m.gravity = 10;
   m.bodies[0] = body("ring", origin, mass, "xz");
   add_floor(m, 0, 1, 1e10, f0);
@@ -162,7 +165,7 @@ model::Model on_a_floor(double tension, double mass, double f0) {
 /// pulls with friction as without.
 TEST(Pretension, ABlockOnAFloorHoldsTheDifference) {
   const double W = 500 * 10.0, f0 = 0.3;
-  const model::Model m = on_a_floor(1e3, 500, f0);
+  const machine::Model m = on_a_floor(1e3, 500, f0);
   Pull last;
   last.reeving = 1;
   last.take_up = -1e-3;
@@ -190,7 +193,7 @@ TEST(Pretension, AForceThatIsNotReachedIsToldWithTheLastTension) {
 TEST(Pretension, CanBeInterrupted) {
   PretensionOptions options;
   options.progress = [](std::size_t i) { return i < 1; };
-  for (const model::Model& m : {between_two_ropes(10e3), on_a_floor(1e3, 500, 0.3)}) {
+  for (const machine::Model& m : {between_two_ropes(10e3), on_a_floor(1e3, 500, 0.3)}) {
     const PretensionResult r = pretension(m, {to_force(0, 20e3), to_force(1, 25e3)}, options);
     EXPECT_TRUE(r.interrupted);
     EXPECT_EQ(r.ends.size(), 1U);

@@ -3,7 +3,7 @@
 
 #include "taut/study/installation.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 
 /// A rope as it was put up.
 struct PutUpLine {
@@ -14,9 +14,9 @@ struct PutUpLine {
   bool at_end = false;  ///< at which end of its path
 };
 
-/// Puts up the ropes that are to be (model::Reeving::put_up), in turn: each on the machine with the ropes before it and
-/// without those to come; what hangs on it is not there but for what it is put up with. Its length is kept from there
-/// on: `model` has it. Ends with the first that fails.
-std::vector<PutUpLine> put_up(model::Model& model);
+/// Puts up the ropes that are to be (machine::Reeving::put_up), in turn: each on the machine with the ropes before it
+/// and without those to come; what hangs on it is not there but for what it is put up with. Its length is kept from
+/// there on: `model` has it. Ends with the first that fails.
+std::vector<PutUpLine> put_up(machine::Model& model);
 
-}  // namespace taut::analysis
+}  // namespace taut::study

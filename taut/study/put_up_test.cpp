@@ -6,59 +6,61 @@
 
 namespace put_up_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::study;
 using taut::Status;
 
 /// A mass that can move in x and z, on two ropes; both are to be put up.
-model::Model two_lines(double left, double right) {
-  model::Model m;
+machine::Model two_lines(double left, double right) {
+  machine::Model m;
   m.bodies.push_back(body("knot", {50, 0, 15}, 200, "xz"));
   m.reevings.push_back(reeve("left", {anchor("a", {0, 0, 20}), anchor_on("knot", 0)}, 0, 12, 8e6));
   m.reevings.push_back(reeve("right", {anchor_on("knot", 0), anchor("b", {110, 0, 24})}, 0, 9, 6e6));
   m.reevings.push_back(reeve("stay", {anchor("c", {40, 0, 40}), anchor_on("knot", 0)}, 26, 10, 9e6));
-  m.reevings[0].put_up = model::PutUp{left, false, {0}, {}};
-  m.reevings[1].put_up = model::PutUp{right, true, {0}, {}};
+  m.reevings[0].put_up = machine::PutUp{left, false, {0}, {}};
+  m.reevings[1].put_up = machine::PutUp{right, true, {0}, {}};
   return m;
 }
 
 TEST(PutUp, ASpanHasItsTensionAndKeepsItsLength) {
   for (const bool at_end : {false, true}) {
-    model::Model m;
+    machine::Model m;
     m.reevings.push_back(reeve("line", {anchor("a", {0, 0, 10}), anchor("b", {120, 0, 25})}, 0, 15, 9e6));
-    m.reevings[0].put_up = model::PutUp{30e3, at_end, {}, {}};
+    m.reevings[0].put_up = machine::PutUp{30e3, at_end, {}, {}};
     const std::vector<PutUpLine> lines = put_up(m);
     ASSERT_EQ(lines.size(), 1U);
     ASSERT_TRUE(lines[0].at.outcome.ok()) << lines[0].at.outcome.message;
     EXPECT_EQ(lines[0].at_end, at_end);
-    EXPECT_EQ(m.reevings[0].given, model::Given::length);
+    EXPECT_EQ(m.reevings[0].given, machine::Given::length);
     EXPECT_EQ(m.reevings[0].value, lines[0].at.unstretched);
-    const EquilibriumResult r = equilibrium(m);
+    const solve::EquilibriumResult r = solve::equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR((at_end ? r.spans[0].T_to : r.spans[0].T_from) / 30e3, 1, 1e-9);
   }
 }
 
 TEST(PutUp, InTurnEachWithoutThoseToCome) {
-  model::Model m = two_lines(20e3, 25e3);
+  machine::Model m = two_lines(20e3, 25e3);
   const std::vector<PutUpLine> lines = put_up(m);
   ASSERT_EQ(lines.size(), 2U);
   for (const PutUpLine& one : lines) ASSERT_TRUE(one.at.outcome.ok()) << one.at.outcome.message;
   // after the first one: the machine without the second
-  model::Model first = m;
+  machine::Model first = m;
   first.reevings.erase(first.reevings.begin() + 1);
-  const EquilibriumResult before = equilibrium(first);
+  const solve::EquilibriumResult before = solve::equilibrium(first);
   ASSERT_TRUE(before.outcome.ok()) << before.outcome.message;
   EXPECT_NEAR(before.spans[0].T_from / 20e3, 1, 1e-8);
   // with both: the second has its tension, the first one has changed
-  const EquilibriumResult after = equilibrium(m);
+  const solve::EquilibriumResult after = solve::equilibrium(m);
   ASSERT_TRUE(after.outcome.ok()) << after.outcome.message;
   EXPECT_NEAR(after.spans[1].T_to / 25e3, 1, 1e-8);
   EXPECT_GT(after.spans[0].T_from, 1.05 * 20e3);
 }
 
 TEST(PutUp, EndsWithTheFirstThatFails) {
-  model::Model m = two_lines(20e3, 25e3);
+  machine::Model m = two_lines(20e3, 25e3);
   m.reevings[0].put_up->tension = 1;  // less than the rope weighs
   const std::vector<PutUpLine> lines = put_up(m);
   ASSERT_EQ(lines.size(), 1U);

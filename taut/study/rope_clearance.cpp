@@ -7,14 +7,14 @@
 #include "taut/math/index.hpp"
 #include "taut/study/load_path.hpp"
 
-namespace taut::analysis {
+namespace taut::study {
 namespace {
 
 constexpr double near = 1e-9;  ///< of a span's length
 
-bool moves(const model::Model& model, const SpanResult& span, int node) {
-  const model::Place& place = model.reevings[at(span.reeving)].nodes[at(node)].at;
-  return place.body != model::ground && !model.bodies[at(place.body)].free.empty();
+bool moves(const machine::Model& model, const solve::SpanResult& span, int node) {
+  const machine::Place& place = model.reevings[at(span.reeving)].nodes[at(node)].at;
+  return place.body != machine::ground && !model.bodies[at(place.body)].free.empty();
 }
 
 /// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
@@ -38,7 +38,7 @@ struct Part {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const model::Model& model, const SpanResult& span)
+  ClearanceSearch(const machine::Model& model, const solve::SpanResult& span)
       : model_(model), span_(span), ground_(model.terrain) {
     under_ = {terrain_x(model, span.start), model.terrain_along.dot(span.shape.along)};
     length_ = std::hypot(span.shape.chord.x(), span.shape.chord.y());
@@ -92,7 +92,7 @@ class ClearanceSearch {
   }
 
   /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
-  void parallel(const model::GroundPoint& a, const model::GroundPoint& b, const Part& part) {
+  void parallel(const machine::GroundPoint& a, const machine::GroundPoint& b, const Part& part) {
     if (straight()) return;
     const rope::CatenaryRope& rope = span_.shape.rope;
     const double slope = under_.rate * (b.z - a.z) / (b.x - a.x);
@@ -105,15 +105,15 @@ class ClearanceSearch {
 
   void hilltop(std::size_t k, const Part& part) {
     if (under_.rate == 0) return;
-    const model::GroundPoint &a = ground_[k - 1], &b = ground_[k], &c = ground_[k + 1];
+    const machine::GroundPoint &a = ground_[k - 1], &b = ground_[k], &c = ground_[k + 1];
     if ((b.z - a.z) * (c.x - b.x) <= (c.z - b.z) * (b.x - a.x)) return;
     const double h = (b.x - under_.from) / under_.rate;
     if (h > part.first && h < part.last) take_at(h);
   }
 
-  const model::Model& model_;
-  const SpanResult& span_;
-  const std::vector<model::GroundPoint>& ground_;
+  const machine::Model& model_;
+  const solve::SpanResult& span_;
+  const std::vector<machine::GroundPoint>& ground_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
   RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
@@ -131,7 +131,7 @@ struct Extent {
 };
 
 /// The part of a span in a window. A rope lies over its chord in plan.
-void take_extent(const model::Model& model, const SpanResult& span, const RopeWindow& window, Extent& extent) {
+void take_extent(const machine::Model& model, const solve::SpanResult& span, const RopeWindow& window, Extent& extent) {
   const double length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
   const auto [low, high] = std::minmax(window.from, window.to);
   const Under across{window.along.dot(span.start), window.along.dot(span.shape.along)};
@@ -149,12 +149,12 @@ RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
 
 }  // namespace
 
-RopeClearance rope_clearance(const model::Model& model, const SpanResult& span) {
+RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResult& span) {
   if (model.terrain.empty() || span.slack) return {};
   return lower({}, ClearanceSearch(model, span).least());
 }
 
-RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends) {
+RopeClearance rope_clearance(const machine::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends) {
   RopeClearance least;
   const auto take = [&](const Vector3& place) {
     least = lower(least, {place.z() - ground_height(model.terrain, terrain_x(model, place)), place});
@@ -163,7 +163,7 @@ RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector
     if ((i > 0 || begins) && (i + 1 < rope.size() || ends)) take(rope[i]);
     if (i == 0) continue;
     const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
-    for (const model::GroundPoint& top : model.terrain) {
+    for (const machine::GroundPoint& top : model.terrain) {
       if (top.x <= std::min(a, b) || top.x >= std::max(a, b)) continue;
       take(rope[i - 1] + (top.x - a) / (b - a) * (rope[i] - rope[i - 1]));
     }
@@ -171,23 +171,23 @@ RopeClearance rope_clearance(const model::Model& model, const std::vector<Vector
   return least;
 }
 
-RopeClearance rope_clearance(const model::Model& model, const EquilibriumResult& result) {
+RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result) {
   RopeClearance least;
-  for (const SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));
+  for (const solve::SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));
   return least;
 }
 
-RopeClearance rope_clearance(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+RopeClearance rope_clearance(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
                              const RopeWindow& window) {
   RopeClearance least;
   if (model.terrain.empty()) return least;
-  for (const SpanResult& span : spans) {
+  for (const solve::SpanResult& span : spans) {
     if (span.reeving == reeving) least = lower(least, ClearanceSearch(model, span).least(window));
   }
   return least;
 }
 
-TerrainGap terrain_gap(const model::Model& model, double from, double to) {
+TerrainGap terrain_gap(const machine::Model& model, double from, double to) {
   const auto [low, high] = std::minmax(from, to);
   if (model.terrain.empty()) return {high - low, 0};
   const double rounding = near * std::max({1.0, high - low, std::abs(low), std::abs(high)});
@@ -196,19 +196,19 @@ TerrainGap terrain_gap(const model::Model& model, double from, double to) {
   return {part(std::min(high, first) - low), part(high - std::max(low, last))};
 }
 
-TerrainGap terrain_gap(const model::Model& model, const std::vector<SpanResult>& spans, int reeving,
+TerrainGap terrain_gap(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
                        const RopeWindow& window) {
   Extent extent;
-  for (const SpanResult& span : spans) {
+  for (const solve::SpanResult& span : spans) {
     if (span.reeving == reeving) take_extent(model, span, window, extent);
   }
   return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
 }
 
-TerrainGap terrain_gap(const model::Model& model, const EquilibriumResult& result) {
+TerrainGap terrain_gap(const machine::Model& model, const solve::EquilibriumResult& result) {
   Extent extent;
-  for (const SpanResult& span : result.spans) take_extent(model, span, {}, extent);
+  for (const solve::SpanResult& span : result.spans) take_extent(model, span, {}, extent);
   return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::study

@@ -13,16 +13,16 @@ constexpr double a = 200, span = 100, support = 20;  // m: H/w, between supports
 double rope_height(double x) { return support - a * (std::cosh(span / 2 / a) - std::cosh((x - span / 2) / a)); }
 
 struct Line {
-  model::Model machine;
-  taut::analysis::SpanResult rope;
+  machine::Model machine;
+  taut::solve::SpanResult rope;
 };
 
-Line line_over(std::vector<model::GroundPoint> ground) {
+Line line_over(std::vector<machine::GroundPoint> ground) {
   Line line;
   line.machine.terrain = std::move(ground);
   line.machine.reevings.push_back(reeve("sky", {anchor("left", {0, 0, support}), anchor("right", {span, 0, support})},
                                         2 * a * std::sinh(span / 2 / a), 10, 1e13));
-  const auto found = taut::analysis::equilibrium(line.machine);
+  const auto found = taut::solve::equilibrium(line.machine);
   EXPECT_TRUE(found.outcome.ok()) << found.outcome.message;
   line.rope = found.spans.at(0);
   return line;
@@ -30,18 +30,18 @@ Line line_over(std::vector<model::GroundPoint> ground) {
 
 // A polyline of the same rope, against the exact search over its catenary: from above by the sag of its pieces alone.
 TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
-  for (const auto& ground : {std::vector<model::GroundPoint>{{-10, 0}, {110, 0}},
+  for (const auto& ground : {std::vector<machine::GroundPoint>{{-10, 0}, {110, 0}},
                              {{0, -5}, {100, 5}},
                              {{0, -9}, {30, 12}, {31, -9}, {100, 3}}}) {
     const Line line = line_over(ground);
-    const double exact = taut::analysis::rope_clearance(line.machine, line.rope).height;
+    const double exact = taut::study::rope_clearance(line.machine, line.rope).height;
     for (const int pieces : {16, 160}) {
       std::vector<Vector3> places;
       for (int i = 0; i <= pieces; ++i) {
         const double x = span * i / pieces;
         places.emplace_back(x, 0, rope_height(x));
       }
-      const double found = taut::analysis::rope_clearance(line.machine, places, false, false).height;
+      const double found = taut::study::rope_clearance(line.machine, places, false, false).height;
       const double sag = support - rope_height(span / 2);
       EXPECT_GE(found, exact - 1e-6);
       EXPECT_LE(found, exact + 1.1 * sag / (pieces * pieces) + 1e-6);
@@ -49,15 +49,15 @@ TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
   }
   const Line line = line_over({{-10, 15}, {110, 15}});
   const std::vector<Vector3> rising = {{0, 0, 15}, {50, 0, 18}, {100, 0, 14}};
-  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, true, false).height, 0);
-  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, false, true).height, -1);
-  EXPECT_DOUBLE_EQ(taut::analysis::rope_clearance(line.machine, rising, false, false).height, 3);
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, true, false).height, 0);
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, true).height, -1);
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, false).height, 3);
 }
 
 TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
-  const auto least = [](std::vector<model::GroundPoint> ground) {
+  const auto least = [](std::vector<machine::GroundPoint> ground) {
     const Line line = line_over(std::move(ground));
-    return taut::analysis::rope_clearance(line.machine, line.rope);
+    return taut::study::rope_clearance(line.machine, line.rope);
   };
   const auto flat = least({{-10, 0}, {110, 0}});
   EXPECT_NEAR(flat.height, rope_height(50), 1e-6);
@@ -75,12 +75,12 @@ TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
 /// A rope may well begin at the ground where it is fixed; an end that moves with a body may not come down to it.
 TEST(RopeClearance, CountsEndsThatMove) {
   Line line = line_over({{0, support}, {10, 0}, {100, 0}});
-  EXPECT_NEAR(taut::analysis::rope_clearance(line.machine, line.rope).height, rope_height(50), 1e-6);
+  EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, rope_height(50), 1e-6);
   line.machine.bodies.push_back(body("car", {0, 0, support}, 10, "z"));
   line.machine.reevings[0].nodes[0] = anchor_on("car", 0);
-  EXPECT_NEAR(taut::analysis::rope_clearance(line.machine, line.rope).height, 0, 1e-9);
+  EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, 0, 1e-9);
   line.machine.terrain = {{-20, 0}, {-10, 0}};
-  EXPECT_TRUE(std::isnan(taut::analysis::rope_clearance(line.machine, line.rope).height));
+  EXPECT_TRUE(std::isnan(taut::study::rope_clearance(line.machine, line.rope).height));
 }
 
 }  // namespace

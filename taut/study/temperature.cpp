@@ -8,25 +8,25 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
 constexpr double zero_celsius = 273.15;
 
-const model::description::Rope& rope_named(const model::Machine& machine, const std::string& name) {
+const machine::description::Rope& rope_named(const machine::Machine& machine, const std::string& name) {
   const auto rope =
       std::find_if(machine.ropes.begin(), machine.ropes.end(), [&](const auto& one) { return one.name == name; });
   expects(rope != machine.ropes.end(), "a compiled machine names its ropes");
   return *rope;
 }
 
-std::optional<double> reference_of(const model::Machine& machine, const model::description::Rope& rope) {
+std::optional<double> reference_of(const machine::Machine& machine, const machine::description::Rope& rope) {
   return rope.reference_temperature ? rope.reference_temperature : machine.temperature;
 }
 
 }  // namespace
 
-void set_temperature(model::Model& model, const model::Machine& machine, double temperature) {
+void set_temperature(machine::Model& model, const machine::Machine& machine, double temperature) {
   const std::size_t guys = machine.reevings.size();
   expects(model.reevings.size() == guys + machine.guys.size(), "the model of this machine");
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
@@ -36,7 +36,7 @@ void set_temperature(model::Model& model, const model::Machine& machine, double 
   }
 }
 
-void require_references(const model::Machine& machine, const std::string& path, std::vector<Complaint>& complaints) {
+void require_references(const machine::Machine& machine, const std::string& path, std::vector<Complaint>& complaints) {
   for (const auto& rope : machine.ropes) {
     if (reference_of(machine, rope)) continue;
     complaints.push_back({path, fmt::format("the length of rope '{}' holds at no temperature that is told: give the "
@@ -50,4 +50,4 @@ std::string celsius(double kelvin) {
   return fmt::format("{:.5g} degC", shown == 0 || std::abs(shown) < 1e-9 ? 0.0 : shown);
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -6,16 +6,16 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// All ropes at another temperature (K): their lengths at the reference temperature stay as they are. A rope without
 /// one of its own has its length at the machine's temperature.
-void set_temperature(model::Model& model, const model::Machine& machine, double temperature);
+void set_temperature(machine::Model& model, const machine::Machine& machine, double temperature);
 
 /// Complains of ropes whose reference temperature nobody says, at `path`: other temperatures would change nothing.
-void require_references(const model::Machine& machine, const std::string& path, std::vector<Complaint>& complaints);
+void require_references(const machine::Machine& machine, const std::string& path, std::vector<Complaint>& complaints);
 
 /// "-20 degC", for words.
 std::string celsius(double kelvin);
 
-}  // namespace taut::app
+}  // namespace taut::study

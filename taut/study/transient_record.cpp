@@ -5,23 +5,23 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
-using analysis::TransientFrame;
-using analysis::TransientResult;
+using solve::TransientFrame;
+using solve::TransientResult;
 
 // Pictures of 2000 moments are as good as of more; with many parts in each of them they would take gigabytes.
 constexpr std::size_t most_frames = 2001, most_parts = 400'000;
 
 /// How many frames like this one are shown.
-std::size_t shown_at_most(const TransientFrame& frame) {
+std::size_t shown_at_most(const solve::TransientFrame& frame) {
   std::size_t parts = frame.bodies.size() + frame.contacts.size() + frame.branches.size() + 1;
   for (const auto& branch : frame.branches) parts += branch.curve.size();
   return std::clamp<std::size_t>(most_parts / parts, 3, most_frames);
 }
 
-std::vector<double> observed_at(const TransientResult& so_far, std::size_t frame) {
+std::vector<double> observed_at(const solve::TransientResult& so_far, std::size_t frame) {
   std::vector<double> values;
   values.reserve(so_far.observed.size());
   for (const auto& one : so_far.observed) values.push_back(one[frame]);
@@ -29,7 +29,7 @@ std::vector<double> observed_at(const TransientResult& so_far, std::size_t frame
 }
 
 /// When the largest tension of all ropes was, s.
-double time_of_peak(const TransientResult& so_far) {
+double time_of_peak(const solve::TransientResult& so_far) {
   const auto most = std::max_element(so_far.ropes.begin(), so_far.ropes.end(),
                                      [](const auto& a, const auto& b) { return a.T.max < b.T.max; });
   return most == so_far.ropes.end() ? 0 : most->T.t_max;
@@ -37,8 +37,8 @@ double time_of_peak(const TransientResult& so_far) {
 
 }  // namespace
 
-void TransientRecord::take(const model::Model& model, const TransientResult& so_far) {
-  const TransientFrame& frame = so_far.frames.back();
+void TransientRecord::take(const machine::Model& model, const solve::TransientResult& so_far) {
+  const solve::TransientFrame& frame = so_far.frames.back();
   const std::vector<double> observed = observed_at(so_far, so_far.frames.size() - 1);
   if (count_ == 0) {
     lines_ = std::make_shared<LongRows>(1 + observed.size());
@@ -48,7 +48,7 @@ void TransientRecord::take(const model::Model& model, const TransientResult& so_
   std::vector<double> line = {frame.t};
   line.insert(line.end(), observed.begin(), observed.end());
   lines_->add(line);
-  const analysis::EnergyLedger& e = frame.energy;
+  const solve::EnergyLedger& e = frame.energy;
   energy_->add({e.kinetic, e.elastic, e.potential, e.supplied, e.dissipated(), e.residual});
   add_slips(model, so_far);
   follow_peak(so_far);
@@ -57,23 +57,23 @@ void TransientRecord::take(const model::Model& model, const TransientResult& so_
   ++count_;
 }
 
-void TransientRecord::add_slips(const model::Model& model, const TransientResult& so_far) {
-  const TransientFrame& now = so_far.frames.back();
+void TransientRecord::add_slips(const machine::Model& model, const solve::TransientResult& so_far) {
+  const solve::TransientFrame& now = so_far.frames.back();
   if (count_ == 0) {
     slips_.resize(now.contacts.size());
     return;
   }
-  const TransientFrame& before = so_far.frames[so_far.frames.size() - 2];
+  const solve::TransientFrame& before = so_far.frames[so_far.frames.size() - 2];
   const double half = (now.t - before.t) / 2;
   for (std::size_t c = 0; c < slips_.size(); ++c) {
     const auto &a = before.contacts[c], &b = now.contacts[c];
-    const model::Node& node = model.reevings[at(b.reeving)].nodes[at(b.node)];
+    const machine::Node& node = model.reevings[at(b.reeving)].nodes[at(b.node)];
     slips_[c].slipped += half * (std::abs(a.slip) + std::abs(b.slip));
     slips_[c].rim += half * node.radius * (std::abs(a.spin) + std::abs(b.spin));
   }
 }
 
-void TransientRecord::follow_peak(const TransientResult& so_far) {
+void TransientRecord::follow_peak(const solve::TransientResult& so_far) {
   const double t = time_of_peak(so_far);
   if (count_ > 0 && t == t_peak_) return;
   t_peak_ = t;
@@ -93,7 +93,7 @@ void TransientRecord::thin() {
   every_ *= 2;
 }
 
-void TransientRecord::show(TransientResult& result) const {
+void TransientRecord::show(solve::TransientResult& result) const {
   if (empty()) return;
   std::vector<Shown> all = shown_;
   const auto put_in = [&](Shown one) {
@@ -113,4 +113,4 @@ void TransientRecord::show(TransientResult& result) const {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

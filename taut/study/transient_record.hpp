@@ -6,7 +6,7 @@
 #include "taut/base/long_rows.hpp"
 #include "taut/solve/motion/transient.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// What is kept of a motion as it goes, so that its size in memory does not grow with its duration: the lines of its
 /// series with their numbers (on disk where they are many), and the frames that pictures show: all of them, or of a
@@ -15,10 +15,10 @@ namespace taut::app {
 class TransientRecord {
  public:
   /// After an output step: TransientOptions::take.
-  void take(const model::Model& model, const analysis::TransientResult& so_far);
+  void take(const machine::Model& model, const solve::TransientResult& so_far);
 
   /// Puts the frames and observed values that are shown into the result, in place of its first and last one.
-  void show(analysis::TransientResult& result) const;
+  void show(solve::TransientResult& result) const;
 
   bool empty() const { return !lines_; }
   std::size_t count() const { return count_; }  ///< of the output steps
@@ -35,11 +35,11 @@ class TransientRecord {
 
  private:
   struct Shown {
-    analysis::TransientFrame frame;
+    solve::TransientFrame frame;
     std::vector<double> observed;
   };
-  void add_slips(const model::Model& model, const analysis::TransientResult& so_far);
-  void follow_peak(const analysis::TransientResult& so_far);
+  void add_slips(const machine::Model& model, const solve::TransientResult& so_far);
+  void follow_peak(const solve::TransientResult& so_far);
   void thin();
 
   std::size_t count_ = 0, every_ = 1, most_ = 0;
@@ -50,4 +50,4 @@ class TransientRecord {
   std::vector<Slip> slips_;
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

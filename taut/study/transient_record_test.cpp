@@ -10,20 +10,22 @@
 /// What is kept of a long motion.
 namespace transient_record_test {
 
+namespace solve = taut::solve;
+
 using namespace taut_test;
 using taut::Animation;
 using taut::Result;
 using taut::Status;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientResult;
-using taut::app::TransientRecord;
+using taut::solve::TransientFrame;
+using taut::solve::TransientResult;
+using taut::study::TransientRecord;
 
 constexpr double peak_at = 6412.4;
 
 /// A motion of one rope over one sheave, an output each second.
 struct Fake {
-  taut::model::Model model;
-  TransientResult result;
+  taut::machine::Model model;
+  solve::TransientResult result;
   TransientRecord record;
 
   Fake() {
@@ -35,7 +37,7 @@ struct Fake {
   }
 
   void step(int i) {
-    TransientFrame frame;
+    solve::TransientFrame frame;
     frame.t = i;
     frame.branches.resize(2);
     frame.contacts.resize(1);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace taut::app {
+namespace taut::study {
 
 bool Watch::go_on(const std::string& words) {
   if (ended_ || !ask_) return !ended_;
@@ -25,4 +25,4 @@ void Watch::note(Result& r) const {
   r.message = fmt::format("{}: interrupted before {}; everything here ends there", what_, where_);
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

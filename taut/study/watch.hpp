@@ -5,7 +5,7 @@
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// A long analysis of many states, seen from outside: tells how far it is, and whether it was asked to end. What was
 /// computed before stays.
@@ -34,4 +34,4 @@ class Watch {
   std::string where_;
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -4,7 +4,7 @@
 
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::watch_test {
+namespace taut::study::watch_test {
 
 using namespace taut_test;
 
@@ -37,13 +37,13 @@ std::string words_of(const Cell& cell) {
 }
 
 Result run_until(const std::string& analysis, std::size_t last, std::vector<Progress>& told) {
-  Job job;
+  app::Job job;
   job.text = skyline_deck("  - " + analysis);
   job.progress = [&told, last](const Progress& p) {
     told.push_back(p);
     return told.size() < last;
   };
-  return run(job);
+  return app::run(job);
 }
 
 TEST(Watch, TellsEveryStateOfALongAnalysis) {
@@ -119,4 +119,4 @@ TEST(Watch, NothingIsBegunBehindAnInterruption) {
   EXPECT_EQ(told.size(), 3U);
 }
 
-}  // namespace taut::app::watch_test
+}  // namespace taut::study::watch_test

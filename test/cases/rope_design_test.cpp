@@ -16,9 +16,9 @@ using taut_test::check_of;
 using taut_test::value_of;
 
 Result example(const std::string& name) {
-  const auto job = app::read_job((taut_test::source_dir() / "examples/design" / name).string());
+  const auto job = taut::app::read_job((taut_test::source_dir() / "examples/design" / name).string());
   EXPECT_TRUE(job.has_value());
-  return app::run(*job);
+  return taut::app::run(*job);
 }
 
 // Lead line of n parts, S = Q K^n (K - 1)/(K^n - 1), and d_min = sqrt(Z_p S/(K' R_r)) (ISO 4308-1, rope dealers' public

@@ -263,31 +263,31 @@ double value_of(const Result& r, const char* name) {
 }
 
 TEST(ClosedLoopExact, EveryModeByCatenaries) {
-  Result r = app::run_closed_loop(by_mode(Mode::free_running));
+  Result r = taut::app::run_closed_loop(by_mode(Mode::free_running));
   EXPECT_NEAR(value_of(r, "f"), 22.3, 0.05);
   EXPECT_NEAR(value_of(r, "T_lLB_exact") / kgf, 3000, 1e-6);
 
   Input in = by_mode(Mode::winch_pull);
   in.winch_pull = 9000 * kgf;
   in.head_efficiency = 0.95;
-  r = app::run_closed_loop(in);
+  r = taut::app::run_closed_loop(in);
   EXPECT_NEAR(value_of(r, "T_lA_exact") / kgf, 0.95 * 9000, 1e-6);
 
   in = by_mode(Mode::loop_length);
   in.loop_length = 401.999;
-  EXPECT_NEAR(value_of(app::run_closed_loop(in), "f"), 10.0, 0.05);
+  EXPECT_NEAR(value_of(taut::app::run_closed_loop(in), "f"), 10.0, 0.05);
   in.return_stiffness = 1.1e6 * kgf;
   in.traction_stiffness = 1.65e6 * kgf;
-  r = app::run_closed_loop(in);
+  r = taut::app::run_closed_loop(in);
   EXPECT_NEAR(value_of(r, "f"), 13.6, 0.05);
   EXPECT_NEAR(value_of(r, "loop_length_exact"), 401.999, 1e-9);
   in.return_stiffness = 5e5 * kgf;
   in.traction_stiffness = 7.5e5 * kgf;
-  EXPECT_NEAR(value_of(app::run_closed_loop(in), "f"), 16.1, 0.05);
+  EXPECT_NEAR(value_of(taut::app::run_closed_loop(in), "f"), 16.1, 0.05);
   in.loop_length = 390;
-  EXPECT_NE(app::run_closed_loop(in).find_value("f"), nullptr);  // the ropes stretch to reach
+  EXPECT_NE(taut::app::run_closed_loop(in).find_value("f"), nullptr);  // the ropes stretch to reach
   in.return_stiffness = in.traction_stiffness = std::numeric_limits<double>::infinity();
-  r = app::run_closed_loop(in);
+  r = taut::app::run_closed_loop(in);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_NE(r.message.find("390 m is not possible"), std::string::npos) << r.message;
 }
@@ -305,7 +305,7 @@ TEST(ClosedLoopExact, PositionsHaveExactColumns) {
   in.loop_length = 402.5;
   in.return_stiffness = in.traction_stiffness = 2e7;
   in.position = {30, 60, 100, 150};
-  const Result r = app::run_closed_loop(in);
+  const Result r = taut::app::run_closed_loop(in);
   ASSERT_EQ(r.status, Status::ok) << r.message;
   const Table* t = r.find_table("positions");
   ASSERT_NE(t, nullptr);
@@ -336,19 +336,19 @@ TEST(ClosedLoopExact, ChosenRopesPassByCatenariesNotByTheClosedForm) {
   const auto factor = [](const Result& r) { return r.checks.at(0).value; };
   const auto rope = [](const Result& r) { return std::get<std::string>(r.find_table("ropes")->rows.at(0).at(1)); };
   const Result closed = run(in);
-  const Result catenaries = app::run_closed_loop(in);
+  const Result catenaries = taut::app::run_closed_loop(in);
   ASSERT_EQ(rope(closed), rope(catenaries));
   ASSERT_LT(factor(catenaries), factor(closed));
   // a factor that this rope has by the closed form only
   in.safety_factor = (factor(closed) + factor(catenaries)) / 2;
   EXPECT_EQ(rope(run(in)), rope(closed));
-  const Result stepped = app::run_closed_loop(in);
+  const Result stepped = taut::app::run_closed_loop(in);
   EXPECT_NE(rope(stepped), rope(closed));
   EXPECT_GE(factor(stepped), *in.safety_factor);
 }
 
 TEST(ClosedLoopExact, ComparisonsShowTheExactValue) {
-  const Result r = app::run_closed_loop(example());
+  const Result r = taut::app::run_closed_loop(example());
   int exact_ones = 0;
   for (const Comparison& c : r.comparisons) {
     if (!std::isfinite(c.exact)) continue;
@@ -362,7 +362,7 @@ TEST(ClosedLoopExact, LiftOffIsRefused) {
   Input in = example();
   in.slope = -30 * degree;
   in.gathering_angle = 60 * degree;
-  const Result r = app::run_closed_loop(in);
+  const Result r = taut::app::run_closed_loop(in);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_EQ(r.find_value("T_lA_exact"), nullptr);
 }

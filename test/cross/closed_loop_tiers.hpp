@@ -15,8 +15,8 @@ inline Solved solved(const Input& in) {
   Solved s;
   Sheet<double> silent;
   Ropes ropes;
-  s.outcome = ropes_of(in, ropes, app::loop_engine());
-  if (s.outcome.ok()) s.outcome = solve_position(in, setting_of(in, ropes, 0, app::loop_engine()), silent, s.out);
+  s.outcome = ropes_of(in, ropes, taut::app::loop_engine());
+  if (s.outcome.ok()) s.outcome = solve_position(in, setting_of(in, ropes, 0, taut::app::loop_engine()), silent, s.out);
   return s;
 }
 

@@ -24,7 +24,7 @@ Input saw() {
 
 Output solved(const Input& in) {
   Output out;
-  EXPECT_TRUE(solve(in, out).ok());
+  EXPECT_TRUE(friction_drive::solve(in, out).ok());
   return out;
 }
 

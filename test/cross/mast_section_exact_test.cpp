@@ -55,11 +55,11 @@ Guy guy_at(double angle) {
 TEST(MastSectionExact, StiffCantileverIsTheMethodsOne) {
   const Input in = mast();
   Output out;
-  ASSERT_TRUE(solve(in, out).ok());
+  ASSERT_TRUE(mast_section::solve(in, out).ok());
   structure::BeamSection rigid = structure::tube_section(0.508, 0.016);
   for (double* k : {&rigid.EA, &rigid.EI_x, &rigid.EI_y, &rigid.GJ}) *k *= 1e5;
-  analysis::GuyedMastResult m;
-  ASSERT_TRUE(analysis::solve(guyed_mast(in, clamp_forces(in).front(), rigid), m).ok());
+  taut::solve::GuyedMastResult m;
+  ASSERT_TRUE(taut::solve::solve(guyed_mast(in, clamp_forces(in).front(), rigid), m).ok());
   EXPECT_NEAR(m.base_moment.norm(), out.M, 1e-6 * out.M);
   EXPECT_NEAR(m.base_force.z(), out.N, 1e-9 * out.N);
   EXPECT_NEAR(-m.base_force.x(), out.Q, 1e-9 * out.Q);

@@ -17,9 +17,9 @@ using taut_test::normalised;
 class ExampleReport : public testing::TestWithParam<std::string> {};
 
 TEST_P(ExampleReport, IsTheStoredOne) {
-  const app::MethodEntry* method = app::find_method(GetParam());
+  const taut::app::MethodEntry* method = taut::app::find_method(GetParam());
   ASSERT_NE(method, nullptr);
-  const Result r = app::run(app::Job{std::string(method->example), GetParam() + ".yaml", {}});
+  const Result r = taut::app::run(taut::app::Job{std::string(method->example), GetParam() + ".yaml", {}});
   const std::string page = normalised(report::to_markdown(r));
   EXPECT_TRUE(page == golden(GetParam() + ".md", page))
       << "the report changed: write it with TAUT_WRITE_GOLDEN=1, look";

@@ -33,24 +33,24 @@ namespace boom_bodies {
 inline constexpr int s1 = 0, s2 = 1, s3 = 2, hook = 3, load = 4;
 }
 
-inline model::Signal boom_ramp(double to, double start, const taut::Unit& unit) {
-  model::Signal s;
+inline machine::Signal boom_ramp(double to, double start, const taut::Unit& unit) {
+  machine::Signal s;
   s.unit = unit;
-  s.law = taut::model::Moves{0, {{start, to, 0.5, false}}};
+  s.law = taut::machine::Moves{0, {{start, to, 0.5, false}}};
   return s;
 }
 
-inline void add_boom_bodies(const Boom& b, model::Model& m) {
+inline void add_boom_bodies(const Boom& b, machine::Model& m) {
   using Eigen::AngleAxisd;
   const taut::Matrix3 R = AngleAxisd(-b.angle, Vector3::UnitY()).toRotationMatrix();
   const auto section = [&](const char* name, double at, double weight, double inertia, double centre) {
-    model::Body s = body(name, R * Vector3(at, 0, 0), weight / b.gravity, "xzY");
+    machine::Body s = body(name, R * Vector3(at, 0, 0), weight / b.gravity, "xzY");
     s.orientation = R;
     s.inertia = Vector3::Constant(inertia);
     s.centre = {centre, 0, 0};
     m.bodies.push_back(s);
   };
-  model::Body s1 = body("s1", origin, 0, "");
+  machine::Body s1 = body("s1", origin, 0, "");
   s1.orientation = R;
   m.bodies.push_back(s1);
   section("s2", 0.4 + b.travel, b.G2, 7000, 3.6);
@@ -60,10 +60,10 @@ inline void add_boom_bodies(const Boom& b, model::Model& m) {
   if (b.hook > 0 && b.load > 0) m.bodies.push_back(body("load", head - Vector3(0, 0, 7), b.load, "xz"));
 }
 
-inline void add_boom_pads(const Boom& b, model::Model& m) {
+inline void add_boom_pads(const Boom& b, machine::Model& m) {
   using namespace boom_bodies;
   const auto face = [&](int on, double z, double normal) {
-    model::Face f;
+    machine::Face f;
     f.body = on;
     f.from = {-1, 0, z};
     f.to = {10, 0, z};
@@ -72,7 +72,7 @@ inline void add_boom_pads(const Boom& b, model::Model& m) {
     return static_cast<int>(m.faces.size()) - 1;
   };
   const auto pad = [&](const char* name, int of, double x, double z, int on) {
-    model::FaceContact c;
+    machine::FaceContact c;
     c.name = name;
     c.body = of;
     c.at = {x, 0, z};
@@ -94,7 +94,7 @@ inline void add_boom_pads(const Boom& b, model::Model& m) {
   pad("front3_high", s2, 8.3, 0.25, face(s3, 0.25, 1));
   pad("rear3_low", s3, 0, -0.25, face(s2, -0.25, 1));
   pad("rear3_high", s3, 0, 0.25, face(s2, 0.25, -1));
-  model::Face stop;
+  machine::Face stop;
   stop.body = s2;
   stop.from = {0.8, 0, -0.3};
   stop.to = {0.8, 0, 0.3};
@@ -107,15 +107,15 @@ inline void add_boom_pads(const Boom& b, model::Model& m) {
 }
 
 /// A rope given by its unstretched length, so that it has the tension S at the length l and the stiffness C there.
-inline model::Reeving boom_rope(const char* name, std::vector<model::Node> path, double C, double l, double S,
-                                double damping) {
+inline machine::Reeving boom_rope(const char* name, std::vector<machine::Node> path, double C, double l, double S,
+                                  double damping) {
   const double EA = C * l - S;
-  model::Reeving r = reeve(name, std::move(path), l / (1 + S / EA), 0, EA);
+  machine::Reeving r = reeve(name, std::move(path), l / (1 + S / EA), 0, EA);
   r.damping_time = damping / C;
   return r;
 }
 
-inline void add_boom_ropes(const Boom& b, model::Model& m) {
+inline void add_boom_ropes(const Boom& b, machine::Model& m) {
   using namespace boom_bodies;
   if (b.ropes) {
     const double rear = 9 - (b.half_length - 7.65), front = 0.25 + b.return_length;
@@ -131,43 +131,43 @@ inline void add_boom_ropes(const Boom& b, model::Model& m) {
   }
   if (b.hook <= 0) return;
   const double weight = (b.hook + (b.winding > 0 ? 0 : b.load)) * b.gravity;
-  std::vector<model::Node> path = {anchor_on("winch", s1, {0, 0, 0.25}),
-                                   sheave("lead", {7.65, 0, 0.25}, 0, 1, b.zeta, s3), over("head", {7.65, 0, 0}, s3)};
+  std::vector<machine::Node> path = {anchor_on("winch", s1, {0, 0, 0.25}),
+                                     sheave("lead", {7.65, 0, 0.25}, 0, 1, b.zeta, s3), over("head", {7.65, 0, 0}, s3)};
   for (int k = 1; k < b.falls; ++k) {
     path.push_back(k % 2 == 1 ? over("block", origin, hook) : over("head", {7.65, 0, 0}, s3));
   }
   path.push_back(b.falls % 2 == 0 ? anchor_on("pin", s3, {7.65, 0, 0}) : anchor_on("pin", hook));
   const double C = b.falls * 9e6 / 4, lead = 9 + 2 * b.travel - b.lag, l = lead + 0.25 + 4 * b.falls;
-  model::Reeving hoist = reeve("hoist", std::move(path), weight / b.falls, 0, C * l / b.falls / b.falls);
-  hoist.given = model::Given::tension_at_start;
+  machine::Reeving hoist = reeve("hoist", std::move(path), weight / b.falls, 0, C * l / b.falls / b.falls);
+  hoist.given = machine::Given::tension_at_start;
   hoist.damping_time = 20e3 / C;
   m.reevings.push_back(hoist);
   if (b.load <= 0) return;
-  model::Reeving sling = reeve("sling", {anchor_on("hook", hook), anchor_on("load", load)}, 3, 0, 8e6 * 3);
+  machine::Reeving sling = reeve("sling", {anchor_on("hook", hook), anchor_on("load", load)}, 3, 0, 8e6 * 3);
   sling.damping_time = 20e3 / 8e6;
   if (b.winding <= 0) {
-    sling.given = model::Given::tension_at_start;
+    sling.given = machine::Given::tension_at_start;
     sling.value = b.load * b.gravity;
   }
   m.reevings.push_back(sling);
 }
 
 /// The winch takes in rope by its unstretched length; the load lies on the ground at first.
-inline void add_boom_winding(const Boom& b, model::Model& m) {
+inline void add_boom_winding(const Boom& b, machine::Model& m) {
   if (b.winding <= 0) return;
   const double v = -b.winding * b.falls;
-  model::Tensioner winch;
+  machine::Tensioner winch;
   winch.reeving = static_cast<int>(m.reevings.size()) - 2;
   winch.change.unit = taut::si::m;
   const double until = b.start + 60;
-  winch.change.law = taut::model::Curve{{b.start, b.start + 0.5, until}, {0, v * 0.25, v * (0.25 + 59.5)}, {0, v, v}};
+  winch.change.law = taut::machine::Curve{{b.start, b.start + 0.5, until}, {0, v * 0.25, v * (0.25 + 59.5)}, {0, v, v}};
   m.tensioners.push_back(winch);
-  model::Face ground;
+  machine::Face ground;
   const Vector3 load = m.bodies[boom_bodies::load].position;
   ground.from = load - Vector3(20, 0, 0);
   ground.to = load + Vector3(20, 0, 0);
   m.faces.push_back(ground);
-  model::FaceContact support;
+  machine::FaceContact support;
   support.name = "support";
   support.body = boom_bodies::load;
   support.face = static_cast<int>(m.faces.size()) - 1;
@@ -176,35 +176,35 @@ inline void add_boom_winding(const Boom& b, model::Model& m) {
   m.contacts.push_back(support);
 }
 
-inline void add_boom_drives(const Boom& b, model::Model& m) {
+inline void add_boom_drives(const Boom& b, machine::Model& m) {
   using namespace boom_bodies;
-  model::Actuator cylinder;
+  machine::Actuator cylinder;
   cylinder.name = "cylinder";
   cylinder.from_body = s1;
   cylinder.from = {-1, 0, -0.25};
   cylinder.to_body = s2;
   cylinder.to = {1, 0, -0.25};
-  cylinder.kind = taut::model::ActuatorKind::law;
+  cylinder.kind = taut::machine::ActuatorKind::law;
   cylinder.F0 = 100e3;
   cylinder.gain = 2e6;
   cylinder.signal = boom_ramp(b.speed, b.start, taut::si::m_per_s);
-  cylinder.mode = taut::model::ActuatorMode::lock;
+  cylinder.mode = taut::machine::ActuatorMode::lock;
   cylinder.lock_stiffness = 30e6;
   cylinder.lock_damping = 0.2e6;
   m.actuators.push_back(cylinder);
   if (b.moves) {
-    model::Event go;
+    machine::Event go;
     go.words = "go";
-    go.kind = taut::model::EventKind::actuator;
+    go.kind = taut::machine::EventKind::actuator;
     go.at = b.start;
     go.index = 0;
-    go.mode = b.retracts ? taut::model::ActuatorMode::retract : taut::model::ActuatorMode::extend;
+    go.mode = b.retracts ? taut::machine::ActuatorMode::retract : taut::machine::ActuatorMode::extend;
     m.events.push_back(go);
   }
 }
 
-inline model::Model boom_machine(const Boom& b) {
-  model::Model m;
+inline machine::Model boom_machine(const Boom& b) {
+  machine::Model m;
   m.gravity = b.gravity;
   add_boom_bodies(b, m);
   add_boom_pads(b, m);

@@ -15,8 +15,8 @@ inline std::string lines_of(const std::vector<taut::Complaint>& complaints) {
 }
 
 /// All mistakes of a machine; empty: none.
-inline std::string complaints_of(const taut::model::Machine& m) {
-  const auto model = taut::model::compile(m);
+inline std::string complaints_of(const taut::machine::Machine& m) {
+  const auto model = taut::machine::compile(m);
   return model ? std::string() : lines_of(model.error());
 }
 

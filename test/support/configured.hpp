@@ -5,9 +5,9 @@
 namespace taut_test {
 
 /// The unknowns' values in a state.
-inline taut::analysis::Configuration configuration_of(const taut::analysis::Layout& layout,
-                                                      const taut::model::State& state) {
-  taut::analysis::Configuration c;
+inline taut::mechanics::Configuration configuration_of(const taut::mechanics::Layout& layout,
+                                                       const taut::machine::State& state) {
+  taut::mechanics::Configuration c;
   c.bodies = state.bodies;
   for (const auto& k : layout.links) {
     c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
@@ -19,7 +19,7 @@ inline taut::analysis::Configuration configuration_of(const taut::analysis::Layo
 }
 
 /// No loss anywhere.
-inline std::vector<std::vector<int>> no_flow(const taut::model::Model& m) {
+inline std::vector<std::vector<int>> no_flow(const taut::machine::Model& m) {
   std::vector<std::vector<int>> flow;
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 0);

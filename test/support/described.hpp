@@ -6,7 +6,7 @@
 #include "taut/machine/description/machine.hpp"
 
 /// Machines as decks describe them, for the tests of their compilation.
-namespace taut::model::described {
+namespace taut::machine::described {
 
 using description::PathElement;
 
@@ -101,4 +101,4 @@ inline Machine tackle(int parts, std::vector<PathElement> path) {
   return m;
 }
 
-}  // namespace taut::model::described
+}  // namespace taut::machine::described

@@ -10,7 +10,7 @@
 /// A hand model that shares nothing with the solver but the input: the mast as a chain of bars with bending springs at
 /// their joints, the guys as chains of bars with lumped weights, all degrees of freedom positions; the minimum of the
 /// potential energy by Newton with second derivatives from automatic differentiation. Round sections, no torsion.
-namespace taut::analysis::witness {
+namespace taut::solve::witness {
 
 using Inner = Eigen::AutoDiffScalar<Eigen::Matrix<double, 9, 1>>;
 using Outer = Eigen::AutoDiffScalar<Eigen::Matrix<Inner, 9, 1>>;
@@ -207,4 +207,4 @@ inline Answer solve(const GuyedMast& mast, int elements, int links) {
   return a;
 }
 
-}  // namespace taut::analysis::witness
+}  // namespace taut::solve::witness

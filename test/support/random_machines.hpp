@@ -14,7 +14,7 @@ class RandomMachine {
  public:
   explicit RandomMachine(unsigned seed) : random_(seed) {}
 
-  model::Model machine() {
+  machine::Model machine() {
     m_.gravity = 9.81;
     const int ropes = 1 + pick(4), bodies = 1 + pick(ropes);
     for (int b = 0; b < bodies; ++b) add_body(b);
@@ -24,14 +24,14 @@ class RandomMachine {
     return std::move(m_);
   }
 
-  taut::analysis::TransientOptions options() {
-    taut::analysis::TransientOptions o;
+  taut::solve::TransientOptions options() {
+    taut::solve::TransientOptions o;
     o.duration = 2;
     o.output_step = 0.02;
     o.tolerance = 1e-3;
     // a drum that pulls as it likes has no equilibrium
     const bool settles = pick(3) == 0 && !pulled_;
-    o.start = settles ? taut::analysis::Start::settled : taut::analysis::Start::assembled;
+    o.start = settles ? taut::solve::Start::settled : taut::solve::Start::assembled;
     return o;
   }
 
@@ -44,22 +44,23 @@ class RandomMachine {
   /// Bodies hang side by side, 6 m apart.
   void add_body(int b) {
     static constexpr const char* ways[] = {"z", "xz", "xyz", "xzY", "xyzXYZ"};
-    model::Body one = body("body " + std::to_string(b), {6.0 * b, 0, between(-4, 0)}, between(20, 2000), ways[pick(5)]);
+    machine::Body one =
+        body("body " + std::to_string(b), {6.0 * b, 0, between(-4, 0)}, between(20, 2000), ways[pick(5)]);
     const double size = between(0.3, 1);
     one.inertia = one.mass * size * size * Vector3(0.8, 1, 1.2);
     if (pick(3) == 0) one.centre = {0, 0, -between(0, 0.5)};
     m_.bodies.push_back(one);
   }
 
-  model::Signal ramp(double to) {
-    model::Signal signal;
-    signal.law = model::Moves{0, {{between(0, 1), to, between(0.1, 1), true}}};
+  machine::Signal ramp(double to) {
+    machine::Signal signal;
+    signal.law = machine::Moves{0, {{between(0, 1), to, between(0.1, 1), true}}};
     return signal;
   }
 
   /// A round or point over which the rope turns between two others.
-  model::Node turn_at(const std::string& name, const Vector3& at, int on) {
-    model::Node node = over(name, at, on);
+  machine::Node turn_at(const std::string& name, const Vector3& at, int on) {
+    machine::Node node = over(name, at, on);
     if (pick(3) > 0) node.radius = between(0.1, 0.4);
     switch (pick(6)) {
       case 0:  // saddle or locked
@@ -82,36 +83,36 @@ class RandomMachine {
     return node;
   }
 
-  Vector3 ground_of(const model::Place& place) const {
+  Vector3 ground_of(const machine::Place& place) const {
     return place.body < 0 ? place.at : Vector3(m_.bodies[static_cast<std::size_t>(place.body)].position + place.at);
   }
 
   double weight_of_all() const {
     double mass = 0;
-    for (const model::Body& one : m_.bodies) mass += one.mass;
+    for (const machine::Body& one : m_.bodies) mass += one.mass;
     return mass * m_.gravity / static_cast<double>(m_.bodies.size());
   }
 
-  void add_drum(model::Node& node, int turns_to) {
+  void add_drum(machine::Node& node, int turns_to) {
     node.radius = between(0.15, 0.5);
     node.side = turns_to;
     node.drum = static_cast<int>(m_.drums.size());
-    model::Drum drum;
+    machine::Drum drum;
     drum.name = node.name;
     drum.core_radius = node.radius - 0.01;
     drum.inertia = pick(2) == 0 ? 0 : between(1, 100);
     switch (pick(5)) {
       case 0:
-        drum.drive.kind = model::DriveKind::speed;
+        drum.drive.kind = machine::DriveKind::speed;
         drum.drive.signal = ramp(between(-0.5, 0.5));
         break;
       case 1:
-        drum.drive.kind = model::DriveKind::pull;
+        drum.drive.kind = machine::DriveKind::pull;
         pulled_ = true;
         drum.drive.signal = ramp(between(0.5, 1.5) * weight_of_all() / 4);
         break;
       case 2:
-        drum.drive.kind = model::DriveKind::torque;
+        drum.drive.kind = machine::DriveKind::torque;
         pulled_ = true;
         drum.drive.signal = ramp(between(0.5, 1.5) * weight_of_all() / 4 * node.radius);
         break;
@@ -119,9 +120,9 @@ class RandomMachine {
         break;
     }
     if (pick(4) == 0) {
-      model::Event brake;
+      machine::Event brake;
       brake.words = "brake";
-      brake.kind = model::EventKind::brake;
+      brake.kind = machine::EventKind::brake;
       brake.at = between(0.2, 1.8);
       brake.index = node.drum;
       m_.events.push_back(brake);
@@ -138,9 +139,9 @@ class RandomMachine {
       return turn_at(name + " block " + std::to_string(k), {aside, y, between(0, 0.3)}, on);
     };
     const auto above = [&](int k, double at_x) {
-      return turn_at(name + " head " + std::to_string(k), {at_x, y, between(5, 9)}, model::ground);
+      return turn_at(name + " head " + std::to_string(k), {at_x, y, between(5, 9)}, machine::ground);
     };
-    std::vector<model::Node> path = {anchor(name + " start", {x - between(1.5, 3), y, between(4, 9)})};
+    std::vector<machine::Node> path = {anchor(name + " start", {x - between(1.5, 3), y, between(4, 9)})};
     double falls = 1;
     switch (pick(5)) {
       case 0:  // the body at the end
@@ -176,7 +177,7 @@ class RandomMachine {
   }
 
   /// Each round on the inner side of its corner.
-  void set_sides(std::vector<model::Node>& path) const {
+  void set_sides(std::vector<machine::Node>& path) const {
     for (std::size_t k = 1; k + 1 < path.size(); ++k) {
       const Vector3 here = ground_of(path[k].at);
       const Vector3 in = here - ground_of(path[k - 1].at), out = ground_of(path[k + 1].at) - here;
@@ -185,17 +186,17 @@ class RandomMachine {
   }
 
   /// `carries`: what it would in equilibrium, about, N.
-  void finish(const std::string& name, std::vector<model::Node> path, double carries) {
+  void finish(const std::string& name, std::vector<machine::Node> path, double carries) {
     const int index = static_cast<int>(m_.reevings.size());
     const bool drum = path.front().drum >= 0;
-    model::Reeving rope = reeve(name, std::move(path), 0, pick(2) == 0 ? 0 : between(1, 40), between(1e5, 2e7));
-    rope.given = model::Given::tension_at_start;
+    machine::Reeving rope = reeve(name, std::move(path), 0, pick(2) == 0 ? 0 : between(1, 40), between(1e5, 2e7));
+    rope.given = machine::Given::tension_at_start;
     rope.value = pick(4) == 0 ? 0 : between(0.3, 2) * carries;
     if (pick(2) == 0) rope.damping_ratio = between(0, 0.3);
     if (pick(4) == 0) rope.copies = 2;
     if (rope.weight > 0 && pick(4) == 0) rope.segments = 2 + pick(5);
     if (!drum && pick(5) == 0) {
-      model::Tensioner tensioner;
+      machine::Tensioner tensioner;
       tensioner.reeving = index;
       tensioner.change = ramp(between(-0.3, 0.3));
       m_.tensioners.push_back(tensioner);
@@ -204,16 +205,16 @@ class RandomMachine {
   }
 
   void add_break(int reeving) {
-    model::Event event;
+    machine::Event event;
     event.words = "break";
-    event.kind = model::EventKind::breaks;
+    event.kind = machine::EventKind::breaks;
     event.at = between(0.1, 1.9);
     event.index = reeving;
     event.over = pick(3) == 0 ? between(1e-3, 0.05) : 0;
     m_.events.push_back(event);
   }
 
-  model::Model m_;
+  machine::Model m_;
   bool pulled_ = false;
   std::mt19937 random_;
 };

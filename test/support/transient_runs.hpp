@@ -10,44 +10,44 @@
 namespace taut_test {
 
 /// From the machine as described. A run that would not end is no test: it is cut off.
-inline taut::analysis::TransientOptions lasting(double duration, double tolerance, int outputs = 1) {
-  taut::analysis::TransientOptions options;
+inline taut::solve::TransientOptions lasting(double duration, double tolerance, int outputs = 1) {
+  taut::solve::TransientOptions options;
   options.duration = duration;
   options.output_step = duration / outputs;
   options.tolerance = tolerance;
   options.most_steps = 2'000'000;
-  options.start = taut::analysis::Start::assembled;
+  options.start = taut::solve::Start::assembled;
   return options;
 }
 
 /// The same in steps of one size; 0: by their errors.
-inline taut::analysis::TransientOptions in_steps(double duration, double step, int outputs = 10) {
-  taut::analysis::TransientOptions options = lasting(duration, 1e-6, outputs);
+inline taut::solve::TransientOptions in_steps(double duration, double step, int outputs = 10) {
+  taut::solve::TransientOptions options = lasting(duration, 1e-6, outputs);
   options.step = step;
   return options;
 }
 
 /// Without inertia, in so many steps.
-inline taut::analysis::TransientOptions slowly(double duration, int steps,
-                                               taut::analysis::Start start = taut::analysis::Start::settled) {
-  taut::analysis::TransientOptions options = lasting(duration, 1e-8, steps);
+inline taut::solve::TransientOptions slowly(double duration, int steps,
+                                            taut::solve::Start start = taut::solve::Start::settled) {
+  taut::solve::TransientOptions options = lasting(duration, 1e-8, steps);
   options.quasi_static = true;
   options.start = start;
   return options;
 }
 
-inline taut::analysis::TransientResult run_to_end(const taut::model::Model& m,
-                                                  const taut::analysis::TransientOptions& options) {
-  taut::analysis::TransientResult r = taut::analysis::transient(m, options);
+inline taut::solve::TransientResult run_to_end(const taut::machine::Model& m,
+                                               const taut::solve::TransientOptions& options) {
+  taut::solve::TransientResult r = taut::solve::transient(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   if (r.frames.empty()) r.frames.emplace_back();
   return r;
 }
 
 /// From one value to another without a jump of rate or acceleration.
-inline taut::model::Signal smooth_move(double from, double to, double start, double over) {
-  taut::model::Signal s;
-  s.law = taut::model::Moves{from, {{start, to, over, true}}};
+inline taut::machine::Signal smooth_move(double from, double to, double start, double over) {
+  taut::machine::Signal s;
+  s.law = taut::machine::Moves{from, {{start, to, over, true}}};
   return s;
 }
 

@@ -12,9 +12,9 @@
 namespace taut_test {
 
 struct SlopesAt {
-  taut::analysis::Branches branches = taut::analysis::Branches::straight;
+  taut::solve::Branches branches = taut::solve::Branches::straight;
   /// Of every contact between two lines; what ends on a drum is stuck.
-  taut::analysis::dynamics::Grip grip = taut::analysis::dynamics::Grip::equal;
+  taut::solve::dynamics::Grip grip = taut::solve::dynamics::Grip::equal;
   int turns = 0;       ///< of every bearing, the sense in which it slides; 0: it sticks
   double speed = 0.1;  ///< of every freedom, up to this, m/s, 1/s
   bool still = false;  ///< nothing moves nor slips
@@ -23,24 +23,24 @@ struct SlopesAt {
 
 /// Somewhere in a step of a motion from the settled state: nothing of it is a solution.
 struct SlopesOfAStep {
-  taut::analysis::TransientOptions options;
-  taut::analysis::dynamics::Run run;
-  taut::analysis::dynamics::Scheme s{};
-  taut::analysis::dynamics::Values now{};
+  taut::solve::TransientOptions options;
+  taut::solve::dynamics::Run run;
+  taut::solve::dynamics::Scheme s{};
+  taut::solve::dynamics::Values now{};
   std::vector<char> is_flow{};
   int turns = 0;
   bool opened = false;
 
-  static taut::analysis::TransientOptions options_of(const SlopesAt& at) {
-    taut::analysis::TransientOptions options;
+  static taut::solve::TransientOptions options_of(const SlopesAt& at) {
+    taut::solve::TransientOptions options;
     options.duration = 1;
     options.branches = at.branches;
     return options;
   }
 
-  SlopesOfAStep(const taut::model::Model& m, const SlopesAt& at)
+  SlopesOfAStep(const taut::machine::Model& m, const SlopesAt& at)
       : options(options_of(at)), run{.model = m, .options = options}, turns(at.turns) {
-    opened = taut::analysis::dynamics::open_run(run);
+    opened = taut::solve::dynamics::open_run(run);
     if (opened) begin(at);
   }
 
@@ -63,7 +63,7 @@ struct SlopesOfAStep {
       const bool passes = run.m.contacts[i].in >= 0 && run.m.contacts[i].out >= 0;
       is_flow[c] = 1;
       now.q[c] = run.before.q[c] + (at.still ? 0 : 1e-3 * by(dice));
-      now.contacts[i].grip = passes ? at.grip : taut::analysis::dynamics::Grip::stuck;
+      now.contacts[i].grip = passes ? at.grip : taut::solve::dynamics::Grip::stuck;
     }
     turn_nothing();
     for (int once = 0; once < 3; ++once) go_with_rims();
@@ -83,14 +83,14 @@ struct SlopesOfAStep {
   void go_with_rims() {
     EXPECT_TRUE(follow(run.m, s, run.before, run.w, s.h, now));
     for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
-      if (now.contacts[i].grip != taut::analysis::dynamics::Grip::stuck) continue;
+      if (now.contacts[i].grip != taut::solve::dynamics::Grip::stuck) continue;
       const auto c = static_cast<std::size_t>(run.m.contacts[i].column);
       now.q[c] = run.before.contacts[i].slipped + run.w.q_star[c] + s.reach * now.contacts[i].roll_rate;
     }
   }
 
   std::vector<double> residual(std::size_t column, double change) {
-    taut::analysis::dynamics::Values v = now;
+    taut::solve::dynamics::Values v = now;
     if (change != 0) (is_flow[column] ? v.q : v.rate)[column] += change;
     EXPECT_TRUE(follow(run.m, s, run.before, run.w, s.h, v));
     for (std::size_t i = 0; i < v.spins.size(); ++i) {
@@ -107,7 +107,7 @@ struct SlopesOfAStep {
 };
 
 /// The largest difference between the tangent and what a step's residual does, as a share of its row's largest entry.
-inline double worst_slope(const taut::model::Model& m, const SlopesAt& at = {}) {
+inline double worst_slope(const taut::machine::Model& m, const SlopesAt& at = {}) {
   SlopesOfAStep step(m, at);
   if (!step.opened) return INFINITY;
   step.residual(0, 0);

@@ -25,16 +25,16 @@ Table cases_table() {
           {}};
 }
 
-double severity(const analysis::SizingTrial& trial) {
+double severity(const design::SizingTrial& trial) {
   return std::isnan(trial.utilisation) ? HUGE_VAL : trial.utilisation;
 }
 
 }  // namespace
 
-DesignRun run_cases(const std::vector<DesignCase>& cases, Depth depth, std::size_t& first,
-                    const std::function<DesignRun(const DesignCase*, Depth)>& one) {
+design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design::Depth depth, std::size_t& first,
+                            const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one) {
   if (cases.empty()) return one(nullptr, depth);
-  DesignRun worst;
+  design::DesignRun worst;
   double most = -1;
   std::size_t governs = 0;
   double tension = std::nan("");
@@ -44,8 +44,8 @@ DesignRun run_cases(const std::vector<DesignCase>& cases, Depth depth, std::size
   table.rows.resize(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t k = (first + i) % cases.size();
-    DesignRun run = one(&cases[k], depth == Depth::report ? Depth::checks : depth);
-    const analysis::SizingTrial trial = trial_of(run.result);
+    design::DesignRun run = one(&cases[k], depth == design::Depth::report ? design::Depth::checks : depth);
+    const design::SizingTrial trial = design::trial_of(run.result);
     table.rows[k] = {cases[k].name, trial.governs, trial.utilisation, std::string(trial.passes ? "yes" : "no")};
     tension = std::fmax(tension, run.tension);
     take_checks(cases[k].name, run.result.checks, checks);
@@ -60,16 +60,16 @@ DesignRun run_cases(const std::vector<DesignCase>& cases, Depth depth, std::size
       worst = std::move(run);
       governs = k;
     }
-    if (over || (depth == Depth::quick && !trial.passes)) {
+    if (over || (depth == design::Depth::quick && !trial.passes)) {
       first = k;
       break;
     }
   }
-  if (depth == Depth::report && worst.result.status == Status::ok) worst = one(&cases[governs], depth);
+  if (depth == design::Depth::report && worst.result.status == Status::ok) worst = one(&cases[governs], depth);
   worst.tension = tension;
   worst.result.checks = grouped(std::move(checks));
   worst.result.warnings = std::move(warnings);
-  if (depth != Depth::report) return worst;
+  if (depth != design::Depth::report) return worst;
   worst.result.tables.insert(worst.result.tables.begin(), std::move(table));
   worst.result.assumptions.push_back(fmt::format(
       "The checks are those of all load cases; everything else is of the one that governs, {}.", cases[governs].name));

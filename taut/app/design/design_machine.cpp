@@ -23,8 +23,8 @@ constexpr double steel_density = 7850;  // kg/m3
 
 FindParameter parameters_of(MachineDeck& deck) {
   return [&deck](const std::string& path) {
-    return path.starts_with("analyses") ? find_parameter(MachineDeck::describe(), &deck, path)
-                                        : find_parameter(model::Machine::describe(), &deck.machine, path);
+    return path.starts_with("analyses") ? study::find_parameter(MachineDeck::describe(), &deck, path)
+                                        : study::find_parameter(machine::Machine::describe(), &deck.machine, path);
   };
 }
 
@@ -50,7 +50,7 @@ DesignParts parts_of(MachineDeck& deck) {
 }
 
 /// Ropes whose figures say nothing yet are compiled with those of their first candidate.
-void put_rope(const RopeRow& row, double modulus, model::description::Rope& rope) {
+void put_rope(const RopeRow& row, double modulus, machine::description::Rope& rope) {
   rope.rope.reset();
   rope.mass = row.mass_per_length;
   rope.breaking_force = row.breaking_force;
@@ -59,17 +59,17 @@ void put_rope(const RopeRow& row, double modulus, model::description::Rope& rope
 }
 
 /// Straight length of a reeving, all copies, m.
-double length_of(const model::Reeving& reeving, const model::State& state) {
+double length_of(const machine::Reeving& reeving, const machine::State& state) {
   double length = 0;
-  for (int k = 0; k < model::branch_count(reeving); ++k) {
+  for (int k = 0; k < machine::branch_count(reeving); ++k) {
     const auto at = static_cast<std::size_t>(k);
     length += reeving.copies *
-              model::straight_length(state, reeving.nodes[at], reeving.nodes[(at + 1) % reeving.nodes.size()]);
+              machine::straight_length(state, reeving.nodes[at], reeving.nodes[(at + 1) % reeving.nodes.size()]);
   }
   return length;
 }
 
-double mass_per_metre(const model::description::Beam& beam) {
+double mass_per_metre(const machine::description::Beam& beam) {
   if (beam.mass) return *beam.mass;
   if (beam.section) {
     if (const auto row = catalogue::find_section(*beam.section)) return row->mass_per_length;
@@ -78,32 +78,33 @@ double mass_per_metre(const model::description::Beam& beam) {
 }
 
 /// Lengths of what is free; in `rest` the mass of the ropes, beams and take-ups that are not.
-DesignLengths lengths_of(const MachineDeck& deck, const DesignSpace& space, const std::vector<double>& values) {
-  DesignLengths lengths = by_the_metre(*deck.design, space, values);
-  if (deck.design->seek == Seek::smallest) return lengths;
-  DesignPlace place = first_place(space);
+design::DesignLengths lengths_of(const MachineDeck& deck, const design::DesignSpace& space,
+                                 const std::vector<double>& values) {
+  design::DesignLengths lengths = by_the_metre(*deck.design, space, values);
+  if (deck.design->seek == design::Seek::smallest) return lengths;
+  design::DesignPlace place = design::first_place(space);
   place.values = values;
   const MachineDeck own = with_design(deck, space, place);
-  const auto model = model::compile(own.machine);
+  const auto model = machine::compile(own.machine);
   if (!model) return lengths;
-  const bool by_mass = deck.design->seek == Seek::lightest;
+  const bool by_mass = deck.design->seek == design::Seek::lightest;
   std::map<std::string, double> of_rope;
-  const model::State state = model::initial_state(*model);
+  const machine::State state = machine::initial_state(*model);
   for (std::size_t i = 0; i < model->reevings.size(); ++i) {
-    const std::string& rope = rope_name_of(own.machine, i);
+    const std::string& rope = checks::rope_name_of(own.machine, i);
     const double length = length_of(model->reevings[i], state);
     of_rope[rope] += length;
     const bool is_free = std::any_of(space.ropes.begin(), space.ropes.end(),
-                                     [&](const RopeCandidates& one) { return one.name == rope; });
+                                     [&](const design::RopeCandidates& one) { return one.name == rope; });
     if (by_mass && !is_free) lengths.rest += model->reevings[i].mass * length;
   }
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const double length = of_rope[space.ropes[k].name];
     if (length > 0) lengths.ropes[k] = length;
   }
-  for (const model::Beam& beam : model->beams) {
+  for (const machine::Beam& beam : model->beams) {
     const auto free = std::find_if(space.sections.begin(), space.sections.end(),
-                                   [&](const SectionCandidates& one) { return one.name == beam.name; });
+                                   [&](const design::SectionCandidates& one) { return one.name == beam.name; });
     if (free != space.sections.end()) {
       lengths.sections[static_cast<std::size_t>(free - space.sections.begin())] = beam.length;
     } else if (by_mass) {
@@ -148,11 +149,11 @@ double tension_in(const Result& r, const MachineDeck& deck) {
 MachineDeck at_places(const MachineDeck& deck, const std::map<std::size_t, double>& places) {
   MachineDeck probe = deck;
   for (const auto& [i, x] : places) {
-    LoadPathRequest& one = *probe.analyses[i].load_path;
+    study::LoadPathRequest& one = *probe.analyses[i].load_path;
     one.from = one.to = x;
     one.steps = 1;
   }
-  std::erase_if(probe.analyses, [](const AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
+  std::erase_if(probe.analyses, [](const study::AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
   return probe;
 }
 
@@ -184,13 +185,14 @@ std::map<std::size_t, double> worst_places(const MachineDeck& deck, const Result
 
 /// What a search keeps from one calculation to the next.
 struct Memory {
-  std::map<const DesignCase*, std::map<std::size_t, double>> places;  ///< where the last choice that failed was worst
+  std::map<const design::DesignCase*, std::map<std::size_t, double>>
+      places;  ///< where the last choice that failed was worst
   std::size_t first_case = 0;
 };
 
 }  // namespace
 
-DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes) {
+design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes) {
   MachineDeck own = deck;
   if (!deck.checks) {
     io::place(input, {{"design", "needs 'checks': a design is what passes them"}}, mistakes);
@@ -198,8 +200,8 @@ DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagno
   return design_space(input, *deck.design, parts_of(own), mistakes);
 }
 
-MachineDeck with_design(const MachineDeck& deck, const DesignSpace& space, const DesignPlace& place,
-                        const DesignCase* load_case) {
+MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
+                        const design::DesignCase* load_case) {
   MachineDeck own = deck;
   put_values(space, place.values, parameters_of(own));
   if (load_case != nullptr) put_case(*load_case, parameters_of(own));
@@ -211,7 +213,7 @@ MachineDeck with_design(const MachineDeck& deck, const DesignSpace& space, const
   }
   if (own.checks) put_masts(space, place.choice, own.checks->masts);
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    const RopeCandidates& free = space.ropes[k];
+    const design::RopeCandidates& free = space.ropes[k];
     for (auto& rope : own.machine.ropes) {
       if (rope.name == free.name) put_rope(free.rows[place.choice[k]], free.modulus, rope);
     }
@@ -220,15 +222,15 @@ MachineDeck with_design(const MachineDeck& deck, const DesignSpace& space, const
   return own;
 }
 
-DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, DesignSpace space, RunDeck run,
-                        std::function<bool(const Progress&)> progress) {
-  DesignTask task;
+design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,
+                                std::function<bool(const Progress&)> progress) {
+  design::DesignTask task;
   task.request = *deck->design;
   task.space = std::move(space);
   task.progress = std::move(progress);
   task.method_title = "Machine";
   task.given = given_of(MachineDeck::describe(), deck.get());
-  const auto own = std::make_shared<const DesignSpace>(task.space);
+  const auto own = std::make_shared<const design::DesignSpace>(task.space);
   task.lengths = [deck, own](const std::vector<double>& values) { return lengths_of(*deck, *own, values); };
   for (std::size_t k = 0; k < task.space.ropes.size(); ++k) {
     const std::string& rope = task.space.ropes[k].name;
@@ -244,19 +246,20 @@ DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, DesignSpace spa
     task.list_of[task.space.sections[k].name] = task.space.ropes.size() + k;
   }
   const auto memory = std::make_shared<Memory>();
-  task.run = [deck, own, memory, run = std::move(run)](const DesignPlace& place, Depth depth,
+  task.run = [deck, own, memory, run = std::move(run)](const design::DesignPlace& place, design::Depth depth,
                                                        const std::function<bool(const Progress&)>& ask) {
-    const auto one = [&](const DesignCase* load_case, Depth how) -> DesignRun {
+    const auto one = [&](const design::DesignCase* load_case, design::Depth how) -> design::DesignRun {
       const MachineDeck whole = with_design(*deck, *own, place, load_case);
       auto& places = memory->places[load_case];
-      if (how == Depth::quick && !places.empty()) {
+      if (how == design::Depth::quick && !places.empty()) {
         Result probe = run(at_places(whole, places), true, ask);
-        disregard(deck->design->disregard, probe);
-        if (!trial_of(probe).passes || probe.interrupted) return {std::move(probe), std::nan("")};
+        design::disregard(deck->design->disregard, probe);
+        if (!design::trial_of(probe).passes || probe.interrupted) return {std::move(probe), std::nan("")};
       }
-      DesignRun done{run(whole, how != Depth::report, ask), 0};
-      if (depth != Depth::report) disregard(deck->design->disregard, done.result);
-      if (how == Depth::quick && !trial_of(done.result).passes) places = worst_places(*deck, done.result);
+      design::DesignRun done{run(whole, how != design::Depth::report, ask), 0};
+      if (depth != design::Depth::report) design::disregard(deck->design->disregard, done.result);
+      if (how == design::Depth::quick && !design::trial_of(done.result).passes)
+        places = worst_places(*deck, done.result);
       done.tension = tension_in(done.result, *deck);
       return done;
     };

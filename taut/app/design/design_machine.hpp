@@ -10,17 +10,17 @@
 namespace taut::app {
 
 /// The candidates of a machine's design, or what is wrong with it. `input`: the deck's map.
-DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes);
+design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes);
 
 /// The deck with a design in it: figures of the ropes, sections, unknowns, and the ropes' rows for the checks.
-MachineDeck with_design(const MachineDeck& deck, const DesignSpace& space, const DesignPlace& place,
-                        const DesignCase* load_case = nullptr);
+MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
+                        const design::DesignCase* load_case = nullptr);
 
 /// Runs a deck: with everything that a report shows, or for its checks alone.
 using RunDeck = std::function<Result(const MachineDeck& deck, bool checks_only,
                                      const std::function<bool(const Progress&)>& progress)>;
 
-DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, DesignSpace space, RunDeck run,
-                        std::function<bool(const Progress&)> progress);
+design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,
+                                std::function<bool(const Progress&)> progress);
 
 }  // namespace taut::app

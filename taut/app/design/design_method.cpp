@@ -22,8 +22,8 @@ double tension_of(const MethodCopy& copy, const Result& r, const std::optional<s
 
 }  // namespace
 
-DesignSpace method_space(const io::Node& block, const DesignRequest& design, const MethodCopy& copy,
-                         Diagnostics& mistakes) {
+design::DesignSpace method_space(const io::Node& block, const design::DesignRequest& design, const MethodCopy& copy,
+                                 Diagnostics& mistakes) {
   DesignParts parts;
   parts.owner = "the method";
   parts.tensions = copy.ropes;
@@ -37,9 +37,10 @@ DesignSpace method_space(const io::Node& block, const DesignRequest& design, con
   return design_space(block, design, parts, mistakes);
 }
 
-void put_design(MethodCopy& copy, const DesignSpace& space, const DesignPlace& place, const DesignCase* load_case) {
+void put_design(MethodCopy& copy, const design::DesignSpace& space, const design::DesignPlace& place,
+                const design::DesignCase* load_case) {
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    const RopeCandidates& free = space.ropes[k];
+    const design::RopeCandidates& free = space.ropes[k];
     copy.put_rope(free.name, free.rows[place.choice[k]], free.modulus);
   }
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
@@ -52,9 +53,9 @@ void put_design(MethodCopy& copy, const DesignSpace& space, const DesignPlace& p
   if (load_case != nullptr) put_case(*load_case, copy.parameter);
 }
 
-DesignTask method_task(const DesignRequest& design, DesignSpace space, CopyMethod copy,
-                       std::function<bool(const Progress&)> progress) {
-  DesignTask task;
+design::DesignTask method_task(const design::DesignRequest& design, design::DesignSpace space, CopyMethod copy,
+                               std::function<bool(const Progress&)> progress) {
+  design::DesignTask task;
   task.request = design;
   task.space = std::move(space);
   task.progress = std::move(progress);
@@ -64,12 +65,12 @@ DesignTask method_task(const DesignRequest& design, DesignSpace space, CopyMetho
     // a method with one section checks it without naming a part
     task.list_of[name == the_mast && copy()->put_section ? std::string{} : name] = task.space.ropes.size() + k;
   }
-  const auto own = std::make_shared<const DesignSpace>(task.space);
+  const auto own = std::make_shared<const design::DesignSpace>(task.space);
   task.lengths = [design, own, copy](const std::vector<double>& values) {
-    DesignLengths lengths = by_the_metre(design, *own, values);
-    if (design.seek == Seek::smallest) return lengths;
+    design::DesignLengths lengths = by_the_metre(design, *own, values);
+    if (design.seek == design::Seek::smallest) return lengths;
     const auto one = copy();
-    DesignPlace place = first_place(*own);
+    design::DesignPlace place = design::first_place(*own);
     place.values = values;
     put_design(*one, *own, place);
     for (std::size_t k = 0; k < own->ropes.size(); ++k) {
@@ -81,17 +82,17 @@ DesignTask method_task(const DesignRequest& design, DesignSpace space, CopyMetho
       if (one->checks == nullptr) continue;
       if (const auto height = mast_height(one->checks->masts, name)) lengths.sections[k] = *height;
     }
-    if (design.seek == Seek::lightest && one->mass) lengths.rest += one->mass();
+    if (design.seek == design::Seek::lightest && one->mass) lengths.rest += one->mass();
     return lengths;
   };
   const auto first_case = std::make_shared<std::size_t>(0);
-  task.run = [design, own, copy = std::move(copy), first_case](const DesignPlace& place, Depth depth,
+  task.run = [design, own, copy = std::move(copy), first_case](const design::DesignPlace& place, design::Depth depth,
                                                                const std::function<bool(const Progress&)>&) {
-    const auto one = [&](const DesignCase* load_case, Depth) -> DesignRun {
+    const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const auto fresh = copy();
       put_design(*fresh, *own, place, load_case);
-      DesignRun done{fresh->run(), 0};
-      if (depth != Depth::report) disregard(design.disregard, done.result);
+      design::DesignRun done{fresh->run(), 0};
+      if (depth != design::Depth::report) design::disregard(design.disregard, done.result);
       done.tension = tension_of(*fresh, done.result, design.of);
       return done;
     };

@@ -41,7 +41,7 @@ struct MethodCopy {
   std::function<double(const std::string& rope)> rope_length;
   std::function<double()> height, mass;
   std::string refused;
-  ChecksRequest* checks = nullptr;  ///< of the copy; none: the deck has none
+  checks::ChecksRequest* checks = nullptr;  ///< of the copy; none: the deck has none
   std::vector<std::string> ropes;
   std::function<Result()> run;
   /// Notes what is wrong with its input and its checks, at their places.
@@ -52,14 +52,14 @@ struct MethodCopy {
 using CopyMethod = std::function<std::shared_ptr<MethodCopy>()>;
 
 /// The candidates of a method's design, or what is wrong with it. `block`: the map with the key `design`.
-DesignSpace method_space(const io::Node& block, const DesignRequest& design, const MethodCopy& copy,
-                         Diagnostics& mistakes);
+design::DesignSpace method_space(const io::Node& block, const design::DesignRequest& design, const MethodCopy& copy,
+                                 Diagnostics& mistakes);
 
 /// Puts a design into a copy.
-void put_design(MethodCopy& copy, const DesignSpace& space, const DesignPlace& place,
-                const DesignCase* load_case = nullptr);
+void put_design(MethodCopy& copy, const design::DesignSpace& space, const design::DesignPlace& place,
+                const design::DesignCase* load_case = nullptr);
 
-DesignTask method_task(const DesignRequest& design, DesignSpace space, CopyMethod copy,
-                       std::function<bool(const Progress&)> progress);
+design::DesignTask method_task(const design::DesignRequest& design, design::DesignSpace space, CopyMethod copy,
+                               std::function<bool(const Progress&)> progress);
 
 }  // namespace taut::app

@@ -21,11 +21,11 @@ bool is_made(const std::optional<std::string>& steel_name, const SectionRow& row
 
 }  // namespace
 
-SectionCandidates candidates_of_section(const DesignSectionRequest& request, Seek seek,
-                                        const std::vector<DesignSection>& known, const std::string& owner,
-                                        std::vector<Complaint>& complaints) {
+design::SectionCandidates candidates_of_section(const design::DesignSectionRequest& request, design::Seek seek,
+                                                const std::vector<DesignSection>& known, const std::string& owner,
+                                                std::vector<Complaint>& complaints) {
   const std::string path = fmt::format("design.sections.{}", request.name);
-  SectionCandidates own;
+  design::SectionCandidates own;
   own.name = request.name;
   const auto part =
       std::find_if(known.begin(), known.end(), [&](const DesignSection& one) { return one.name == request.name; });
@@ -41,26 +41,26 @@ SectionCandidates candidates_of_section(const DesignSectionRequest& request, See
     complaints.push_back({path, part->refused});
     return own;
   }
-  if (seek == Seek::cheapest && !request.price) {
+  if (seek == design::Seek::cheapest && !request.price) {
     complaints.push_back({path, "sections have no price in the catalogue: give a 'price' of a kilogram"});
   }
-  own.rows = catalogue::sections_by_mass(filter_of(request.which));
+  own.rows = catalogue::sections_by_mass(checks::filter_of(request.which));
   std::erase_if(own.rows, [&](const SectionRow& r) { return !is_made(part->steel, r); });
-  if (seek == Seek::smallest) {
+  if (seek == design::Seek::smallest) {
     std::stable_sort(own.rows.begin(), own.rows.end(),
                      [](const SectionRow& a, const SectionRow& b) { return a.height < b.height; });
   }
   if (own.rows.empty()) complaints.push_back({path, "no section of the catalogue is so: drop a condition"});
   own.costs.reserve(own.rows.size());
   for (const SectionRow& row : own.rows) {
-    const double price = seek == Seek::cheapest ? request.price.value_or(0) : 1;
-    own.costs.push_back(seek == Seek::smallest ? row.height : row.mass_per_length * price);
+    const double price = seek == design::Seek::cheapest ? request.price.value_or(0) : 1;
+    own.costs.push_back(seek == design::Seek::smallest ? row.height : row.mass_per_length * price);
   }
   return own;
 }
 
-void add_masts(const std::vector<MastCheckRequest>& masts, std::vector<DesignSection>& sections) {
-  for (const MastCheckRequest& mast : masts) {
+void add_masts(const std::vector<checks::MastCheckRequest>& masts, std::vector<DesignSection>& sections) {
+  for (const checks::MastCheckRequest& mast : masts) {
     const bool known =
         std::any_of(sections.begin(), sections.end(), [&](const DesignSection& one) { return one.name == mast.name; });
     if (known || !mast.beams.empty()) continue;
@@ -71,18 +71,19 @@ void add_masts(const std::vector<MastCheckRequest>& masts, std::vector<DesignSec
   }
 }
 
-void put_masts(const DesignSpace& space, const std::vector<std::size_t>& choice, std::vector<MastCheckRequest>& masts) {
+void put_masts(const design::DesignSpace& space, const std::vector<std::size_t>& choice,
+               std::vector<checks::MastCheckRequest>& masts) {
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
-    for (MastCheckRequest& mast : masts) {
+    for (checks::MastCheckRequest& mast : masts) {
       if (mast.name != space.sections[k].name || !mast.section) continue;
       mast.section = space.sections[k].rows[choice[space.ropes.size() + k]].name;
     }
   }
 }
 
-std::optional<double> mast_height(const std::vector<MastCheckRequest>& masts, const std::string& name) {
+std::optional<double> mast_height(const std::vector<checks::MastCheckRequest>& masts, const std::string& name) {
   const auto mast =
-      std::find_if(masts.begin(), masts.end(), [&](const MastCheckRequest& one) { return one.name == name; });
+      std::find_if(masts.begin(), masts.end(), [&](const checks::MastCheckRequest& one) { return one.name == name; });
   return mast == masts.end() ? std::optional<double>{} : mast->height;
 }
 

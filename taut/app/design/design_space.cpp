@@ -20,21 +20,21 @@ using catalogue::RopeRow;
 
 constexpr double most_places = 20000;  // of a grid
 
-double cost_of(Seek seek, const RopeRow& row) {
+double cost_of(design::Seek seek, const RopeRow& row) {
   switch (seek) {
-    case Seek::smallest:
+    case design::Seek::smallest:
       return row.diameter;
-    case Seek::cheapest:
+    case design::Seek::cheapest:
       return row.price.value_or(0);
-    case Seek::lightest:
-    case Seek::least_tension:
-    case Seek::most_reserve:
+    case design::Seek::lightest:
+    case design::Seek::least_tension:
+    case design::Seek::most_reserve:
       return row.mass_per_length;
   }
   return 0;
 }
 
-std::vector<RopeRow> catalogue_of(const io::Node& input, const DesignRequest& design, Diagnostics& mistakes) {
+std::vector<RopeRow> catalogue_of(const io::Node& input, const design::DesignRequest& design, Diagnostics& mistakes) {
   if (!design.catalogue) return catalogue::ropes();
   const io::Node& node = *io::follow(input, "design.catalogue").node;
   const auto file = io::read_named(node, *design.catalogue, mistakes);
@@ -51,7 +51,7 @@ std::vector<RopeRow> catalogue_of(const io::Node& input, const DesignRequest& de
   return {};
 }
 
-catalogue::RopeFilter filter_of(const DesignRopeRequest& one) {
+catalogue::RopeFilter filter_of(const design::DesignRopeRequest& one) {
   catalogue::RopeFilter filter;
   filter.construction = one.construction.value_or("");
   filter.core = one.core.value_or("");
@@ -64,7 +64,7 @@ catalogue::RopeFilter filter_of(const DesignRopeRequest& one) {
 }
 
 /// A value of a parameter; nothing with a complaint at `path`.
-std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,
+std::optional<double> value_of(const std::string& text, const study::Parameter& parameter, const std::string& path,
                                std::vector<Complaint>& complaints) {
   const auto number = parse_quantity(text, parameter.unit);
   if (!number) {
@@ -78,8 +78,8 @@ std::optional<double> value_of(const std::string& text, const Parameter& paramet
   return *number;
 }
 
-void complain_of_company(const DesignUnknownRequest& one, const Parameter& first, const FindParameter& find,
-                         const std::string& path, std::vector<Complaint>& complaints) {
+void complain_of_company(const design::DesignUnknownRequest& one, const study::Parameter& first,
+                         const FindParameter& find, const std::string& path, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < one.along_with.size(); ++i) {
     const std::string own = fmt::format("{}.along_with[{}]", path, i);
     const auto other = find(one.along_with[i]);
@@ -93,10 +93,10 @@ void complain_of_company(const DesignUnknownRequest& one, const Parameter& first
 }
 
 /// Where an unknown may be and is tried; empty with complaints.
-UnknownValues values_of_unknown(const DesignUnknownRequest& one, const FindParameter& find,
-                                std::vector<Complaint>& complaints) {
+design::UnknownValues values_of_unknown(const design::DesignUnknownRequest& one, const FindParameter& find,
+                                        std::vector<Complaint>& complaints) {
   const std::string path = fmt::format("design.unknowns.{}", one.name);
-  UnknownValues own;
+  design::UnknownValues own;
   own.name = one.name;
   own.parameter = one.parameter;
   own.along_with = one.along_with;
@@ -131,17 +131,17 @@ UnknownValues values_of_unknown(const DesignUnknownRequest& one, const FindParam
 }
 
 /// The candidates of one rope, in the order of their cost per metre.
-RopeCandidates candidates_of_rope(const DesignRopeRequest& one, Seek seek, const std::vector<RopeRow>& rows,
-                                  std::vector<Complaint>& complaints) {
+design::RopeCandidates candidates_of_rope(const design::DesignRopeRequest& one, design::Seek seek,
+                                          const std::vector<RopeRow>& rows, std::vector<Complaint>& complaints) {
   const std::string path = fmt::format("design.ropes.{}", one.name);
-  RopeCandidates own;
+  design::RopeCandidates own;
   own.name = one.name;
   own.modulus = one.modulus;
   own.rows = catalogue::select_ropes(filter_of(one), rows);
   if (own.rows.empty()) complaints.push_back({path, "no rope of the catalogue is so: drop a condition"});
   const bool priced =
       std::all_of(own.rows.begin(), own.rows.end(), [](const RopeRow& r) { return r.price.has_value(); });
-  if (seek == Seek::cheapest && !priced) {
+  if (seek == design::Seek::cheapest && !priced) {
     complaints.push_back({"design.seek", "'cheapest' needs a catalogue with 'price_per_m' in every row"});
   }
   using Key = std::tuple<double, double, const std::string&>;
@@ -153,17 +153,17 @@ RopeCandidates candidates_of_rope(const DesignRopeRequest& one, Seek seek, const
   return own;
 }
 
-DesignCase case_of(const DesignCaseRequest& one, const DesignRequest& design, const FindParameter& find,
-                   std::vector<Complaint>& complaints) {
-  DesignCase own{one.name, {}};
-  for (const DesignSettingRequest& setting : one.settings) {
+design::DesignCase case_of(const design::DesignCaseRequest& one, const design::DesignRequest& design,
+                           const FindParameter& find, std::vector<Complaint>& complaints) {
+  design::DesignCase own{one.name, {}};
+  for (const design::DesignSettingRequest& setting : one.settings) {
     const std::string path = fmt::format("design.cases.{}.{}", one.name, setting.name);
     const auto parameter = find(setting.name);
     if (!parameter) {
       complaints.push_back({path, parameter.error()});
       continue;
     }
-    for (const DesignUnknownRequest& unknown : design.unknowns) {
+    for (const design::DesignUnknownRequest& unknown : design.unknowns) {
       const auto& with = unknown.along_with;
       if (unknown.parameter != setting.name && std::find(with.begin(), with.end(), setting.name) == with.end())
         continue;
@@ -176,14 +176,15 @@ DesignCase case_of(const DesignCaseRequest& one, const DesignRequest& design, co
   return own;
 }
 
-void complain_of_seek(const DesignRequest& design, const DesignParts& parts, std::vector<Complaint>& complaints) {
+void complain_of_seek(const design::DesignRequest& design, const DesignParts& parts,
+                      std::vector<Complaint>& complaints) {
   if (design.ropes.empty() && design.sections.empty() && design.unknowns.empty()) {
     complaints.push_back({"design", "says nothing that is free: name 'ropes', 'sections' or 'unknowns'"});
   }
-  if (design.of && design.seek != Seek::least_tension) {
+  if (design.of && design.seek != design::Seek::least_tension) {
     complaints.push_back({"design.of", "belongs to 'seek: least_tension'"});
   }
-  if (design.seek == Seek::least_tension && parts.tensions.empty()) {
+  if (design.seek == design::Seek::least_tension && parts.tensions.empty()) {
     complaints.push_back({"design.seek", fmt::format("{} has no rope whose tension could be least", parts.owner)});
   } else if (design.of && std::find(parts.tensions.begin(), parts.tensions.end(), *design.of) == parts.tensions.end()) {
     complaints.push_back({"design.of", fmt::format("{} has no rope '{}'{}", parts.owner, *design.of,
@@ -191,22 +192,22 @@ void complain_of_seek(const DesignRequest& design, const DesignParts& parts, std
   }
   const bool priced = !design.ropes.empty() || !design.sections.empty() ||
                       std::any_of(design.unknowns.begin(), design.unknowns.end(),
-                                  [](const DesignUnknownRequest& u) { return u.price.has_value(); });
-  if (design.seek == Seek::cheapest && !priced) {
+                                  [](const design::DesignUnknownRequest& u) { return u.price.has_value(); });
+  if (design.seek == design::Seek::cheapest && !priced) {
     complaints.push_back({"design.seek", "nothing that is free has a price: give an unknown its 'price'"});
   }
 }
 
 }  // namespace
 
-DesignSpace design_space(const io::Node& input, const DesignRequest& design, const DesignParts& parts,
-                         Diagnostics& mistakes) {
-  DesignSpace space;
+design::DesignSpace design_space(const io::Node& input, const design::DesignRequest& design, const DesignParts& parts,
+                                 Diagnostics& mistakes) {
+  design::DesignSpace space;
   std::vector<Complaint> complaints;
   Diagnostics unreadable;
   const std::vector<RopeRow> rows = catalogue_of(input, design, unreadable);
   complain_of_seek(design, parts, complaints);
-  for (const DesignRopeRequest& one : design.ropes) {
+  for (const design::DesignRopeRequest& one : design.ropes) {
     if (std::find(parts.ropes.begin(), parts.ropes.end(), one.name) == parts.ropes.end()) {
       complaints.push_back({fmt::format("design.ropes.{}", one.name),
                             parts.ropes.empty() ? fmt::format("{} has no rope that can be chosen", parts.owner)
@@ -216,11 +217,11 @@ DesignSpace design_space(const io::Node& input, const DesignRequest& design, con
       space.ropes.push_back(candidates_of_rope(one, design.seek, rows, complaints));
     }
   }
-  for (const DesignSectionRequest& one : design.sections) {
+  for (const design::DesignSectionRequest& one : design.sections) {
     space.sections.push_back(candidates_of_section(one, design.seek, parts.sections, parts.owner, complaints));
   }
   double places = 1;
-  for (const DesignUnknownRequest& one : design.unknowns) {
+  for (const design::DesignUnknownRequest& one : design.unknowns) {
     space.unknowns.push_back(values_of_unknown(one, parts.parameter, complaints));
     places *= static_cast<double>(space.unknowns.back().values.size());
   }
@@ -230,7 +231,7 @@ DesignSpace design_space(const io::Node& input, const DesignRequest& design, con
                                         "or a 'start' without steps",
                                         places, most_places)});
   }
-  for (const DesignCaseRequest& one : design.cases) {
+  for (const design::DesignCaseRequest& one : design.cases) {
     space.cases.push_back(case_of(one, design, parts.parameter, complaints));
   }
   for (Diagnostic& d : unreadable) io::add(mistakes, std::move(d));
@@ -238,9 +239,9 @@ DesignSpace design_space(const io::Node& input, const DesignRequest& design, con
   return space;
 }
 
-void put_values(const DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter) {
+void put_values(const design::DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter) {
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const UnknownValues& one = space.unknowns[k];
+    const design::UnknownValues& one = space.unknowns[k];
     const auto first = parameter(one.parameter);
     if (!first) continue;
     const double moved = values[k] - first->value;
@@ -252,23 +253,17 @@ void put_values(const DesignSpace& space, const std::vector<double>& values, con
   }
 }
 
-void put_case(const DesignCase& one, const FindParameter& parameter) {
+void put_case(const design::DesignCase& one, const FindParameter& parameter) {
   for (const auto& [path, value] : one.settings) {
     if (const auto found = parameter(path)) found->set(value);
   }
 }
 
-DesignPlace first_place(const DesignSpace& space) {
-  DesignPlace place;
-  place.choice.assign(space.ropes.size() + space.sections.size(), 0);
-  for (const UnknownValues& one : space.unknowns)
-    place.values.push_back(one.values.empty() ? one.low : one.values.front());
-  return place;
-}
-
-DesignLengths by_the_metre(const DesignRequest& request, const DesignSpace& space, const std::vector<double>& values) {
-  DesignLengths lengths{std::vector<double>(space.ropes.size(), 1), std::vector<double>(space.sections.size(), 1), 0};
-  if (request.seek != Seek::cheapest) return lengths;
+design::DesignLengths by_the_metre(const design::DesignRequest& request, const design::DesignSpace& space,
+                                   const std::vector<double>& values) {
+  design::DesignLengths lengths{std::vector<double>(space.ropes.size(), 1),
+                                std::vector<double>(space.sections.size(), 1), 0};
+  if (request.seek != design::Seek::cheapest) return lengths;
   for (std::size_t k = 0; k < values.size(); ++k) lengths.rest += space.unknowns[k].price * values[k];
   return lengths;
 }

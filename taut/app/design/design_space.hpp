@@ -13,7 +13,7 @@
 namespace taut::app {
 
 /// A number that a design may change, by its path.
-using FindParameter = std::function<tl::expected<Parameter, std::string>(const std::string& path)>;
+using FindParameter = std::function<tl::expected<study::Parameter, std::string>(const std::string& path)>;
 
 /// A beam or mast whose section may be chosen.
 struct DesignSection {
@@ -33,31 +33,33 @@ struct DesignParts {
 
 /// The candidates of a design, or what is wrong with it: mistakes of the catalogue's file and of the block `design`,
 /// each at its place. `input`: the map with the key `design`.
-DesignSpace design_space(const io::Node& input, const DesignRequest& design, const DesignParts& parts,
-                         Diagnostics& mistakes);
+design::DesignSpace design_space(const io::Node& input, const design::DesignRequest& design, const DesignParts& parts,
+                                 Diagnostics& mistakes);
 
 /// The candidates of one beam or mast, without the walls that its steel is not made in; empty with complaints.
-SectionCandidates candidates_of_section(const DesignSectionRequest& request, Seek seek,
-                                        const std::vector<DesignSection>& known, const std::string& owner,
-                                        std::vector<Complaint>& complaints);
+design::SectionCandidates candidates_of_section(const design::DesignSectionRequest& request, design::Seek seek,
+                                                const std::vector<DesignSection>& known, const std::string& owner,
+                                                std::vector<Complaint>& complaints);
 
 /// Masts that stand in `checks` alone, with a section of theirs, where no part of that name is known yet.
-void add_masts(const std::vector<MastCheckRequest>& masts, std::vector<DesignSection>& sections);
+void add_masts(const std::vector<checks::MastCheckRequest>& masts, std::vector<DesignSection>& sections);
 /// Their sections of a design put in.
-void put_masts(const DesignSpace& space, const std::vector<std::size_t>& choice, std::vector<MastCheckRequest>& masts);
+void put_masts(const design::DesignSpace& space, const std::vector<std::size_t>& choice,
+               std::vector<checks::MastCheckRequest>& masts);
 /// m; nothing where there is no such mast, or its height is not given.
-std::optional<double> mast_height(const std::vector<MastCheckRequest>& masts, const std::string& name);
+std::optional<double> mast_height(const std::vector<checks::MastCheckRequest>& masts, const std::string& name);
 
 /// Puts values of the unknowns where they belong; those along with them keep their distance from it.
-void put_values(const DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter);
-void put_case(const DesignCase& one, const FindParameter& parameter);
+void put_values(const design::DesignSpace& space, const std::vector<double>& values, const FindParameter& parameter);
+void put_case(const design::DesignCase& one, const FindParameter& parameter);
 
 /// Lengths of one metre, and of what else costs: the unknowns by their prices.
-DesignLengths by_the_metre(const DesignRequest& request, const DesignSpace& space, const std::vector<double>& values);
+design::DesignLengths by_the_metre(const design::DesignRequest& request, const design::DesignSpace& space,
+                                   const std::vector<double>& values);
 
 /// Runs each case and puts them together: the result of the one that governs, with the checks of all, "rope.T_max
 /// [full]". `first`: the case that is tried first, the one that failed last. Without cases one run without any.
-DesignRun run_cases(const std::vector<DesignCase>& cases, Depth depth, std::size_t& first,
-                    const std::function<DesignRun(const DesignCase*, Depth)>& one);
+design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design::Depth depth, std::size_t& first,
+                            const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one);
 
 }  // namespace taut::app

@@ -8,26 +8,28 @@ namespace {
 /// Misfits below this are rounding, which differs from machine to machine.
 constexpr double rounding = 1e-12;
 
-analysis::SecondSection second_section(const closed_loop::Input& in) {
+solve::SecondSection second_section(const closed_loop::Input& in) {
   return {*in.section_distance, in.distance_kind == closed_loop::DistanceKind::rope,
           in.sag_of == closed_loop::Section::second, in.position_of == closed_loop::Section::second};
 }
 
 Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::ExactSag& found) {
-  using analysis::LoopGiven;
-  analysis::LoopSag at;
-  const analysis::RunningLoop loop = running_loop(in, c);
-  const auto find = [&](LoopGiven given, double value) { return find_loop_sag(loop, c.x, given, value, at); };
+  using solve::LoopGiven;
+  solve::LoopSag at;
+  const solve::RunningLoop loop = running_loop(in, c);
+  const auto find = [&](solve::LoopGiven given, double value) {
+    return solve::find_loop_sag(loop, c.x, given, value, at);
+  };
   Outcome o;
   switch (in.mode) {
     case closed_loop::Mode::winch_pull:
-      o = find(LoopGiven::tension_at_A, *in.winch_pull * in.head_efficiency);
+      o = find(solve::LoopGiven::tension_at_A, *in.winch_pull * in.head_efficiency);
       break;
     case closed_loop::Mode::loop_length:
-      o = find(LoopGiven::length, *in.loop_length);
+      o = find(solve::LoopGiven::length, *in.loop_length);
       break;
     case closed_loop::Mode::free_running:
-      o = find(LoopGiven::tension_at_carriage, c.S);
+      o = find(solve::LoopGiven::tension_at_carriage, c.S);
       break;
     case closed_loop::Mode::sag:
       at.sag = *in.sag;
@@ -37,7 +39,7 @@ Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>&
   return o;
 }
 
-void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, closed_loop::Output& out) {
+void keep(const solve::RunningLoop& loop, const solve::LoopState& s, closed_loop::Output& out) {
   out.P_v_exact = s.R_z;
   out.P_b_exact = s.R_z - loop.rise / loop.span * s.R_x;
   out.N_exact = s.roller_force();
@@ -60,17 +62,17 @@ void keep(const analysis::RunningLoop& loop, const analysis::LoopState& s, close
 }
 
 Outcome exact_values(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::Output& out) {
-  const analysis::RunningLoop loop = running_loop(in, c);
-  analysis::LoopState s;
-  Outcome o = solve_loop(loop, {c.x, c.f}, s);
+  const solve::RunningLoop loop = running_loop(in, c);
+  solve::LoopState s;
+  Outcome o = solve::solve_loop(loop, {c.x, c.f}, s);
   if (o.ok()) keep(loop, s, out);
   return o;
 }
 
 }  // namespace
 
-analysis::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop::Case<double>& c) {
-  analysis::RunningLoop loop;
+solve::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop::Case<double>& c) {
+  solve::RunningLoop loop;
   loop.span = c.l;
   loop.rise = c.l * c.m;
   loop.branch_distance = in.branch_distance;
@@ -81,7 +83,7 @@ analysis::RunningLoop running_loop(const closed_loop::Input& in, const closed_lo
   loop.pull_x = c.S * c.sin_g;
   loop.pull_z = -c.S * c.cos_g;
   loop.carriage_weight = c.W_c;
-  loop.roller = in.roller == closed_loop::Roller::free ? analysis::RollerLaw::free : analysis::RollerLaw::vertical;
+  loop.roller = in.roller == closed_loop::Roller::free ? solve::RollerLaw::free : solve::RollerLaw::vertical;
   if (in.carriage == closed_loop::Carriage::two_section) loop.second = second_section(in);
   return loop;
 }

@@ -6,7 +6,7 @@
 namespace taut::app {
 
 /// The loop of a deck, for a position's weights, efficiency and load. `c.x` and `c.f` are its place.
-analysis::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop::Case<double>& c);
+solve::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop::Case<double>& c);
 
 /// Exact sag and exact values for closed_loop.
 const closed_loop::Engine& loop_engine();

@@ -22,20 +22,19 @@ double stiffness_of(const friction_drive::Input& in) {
   return std::numeric_limits<double>::infinity();
 }
 
-std::string take_up_words(const friction_drive::Input& in, const analysis::BeltDrive& d) {
+std::string take_up_words(const friction_drive::Input& in, const solve::BeltDrive& d) {
   if (!in.take_up) return fmt::format("a weight that pulls {:.1f} N, as the method says to build", d.pull);
   if (in.take_up->screw) return fmt::format("a screw set to {:.1f} N at rest", d.pull);
   return fmt::format("a weight that pulls {:.1f} N", d.pull);
 }
 
-void add_words(const friction_drive::Input& in, const analysis::BeltDrive& d, const analysis::BeltDriveState& s,
-               Result& r) {
+void add_words(const friction_drive::Input& in, const solve::BeltDrive& d, const solve::BeltDriveState& s, Result& r) {
   r.assumptions.push_back(fmt::format(
       "Exact column: {}; T_1 = r T_2 + P_p, {}; the rope creeps on the last part of the working arc only. Branches "
       "are straight.",
       take_up_words(in, d),
-      d.place == analysis::LoadPlace::at_idler ? "the idler feels the whole tight tension"
-                                               : "the cut lies in the middle of the tight branch"));
+      d.place == solve::LoadPlace::at_idler ? "the idler feels the whole tight tension"
+                                            : "the cut lies in the middle of the tight branch"));
   if (std::isinf(d.stiffness)) {
     r.assumptions.emplace_back("No creep is computed: give rope_stiffness, rope_area or rope.");
   } else if (!in.rope_stiffness) {
@@ -50,8 +49,8 @@ void add_words(const friction_drive::Input& in, const analysis::BeltDrive& d, co
   }
 }
 
-FrictionDriveExact values_from(const friction_drive::Input& in, const analysis::BeltDrive& d,
-                               const analysis::BeltDriveState& s) {
+FrictionDriveExact values_from(const friction_drive::Input& in, const solve::BeltDrive& d,
+                               const solve::BeltDriveState& s) {
   FrictionDriveExact e;
   e.take_up_exact = s.pull;
   e.T_1_exact = s.T_1;
@@ -64,7 +63,7 @@ FrictionDriveExact values_from(const friction_drive::Input& in, const analysis::
     e.creep_exact = s.creep;
     e.creep_speed_exact = s.creep * in.speed;
   }
-  if (d.take_up == analysis::TakeUp::screw) e.closure_exact = s.stretch;
+  if (d.take_up == solve::TakeUp::screw) e.closure_exact = s.stretch;
   return e;
 }
 
@@ -81,16 +80,16 @@ void add_comparisons(const friction_drive::Output& o, const FrictionDriveExact& 
 
 }  // namespace
 
-analysis::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out) {
-  analysis::BeltDrive d;
+solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out) {
+  solve::BeltDrive d;
   d.friction = in.friction;
   d.wrap = in.wrap;
   d.working_arc = std::min(out.phi, in.wrap);
   d.momentum_flow = out.c;
   d.idler_loss = in.idler_loss;
   d.load = in.cutting_force;
-  d.place = in.cut == friction_drive::CutPlace::at_idler ? analysis::LoadPlace::at_idler
-                                                         : analysis::LoadPlace::in_tight_branch;
+  d.place =
+      in.cut == friction_drive::CutPlace::at_idler ? solve::LoadPlace::at_idler : solve::LoadPlace::in_tight_branch;
   d.stiffness = stiffness_of(in);
   if (in.centre_distance) {
     d.branch = *in.centre_distance;
@@ -99,7 +98,7 @@ analysis::BeltDrive belt_drive(const friction_drive::Input& in, const friction_d
   if (!in.take_up) {
     d.pull = std::isfinite(out.takeup_with_idler_loss) ? out.takeup_with_idler_loss : out.takeup_no_slip;
   } else if (in.take_up->screw) {
-    d.take_up = analysis::TakeUp::screw;
+    d.take_up = solve::TakeUp::screw;
     d.pull = *in.take_up->screw;
   } else {
     d.pull = in.take_up->weight ? *in.take_up->weight : *in.take_up->mass * standard_gravity;
@@ -110,10 +109,10 @@ analysis::BeltDrive belt_drive(const friction_drive::Input& in, const friction_d
 void complete_friction_drive(const friction_drive::Input& in, Result& r) {
   if (r.status != Status::ok) return;
   friction_drive::Output out;
-  if (!solve(in, out).ok() || !(out.phi > 0)) return;
-  const analysis::BeltDrive d = belt_drive(in, out);
-  analysis::BeltDriveState s;
-  const Outcome outcome = analysis::solve(d, s);
+  if (!friction_drive::solve(in, out).ok() || !(out.phi > 0)) return;
+  const solve::BeltDrive d = belt_drive(in, out);
+  solve::BeltDriveState s;
+  const Outcome outcome = solve::solve(d, s);
   if (!outcome.ok()) {
     r.status = outcome.status;
     r.message = outcome.message;

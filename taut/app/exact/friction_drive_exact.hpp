@@ -21,7 +21,7 @@ struct FrictionDriveExact {
 };
 
 /// The engine's drive for a deck whose method is computed: `out` of the same input.
-analysis::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out);
+solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out);
 
 /// Adds the exact values, comparisons and, with a take-up in the deck, the check of its grip. A take-up that leaves the
 /// rope without tension makes the result infeasible.

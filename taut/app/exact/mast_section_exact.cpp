@@ -27,9 +27,9 @@ bool asks_for_exact(const Input& in) {
   return !in.guys.empty() || in.lateral_force.has_value() || in.base == Base::hinged;
 }
 
-analysis::Guy engine_guy(const Input& in, std::size_t i) {
+solve::Guy engine_guy(const Input& in, std::size_t i) {
   const Guy& g = in.guys[i];
-  analysis::Guy out;
+  solve::Guy out;
   out.name = std::to_string(i + 1);
   out.height = g.attachment_height.value_or(mast_height(in));
   out.anchor = {g.anchor_distance * std::cos(g.plan_angle), g.anchor_distance * std::sin(g.plan_angle),
@@ -44,10 +44,10 @@ analysis::Guy engine_guy(const Input& in, std::size_t i) {
   out.stiffness = g.stiffness.value_or(out.stiffness);
   out.weight = g.weight.value_or(out.weight);
   if (g.length) {
-    out.install = analysis::GuyLength{*g.length};
+    out.install = solve::GuyLength{*g.length};
   } else {
-    out.install = analysis::GuyTension{g.install->tension,
-                                       g.install->at == GuyEnd::top ? analysis::GuyEnd::top : analysis::GuyEnd::anchor};
+    out.install = solve::GuyTension{g.install->tension,
+                                    g.install->at == GuyEnd::top ? solve::GuyEnd::top : solve::GuyEnd::anchor};
   }
   return out;
 }
@@ -72,7 +72,7 @@ Cases cases_of(const Input& in) {
     return c;
   }
   Position only;
-  only.outcome = solve(in, only.out);
+  only.outcome = mast_section::solve(in, only.out);
   c.positions.push_back(only);
   return c;
 }
@@ -105,11 +105,11 @@ ClampForces hauled_in_at(const Cases& cases, std::size_t index) {
   return *at;
 }
 
-double largest_tension(const analysis::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
+double largest_tension(const solve::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
 
-void take_position(const analysis::GuyedMastResult& m, MastSectionExact& out) {
+void take_position(const solve::GuyedMastResult& m, MastSectionExact& out) {
   out.M_exact = std::hypot(m.base_moment.x(), m.base_moment.y());
-  out.M_max_exact = bending(m.points[m.most_bent]);
+  out.M_max_exact = solve::bending(m.points[m.most_bent]);
   out.M_max_height_exact = m.points[m.most_bent].height;
   out.N_exact = m.base_force.z();
   out.Q_exact = std::hypot(m.base_force.x(), m.base_force.y());
@@ -124,18 +124,18 @@ void take_position(const analysis::GuyedMastResult& m, MastSectionExact& out) {
       static_cast<double>(std::count_if(m.guys.begin(), m.guys.end(), [](const auto& g) { return g.slack; }));
 }
 
-void take_worst(const analysis::GuyedMastResult& m, MastSectionExact& out) {
+void take_worst(const solve::GuyedMastResult& m, MastSectionExact& out) {
   out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, m.points[m.worst].stress);
   out.force_balance_exact = std::fmax(out.force_balance_exact, m.force_balance);
   out.moment_balance_exact = std::fmax(out.moment_balance_exact, m.moment_balance);
-  for (const analysis::GuyState& g : m.guys) {
+  for (const solve::GuyState& g : m.guys) {
     out.guy_closure_exact = std::fmax(out.guy_closure_exact, g.closure);
     out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, largest_tension(g));
     out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, g.safety);  // fmin passes over NaN
   }
 }
 
-Table guys_table(const analysis::GuyedMast& mast, const analysis::GuyedMastResult& m) {
+Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
   Table t{"guys",
           "Guylines at the governing carriage position, force on the anchor",
           {{"guy", si::one},
@@ -150,7 +150,7 @@ Table guys_table(const analysis::GuyedMast& mast, const analysis::GuyedMastResul
            {"state", si::one}},
           {}};
   for (std::size_t i = 0; i < m.guys.size(); ++i) {
-    const analysis::GuyState& g = m.guys[i];
+    const solve::GuyState& g = m.guys[i];
     t.rows.push_back({mast.guys[i].name, g.length, g.tension_installed, g.tension_top, g.tension_anchor,
                       g.force_on_anchor.x(), g.force_on_anchor.y(), g.force_on_anchor.z(), g.safety,
                       std::string(g.slack ? "slack" : "taut")});
@@ -173,7 +173,7 @@ Table positions_table() {
           {}};
 }
 
-std::vector<Cell> position_row(double x, const analysis::GuyedMastResult& m, const Outcome& outcome) {
+std::vector<Cell> position_row(double x, const solve::GuyedMastResult& m, const Outcome& outcome) {
   MastSectionExact e;
   if (outcome.ok()) take_position(m, e), take_worst(m, e);
   return {x,
@@ -252,11 +252,11 @@ void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& 
 
 }  // namespace
 
-analysis::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const structure::BeamSection& section) {
-  analysis::GuyedMast m;
+solve::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const structure::BeamSection& section) {
+  solve::GuyedMast m;
   m.height = mast_height(in);
   m.section = section;
-  m.base = in.base == Base::clamped ? analysis::MastBase::clamped : analysis::MastBase::hinged;
+  m.base = in.base == Base::clamped ? solve::MastBase::clamped : solve::MastBase::hinged;
   for (std::size_t i = 0; i < in.guys.size(); ++i) m.guys.push_back(engine_guy(in, i));
   const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
   m.loads = {{in.skyline_block_height, block_force(forces.skyline)}, {lower, block_force(forces.mainline)}};
@@ -273,8 +273,8 @@ SecondOrder second_order_of(const Input& in) {
                   forces.skyline.down, forces.mainline.across, forces.mainline.down};
     const auto [entry, is_new] = known->try_emplace(key, not_computed);
     if (is_new) {
-      analysis::GuyedMastResult m;
-      const Outcome outcome = analysis::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
+      solve::GuyedMastResult m;
+      const Outcome outcome = solve::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
       if (outcome.ok()) entry->second = m.points[m.worst].stress;
     }
     return entry->second;
@@ -288,8 +288,8 @@ namespace {
 /// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
 void take_other_cases(const Input& in, const Cases& cases, const Section& section, MastSectionExact& e, Result& r) {
   for (const ClampForces& forces : cases.forces) {
-    analysis::GuyedMastResult m;
-    const Outcome outcome = analysis::solve(guyed_mast(in, forces, section.beam), m);
+    solve::GuyedMastResult m;
+    const Outcome outcome = solve::solve(guyed_mast(in, forces, section.beam), m);
     if (outcome.ok()) {
       take_worst(m, e);
     } else if (asks_for_exact(in) && r.status == Status::ok) {
@@ -313,9 +313,9 @@ void complete_mast_section(const Input& in, Result& r) {
   Table positions = positions_table();
   for (std::size_t i = 0; i < cases.positions.size(); ++i) {
     const Position& p = cases.positions[i];
-    const analysis::GuyedMast mast = guyed_mast(in, hauled_in_at(cases, p.index), section.beam);
-    analysis::GuyedMastResult m;
-    const Outcome outcome = analysis::solve(mast, m);
+    const solve::GuyedMast mast = guyed_mast(in, hauled_in_at(cases, p.index), section.beam);
+    solve::GuyedMastResult m;
+    const Outcome outcome = solve::solve(mast, m);
     positions.rows.push_back(position_row(p.out.x, m, outcome));
     if (!outcome.ok()) {
       refuse(in, p, outcome, r);

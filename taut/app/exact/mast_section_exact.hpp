@@ -32,8 +32,8 @@ struct MastSectionExact {
 };
 
 /// The engine's mast under the block forces of one carriage position.
-analysis::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::ClampForces& forces,
-                               const structure::BeamSection& section);
+solve::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::ClampForces& forces,
+                            const structure::BeamSection& section);
 
 /// The engine's largest stress for the method's choice and checks; `in` must outlive it.
 mast_section::SecondOrder second_order_of(const mast_section::Input& in);

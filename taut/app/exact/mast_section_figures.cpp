@@ -6,13 +6,13 @@
 namespace taut::app {
 namespace {
 
-using analysis::GuyedMast;
-using analysis::GuyedMastResult;
-using analysis::MastPoint;
+using solve::GuyedMast;
+using solve::GuyedMastResult;
+using solve::MastPoint;
 
 /// One curve over the height, of every third point: more than the eye can use already.
 template <class F>
-Curve over_height(const GuyedMastResult& m, const char* label, F&& y) {
+Curve over_height(const solve::GuyedMastResult& m, const char* label, F&& y) {
   Curve c;
   c.label = label;
   for (std::size_t i = 0; i < m.points.size(); i += 3) {
@@ -24,7 +24,7 @@ Curve over_height(const GuyedMastResult& m, const char* label, F&& y) {
   return c;
 }
 
-Plot moment_plot(const GuyedMastResult& m) {
+Plot moment_plot(const solve::GuyedMastResult& m) {
   Plot p{"mast_exact_moment",
          "Bending moment over the height, exact",
          "Towards the span and across it, in the axes of the deflected mast.",
@@ -33,13 +33,13 @@ Plot moment_plot(const GuyedMastResult& m) {
          {},
          {}};
   p.curves = {over_height(m, "towards the span",
-                          [](const MastPoint& x) { return structure::section_forces(x.state).bends_to_x; }),
+                          [](const solve::MastPoint& x) { return structure::section_forces(x.state).bends_to_x; }),
               over_height(m, "across the span",
-                          [](const MastPoint& x) { return structure::section_forces(x.state).bends_to_y; })};
+                          [](const solve::MastPoint& x) { return structure::section_forces(x.state).bends_to_y; })};
   return p;
 }
 
-Plot stress_plot(const GuyedMastResult& m, double allowable) {
+Plot stress_plot(const solve::GuyedMastResult& m, double allowable) {
   Plot p{"mast_exact_stress",
          "Largest stress over the height, exact",
          "",
@@ -47,12 +47,12 @@ Plot stress_plot(const GuyedMastResult& m, double allowable) {
          {"stress", si::Pa},
          {},
          {}};
-  p.curves = {over_height(m, "N/A + M/W", [](const MastPoint& x) { return x.stress; })};
+  p.curves = {over_height(m, "N/A + M/W", [](const solve::MastPoint& x) { return x.stress; })};
   p.marks = {{0, allowable, "allowable", true}};
   return p;
 }
 
-Plot deflection_plot(const GuyedMastResult& m) {
+Plot deflection_plot(const solve::GuyedMastResult& m) {
   Plot p{"mast_exact_deflection",
          "Deflection over the height, exact",
          "",
@@ -60,12 +60,12 @@ Plot deflection_plot(const GuyedMastResult& m) {
          {"displacement", si::m.in("mm")},
          {},
          {}};
-  p.curves = {over_height(m, "towards the span", [](const MastPoint& x) { return x.state.place.x(); }),
-              over_height(m, "across the span", [](const MastPoint& x) { return x.state.place.y(); })};
+  p.curves = {over_height(m, "towards the span", [](const solve::MastPoint& x) { return x.state.place.x(); }),
+              over_height(m, "across the span", [](const solve::MastPoint& x) { return x.state.place.y(); })};
   return p;
 }
 
-Drawing plan(const GuyedMast& mast, const GuyedMastResult& m) {
+Drawing plan(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
   Drawing d{"guys_plan",
             "Plan of the guys",
             "The span leaves to the right. Horizontal forces of the guys on the mast, and of the blocks.",
@@ -89,7 +89,7 @@ Drawing plan(const GuyedMast& mast, const GuyedMastResult& m) {
     }
   }
   Vector3 sum = Vector3::Zero();
-  for (const analysis::MastLoad& load : mast.loads) sum += load.force;
+  for (const solve::MastLoad& load : mast.loads) sum += load.force;
   d.shapes.emplace_back(ForceArrow{{0, 0}, sum.x(), sum.y(), "Q", Role::second_force, false});
   d.shapes.emplace_back(Polyline{{{0, 0}, {reach, 0}}, Role::axis, false, false});
   d.shapes.emplace_back(Circle{{0, 0}, 0.02 * reach, Role::structure, 0, 0, true});
@@ -98,7 +98,7 @@ Drawing plan(const GuyedMast& mast, const GuyedMastResult& m) {
 
 }  // namespace
 
-void add_mast_figures(const GuyedMast& mast, const GuyedMastResult& m, double allowable, Result& r) {
+void add_mast_figures(const solve::GuyedMast& mast, const solve::GuyedMastResult& m, double allowable, Result& r) {
   if (!m.guys.empty()) r.figures.emplace_back(plan(mast, m));
   r.figures.emplace_back(moment_plot(m));
   r.figures.emplace_back(stress_plot(m, allowable));

@@ -5,6 +5,6 @@
 namespace taut::app {
 
 /// Moment, stress and deflection over the height, and for a guyed mast the plan with the forces of its guys.
-void add_mast_figures(const analysis::GuyedMast& mast, const analysis::GuyedMastResult& m, double allowable, Result& r);
+void add_mast_figures(const solve::GuyedMast& mast, const solve::GuyedMastResult& m, double allowable, Result& r);
 
 }  // namespace taut::app

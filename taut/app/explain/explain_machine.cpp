@@ -58,7 +58,7 @@ std::string table_lines(const char* const (&tables)[N][2]) {
 
 constexpr const char* blocks[] = {"checks", "design"};
 
-const Field* analysis_named(const std::string& name) { return AnalysisRequest::describe().find(name); }
+const Field* analysis_named(const std::string& name) { return study::AnalysisRequest::describe().find(name); }
 
 std::string whole_machine() {
   std::string text =
@@ -66,9 +66,9 @@ std::string whole_machine() {
       "is\n"
       "computed. The guide: docs/guide/machine-decks.md; starter decks: taut list machines, taut new NAME.\n"
       "\nParts (keys of one: taut explain PART)\n";
-  for (const Field& f : model::Machine::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
+  for (const Field& f : machine::Machine::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
   text += "\nAnalyses (keys and results: taut explain ANALYSIS)\n";
-  for (const Field& f : AnalysisRequest::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
+  for (const Field& f : study::AnalysisRequest::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
   text += "\nBeside them (keys: taut explain BLOCK)\n";
   for (const char* block : blocks)
     text += fmt::format("  {:<16}{}\n", block, MachineDeck::describe().find(block)->words);
@@ -81,7 +81,7 @@ std::string whole_machine() {
       "the\n"
       "  first equilibrium; ROPE.T_start, ROPE.T_end, SHEAVE.torque, SHEAVE.power of every one (with its name's "
       "ending)\n";
-  for (const LaterKey& key : model::Machine::describe().later) {
+  for (const LaterKey& key : machine::Machine::describe().later) {
     text += fmt::format("\nNot yet: {}: {}\n", key.key, key.words);
   }
   return text;
@@ -113,8 +113,8 @@ std::string part_text(const Field& f) {
 
 std::vector<std::string> machine_topics() {
   std::vector<std::string> all = {"machine"};
-  for (const Field& f : model::Machine::describe().fields) all.push_back(f.key);
-  for (const Field& f : AnalysisRequest::describe().fields) all.push_back(f.key);
+  for (const Field& f : machine::Machine::describe().fields) all.push_back(f.key);
+  for (const Field& f : study::AnalysisRequest::describe().fields) all.push_back(f.key);
   for (const char* block : blocks) all.emplace_back(block);
   return all;
 }
@@ -122,7 +122,7 @@ std::vector<std::string> machine_topics() {
 std::optional<std::string> explain_machine(const std::string& topic) {
   if (topic == "machine") return whole_machine();
   if (const Field* f = analysis_named(topic)) return analysis_text(*f);
-  if (const Field* f = model::Machine::describe().find(topic)) return part_text(*f);
+  if (const Field* f = machine::Machine::describe().find(topic)) return part_text(*f);
   if (const Field* f = MachineDeck::describe().find(topic); f != nullptr && (topic == "checks" || topic == "design")) {
     return block_text(*f);
   }

@@ -7,14 +7,14 @@
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 /// The ends of ropes at a place: calls `take(reeving, pull of all its copies)`.
 template <class Take>
 void each_end_at(const CheckState& state, const std::string& name, Take&& take) {
   for (const CheckBranch& b : state.branches) {
-    const model::Reeving& rope = state.model->reevings[at(b.reeving)];
+    const machine::Reeving& rope = state.model->reevings[at(b.reeving)];
     if (rope.closed) continue;
     const int last = static_cast<int>(rope.nodes.size()) - 1;
     if (b.from == 0 && rope.nodes.front().name == name) take(rope, Vector3(rope.copies * b.on_start));
@@ -22,9 +22,9 @@ void each_end_at(const CheckState& state, const std::string& name, Take&& take) 
   }
 }
 
-std::vector<std::string> anchors_of(const model::Model& model) {
+std::vector<std::string> anchors_of(const machine::Model& model) {
   std::vector<std::string> known;
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     if (rope.closed) continue;
     for (const std::string& name : {rope.nodes.front().name, rope.nodes.back().name}) {
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -63,7 +63,7 @@ void add_anchor_row(const AnchorStates& s, Result& r) {
 
 }  // namespace
 
-void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const model::Model& model,
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
                          std::vector<Complaint>& complaints) {
   const std::vector<std::string> known = anchors_of(model);
   for (const AnchorCheckRequest& one : anchors) {
@@ -88,7 +88,7 @@ std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& a
 void take(const CheckState& state, AnchorStates& anchor) {
   const double factor = state.moves ? 1 : anchor.request->dynamic_factor;
   Vector3 F = Vector3::Zero();
-  each_end_at(state, anchor.request->name, [&](const model::Reeving& rope, const Vector3& pull) {
+  each_end_at(state, anchor.request->name, [&](const machine::Reeving& rope, const Vector3& pull) {
     F += pull;
     anchor.strongest_rope = std::max(anchor.strongest_rope, rope.breaking_force * rope.copies);
     anchor.strength_unknown |= rope.breaking_force == 0;
@@ -187,4 +187,4 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -7,7 +7,7 @@
 #include "test/support/guyed_decks.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::anchor_checks_test {
+namespace taut::checks::anchor_checks_test {
 
 using taut_test::cell;
 using taut_test::check_of;
@@ -67,4 +67,4 @@ TEST(AnchorChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  anchors: {a1: {fastening: {spikes: 8, staples: 6}}}\n")), "either");
 }
 
-}  // namespace taut::app::anchor_checks_test
+}  // namespace taut::checks::anchor_checks_test

@@ -9,7 +9,7 @@
 #include "taut/catalogue/rule.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 constexpr const char* by_recalled_gamma = "UNVERIFIED: gamma_Mg = 2.0 of EN 1993-3-1 as recalled";
@@ -26,7 +26,7 @@ std::vector<std::string> guys_named(const std::string& name, const CheckedDeck& 
   return own.empty() ? of_rope : own;
 }
 
-const model::Reeving* reeving_named(const model::Model& model, const std::string& name) {
+const machine::Reeving* reeving_named(const machine::Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.reevings.begin(), model.reevings.end(), [&](const auto& one) { return one.name == name; });
   return found == model.reevings.end() ? nullptr : &*found;
@@ -34,7 +34,7 @@ const model::Reeving* reeving_named(const model::Model& model, const std::string
 
 /// The tension of a rope that is just as long as its chord, by the parabola: (EA (w c cos theta)^2/24)^(1/3), N. Below
 /// it the rope only carries itself.
-double slack_tension(const model::Reeving& rope, const CheckBranch& branch) {
+double slack_tension(const machine::Reeving& rope, const CheckBranch& branch) {
   const Vector3 chord = branch.end - branch.start;
   const double across = rope.weight * std::hypot(chord.x(), chord.y());
   const double T = std::isfinite(rope.stiffness) ? std::cbrt(rope.stiffness * across * across / 24) : HUGE_VAL;
@@ -95,7 +95,7 @@ void add_part_check(const std::string& part, const std::string& name, double val
   r.checks.push_back(std::move(c));
 }
 
-void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const model::Model& model,
+void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const machine::Model& model,
                       std::vector<Complaint>& complaints) {
   for (const GuyCheckRequest& one : guys) {
     const std::string path = fmt::format("checks.guys.{}", one.name);
@@ -121,7 +121,7 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
       complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
     }
     for (const std::string& name : names) {
-      const model::Reeving* rope = reeving_named(model, name);
+      const machine::Reeving* rope = reeving_named(model, name);
       if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
       complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
     }
@@ -129,7 +129,7 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
 }
 
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
-                                  const model::Model& model) {
+                                  const machine::Model& model) {
   std::vector<GuyStates> all;
   for (const GuyCheckRequest& one : guys) {
     for (const std::string& name : guys_named(one.name, deck)) {
@@ -153,9 +153,9 @@ void take(const CheckState& state, GuyStates& guy) {
   }
 }
 
-void take_motion(const CheckState& begins, const analysis::TransientResult& motion, const std::string& words,
+void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words,
                  GuyStates& guy) {
-  const analysis::Extreme& T = motion.ropes[at(guy.reeving)].T;
+  const solve::Extreme& T = motion.ropes[at(guy.reeving)].T;
   if (T.max > guy.T_max) {
     guy.T_max = T.max;
     guy.where_max = fmt::format("{}, t = {:.4g} s", words, T.t_max);
@@ -167,9 +167,10 @@ void take_motion(const CheckState& begins, const analysis::TransientResult& moti
   }
 }
 
-void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const model::Model& model, Result& r) {
+void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const machine::Model& model,
+                    Result& r) {
   for (const GuyStates& one : guys) {
-    const model::Reeving& rope = model.reevings[at(one.reeving)];
+    const machine::Reeving& rope = model.reevings[at(one.reeving)];
     const double strength = one.request->breaking_force.value_or(rope.breaking_force);
     if (one.T_max > 0) {
       check_safety(one, rope.name, strength, r);
@@ -192,4 +193,4 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

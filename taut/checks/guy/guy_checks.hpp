@@ -11,7 +11,7 @@
 #include "taut/study/rope_clearance.hpp"
 
 /// `checks: guys:`, `anchors:`, `lines:` of a machine.
-namespace taut::app {
+namespace taut::checks {
 
 /// A guy over all states that were shown. Tensions at rest times the dynamic factor, those of motions as they are.
 struct GuyStates {
@@ -24,10 +24,10 @@ struct GuyStates {
   std::string where_least;
 };
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
-                                  const model::Model& model);
+                                  const machine::Model& model);
 void take(const CheckState& state, GuyStates& guy);
 /// Of a whole motion, at all its steps; `begins`: its first output step.
-void take_motion(const CheckState& begins, const analysis::TransientResult& motion, const std::string& words,
+void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words,
                  GuyStates& guy);
 
 /// A place at which ropes end, over all states that were shown. As above.
@@ -62,27 +62,28 @@ struct LineStates {
   int reeving = 0;
   LineExtreme tail_angle, off_line;  ///< rad
   LineExtreme clearance;             ///< over the ground, at rest, m
-  analysis::TerrainGap gap;          ///< of the line in plan, the largest over all states
+  study::TerrainGap gap;             ///< of the line in plan, the largest over all states
   struct Bend {
     std::string support;
     LineExtreme most, least;  ///< rad; negative: lifted by so much
   };
   std::vector<Bend> bends;
 };
-std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const model::Model& model);
+std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const machine::Model& model);
 void take(const CheckState& state, LineStates& line);
 
-void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const model::Model& model,
+void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const machine::Model& model,
                       std::vector<Complaint>& complaints);
-void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const model::Model& model, Result& r);
+void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const machine::Model& model,
+                    Result& r);
 
-void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const model::Model& model,
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
                          std::vector<Complaint>& complaints);
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r);
 
-void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::Model& model,
+void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine::Model& model,
                        std::vector<Complaint>& complaints);
-void add_line_checks(const std::vector<LineStates>& lines, const model::Model& model, Result& r);
+void add_line_checks(const std::vector<LineStates>& lines, const machine::Model& model, Result& r);
 
 /// A limit of the catalogue's rules with its words and trust.
 struct RuleLimit {
@@ -99,4 +100,4 @@ std::string with_factor(const std::string& words, double factor);
 void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
                     const Unit& unit, std::string rule, std::string trust, Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -1,6 +1,6 @@
 #include "taut/checks/guy/guy_checks_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 const Description& GuyCheckRequest::describe() {
   using R = GuyCheckRequest;
@@ -104,4 +104,4 @@ const Description& LineCheckRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -5,7 +5,7 @@
 
 #include "taut/calc/field.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What is checked of guys: one by its name, or all of a rope.
 struct GuyCheckRequest {
@@ -59,4 +59,4 @@ struct LineCheckRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

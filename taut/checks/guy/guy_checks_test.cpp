@@ -7,7 +7,7 @@
 #include "test/support/guyed_decks.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::guy_checks_test {
+namespace taut::checks::guy_checks_test {
 
 using taut_test::check_of;
 using taut_test::expect_mistake;
@@ -87,4 +87,4 @@ TEST(GuyChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  guys: {g1: {rule: layout.tail_tree_angle}}\n")), "no safety factor");
 }
 
-}  // namespace taut::app::guy_checks_test
+}  // namespace taut::checks::guy_checks_test

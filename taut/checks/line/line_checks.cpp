@@ -8,23 +8,23 @@
 #include "taut/math/index.hpp"
 #include "taut/study/rope_clearance.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-const model::Reeving* line_named(const model::Model& model, const std::string& name) {
+const machine::Reeving* line_named(const machine::Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.reevings.begin(), model.reevings.end(), [&](const auto& one) { return one.name == name; });
   return found == model.reevings.end() ? nullptr : &*found;
 }
 
 /// Supports of a line: contacts that no carriage is.
-std::vector<std::string> supports_of(const model::Model& model, const model::Reeving& rope) {
+std::vector<std::string> supports_of(const machine::Model& model, const machine::Reeving& rope) {
   std::vector<std::string> names;
   for (std::size_t i = 1; i + 1 < rope.nodes.size(); ++i) {
-    const model::Node& node = rope.nodes[i];
+    const machine::Node& node = rope.nodes[i];
     const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
                                    [&](const auto& c) { return node.name.starts_with(c.name); });
-    if (node.kind == model::NodeKind::contact && !rides) names.push_back(node.name);
+    if (node.kind == machine::NodeKind::contact && !rides) names.push_back(node.name);
   }
   return names;
 }
@@ -88,11 +88,11 @@ void take_bends(const CheckState& state, LineStates& line) {
 
 void take_clearance(const CheckState& state, LineStates& line) {
   if (state.rest == nullptr) return;
-  const analysis::TerrainGap gap = analysis::terrain_gap(*state.model, state.rest->spans, line.reeving);
+  const study::TerrainGap gap = study::terrain_gap(*state.model, state.rest->spans, line.reeving);
   if (gap.missing() > line.gap.missing()) line.gap = gap;
-  for (const analysis::SpanResult& span : state.rest->spans) {
+  for (const solve::SpanResult& span : state.rest->spans) {
     if (span.reeving != line.reeving) continue;
-    const analysis::RopeClearance found = analysis::rope_clearance(*state.model, span);
+    const study::RopeClearance found = study::rope_clearance(*state.model, span);
     if (std::isnan(found.height)) continue;
     line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
   }
@@ -158,7 +158,7 @@ void check_bends(const LineStates& line, Result& r) {
   }
 }
 
-void check_rating(const LineCheckRequest& request, const model::Model& model, Result& r) {
+void check_rating(const LineCheckRequest& request, const machine::Model& model, Result& r) {
   const double strength = request.breaking_force.value_or(line_named(model, request.name)->breaking_force);
   const char* trust = "verified";
   if (request.limiter) {
@@ -177,15 +177,15 @@ void check_rating(const LineCheckRequest& request, const model::Model& model, Re
 
 }  // namespace
 
-void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::Model& model,
+void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine::Model& model,
                        std::vector<Complaint>& complaints) {
   for (const LineCheckRequest& one : lines) {
     const std::string path = fmt::format("checks.lines.{}", one.name);
-    const model::Reeving* rope = line_named(model, one.name);
+    const machine::Reeving* rope = line_named(model, one.name);
     if (rope == nullptr) {
       std::vector<std::string> known;
       known.reserve(model.reevings.size());
-      for (const model::Reeving& each : model.reevings) known.push_back(each.name);
+      for (const machine::Reeving& each : model.reevings) known.push_back(each.name);
       complaints.push_back({path, fmt::format("there is no reeving '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
     }
@@ -218,10 +218,10 @@ void complain_of_lines(const std::vector<LineCheckRequest>& lines, const model::
   }
 }
 
-std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const model::Model& model) {
+std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const machine::Model& model) {
   std::vector<LineStates> all;
   for (const LineCheckRequest& one : lines) {
-    const model::Reeving* rope = line_named(model, one.name);
+    const machine::Reeving* rope = line_named(model, one.name);
     LineStates& line = all.emplace_back();
     line.request = &one;
     line.reeving = static_cast<int>(rope - model.reevings.data());
@@ -237,7 +237,7 @@ void take(const CheckState& state, LineStates& line) {
   if (line.request->clearance || line.request->least_clearance) take_clearance(state, line);
 }
 
-void add_line_checks(const std::vector<LineStates>& lines, const model::Model& model, Result& r) {
+void add_line_checks(const std::vector<LineStates>& lines, const machine::Model& model, Result& r) {
   for (const LineStates& line : lines) {
     check_tail(line, r);
     check_bends(line, r);
@@ -246,4 +246,4 @@ void add_line_checks(const std::vector<LineStates>& lines, const model::Model& m
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

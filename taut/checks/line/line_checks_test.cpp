@@ -9,7 +9,7 @@
 #include "test/support/guyed_decks.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::line_checks_test {
+namespace taut::checks::line_checks_test {
 
 using taut_test::check_of;
 using taut_test::expect_mistake;
@@ -94,4 +94,4 @@ TEST(LineChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {limiter: 200 kN}}\n")), "needs 'spar_rating'");
 }
 
-}  // namespace taut::app::line_checks_test
+}  // namespace taut::checks::line_checks_test

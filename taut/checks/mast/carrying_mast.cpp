@@ -10,7 +10,7 @@
 #include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 constexpr double on_top = 1e-6;  // m
@@ -159,11 +159,11 @@ class Combinations {
 };
 
 /// Places of the machine that a mast may carry, and where they are as described.
-std::vector<std::pair<std::string, Vector3>> places_of(const model::Model& model) {
+std::vector<std::pair<std::string, Vector3>> places_of(const machine::Model& model) {
   std::vector<std::pair<std::string, Vector3>> all;
-  const model::State state = model::initial_state(model);
-  for (const model::Reeving& rope : model.reevings) {
-    for (const model::Node& node : rope.nodes) all.emplace_back(node.name, model::in_ground(state, node.at));
+  const machine::State state = machine::initial_state(model);
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) all.emplace_back(node.name, machine::in_ground(state, node.at));
   }
   return all;
 }
@@ -173,11 +173,11 @@ std::vector<std::pair<std::string, Vector3>> places_of(const model::Model& model
 CarriedState carried_by(const MastCheckRequest& request, const CheckState& state) {
   CarriedState all{state.words, state.analysis, state.moves, {}};
   for (const CheckContact& c : state.contacts) {
-    const model::Reeving& rope = state.model->reevings[at(c.reeving)];
+    const machine::Reeving& rope = state.model->reevings[at(c.reeving)];
     if (carries(request, rope.nodes[at(c.node)].name)) add_pull(request, c.place, rope.copies * c.force, all);
   }
   for (const CheckBranch& b : state.branches) {
-    const model::Reeving& rope = state.model->reevings[at(b.reeving)];
+    const machine::Reeving& rope = state.model->reevings[at(b.reeving)];
     if (rope.closed) continue;
     const int last = static_cast<int>(rope.nodes.size()) - 1;
     if (b.from == 0 && carries(request, rope.nodes.front().name)) {
@@ -190,7 +190,7 @@ CarriedState carried_by(const MastCheckRequest& request, const CheckState& state
   return all;
 }
 
-void complain_of_carried(const MastCheckRequest& request, const std::string& path, const model::Model& model,
+void complain_of_carried(const MastCheckRequest& request, const std::string& path, const machine::Model& model,
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   complain_of_own_mast(request, path, LoadsOf::machine, analyses, complaints);
   if (request.foot.size() != 3) complaints.push_back({path + ".foot", "three numbers are expected: x, y, z"});
@@ -235,4 +235,4 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
   return report;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -6,7 +6,7 @@
 
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::carrying_mast_test {
+namespace taut::checks::carrying_mast_test {
 
 using taut_test::check_of;
 using taut_test::expect_mistake;
@@ -83,4 +83,4 @@ TEST(CarryingMast, mistakes) {
   expect_mistake(mast(", height: 10 m"), "'carries'");
 }
 
-}  // namespace taut::app::carrying_mast_test
+}  // namespace taut::checks::carrying_mast_test

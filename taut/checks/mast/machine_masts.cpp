@@ -11,14 +11,14 @@
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-using model::description::Beam;
+using machine::description::Beam;
 
-std::size_t index_in(const model::Model& model, const std::string& name) {
+std::size_t index_in(const machine::Model& model, const std::string& name) {
   const auto found =
-      std::find_if(model.beams.begin(), model.beams.end(), [&](const model::Beam& b) { return b.name == name; });
+      std::find_if(model.beams.begin(), model.beams.end(), [&](const machine::Beam& b) { return b.name == name; });
   return static_cast<std::size_t>(found - model.beams.begin());
 }
 
@@ -36,7 +36,7 @@ std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions)
   const auto add = [&](const auto& analysis, const char* kind) {
     if (analysis) names.push_back(analysis->name.value_or(kind));
   };
-  for (const AnalysisRequest& a : deck.analyses) {
+  for (const study::AnalysisRequest& a : deck.analyses) {
     add(a.equilibrium, "equilibrium");
     add(a.load_path, "load_path");
     add(a.envelope, "envelope");
@@ -90,13 +90,13 @@ void complain_of_beam(const MastCheckRequest& request, const std::string& name, 
 }
 
 /// The forces of a beam's section; N of the engine is tension, of the checks compression.
-structure::CrossForces forces_of(const analysis::BeamPoint& p) {
+structure::CrossForces forces_of(const solve::BeamPoint& p) {
   return {-p.N, p.shear_y, p.shear_x, p.bends_to_x, p.bends_to_y, p.torsion};
 }
 
 /// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a.
 bool built_crooked(const Beam& beam, const MastMaterial& material, double length) {
-  if (beam.order != model::description::Order::second || !beam.imperfection) return false;
+  if (beam.order != machine::description::Order::second || !beam.imperfection) return false;
   const auto curve = structure::curve_of(material.section, material.yield);
   const bool bowed = std::abs(beam.imperfection->bow.value_or(0)) >= 0.98 * structure::bow_share(curve, true);
   const bool leans = std::abs(beam.imperfection->sway.value_or(0)) >= 0.98 * structure::sway_of(length);
@@ -106,7 +106,7 @@ bool built_crooked(const Beam& beam, const MastMaterial& material, double length
 /// One mast of the machine's beams.
 class MachineMast {
  public:
-  MachineMast(const MastStates& mast, const CheckedDeck& deck, const model::Model& model)
+  MachineMast(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model)
       : request_(*mast.request), deck_(deck), mast_(mast) {
     const MastCheckRequest& request = request_;
     report_.name = request.name;
@@ -157,7 +157,7 @@ class MachineMast {
 
   static double inverse_critical(const BeamState& state) {
     double sum = 0;
-    for (const analysis::BeamResult& beam : state.beams) {
+    for (const solve::BeamResult& beam : state.beams) {
       const double alpha = beam.critical_factor;
       if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
     }
@@ -169,7 +169,7 @@ class MachineMast {
   double magnified(double factor, double inverse, const std::string& words) {
     bool second = true;
     for (const std::string& name : beams_of(request_)) {
-      second = second && beam_named(deck_, name)->order == model::description::Order::second;
+      second = second && beam_named(deck_, name)->order == machine::description::Order::second;
     }
     if (factor * inverse >= 1) {
       report_.refused = fmt::format(
@@ -190,8 +190,8 @@ class MachineMast {
     const double bends = magnified(all, together, words);
     double height = 0;
     for (std::size_t i = 0; i < state.beams.size(); ++i) {
-      const analysis::BeamResult& b = state.beams[i];
-      for (const analysis::BeamPoint& p : b.points) {
+      const solve::BeamResult& b = state.beams[i];
+      for (const solve::BeamPoint& p : b.points) {
         const structure::CrossForces f = forces_of(p);
         structure::CrossForces design = all * f;
         for (double* one : {&design.M_y, &design.M_z, &design.V_y, &design.V_z}) *one *= bends;
@@ -200,7 +200,7 @@ class MachineMast {
       height += lengths_[i];
     }
     if (!request_.buckling_length && together > 0) {
-      for (const analysis::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / together);
+      for (const solve::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / together);
     }
     report_.loaded.cases.push_back(std::move(c));
   }
@@ -261,7 +261,7 @@ const Beam* beam_named(const CheckedDeck& deck, const std::string& name) {
 }
 
 std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck,
-                                    const model::Model& model) {
+                                    const machine::Model& model) {
   std::vector<MastStates> all;
   for (const MastCheckRequest& one : masts) {
     MastStates& mast = all.emplace_back();
@@ -284,7 +284,7 @@ void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   mast.where_stiffness = state.words;
 }
 
-void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const model::Model& model,
+void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints) {
   for (const MastCheckRequest& one : masts) {
     const std::string path = fmt::format("checks.masts.{}", one.name);
@@ -319,7 +319,7 @@ void complain_of_masts(const std::vector<MastCheckRequest>& masts, const Checked
   }
 }
 
-void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const model::Model& model,
+void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const machine::Model& model,
                        Result& r) {
   for (const MastStates& mast : masts) {
     const MastCheckRequest& one = *mast.request;
@@ -338,4 +338,4 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

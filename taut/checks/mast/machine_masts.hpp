@@ -9,12 +9,12 @@
 #include "taut/checks/mast/mast_checks.hpp"
 
 /// `checks: masts:` of a machine: its beams, and masts that the deck gives beside it.
-namespace taut::app {
+namespace taut::checks {
 
 /// The beams of a mast in one state.
 struct BeamState {
   std::string words, analysis;
-  std::vector<analysis::BeamResult> beams;  ///< of the mast, from its base
+  std::vector<solve::BeamResult> beams;  ///< of the mast, from its base
 };
 
 /// A mast over all states that were shown.
@@ -27,23 +27,23 @@ struct MastStates {
   std::vector<CarriedState> carried;
 };
 std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck,
-                                    const model::Model& model);
+                                    const machine::Model& model);
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast);
 
 /// Names of the beams of a mast, from its base.
 std::vector<std::string> beams_of(const MastCheckRequest& request);
-const model::description::Beam* beam_named(const CheckedDeck& deck, const std::string& name);
+const machine::description::Beam* beam_named(const CheckedDeck& deck, const std::string& name);
 
 // The guys of a mast: mast_guys.cpp.
 /// The least horizontal stiffness of all guys at a point, in a state, N/m; none: no taut guy is there.
 std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, const std::string& top);
 /// `bending`: least E I of the mast, N m2.
-void add_top_check(const MastStates& mast, double bending, const model::Model& model, Result& r);
-void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model, Result& r);
+void add_top_check(const MastStates& mast, double bending, const machine::Model& model, Result& r);
+void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model, Result& r);
 
-void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const model::Model& model,
+void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints);
-void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const model::Model& model,
+void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& deck, const machine::Model& model,
                        Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::checks

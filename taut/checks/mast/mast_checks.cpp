@@ -9,7 +9,7 @@
 #include "taut/catalogue/steel.hpp"
 #include "taut/structure/hollow_section.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 using structure::LoadedMast;
@@ -310,4 +310,4 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   add_mast_choice(request, report, r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -12,7 +12,7 @@
 
 /// `checks: masts:`: a mast by EN 1993-1-1 and by an allowable stress, from the forces of a machine's beams, from those
 /// that the deck gives, or from a published method.
-namespace taut::app {
+namespace taut::checks {
 
 /// A steel in the wall that counts: the section, f_y, [sigma], and the trust of both.
 struct MastMaterial {
@@ -71,7 +71,7 @@ struct CarriedState {
   std::vector<MastLoadRequest> loads;  ///< by the mast's axes
 };
 CarriedState carried_by(const MastCheckRequest& request, const CheckState& state);
-void complain_of_carried(const MastCheckRequest& request, const std::string& path, const model::Model& model,
+void complain_of_carried(const MastCheckRequest& request, const std::string& path, const machine::Model& model,
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 /// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
 /// factor. Of many states those count that bend or press some piece most, in any direction.
@@ -83,4 +83,4 @@ void complain_of_method_masts(const std::vector<MastCheckRequest>& masts, const 
                               std::vector<Complaint>& complaints);
 void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -1,6 +1,6 @@
 #include "taut/checks/mast/mast_checks_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 const Description& MastPieceRequest::describe() {
   static const Description d =
@@ -172,4 +172,4 @@ const Description& MastCheckRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

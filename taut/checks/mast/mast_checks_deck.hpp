@@ -6,7 +6,7 @@
 #include "taut/calc/field.hpp"
 #include "taut/checks/section_choice.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 enum class MastCurve { by_section, a0, a, b, c, d };
 enum class MastBase { clamped, hinge };
@@ -79,4 +79,4 @@ struct MastCheckRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

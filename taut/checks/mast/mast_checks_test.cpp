@@ -6,7 +6,7 @@
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::mast_checks_test {
+namespace taut::checks::mast_checks_test {
 
 using namespace taut_test;
 
@@ -227,4 +227,4 @@ TEST(MastChecks, MistakesHaveTheirPlace) {
                  "give its 'loads'");
 }
 
-}  // namespace taut::app::mast_checks_test
+}  // namespace taut::checks::mast_checks_test

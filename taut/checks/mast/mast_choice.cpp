@@ -6,7 +6,7 @@
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 using catalogue::SectionShape;
@@ -101,4 +101,4 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
       report.name, best->section.name, best->section.mass_per_length));
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -8,7 +8,7 @@
 #include "taut/math/index.hpp"
 #include "taut/rope/guy.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 /// Guys that are fixed to the mast's beams, and the least of their breaking forces (0: one is not known).
@@ -16,7 +16,7 @@ struct MastGuys {
   int number = 0;
   double weakest = HUGE_VAL;
 };
-MastGuys guys_of(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model) {
+MastGuys guys_of(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model) {
   const std::vector<std::string> beams = beams_of(request);
   const auto on_mast = [&](const std::string& place) {
     return std::any_of(beams.begin(), beams.end(), [&](const std::string& beam) {
@@ -30,7 +30,7 @@ MastGuys guys_of(const MastCheckRequest& request, const CheckedDeck& deck, const
   for (const auto& guy : deck.machine.guys) {
     if (!on_mast(guy.from) && !on_mast(guy.to)) continue;
     const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
-                                   [&](const model::Reeving& one) { return one.name == guy.name; });
+                                   [&](const machine::Reeving& one) { return one.name == guy.name; });
     all.number += rope->copies;
     all.weakest = std::min(all.weakest, rope->breaking_force);
   }
@@ -45,7 +45,7 @@ std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& s
   for (const auto& guy : deck.machine.guys) {
     if (guy.from != top && guy.to != top) continue;
     for (const CheckBranch& span : state.branches) {
-      const model::Reeving& rope = state.model->reevings[at(span.reeving)];
+      const machine::Reeving& rope = state.model->reevings[at(span.reeving)];
       const double length = span.unstretched * (1 + rope.thermal_strain);
       if (rope.name != guy.name || length >= span.chord) continue;  // slack ones give nothing
       const Vector3 d = span.end - span.start;
@@ -65,7 +65,7 @@ std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& s
   return mean - std::hypot((ring.xx - ring.yy) / 2, ring.xy);
 }
 
-void add_top_check(const MastStates& mast, double bending, const model::Model& model, Result& r) {
+void add_top_check(const MastStates& mast, double bending, const machine::Model& model, Result& r) {
   const MastCheckRequest& request = *mast.request;
   if (!request.top_criterion) return;
   double height = 0;
@@ -80,7 +80,8 @@ void add_top_check(const MastStates& mast, double bending, const model::Model& m
       "UNVERIFIED: 3 to 4 recalled practice", r);
 }
 
-void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const model::Model& model, Result& r) {
+void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model,
+                      Result& r) {
   if (!request.plate) return;
   const MastGuys guys = guys_of(request, deck, model);
   if (request.plate->guys) {
@@ -99,4 +100,4 @@ void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, 
                  "verified", r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -4,7 +4,7 @@
 
 #include "taut/checks/mast/mast_checks.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 double given_number(const Result& r, const char* key) {
@@ -83,4 +83,4 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

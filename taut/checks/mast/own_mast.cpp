@@ -8,7 +8,7 @@
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 using structure::ColumnMast;
@@ -213,4 +213,4 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   return report;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -10,11 +10,11 @@
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 /// The reevings that a name of the deck means: one, or all of a rope.
-std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const model::Model& model) {
+std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model) {
   std::vector<std::size_t> own;
   std::vector<std::size_t> of_rope;
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
@@ -25,10 +25,10 @@ std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDe
 }
 
 /// Names of what bends the ropes of the machine.
-std::vector<std::string> rounds_of(const model::Model& model) {
+std::vector<std::string> rounds_of(const machine::Model& model) {
   std::vector<std::string> known;
-  for (const model::Reeving& one : model.reevings) {
-    for (const model::Node& node : one.nodes) {
+  for (const machine::Reeving& one : model.reevings) {
+    for (const machine::Node& node : one.nodes) {
       if (node.radius > 0) known.push_back(node.name);
     }
   }
@@ -54,7 +54,7 @@ void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
 
 }  // namespace
 
-void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const model::Model& model,
+void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints) {
   for (const RopeCheckRequest& one : request.ropes) {
     const std::string path = fmt::format("checks.ropes.{}", one.name);
@@ -62,7 +62,7 @@ void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, co
     if (reevings.empty()) {
       std::vector<std::string> known;
       known.reserve(model.reevings.size());
-      for (const model::Reeving& r : model.reevings) known.push_back(r.name);
+      for (const machine::Reeving& r : model.reevings) known.push_back(r.name);
       complaints.push_back(
           {path, fmt::format("there is no reeving, guy or rope '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
@@ -98,7 +98,7 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
   add_life(request, use, rules, r);
 }
 
-void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const model::Model& model,
+void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r) {
   for (const RopeCheckRequest& one : request.ropes) {
     for (const std::size_t i : reevings_named(one.name, deck, model)) {
@@ -111,4 +111,4 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

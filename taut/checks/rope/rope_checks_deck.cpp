@@ -1,6 +1,6 @@
 #include "taut/checks/rope/rope_checks_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 const Description& HoistRequest::describe() {
   static const Description d =
@@ -141,4 +141,4 @@ const Description& RopeCheckRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

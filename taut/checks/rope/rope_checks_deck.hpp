@@ -6,7 +6,7 @@
 #include "taut/calc/field.hpp"
 #include "taut/checks/rope/rope_life_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 enum class HoistClass { HC1, HC2, HC3, HC4 };
 
@@ -68,4 +68,4 @@ struct RopeCheckRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

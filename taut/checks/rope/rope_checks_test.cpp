@@ -8,7 +8,7 @@
 #include "taut/catalogue/rope.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::rope_checks_test {
+namespace taut::checks::rope_checks_test {
 
 using taut_test::expect_mistake;
 using taut_test::run_text;
@@ -189,4 +189,4 @@ checks:
   expect_mistake(run_text(wrong), "the method has no rope 'retorn': return, traction");
 }
 
-}  // namespace taut::app::rope_checks_test
+}  // namespace taut::checks::rope_checks_test

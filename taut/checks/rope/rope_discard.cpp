@@ -9,7 +9,7 @@
 #include "taut/catalogue/rule.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 using catalogue::RuleRow;
@@ -100,4 +100,4 @@ void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Resu
   r.tables.push_back(std::move(t));
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

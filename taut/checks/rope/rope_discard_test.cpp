@@ -6,7 +6,7 @@
 #include "taut/checks/rope/rope_life.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::rope_discard_test {
+namespace taut::checks::rope_discard_test {
 
 using taut_test::cell;
 using taut_test::row_of;
@@ -71,4 +71,4 @@ TEST(RopeDiscard, an_unknown_rope_is_told) {
   EXPECT_EQ(r.tables.at(0).rows.size(), 6U);  // what needs no number, and the diameter's share
 }
 
-}  // namespace taut::app::rope_discard_test
+}  // namespace taut::checks::rope_discard_test

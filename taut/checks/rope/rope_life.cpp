@@ -10,7 +10,7 @@
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 constexpr const char* count_names[] = {"mean_break", "break_10", "discard", "discard_10"};
@@ -185,4 +185,4 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
   add_table(lives, use, r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

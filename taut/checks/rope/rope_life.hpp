@@ -7,7 +7,7 @@
 #include "taut/rope/life.hpp"
 #include "taut/rope/rope_check.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What is wrong with a rope's `duty` and `life`, at paths below `path`. `rounds`: names of what bends it; empty: not
 /// known yet.
@@ -23,4 +23,4 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
 /// rope_discard.cpp.
 void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r);
 
-}  // namespace taut::app
+}  // namespace taut::checks

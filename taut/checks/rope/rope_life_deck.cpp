@@ -1,6 +1,6 @@
 #include "taut/checks/rope/rope_life_deck.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 const Description& DutyRequest::describe() {
   static const Description d =
@@ -54,4 +54,4 @@ const Description& LifeRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -5,7 +5,7 @@
 
 #include "taut/calc/field.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// What a rope does so often in the life that is wanted of it.
 struct DutyRequest {
@@ -34,4 +34,4 @@ struct LifeRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::checks

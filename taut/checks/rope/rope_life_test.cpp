@@ -10,7 +10,7 @@
 
 #include "test/support/machine_decks.hpp"
 
-namespace taut::app::rope_life_test {
+namespace taut::checks::rope_life_test {
 
 using taut_test::cell;
 using taut_test::expect_mistake;
@@ -97,4 +97,4 @@ TEST(RopeLife, mistakes) {
   expect_mistake(run_text(lift("{duty: [{name: lifts}]}")), "cycles");
 }
 
-}  // namespace taut::app::rope_life_test
+}  // namespace taut::checks::rope_life_test

@@ -14,7 +14,7 @@
 #include "taut/catalogue/rule.hpp"
 #include "taut/rope/strength.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
 using catalogue::RuleRow;
@@ -385,4 +385,4 @@ rope::RopeRules rope_rules(const RopeCheckRequest& request, const catalogue::Rop
   return RopeRuleReader(request, rope, path, complaints).read();
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

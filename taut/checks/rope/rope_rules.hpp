@@ -6,7 +6,7 @@
 #include "taut/checks/rope/rope_checks_deck.hpp"
 #include "taut/rope/rope_check.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// The rope with what the deck says beside the catalogue: construction, core, grade, area.
 catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request);
@@ -16,4 +16,4 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
 rope::RopeRules rope_rules(const RopeCheckRequest& request, const catalogue::RopeRow& rope, const std::string& path,
                            std::vector<Complaint>& complaints);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace taut::app::rope_rules_test {
+namespace taut::checks::rope_rules_test {
 
 catalogue::RopeRow six_strand(const std::string& core) {
   catalogue::RopeRow rope;
@@ -106,4 +106,4 @@ TEST(RopeRules, the_request_goes_before_the_catalogue) {
   EXPECT_EQ(rope.diameter, 16e-3);
 }
 
-}  // namespace taut::app::rope_rules_test
+}  // namespace taut::checks::rope_rules_test

@@ -10,18 +10,18 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-using analysis::EquilibriumResult;
+using solve::EquilibriumResult;
 
 constexpr double no_friction = 1e-6;  ///< difference of tensions, of the larger one
 constexpr double no_way = 1e-3;       ///< of a rope, of the carriage's way: it gives a little and runs nowhere
 
 /// The node beside which the rope does not run: a clamp, else the end without a winch.
-std::optional<int> still_node(const model::Reeving& rope, int reeving, const std::vector<Winch>& winches) {
+std::optional<int> still_node(const machine::Reeving& rope, int reeving, const std::vector<Winch>& winches) {
   for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
-    if (rope.nodes[n].kind == model::NodeKind::clamp) return static_cast<int>(n);
+    if (rope.nodes[n].kind == machine::NodeKind::clamp) return static_cast<int>(n);
   }
   if (rope.closed) return std::nullopt;
   const bool driven = std::any_of(winches.begin(), winches.end(), [&](const Winch& w) { return w.reeving == reeving; });
@@ -35,7 +35,7 @@ std::optional<int> still_node(const model::Reeving& rope, int reeving, const std
 }
 
 /// Unstretched rope between two nodes of its path, m.
-double between(const EquilibriumResult& e, int reeving, int first, int last) {
+double between(const solve::EquilibriumResult& e, int reeving, int first, int last) {
   double length = 0;
   for (const auto& s : e.spans) {
     if (s.reeving == reeving && s.from >= first && s.from < last) length += s.unstretched;
@@ -44,21 +44,22 @@ double between(const EquilibriumResult& e, int reeving, int first, int last) {
 }
 
 /// Rope that runs over a node along the path, m.
-double passed(const EquilibriumResult& before, const EquilibriumResult& now, int reeving, int node, int still) {
+double passed(const solve::EquilibriumResult& before, const solve::EquilibriumResult& now, int reeving, int node,
+              int still) {
   const auto grown = [&](int first, int last) {
     return between(now, reeving, first, last) - between(before, reeving, first, last);
   };
   return node < still ? grown(node, still) : -grown(still, node);
 }
 
-const analysis::ContactResult* contact_of(const EquilibriumResult& e, int reeving, int node) {
+const solve::ContactResult* contact_of(const solve::EquilibriumResult& e, int reeving, int node) {
   const auto found = std::find_if(e.contacts.begin(), e.contacts.end(),
                                   [&](const auto& c) { return c.reeving == reeving && c.node == node; });
   return found == e.contacts.end() ? nullptr : &*found;
 }
 
 /// The sense in which friction holds back, 0: none does.
-int sense_of(const analysis::ContactResult& c) {
+int sense_of(const solve::ContactResult& c) {
   const double more = c.T_out - c.T_in;
   if (std::abs(more) <= no_friction * std::max(c.T_in, c.T_out)) return 0;
   return more > 0 ? 1 : -1;
@@ -68,24 +69,24 @@ bool all_against(const RopeSense& s) { return s.driven && s.against > 0 && s.wit
 
 }  // namespace
 
-std::vector<Winch> winches_of(const model::Model& m, const model::Machine& machine, int carriage) {
+std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, int carriage) {
   std::vector<Winch> all;
   const auto& drums = machine.drums;
   for (std::size_t r = 0; r < machine.reevings.size(); ++r) {
-    const model::Reeving& rope = m.reevings[r];
+    const machine::Reeving& rope = m.reevings[r];
     const auto index = static_cast<int>(r);
     if (rope.closed) {
       all.push_back({rope.nodes.front().name, index, false, true});
       continue;
     }
-    const auto on_drum = [&](const model::Node& n) {
+    const auto on_drum = [&](const machine::Node& n) {
       return std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == n.name; });
     };
-    const auto rides = [&](const model::Node& n) {
+    const auto rides = [&](const machine::Node& n) {
       return carriage >= 0 && n.at.body == m.carriages[at(carriage)].body;
     };
-    const bool start = on_drum(rope.nodes.front()) || rope.given == model::Given::tension_at_start;
-    const bool end = on_drum(rope.nodes.back()) || rope.given == model::Given::tension_at_end;
+    const bool start = on_drum(rope.nodes.front()) || rope.given == machine::Given::tension_at_start;
+    const bool end = on_drum(rope.nodes.back()) || rope.given == machine::Given::tension_at_end;
     const bool mainline =
         carriage >= 0 && (m.carriages[at(carriage)].mainline == index || m.carriages[at(carriage)].haulback == index);
     if (start || (mainline && !end && !rides(rope.nodes.front()))) {
@@ -98,14 +99,14 @@ std::vector<Winch> winches_of(const model::Model& m, const model::Machine& machi
   return all;
 }
 
-void RopeSenses::take(const model::Model& m, const std::vector<analysis::LoadPathPoint>& points) {
+void RopeSenses::take(const machine::Model& m, const std::vector<study::LoadPathPoint>& points) {
   for (std::size_t r = 0; r < m.reevings.size(); ++r) {
     const auto reeving = static_cast<int>(r);
     const bool driven =
         std::any_of(winches_.begin(), winches_.end(), [&](const Winch& w) { return w.reeving == reeving; });
     const std::optional<int> still = still_node(m.reevings[r], reeving, winches_);
-    const analysis::LoadPathPoint* last = nullptr;
-    for (const analysis::LoadPathPoint& point : points) {
+    const study::LoadPathPoint* last = nullptr;
+    for (const study::LoadPathPoint& point : points) {
       if (!still || !point.at.outcome.ok()) continue;
       if (last != nullptr) take(m, {reeving, *still, driven}, *last, point);
       last = &point;
@@ -113,16 +114,16 @@ void RopeSenses::take(const model::Model& m, const std::vector<analysis::LoadPat
   }
 }
 
-void RopeSenses::take(const model::Model& m, const Running& of, const analysis::LoadPathPoint& before,
-                      const analysis::LoadPathPoint& now) {
+void RopeSenses::take(const machine::Model& m, const Running& of, const study::LoadPathPoint& before,
+                      const study::LoadPathPoint& now) {
   const auto [reeving, still, driven] = of;
-  const model::Reeving& rope = m.reevings[at(reeving)];
+  const machine::Reeving& rope = m.reevings[at(reeving)];
   const double way = std::hypot(now.x - before.x, now.z - before.z);
-  for (const analysis::ContactResult& c : now.at.contacts) {
+  for (const solve::ContactResult& c : now.at.contacts) {
     if (c.reeving != reeving || c.node == still) continue;
-    const model::Node& node = rope.nodes[at(c.node)];
-    if (node.kind != model::NodeKind::contact || node.motor >= 0) continue;
-    const analysis::ContactResult* const was = contact_of(before.at, reeving, c.node);
+    const machine::Node& node = rope.nodes[at(c.node)];
+    if (node.kind != machine::NodeKind::contact || node.motor >= 0) continue;
+    const solve::ContactResult* const was = contact_of(before.at, reeving, c.node);
     const int declared = sense_of(c);
     if (was == nullptr || declared == 0 || sense_of(*was) != declared) continue;
     const double runs = passed(before.at, now.at, reeving, c.node, still);
@@ -186,4 +187,4 @@ std::optional<std::string> contrary_senses(const std::vector<RopeSense>& senses)
       there->rope, there->contact, back->rope, back->contact);
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -7,7 +7,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/study/load_path.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// The end of a rope where it is pulled in and let out, or a driven sheave of an endless rope.
 struct Winch {
@@ -18,7 +18,7 @@ struct Winch {
 };
 
 /// Ropes that end on a drum, or have a tension given, or hold the carriage as its mainline or haulback.
-std::vector<Winch> winches_of(const model::Model& m, const model::Machine& machine, int carriage);
+std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, int carriage);
 
 /// How a rope runs over a contact while a carriage goes its way, against how its friction has it run: towards
 /// the larger tension. The rope's own way follows from its lengths on either side.
@@ -37,7 +37,7 @@ class RopeSenses {
   explicit RopeSenses(std::vector<Winch> winches) : winches_(std::move(winches)) {}
 
   /// Neighbouring places in a model with the carriage in one span; those without an answer are passed over.
-  void take(const model::Model& m, const std::vector<analysis::LoadPathPoint>& points);
+  void take(const machine::Model& m, const std::vector<study::LoadPathPoint>& points);
 
   const std::vector<RopeSense>& all() const { return all_; }
 
@@ -47,8 +47,8 @@ class RopeSenses {
     int reeving = 0, still = 0;
     bool driven = true;
   };
-  void take(const model::Model& m, const Running& of, const analysis::LoadPathPoint& before,
-            const analysis::LoadPathPoint& now);
+  void take(const machine::Model& m, const Running& of, const study::LoadPathPoint& before,
+            const study::LoadPathPoint& now);
   std::vector<Winch> winches_;
   std::vector<RopeSense> all_;
 };
@@ -64,4 +64,4 @@ std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses);
 /// the carriage goes, friction gives energy. A sentence; none where there are no such ropes.
 std::optional<std::string> contrary_senses(const std::vector<RopeSense>& senses);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -10,9 +10,9 @@ namespace rope_sense_test {
 using namespace taut_test;
 using taut::Result;
 using taut::Status;
-using taut::app::contrary_senses;
-using taut::app::RopeSense;
-using taut::app::wrong_senses;
+using taut::checks::contrary_senses;
+using taut::checks::RopeSense;
+using taut::checks::wrong_senses;
 
 /// A running skyline: the haulback comes in where the carriage goes out.
 std::string running_skyline(const std::string& analysis) {

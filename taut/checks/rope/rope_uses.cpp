@@ -13,13 +13,13 @@
 #include "taut/math/index.hpp"
 #include "taut/solve/drives.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 namespace {
 
-double largest(const analysis::ContactResult& c) { return std::max({c.T_in, c.T_out, c.T_in_max, c.T_out_max}); }
+double largest(const solve::ContactResult& c) { return std::max({c.T_in, c.T_out, c.T_in_max, c.T_out_max}); }
 
-rope::BendKind kind_of(const model::Node& node) {
-  const bool turns = node.kind == model::NodeKind::drive || node.law.efficiency > 0;
+rope::BendKind kind_of(const machine::Node& node) {
+  const bool turns = node.kind == machine::NodeKind::drive || node.law.efficiency > 0;
   return turns ? rope::BendKind::sheave : rope::BendKind::saddle;
 }
 
@@ -27,12 +27,12 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 
 /// Angle between the rope to the next round and the plane across the drum's axis, the rope at one flange or the other,
 /// rad.
-double fleet_angle_of(const model::State& state, const model::Node& drum, const model::Node& next, double face) {
-  const Vector3 from = model::in_ground(state, drum.at);
+double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face) {
+  const Vector3 from = machine::in_ground(state, drum.at);
   const Matrix3 turned =
-      drum.at.body == model::ground ? Matrix3::Identity() : state.bodies[at(drum.at.body)].orientation;
+      drum.at.body == machine::ground ? Matrix3::Identity() : state.bodies[at(drum.at.body)].orientation;
   const Vector3 axis = turned * drum.axis;
-  const Vector3 way = model::in_ground(state, next.at) - from;
+  const Vector3 way = machine::in_ground(state, next.at) - from;
   const double aside = std::abs(way.dot(axis)) + face / 2;
   const double across = (way - way.dot(axis) * axis).squaredNorm();
   // the rope leaves the drum along a tangent
@@ -42,12 +42,12 @@ double fleet_angle_of(const model::State& state, const model::Node& drum, const 
 
 }  // namespace
 
-const std::string& rope_name_of(const model::Machine& machine, std::size_t reeving) {
+const std::string& rope_name_of(const machine::Machine& machine, std::size_t reeving) {
   const std::size_t first_guy = machine.reevings.size();
   return reeving < first_guy ? machine.reevings[reeving].rope : machine.guys[reeving - first_guy].rope;
 }
 
-catalogue::RopeRow row_of(const model::description::Rope& given) {
+catalogue::RopeRow row_of(const machine::description::Rope& given) {
   catalogue::RopeRow row;
   row.id = given.name;
   row.trust = row.area_trust = catalogue::Trust::verified;
@@ -71,25 +71,25 @@ catalogue::RopeRow row_in(const CheckedDeck& deck, const std::string& rope) {
   return {};
 }
 
-RopeUses::RopeUses(const CheckedDeck& deck, const model::Model& model)
+RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
     : uses_(model.reevings.size()), bends_(model.reevings.size()), axes_(model.reevings.size(), Vector3::Zero()) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
     uses_[i].closed = model.reevings[i].closed;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
-    for (const model::Node& node : model.reevings[i].nodes) {
-      if (!(node.radius > 0) || node.drum >= 0 || node.kind == model::NodeKind::anchor) continue;
+    for (const machine::Node& node : model.reevings[i].nodes) {
+      if (!(node.radius > 0) || node.drum >= 0 || node.kind == machine::NodeKind::anchor) continue;
       bend_at(i, node, met[node.name]++);
     }
     if (model.reevings[i].closed) continue;
-    for (const model::Node& node : {model.reevings[i].nodes.front(), model.reevings[i].nodes.back()}) {
+    for (const machine::Node& node : {model.reevings[i].nodes.front(), model.reevings[i].nodes.back()}) {
       if (node.drum < 0) uses_[i].ends.push_back({node.name, 0});
     }
   }
 }
 
-void RopeUses::take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words) {
+void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     const double T = state.ropes[i].T_max;
     if (T > uses_[i].tension) {
@@ -102,7 +102,7 @@ void RopeUses::take(const model::Model& model, const analysis::EquilibriumResult
   take_ends(model, state);
 }
 
-void RopeUses::take_tensions(const model::Model& model, const analysis::EquilibriumResult& state,
+void RopeUses::take_tensions(const machine::Model& model, const solve::EquilibriumResult& state,
                              const std::string& words) {
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
     const auto own =
@@ -125,38 +125,38 @@ void RopeUses::take_motion(int reeving, double at_rest, double peak, double when
   }
 }
 
-int RopeUses::sense_in(std::size_t reeving, const model::Node& node) {
+int RopeUses::sense_in(std::size_t reeving, const machine::Node& node) {
   Vector3& first = axes_[reeving];
   if (first.squaredNorm() == 0) first = node.axis;
   return node.axis.dot(first) < 0 ? -node.side : node.side;
 }
 
-rope::Bend& RopeUses::bend_at(std::size_t reeving, const model::Node& node, int times) {
+rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times) {
   auto& known = bends_[reeving];
   const Met fresh{{node.name, kind_of(node), 2 * node.radius, 0, 0, sense_in(reeving, node)},
                   static_cast<int>(known.size())};
   return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
 }
 
-void RopeUses::take_contacts(const model::Model& model, const analysis::EquilibriumResult& state) {
+void RopeUses::take_contacts(const machine::Model& model, const solve::EquilibriumResult& state) {
   std::vector<std::map<std::string, int>> met(uses_.size());
-  for (const analysis::ContactResult& c : state.contacts) {
-    model::Node node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+  for (const solve::ContactResult& c : state.contacts) {
+    machine::Node node = model.reevings[at(c.reeving)].nodes[at(c.node)];
     if (!(node.radius > 0)) continue;
     if (!state.state.sides.empty()) node.side = state.state.sides[at(c.reeving)][at(c.node)];
     rope::Bend& bend = bend_at(at(c.reeving), node, met[at(c.reeving)][node.name]++);
-    if (c.state == analysis::ContactState::lifted) continue;
+    if (c.state == solve::ContactState::lifted) continue;
     bend.tension = std::max(bend.tension, largest(c));
     bend.wrap = std::max(bend.wrap, c.wrap);
   }
 }
 
-void RopeUses::take_drum(const model::Model& model, const analysis::EquilibriumResult& state, int reeving, bool at_end,
+void RopeUses::take_drum(const machine::Model& model, const solve::EquilibriumResult& state, int reeving, bool at_end,
                          double tension) {
-  const model::Reeving& rope = model.reevings[at(reeving)];
-  const model::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
-  const model::Node& next = at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
-  const model::Drum& drum = model.drums[at(node.drum)];
+  const machine::Reeving& rope = model.reevings[at(reeving)];
+  const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+  const machine::Node& next = at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
+  const machine::Drum& drum = model.drums[at(node.drum)];
   auto& bends = bends_[at(reeving)];
   const double first = drum.core_radius + rope.diameter / 2;
   const int order = at_end ? std::numeric_limits<int>::max() : -1;
@@ -175,7 +175,7 @@ void RopeUses::take_drum(const model::Model& model, const analysis::EquilibriumR
     const double angle = fleet_angle_of(state.state, node, next, drum.width - rope.diameter);
     known->fleet_angle = std::max(known->fleet_angle.value_or(0), angle);
   }
-  const rope::DrumLayers measures = model::measures_of(drum, rope.diameter);
+  const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (!(measures.width > 0) || !drum.length_on_drum) return;
   const double length = std::max(*drum.length_on_drum, 0.0);
   const int layers = std::max(rope::on_drum(measures, length).layer, known->layers.value_or(1));
@@ -184,16 +184,16 @@ void RopeUses::take_drum(const model::Model& model, const analysis::EquilibriumR
   known->last_radius = rope::layer_radius(measures, layers);
 }
 
-void RopeUses::take_ends(const model::Model& model, const analysis::EquilibriumResult& state) {
+void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumResult& state) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
-    const model::Reeving& rope = model.reevings[i];
+    const machine::Reeving& rope = model.reevings[i];
     if (rope.closed) continue;
     const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
     const auto first = std::find_if(state.spans.begin(), state.spans.end(), own);
     const auto last = std::find_if(state.spans.rbegin(), state.spans.rend(), own);
     if (first == state.spans.end()) continue;
     for (const bool at_end : {false, true}) {
-      const model::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+      const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       const double T = at_end ? std::max(last->T_to, last->T_to_max) : std::max(first->T_from, first->T_from_max);
       if (node.drum >= 0) {
         take_drum(model, state, static_cast<int>(i), at_end, T);
@@ -229,4 +229,4 @@ std::vector<rope::RopeUse> RopeUses::all() const {
   return all;
 }
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -6,19 +6,19 @@
 #include "taut/checks/checked_deck.hpp"
 #include "taut/rope/rope_use.hpp"
 
-namespace taut::app {
+namespace taut::checks {
 
 /// How each rope of a machine is used, over all states that are shown to it: the largest tension of the whole rope, at
 /// each end, sheave and drum. A bend is known by its name and how often the path has met it before, as a carriage may
 /// stand in another span. At rest the band between both directions of motion counts.
 class RopeUses {
  public:
-  RopeUses(const CheckedDeck& deck, const model::Model& model);
+  RopeUses(const CheckedDeck& deck, const machine::Model& model);
 
   /// `words`: which state it is, "load path, in, x = 130 m".
-  void take(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of a model that has some of the ropes, known by their names: their largest tensions alone.
-  void take_tensions(const model::Model& model, const analysis::EquilibriumResult& state, const std::string& words);
+  void take_tensions(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of a calculated motion: the largest tension of the rope at rest before it (0: not known), and its peak, N, at the
   /// time `when`, s.
   void take_motion(int reeving, double at_rest, double peak, double when, const std::string& words);
@@ -31,11 +31,11 @@ class RopeUses {
     rope::Bend bend;
     int order = 0;
   };
-  int sense_in(std::size_t reeving, const model::Node& node);
-  rope::Bend& bend_at(std::size_t reeving, const model::Node& node, int times);
-  void take_contacts(const model::Model& model, const analysis::EquilibriumResult& state);
-  void take_ends(const model::Model& model, const analysis::EquilibriumResult& state);
-  void take_drum(const model::Model& model, const analysis::EquilibriumResult& state, int reeving, bool at_end,
+  int sense_in(std::size_t reeving, const machine::Node& node);
+  rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times);
+  void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state);
+  void take_ends(const machine::Model& model, const solve::EquilibriumResult& state);
+  void take_drum(const machine::Model& model, const solve::EquilibriumResult& state, int reeving, bool at_end,
                  double tension);
 
   bool shown_ = false;
@@ -46,12 +46,12 @@ class RopeUses {
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck
 /// counts as verified, as its user answers for it.
-catalogue::RopeRow row_of(const model::description::Rope& given);
+catalogue::RopeRow row_of(const machine::description::Rope& given);
 
 /// The row of a rope of the deck, of a design the one it has put in; empty where there is no such rope.
 catalogue::RopeRow row_in(const CheckedDeck& deck, const std::string& rope);
 
 /// The name of the rope that a reeving or guy of the model is made of.
-const std::string& rope_name_of(const model::Machine& machine, std::size_t reeving);
+const std::string& rope_name_of(const machine::Machine& machine, std::size_t reeving);
 
-}  // namespace taut::app
+}  // namespace taut::checks

@@ -10,7 +10,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 constexpr double same_station = 5e-4;  ///< of the length: shorter pieces are stiff beyond what numbers hold
@@ -150,4 +150,4 @@ void add_beam(Model& model, const StraightBeam& b) {
   model.beams.push_back(std::move(beam));
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -4,7 +4,7 @@
 
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// What holds the far end of a beam: nothing but what it carries, or the place where it ends.
 enum class BeamTop { free, clamped, hinged };
@@ -35,4 +35,4 @@ std::vector<double> cuts_of(const StraightBeam& beam, double length);
 /// are those of the ground frame.
 void add_beam(Model& model, const StraightBeam& beam);
 
-}  // namespace taut::model
+}  // namespace taut::machine

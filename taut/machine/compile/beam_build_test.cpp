@@ -8,7 +8,7 @@
 
 /// A beam cut into pieces: carried without any force from its start it has to pass through all its bodies and end where
 /// it is meant to, bowed by as much as is asked.
-namespace taut::model::beam_build_test {
+namespace taut::machine::beam_build_test {
 
 StraightBeam strut(const Vector3& from, const Vector3& to) {
   StraightBeam b;
@@ -145,4 +145,4 @@ TEST(BeamBuild, ItIsCutWhereItIsSlender) {
   EXPECT_EQ(cuts_of(b, 8), (std::vector<double>{0.3}));
 }
 
-}  // namespace taut::model::beam_build_test
+}  // namespace taut::machine::beam_build_test

@@ -6,7 +6,7 @@
 #include "taut/catalogue/steel.hpp"
 #include "taut/machine/links/beam_links.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 constexpr double steel_density = 7850;  // kg/m3, EN 1991-1-1
@@ -73,4 +73,4 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
   return b;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -7,7 +7,7 @@
 
 #include "taut/machine/compile/carriages.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// Where a node stands at the start; empty on a carriage, which may stand anywhere.
@@ -131,4 +131,4 @@ Model with_carriage_at(Model model, int carriage, double x, const Vector3& along
   return model;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// The model with a carriage moved to the span of its rope where the coordinate x = place . along lies: a carriage that
 /// passes a support comes before it in the rope's path, then behind it, and so does the grip of a rope that carries it
@@ -10,4 +10,4 @@ namespace taut::model {
 /// neighbours, turned along it where it pitches, a clamp at its share of the rope. `along`: horizontal unit vector.
 Model with_carriage_at(Model model, int carriage, double x, const Vector3& along = Vector3::UnitX());
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace taut::model::carriage_span_test {
+namespace taut::machine::carriage_span_test {
 
 Node node(const std::string& name, NodeKind kind, double x, double z, int body = ground) {
   Node n;
@@ -97,4 +97,4 @@ TEST(CarriageSpan, OfTwoSpansAboveEachOtherTheNearerOneInThePath) {
   EXPECT_EQ(order(with_carriage_at(m, 0, 150)), "head jack1 car jack2 tail back ");
 }
 
-}  // namespace taut::model::carriage_span_test
+}  // namespace taut::machine::carriage_span_test

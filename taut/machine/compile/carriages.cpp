@@ -6,7 +6,7 @@
 
 #include "taut/machine/links/motion_links.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::Hold;
@@ -198,4 +198,4 @@ void place_carriages(const Machine& machine, const std::vector<std::vector<Stop>
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Whether a carriage turns about the horizontal axis across its rope: with rollers apart, or above its origin.
 bool pitches(const description::Carriage& carriage);
@@ -33,4 +33,4 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const std::vecto
 /// turned along it.
 void place_carriages(const Machine& machine, const std::vector<std::vector<Stop>>& stops, Model& model);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -10,7 +10,7 @@
 #include "taut/machine/compile/compile.hpp"
 #include "taut/machine/compile/dragged.hpp"
 
-namespace taut::model::carriages_test {
+namespace taut::machine::carriages_test {
 
 using description::Hold;
 using description::PathElement;
@@ -213,4 +213,4 @@ TEST(Dragged, LimitsByHand) {
   EXPECT_NEAR((force_of({0.8, 0.5, 0.6, M_PI_2 - 0.8, {1, 0}}, 1000, 9.81) + W * up()).norm(), 0, 1e-9);
 }
 
-}  // namespace taut::model::carriages_test
+}  // namespace taut::machine::carriages_test

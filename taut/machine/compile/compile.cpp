@@ -23,7 +23,7 @@
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/machine/links/signals_of.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 Vector3 axis_of(const std::string& letter) {
@@ -73,7 +73,7 @@ class Compiler {
     add_loads();
     add_take_ups();
     if (complaints_.empty()) add_put_ups();
-    if (machine_.terrain) model::add_terrain(*machine_.terrain, links_, model_, complaints_);
+    if (machine_.terrain) machine::add_terrain(*machine_.terrain, links_, model_, complaints_);
     if (model_.reevings.empty() && machine_.beams.empty())
       complain("", "the machine has no rope: say 'reevings' or 'guys'");
     if (!complaints_.empty()) return tl::unexpected(complaints_);
@@ -352,4 +352,4 @@ class Compiler {
 
 tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) { return Compiler(machine).run(); }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// The machine with its names resolved, checked, ready to be solved. Either a model or every mistake, each with the
 /// path of its place below `machine` ("reevings[1].path[0].anchor"). Bodies: those of the description, then one for
@@ -16,4 +16,4 @@ namespace taut::model {
 /// stands.
 tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -3,7 +3,7 @@
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/machine/links/observable.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 class EventReader {
@@ -97,4 +97,4 @@ Event event_of(const description::Event& given, const Model& model, const Links&
   return EventReader(given, model, links, path, complaints).read();
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -13,7 +13,7 @@
 #include "taut/machine/links/observable.hpp"
 #include "taut/machine/links/signals_of.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 void add_inertia(const description::Body& given, Body& body, const std::string& path, Complaints& complaints) {
@@ -307,4 +307,4 @@ void add_motion(const Machine& machine, const Links& links, Model& model, Compla
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

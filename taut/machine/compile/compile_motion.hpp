@@ -5,7 +5,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 using Complaints = std::vector<Complaint>;
 
@@ -19,4 +19,4 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints);
 /// Faces, contacts, actuators, tensioners, then events and observables; the reevings have their nodes by now.
 void add_motion(const Machine& machine, const Links& links, Model& model, Complaints& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -7,7 +7,7 @@
 #include "taut/machine/state.hpp"
 #include "test/support/complaints.hpp"
 
-namespace taut::model::compile_motion_test {
+namespace taut::machine::compile_motion_test {
 
 using taut_test::complaints_of;
 using testing::HasSubstr;
@@ -287,4 +287,4 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   EXPECT_THAT(complaints_of(m), HasSubstr("the reevings have the numbers 1 to 1"));
 }
 
-}  // namespace taut::model::compile_motion_test
+}  // namespace taut::machine::compile_motion_test

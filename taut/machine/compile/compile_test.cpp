@@ -8,7 +8,7 @@
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
-namespace taut::model::compile_test {
+namespace taut::machine::compile_test {
 
 using namespace described;
 using taut_test::complaints_of;
@@ -231,4 +231,4 @@ TEST(Compile, TellsAllMistakesAtOnce) {
   EXPECT_EQ(model.error().size(), 4U) << complaints_of(m);
 }
 
-}  // namespace taut::model::compile_test
+}  // namespace taut::machine::compile_test

@@ -5,7 +5,7 @@
 
 #include "taut/base/expects.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 Vector3 force_of(const description::Dragged& bunch, double mass, double gravity) {
   expects(bunch.along.size() == 2, "a horizontal direction has two components");
@@ -20,4 +20,4 @@ Vector3 force_of(const description::Dragged& bunch, double mass, double gravity)
   return -weight * up() + N * (n - mu * t);
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

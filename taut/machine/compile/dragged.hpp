@@ -2,7 +2,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/math/vector.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Force of a half-suspended bunch of logs on what carries its front end, N, in the ground frame. The bunch is a
 /// straight bar of mass m; its front end hangs, its rear end is dragged up the ground in the direction t of the way
@@ -15,4 +15,4 @@ namespace taut::model {
 /// 1 is a load that hangs free. N = 0 where alpha + delta reaches 90 degrees. docs/theory/carriages.md.
 Vector3 force_of(const description::Dragged& bunch, double mass, double gravity);
 
-}  // namespace taut::model
+}  // namespace taut::machine

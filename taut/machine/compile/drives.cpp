@@ -6,7 +6,7 @@
 
 #include "taut/machine/compile/drums.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it.
@@ -63,4 +63,4 @@ void finish_drives(const Machine& machine, const std::vector<RopeData>& ropes, M
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

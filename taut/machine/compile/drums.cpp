@@ -2,7 +2,7 @@
 
 #include <string>
 #include <utility>
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 class Checker {
@@ -78,4 +78,4 @@ std::optional<double> pull_of_torque(const description::Drum& drum, const Drive&
   return torque > 0 ? std::optional(torque / (radius * copies)) : std::nullopt;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -8,7 +8,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/rope/drum.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Complains of drums whose keys do not fit together, by the description alone.
 void check_drums(const Machine& machine, std::vector<Complaint>& complaints);
@@ -29,4 +29,4 @@ double radius_of(const description::Drum& drum, const RopeData& rope);
 std::optional<double> pull_of_torque(const description::Drum& drum, const Drive& drive, const RopeData& rope,
                                      int copies);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -12,7 +12,7 @@
 namespace drums_test {
 
 using namespace taut;
-using namespace taut::model;
+using namespace taut::machine;
 using taut_test::complaints_of;
 using testing::HasSubstr;
 
@@ -112,7 +112,7 @@ TEST(Drums, OfAMachine) {
   m.drums[0].drive->torque = "4 kN m";
   const auto pulled = compile(m);
   ASSERT_TRUE(pulled) << complaints_of(m);
-  EXPECT_EQ(pulled->reevings[0].given, model::Given::tension_at_start);
+  EXPECT_EQ(pulled->reevings[0].given, machine::Given::tension_at_start);
   EXPECT_NEAR(pulled->reevings[0].value, 4e3 / 0.19, 1e-9);
 }
 

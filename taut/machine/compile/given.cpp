@@ -7,7 +7,7 @@
 
 #include "taut/machine/compile/drums.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::Haul;
@@ -107,4 +107,4 @@ void set_given(const Machine& machine, const Model& model, const description::Re
   if (!given.path.empty()) reeving.haul = haul_of(given, reeving);
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -7,7 +7,7 @@
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Sets what is known of a rope besides its path, and its haul. A rope with ends: one of length, installation (its
 /// length follows when it is put up), tension at either end, pull or torque of its drum; over a sheave with a motor
@@ -16,4 +16,4 @@ namespace taut::model {
 void set_given(const Machine& machine, const Model& model, const description::Reeving& given, const RopeData& rope,
                const std::string& path, Reeving& reeving, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -9,7 +9,7 @@
 #include "taut/machine/compile/carriages.hpp"
 #include "taut/machine/compile/drums.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::PathElement;
@@ -129,7 +129,7 @@ class PathReader {
       complain(path, fmt::format("'grip' belongs to the rope that '{}' is 'fixed_to'", name));
     }
     const bool grips = carries && (grip || car.rides != reeving_);
-    for (Stop& stop : model::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
+    for (Stop& stop : machine::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
   }
 
   /// One motor per rope with ends.
@@ -331,4 +331,4 @@ void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, boo
   OpenSides(stops, std::move(bends), std::move(open)).set();
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/links/rope_of.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// One node of a path with what is needed until its side is known.
 struct Stop {
@@ -34,4 +34,4 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
 /// `places`: of the stops, in the ground frame.
 void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -8,7 +8,7 @@
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
-namespace taut::model::path_test {
+namespace taut::machine::path_test {
 
 using namespace described;
 using taut_test::complaints_of;
@@ -65,4 +65,4 @@ TEST(Sides, ASmallBendTurnsATackleWhereNothingElseDoes) {
   }
 }
 
-}  // namespace taut::model::path_test
+}  // namespace taut::machine::path_test

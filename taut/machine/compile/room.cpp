@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// Neighbours told of, whichever way round: a tackle runs between two sheaves many times.
@@ -98,4 +98,4 @@ void check_room(const Model& model, const std::vector<Stop>& stops, bool closed,
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

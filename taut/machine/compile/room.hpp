@@ -6,7 +6,7 @@
 #include "taut/machine/compile/path.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Complains of neighbours on a path between which no rope can run, with the names of both. All: two at one place.
 /// Where they can't move against each other: a point inside the rope's circle on a sheave or drum, and two circles with
@@ -19,4 +19,4 @@ void check_room(const Model& model, const std::vector<Stop>& stops, bool closed,
 bool check_apart(const std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed,
                  const std::string& path, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -5,7 +5,7 @@
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
-namespace taut::model::room_test {
+namespace taut::machine::room_test {
 
 using namespace described;
 using taut_test::complaints_of;
@@ -120,4 +120,4 @@ TEST(Room, WhatMovesMayBeginAnywhere) {
   EXPECT_NE(complaints_of(m).find("'hook' lies inside 's'"), std::string::npos) << complaints_of(m);
 }
 
-}  // namespace taut::model::room_test
+}  // namespace taut::machine::room_test

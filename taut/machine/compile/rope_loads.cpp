@@ -11,7 +11,7 @@
 #include "taut/machine/links/signals_of.hpp"
 #include "taut/rope/tangent.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::RopeLoadDirection;
@@ -158,7 +158,7 @@ class Adder {
   void check_motor(const GivenLoad& given, const Reeving& reeving, const std::string& path) {
     if (given.tangential || given.rate) return;
     const bool driven =
-        reeving.closed && reeving.given == model::Given::length && reeving.nodes.front().tension_drop.has_value();
+        reeving.closed && reeving.given == machine::Given::length && reeving.nodes.front().tension_drop.has_value();
     const bool another = std::any_of(reeving.nodes.begin(), reeving.nodes.end(),
                                      [](const Node& n) { return n.kind == NodeKind::load && n.load.open; });
     if (!driven || another) {
@@ -270,4 +270,4 @@ void add_rope_loads(const Machine& machine, Model& model, std::vector<Complaint>
   for (std::size_t i = 0; i < machine.rope_loads.size(); ++i) adder.add(i);
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

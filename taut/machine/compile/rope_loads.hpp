@@ -5,7 +5,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Complains of rope loads whose names, shares or amounts can't be right, by the description alone.
 void check_rope_loads(const Machine& machine, std::vector<Complaint>& complaints);
@@ -16,4 +16,4 @@ void check_rope_loads(const Machine& machine, std::vector<Complaint>& complaints
 /// nodes.
 void add_rope_loads(const Machine& machine, Model& model, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -12,7 +12,7 @@
 namespace rope_loads_test {
 
 using namespace taut;
-using namespace taut::model;
+using namespace taut::machine;
 using taut_test::complaints_of;
 using testing::HasSubstr;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// A survey's row seen from the line.
@@ -148,4 +148,4 @@ void add_terrain(const description::Terrain& given, const Links& links, Model& m
   TerrainBuilder(given, links, model, complaints).build();
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Puts the ground under the line into the model. Heights over chainage stand as they are; a survey, with x and y of
 /// the ground frame, is projected on the line and put in the order of its chainage. The line runs from the first to the
@@ -16,4 +16,4 @@ namespace taut::model {
 void add_terrain(const description::Terrain& given, const Links& links, Model& model,
                  std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -7,7 +7,7 @@
 namespace terrain_test {
 
 using namespace taut;
-using namespace taut::model;
+using namespace taut::machine;
 
 struct Built {
   Model model;

@@ -1,6 +1,6 @@
 #include "taut/machine/description/beam_keys.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 const Description& Imperfection::describe() {
   static const Description d =
@@ -74,4 +74,4 @@ const Description& Beam::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

@@ -5,7 +5,7 @@
 #include "taut/calc/field.hpp"
 
 /// What a deck says of an elastic beam: plain values, names as links, one `describe` table each.
-namespace taut::model::description {
+namespace taut::machine::description {
 
 /// How a beam differs from a straight one as it is built, free of stress.
 struct Imperfection {
@@ -42,4 +42,4 @@ struct Beam {
   static const Description& describe();
 };
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

@@ -2,7 +2,7 @@
 
 #include "taut/machine/description/machine_limits.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 const Description& Machine::describe() {
   static const Description d =
@@ -44,9 +44,9 @@ const Description& Machine::describe() {
   return d;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 const Description& Point::describe() {
   static const Description d =
@@ -294,4 +294,4 @@ const Description& Terrain::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

@@ -12,7 +12,7 @@
 
 /// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
 /// up. Nothing is checked here that needs more than one field; `compile` does that (compile.hpp).
-namespace taut::model::description {
+namespace taut::machine::description {
 
 /// A point of the ground frame, or of a body.
 struct Point {
@@ -252,9 +252,9 @@ struct Terrain {
   static const Description& describe();
 };
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description
 
-namespace taut::model {
+namespace taut::machine {
 
 struct Machine {
   double gravity = standard_gravity;  ///< m/s2
@@ -285,4 +285,4 @@ struct Machine {
   static const Description& describe();
 };
 
-}  // namespace taut::model
+}  // namespace taut::machine

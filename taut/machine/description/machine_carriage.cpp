@@ -3,7 +3,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/description/machine_limits.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 namespace {
 
 using std::numbers::pi;
@@ -77,4 +77,4 @@ const Description& Dragged::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

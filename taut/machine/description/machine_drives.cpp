@@ -1,7 +1,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/description/machine_limits.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 const Description& Motor::describe() {
   static const Description d =
@@ -112,4 +112,4 @@ const Description& RopeLoad::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

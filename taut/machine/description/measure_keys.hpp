@@ -4,7 +4,7 @@
 
 #include "taut/calc/field.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 /// Where a mean is taken: between two times, or while another quantity lies between two values.
 struct MeanWindow {
@@ -30,4 +30,4 @@ struct Measure {
   static const Description& describe();
 };
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

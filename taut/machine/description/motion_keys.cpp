@@ -2,7 +2,7 @@
 
 #include "taut/machine/description/machine_limits.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 namespace {
 
@@ -227,4 +227,4 @@ const Description& Event::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

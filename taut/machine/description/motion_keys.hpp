@@ -7,7 +7,7 @@
 
 /// What a deck says of a machine in motion: plain values, names as links, one `describe` table each. A text "a signal,
 /// or a ..." is the name of a signal or a constant with its unit.
-namespace taut::model::description {
+namespace taut::machine::description {
 
 /// One change of a value.
 struct Move {
@@ -145,4 +145,4 @@ struct Event {
   static const Description& describe();
 };
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description

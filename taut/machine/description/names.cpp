@@ -8,7 +8,7 @@
 
 #include "taut/base/suggest.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 class KnownNames {
@@ -116,4 +116,4 @@ class KnownNames {
 
 std::vector<Complaint> unknown_names(const Machine& machine) { return KnownNames(machine).check(); }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
-namespace taut::model::names_test {
+namespace taut::machine::names_test {
 
 using namespace described;
 
@@ -43,4 +43,4 @@ TEST(Names, NamesThatNothingHasAreToldWithoutLookingAtValues) {
   }
 }
 
-}  // namespace taut::model::names_test
+}  // namespace taut::machine::names_test

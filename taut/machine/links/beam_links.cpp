@@ -8,7 +8,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/machine/links/links.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::BeamEnd;
@@ -240,4 +240,4 @@ std::vector<std::pair<std::string, int>> BeamPlans::tops() const {
   return all;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/compile/beam_build.hpp"
 #include "taut/machine/description/machine.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// The beams of a machine before they are built: where each begins and ends, where something is fixed to it, and the
 /// numbers of the bodies that its sections will be.
@@ -66,4 +66,4 @@ class BeamPlans {
 /// The section of a beam, from the catalogue or by figures, its own weight included; complaints at "beams.NAME".
 structure::BeamSection section_of(const description::Beam& given, double gravity, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 
 #include "taut/base/suggest.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// The body that each one is on; -1: on none, or on one that can't be.
@@ -71,4 +71,4 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

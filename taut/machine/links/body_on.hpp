@@ -3,7 +3,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Bodies that say `on` have their place, their axes and their guide in the frame of another body, as it is at the
 /// start; here they are carried over into the ground frame, in any order, also one on another. Later the two move
@@ -11,4 +11,4 @@ namespace taut::model {
 /// ground), a beam that is joined to it.
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 
 #include "taut/machine/compile/compile.hpp"
 
-namespace taut::model::body_on_test {
+namespace taut::machine::body_on_test {
 
 /// A boom up at 30 degrees with a section on it and a tip on that.
 Machine boom() {
@@ -72,4 +72,4 @@ TEST(BodyOn, MistakesAreToldAtTheirPlace) {
   EXPECT_EQ(told(m), "bodies.section.on: a driven body has its place in the ground frame");
 }
 
-}  // namespace taut::model::body_on_test
+}  // namespace taut::machine::body_on_test

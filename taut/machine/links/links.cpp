@@ -7,7 +7,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/machine/compile/carriages.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 std::string_view words(Thing thing) {
@@ -123,4 +123,4 @@ const Target* Links::find(const std::string& name, const std::vector<Thing>& kin
   return nullptr;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/links/beam_links.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// What a name of a deck may stand for.
 enum class Thing { point, body, carriage, sheave, drum };
@@ -40,4 +40,4 @@ class Links {
 /// A vector of a deck.
 inline Vector3 vector_of(const Triple& t) { return {t[0], t[1], t[2]}; }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -8,7 +8,7 @@
 #include "taut/machine/links/observable.hpp"
 #include "taut/units/parse.hpp"
 
-namespace taut::model::description {
+namespace taut::machine::description {
 
 const Description& MeanWindow::describe() {
   static const Description d =
@@ -47,9 +47,9 @@ const Description& Measure::describe() {
   return d;
 }
 
-}  // namespace taut::model::description
+}  // namespace taut::machine::description
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 using description::Measure;
@@ -157,4 +157,4 @@ void observe_measures(Model& model) {
   }
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -4,7 +4,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// Resolves the machine's `measures` into `model.measures`, in the deck's order, so that a mean may be taken while a
 /// measure before it lies between two values. `model`: as for `observable`.
@@ -13,4 +13,4 @@ void add_measures(const Machine& machine, const Links& links, Model& model, std:
 /// Writes every measure down that `model.observed` has not got yet, and ties it to its place there.
 void observe_measures(Model& model);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -11,7 +11,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/motion.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 using Complaints = std::vector<Complaint>;
 
@@ -42,4 +42,4 @@ std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std
 Event event_of(const description::Event& given, const Model& model, const Links& links, const std::string& path,
                Complaints& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -9,7 +9,7 @@
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/units/parse.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 struct Named {
@@ -283,4 +283,4 @@ std::vector<Observable> usual_observables(const Model& model) {
   return all;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -7,7 +7,7 @@
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// What a path of a deck asks for: "car.z", "skyline.T_max", "ext[2].T", "winch.torque", "energy.kinetic", the name of
 /// a signal. `model`: its bodies, reevings, drums, contacts, actuators and signals are there. Complains at `path` with
@@ -24,4 +24,4 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 /// each actuator.
 std::vector<Observable> usual_observables(const Model& model);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 
 #include "taut/catalogue/rope_search.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 RopeData rope_of(const description::Rope& given, const std::optional<double>& temperature,
@@ -63,4 +63,4 @@ std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& c
   return all;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

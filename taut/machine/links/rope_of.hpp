@@ -6,7 +6,7 @@
 #include "taut/catalogue/modulus.hpp"
 #include "taut/machine/description/machine.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// What the engine needs of a rope, from the catalogue's row and the deck's own figures.
 struct RopeData {
@@ -25,4 +25,4 @@ std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::R
 /// Complains at "ropes.NAME" of a rope that the catalogue lacks, or whose mass or stiffness nobody says.
 std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

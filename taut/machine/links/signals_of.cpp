@@ -9,7 +9,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/units/any_quantity.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 namespace {
 
 /// Reads the values of one signal: the first one says what kind of quantity it is.
@@ -149,4 +149,4 @@ std::optional<Signal> signal_or_constant(const std::string& text, const Unit& un
   return std::nullopt;
 }
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -6,7 +6,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/signal.hpp"
 
-namespace taut::model {
+namespace taut::machine {
 
 /// The signals of a machine, in the deck's order. Complains at "signals.NAME. ..." of texts that are no quantities, of
 /// values of different kinds in one signal, of times that do not grow, of changes that overlap.
@@ -20,4 +20,4 @@ bool looks_like_quantity(const std::string& text);
 std::optional<Signal> signal_or_constant(const std::string& text, const Unit& unit, const std::vector<Signal>& signals,
                                          const std::string& path, std::vector<Complaint>& complaints);
 
-}  // namespace taut::model
+}  // namespace taut::machine

@@ -127,7 +127,7 @@ TEST(ClosedLoopResult, RopesAreJudgedInBothDirections) {
   const Result hauled_out = run(in);
   ASSERT_EQ(hauled_in.checks.size(), 2U);
   ASSERT_EQ(hauled_out.checks.size(), 2U);
-  for (int i : {0, 1}) EXPECT_NEAR(hauled_in.checks[i].value, hauled_out.checks[i].value, 1e-9) << i;
+  for (const std::size_t i : {0U, 1U}) EXPECT_NEAR(hauled_in.checks[i].value, hauled_out.checks[i].value, 1e-9) << i;
 }
 
 TEST(ClosedLoopResult, PositionsWithoutAnAnswerAreMissing) {

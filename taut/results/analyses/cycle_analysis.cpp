@@ -13,12 +13,12 @@
 #include "taut/study/carriage_way.hpp"
 #include "taut/study/watch.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 struct Phase {
-  PhaseRequest request;
-  Way way;
+  study::PhaseRequest request;
+  study::Way way;
   double speed = none;  ///< m/s
 };
 
@@ -27,7 +27,7 @@ struct CycleRun {
   int carriage = 0;
   bool held = false;
   std::vector<Phase> phases;
-  std::vector<Winch> winches;
+  std::vector<checks::Winch> winches;
 };
 
 /// One winch at one position.
@@ -54,19 +54,19 @@ struct Work {
 
 /// Rope without tension, at its temperature, between a drive and the clamped carriage on it; 0 where nothing is clamped
 /// to it.
-double passed(const analysis::EquilibriumResult& e, const model::Model& m, int reeving) {
+double passed(const solve::EquilibriumResult& e, const machine::Model& m, int reeving) {
   double length = 0;
   for (const auto& s : e.spans) {
     if (s.reeving != reeving) continue;
-    const model::Reeving& rope = m.reevings[at(reeving)];
+    const machine::Reeving& rope = m.reevings[at(reeving)];
     length += s.unstretched * (1 + rope.thermal_strain);
-    if (rope.nodes[at(s.to)].kind == model::NodeKind::clamp) return length;
+    if (rope.nodes[at(s.to)].kind == machine::NodeKind::clamp) return length;
   }
   return 0;
 }
 
-Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const Winch& w) {
-  const model::Reeving& rope = m.reevings[at(w.reeving)];
+Pull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, const checks::Winch& w) {
+  const machine::Reeving& rope = m.reevings[at(w.reeving)];
   if (w.drive) {
     const auto drive = std::find_if(e.contacts.begin(), e.contacts.end(),
                                     [&](const auto& c) { return c.reeving == w.reeving && c.node == 0; });
@@ -83,27 +83,27 @@ Pull pull_of(const model::Model& m, const analysis::EquilibriumResult& e, const 
 struct Stretch {
   double x = 0;  ///< where it begins, m
   bool on_support = false;
-  model::Model model;
-  std::vector<analysis::LoadPathPoint> points;
+  machine::Model model;
+  std::vector<study::LoadPathPoint> points;
 };
 
 /// The way of the carriage, part by part.
 std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
-                                  const std::vector<MotionRequest>& motion, Watch& watch) {
-  model::Model loaded = machine.model;
+                                  const std::vector<study::MotionRequest>& motion, study::Watch& watch) {
+  machine::Model loaded = machine.model;
   loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
   std::vector<Stretch> all;
-  for (const WayPart& part : parts_of(loaded, phase.way)) {
+  for (const study::WayPart& part : study::parts_of(loaded, phase.way)) {
     if (watch.ended()) break;
     Stretch& one = all.emplace_back(Stretch{phase.way.x(part.first), part.support != nullptr, part.model, {}});
     if (part.support != nullptr) continue;
     std::vector<Complaint> told_before;
-    analysis::LoadPathOptions options = path_over(phase.way, part);
-    options.equilibrium = options_of(motion, part.model, {}, told_before);
+    study::LoadPathOptions options = study::path_over(phase.way, part);
+    options.equilibrium = study::options_of(motion, part.model, {}, told_before);
     options.equilibrium.band = false;
     options.equilibrium.held = run.held;
     options.go_on = [&watch](double x) { return watch.go_on_at(x); };
-    one.points = analysis::load_path(part.model, options).points;
+    one.points = study::load_path(part.model, options).points;
     if (part.last == part.first && one.points.size() > 1) one.points.resize(1);
   }
   return all;
@@ -112,38 +112,40 @@ std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run
 /// The motion of a phase with the senses of contacts on ropes that no winch drives: a word such as `in` is about the
 /// hauled ropes, and a skyline runs over its carriage and its supports as the carriage goes. Against the sense declared
 /// all the way: the other one; to and fro, or after a first correction: none. Empty where nothing is to be changed.
-std::vector<MotionRequest> with_own_senses(const model::Model& m, const std::vector<MotionRequest>& motion,
-                                           const std::vector<RopeSense>& senses, bool again) {
+std::vector<study::MotionRequest> with_own_senses(const machine::Model& m,
+                                                  const std::vector<study::MotionRequest>& motion,
+                                                  const std::vector<checks::RopeSense>& senses, bool again) {
   if (motion.empty() || motion.front().name.empty() == again) return {};
-  std::vector<MotionRequest> all = motion;
+  std::vector<study::MotionRequest> all = motion;
   if (!again) {
     if (motion.size() != 1) return {};
     all.clear();
-    for (const model::Reeving& rope : m.reevings) all.push_back({rope.name, motion.front().sense});
+    for (const machine::Reeving& rope : m.reevings) all.push_back({rope.name, motion.front().sense});
   }
   const std::size_t declared = all.size();
-  for (const RopeSense& s : senses) {
+  for (const checks::RopeSense& s : senses) {
     if (s.driven || s.given == 0) continue;
     const bool none = again || s.taken > 0;
     all.push_back({s.contact, none ? "0" : s.declared > 0 ? "-1" : "1"});
   }
-  return all.size() == declared ? std::vector<MotionRequest>{} : all;
+  return all.size() == declared ? std::vector<study::MotionRequest>{} : all;
 }
 
-std::vector<RopeSense> senses_of(const CycleRun& run, const std::vector<Stretch>& stretches) {
-  RopeSenses found(run.winches);
+std::vector<checks::RopeSense> senses_of(const CycleRun& run, const std::vector<Stretch>& stretches) {
+  checks::RopeSenses found(run.winches);
   for (const Stretch& one : stretches) found.take(one.model, one.points);
   return found.all();
 }
 
 /// Whether a rope that no winch drives loses tension somewhere: what its senses are, shows only as the carriage goes.
-bool has_senses_of_its_own(const model::Model& m, const std::vector<Winch>& winches) {
+bool has_senses_of_its_own(const machine::Model& m, const std::vector<checks::Winch>& winches) {
   for (std::size_t r = 0; r < m.reevings.size(); ++r) {
     const auto reeving = static_cast<int>(r);
-    if (std::any_of(winches.begin(), winches.end(), [&](const Winch& w) { return w.reeving == reeving; })) continue;
-    const std::vector<model::Node>& nodes = m.reevings[r].nodes;
-    if (std::any_of(nodes.begin(), nodes.end(), [](const model::Node& n) {
-          return n.kind == model::NodeKind::contact && n.law.friction > 0 && n.law.efficiency < 1;
+    if (std::any_of(winches.begin(), winches.end(), [&](const checks::Winch& w) { return w.reeving == reeving; }))
+      continue;
+    const std::vector<machine::Node>& nodes = m.reevings[r].nodes;
+    if (std::any_of(nodes.begin(), nodes.end(), [](const machine::Node& n) {
+          return n.kind == machine::NodeKind::contact && n.law.friction > 0 && n.law.efficiency < 1;
         })) {
       return true;
     }
@@ -154,10 +156,10 @@ bool has_senses_of_its_own(const model::Model& m, const std::vector<Winch>& winc
 constexpr int most_times = 3;  ///< that a phase is solved: as declared, and twice with senses found
 
 /// A phase as it is solved, with the senses of its ropes. Empty where it was to end before they were known.
-std::vector<Stretch> solved(const MachineRun& machine, const CycleRun& run, const Phase& phase, Watch& watch,
-                            std::vector<RopeSense>& senses) {
+std::vector<Stretch> solved(const MachineRun& machine, const CycleRun& run, const Phase& phase, study::Watch& watch,
+                            std::vector<checks::RopeSense>& senses) {
   const bool own_senses = has_senses_of_its_own(machine.model, run.winches);
-  std::vector<MotionRequest> motion = phase.request.motion;
+  std::vector<study::MotionRequest> motion = phase.request.motion;
   for (int time = 1;; ++time) {
     std::vector<Stretch> all = stretches_of(machine, run, phase, motion, watch);
     senses = senses_of(run, all);
@@ -166,7 +168,7 @@ std::vector<Stretch> solved(const MachineRun& machine, const CycleRun& run, cons
       senses.clear();
       return {};
     }
-    std::vector<MotionRequest> own = with_own_senses(machine.model, motion, senses, time > 1);
+    std::vector<study::MotionRequest> own = with_own_senses(machine.model, motion, senses, time > 1);
     if (own.empty()) return all;
     motion = std::move(own);
   }
@@ -186,8 +188,8 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
       if (!p.known) continue;
       p.z = point.z;
       machine.checked->take(part.model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.request.name, point.x),
-                            analysis_name(run.ending, "cycle"));
-      for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
+                            checks::analysis_name(run.ending, "cycle"));
+      for (const checks::Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }
   }
   const CyclePosition* before = nullptr;
@@ -205,9 +207,9 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
 /// of the phase before, where this one begins with the same load. Between them the winches change the pulls until
 /// friction acts the other way, the carriage at rest; without that work the winches of a closed cycle do not end with
 /// the rope that they began with, and friction may seem to give energy.
-Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, const CyclePosition* turn,
+Work work_of(const machine::Model& m, const CycleRun& run, std::size_t winch, const CyclePosition* turn,
              const std::vector<CyclePosition>& all, double speed) {
-  const Winch& w = run.winches[winch];
+  const checks::Winch& w = run.winches[winch];
   const double EA = m.reevings[at(w.reeving)].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   Work work;
@@ -243,7 +245,7 @@ Work work_of(const model::Model& m, const CycleRun& run, std::size_t winch, cons
 struct PhaseAnswer {
   std::vector<CyclePosition> positions;
   std::vector<Work> works;
-  std::vector<RopeSense> senses;
+  std::vector<checks::RopeSense> senses;
   double way = 0;
   double time = none;
 };
@@ -265,7 +267,7 @@ Table positions_table(const CycleRun& run, const std::vector<PhaseAnswer>& answe
           "Pulls over the cycle",
           {{"phase", si::one}, {"x", si::m}, {"z", si::m}, {"way", si::m}},
           {}};
-  for (const Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
+  for (const checks::Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
   for (std::size_t i = 0; i < answers.size(); ++i) {
     for (const CyclePosition& p : answers[i].positions) {
       std::vector<Cell> row = {run.phases[i].request.name, p.x, p.z, p.known ? p.way : none};
@@ -357,11 +359,11 @@ bool refuse_given_energy(const CycleRun& run, const std::vector<PhaseAnswer>& an
   }
   bool some = false;
   for (std::size_t i = 0; i < answers.size() && largest > 0; ++i) {
-    const double given = energy_given(answers[i].senses);
+    const double given = checks::energy_given(answers[i].senses);
     if (given <= seen * largest) continue;
     some = true;
     std::string where, senses;
-    for (const RopeSense& s : giving(answers[i].senses)) {
+    for (const checks::RopeSense& s : checks::giving(answers[i].senses)) {
       where += fmt::format("{}{} over {}", where.empty() ? "" : ", ", s.rope, s.contact);
       senses += fmt::format("{}{}: {}", senses.empty() ? "" : ", ", s.contact, s.taken > 0 ? 0 : -s.declared);
     }
@@ -381,7 +383,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
   int states = 0;
   const int times = has_senses_of_its_own(machine.model, run.winches) ? most_times : 1;
   for (const Phase& phase : run.phases) states += times * (phase.way.steps + 1);
-  Watch watch(machine.progress, "cycle" + run.ending, states);
+  study::Watch watch(machine.progress, "cycle" + run.ending, states);
   for (const Phase& phase : run.phases) {
     if (watch.ended()) break;
     Missing missing;
@@ -391,7 +393,7 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
     const std::string words = fmt::format("cycle{}, {}", run.ending, phase.request.name);
     missing.note(r, words, machine.checked->judged);
     complete = complete && !missing.any();
-    if (const auto wrong = wrong_senses(answer.senses)) {
+    if (const auto wrong = checks::wrong_senses(answer.senses)) {
       note_failure(r, infeasible(*wrong), words);
       gives = true;
     }
@@ -416,18 +418,18 @@ void solve(MachineRun& machine, const CycleRun& run, Result& r) {
 
 }  // namespace
 
-Analysis prepare_cycle(const CycleRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_cycle(const study::CycleRequest& request, const std::string& path, Preparation& p) {
   const auto run = std::make_shared<CycleRun>();
   run->ending = ending_of(p, "cycle", request.name, path);
   run->carriage = carriage_of(p, request.carriage, path + ".carriage");
   run->held = request.held;
-  check_hold(p.model, run->carriage, p.complaints);
-  const Vector3 along = direction_of(request.along, path + ".along", p.complaints);
+  study::check_hold(p.model, run->carriage, p.complaints);
+  const Vector3 along = study::direction_of(request.along, path + ".along", p.complaints);
   double from = request.from, to = request.to;
   for (std::size_t i = 0; i < request.phases.size(); ++i) {
     const std::string at = fmt::format("{}.phases[{}]", path, i);
-    const PhaseRequest& one = request.phases[i];
-    options_of(one.motion, p.model, at + ".motion", p.complaints);
+    const study::PhaseRequest& one = request.phases[i];
+    study::options_of(one.motion, p.model, at + ".motion", p.complaints);
     Phase phase{one, {run->carriage, one.from.value_or(from), one.to.value_or(to), request.steps, along}, none};
     if (one.speed || request.speed) phase.speed = one.speed ? *one.speed : *request.speed;
     if (phase.way.from == phase.way.to) p.complaints.push_back({at, "its carriage does not move"});
@@ -436,11 +438,11 @@ Analysis prepare_cycle(const CycleRequest& request, const std::string& path, Pre
     to = phase.way.from;
     run->phases.push_back(std::move(phase));
   }
-  run->winches = winches_of(p.model, p.machine, run->carriage);
+  run->winches = checks::winches_of(p.model, p.machine, run->carriage);
   if (run->winches.empty()) {
     p.complaints.push_back({path, "nothing pulls: no rope ends on a drum, has a tension given, or is a mainline"});
   }
   return [run](MachineRun& machine, Result& r) { solve(machine, *run, r); };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -21,7 +21,7 @@
 #include "taut/study/temperature.hpp"
 #include "taut/study/watch.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 constexpr double equal = 1e-7;  ///< two extremes, of their size (at least 1 N, m or rad)
@@ -37,14 +37,14 @@ struct Where {
 struct EnvelopeRun {
   std::string ending;
   int carriage = -1;
-  Way way;
+  study::Way way;
   int load_body = -1;
   bool held = false;
   std::vector<double> loads;
   std::vector<std::string> motions;
   std::vector<double> temperatures;
-  const model::Machine* machine = nullptr;
-  std::vector<Winch> winches;
+  const machine::Machine* machine = nullptr;
+  std::vector<checks::Winch> winches;
 };
 
 /// A quantity at its least and at its most.
@@ -94,9 +94,9 @@ void add_force(Envelope& envelope, const std::string& name, const Vector3& force
   envelope.add(name, "Fz", si::N, force.z(), where);
 }
 
-void add_ropes(Envelope& envelope, const model::Model& m, const analysis::EquilibriumResult& e, const Where& where) {
+void add_ropes(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   for (const auto& s : e.spans) {
-    const model::Reeving& rope = m.reevings[at(s.reeving)];
+    const machine::Reeving& rope = m.reevings[at(s.reeving)];
     envelope.add(rope.name, "tension", si::N, std::min(s.T_from, s.T_to), where);
     envelope.add(rope.name, "tension", si::N, std::max(s.T_from, s.T_to), where);
   }
@@ -106,11 +106,11 @@ void add_ropes(Envelope& envelope, const model::Model& m, const analysis::Equili
 }
 
 /// What each rope does to what holds its ends, all copies.
-void add_anchors(Envelope& envelope, const model::Model& m, const analysis::EquilibriumResult& e, const Where& where) {
-  const auto add = [&](const analysis::SpanResult& s, int n, const Vector3& force) {
-    const model::Reeving& rope = m.reevings[at(s.reeving)];
-    const model::Node& node = rope.nodes[at(n)];
-    if (node.kind != model::NodeKind::anchor) return;
+void add_anchors(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
+  const auto add = [&](const solve::SpanResult& s, int n, const Vector3& force) {
+    const machine::Reeving& rope = m.reevings[at(s.reeving)];
+    const machine::Node& node = rope.nodes[at(n)];
+    if (node.kind != machine::NodeKind::anchor) return;
     add_force(envelope, fmt::format("{} on {}", rope.name, node.name), rope.copies * force, where);
   };
   for (const auto& s : e.spans) {
@@ -119,10 +119,10 @@ void add_anchors(Envelope& envelope, const model::Model& m, const analysis::Equi
   }
 }
 
-void add_contacts(Envelope& envelope, const model::Model& m, const analysis::EquilibriumResult& e, const Where& where) {
+void add_contacts(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   std::unordered_map<std::string, int> turns;  // a tackle's block has several
   for (const auto& c : e.contacts) {
-    const model::Reeving& rope = m.reevings[at(c.reeving)];
+    const machine::Reeving& rope = m.reevings[at(c.reeving)];
     std::string name = fmt::format("{} on {}", rope.name, rope.nodes[at(c.node)].name);
     if (const int turn = ++turns[name]; turn > 1) name += fmt::format("[{}]", turn);
     envelope.add(name, "T_in", si::N, c.T_in, where);
@@ -132,7 +132,7 @@ void add_contacts(Envelope& envelope, const model::Model& m, const analysis::Equ
   }
 }
 
-void add_bodies(Envelope& envelope, const model::Model& m, const analysis::EquilibriumResult& e, const Where& where) {
+void add_bodies(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     if (m.bodies[b].beam >= 0) continue;  // a section of a beam
     const std::string& name = m.bodies[b].name;
@@ -150,31 +150,31 @@ void add_bodies(Envelope& envelope, const model::Model& m, const analysis::Equil
 /// All that is asked of one combination.
 class Combination {
  public:
-  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, Watch& watch, Result& r)
+  Combination(MachineRun& machine, const EnvelopeRun& run, Envelope& envelope, study::Watch& watch, Result& r)
       : machine_(machine), run_(run), envelope_(envelope), watch_(watch), r_(r) {}
 
   void solve(const Where& where) {
-    model::Model model = machine_.model;
-    if (!std::isnan(where.temperature)) set_temperature(model, *run_.machine, where.temperature);
+    machine::Model model = machine_.model;
+    if (!std::isnan(where.temperature)) study::set_temperature(model, *run_.machine, where.temperature);
     if (!std::isnan(where.load)) model.bodies[at(run_.load_body)].mass += where.load;
-    const std::vector<MotionRequest> motion = {{{}, where.motion}};
+    const std::vector<study::MotionRequest> motion = {{{}, where.motion}};
     if (run_.carriage < 0) {
       if (!watch_.go_on(words_of(motion))) return;
-      const auto result = analysis::equilibrium(model, options_for(motion, model));
+      const auto result = solve::equilibrium(model, options_for(motion, model));
       take(model, result, where, fmt::format("envelope, {}", words_of(motion)));
       return;
     }
-    RopeSenses senses(run_.winches);
-    for (const WayPart& part : parts_of(model, run_.way)) {
+    checks::RopeSenses senses(run_.winches);
+    for (const study::WayPart& part : study::parts_of(model, run_.way)) {
       if (watch_.ended()) return;
       if (part.support != nullptr) {
         on_support_ = true;
         continue;
       }
-      analysis::LoadPathOptions options = path_over(run_.way, part);
+      study::LoadPathOptions options = study::path_over(run_.way, part);
       options.equilibrium = options_for(motion, part.model);
       options.go_on = [&](double x) { return watch_.go_on_at(x); };
-      auto path = analysis::load_path(part.model, options);
+      auto path = study::load_path(part.model, options);
       if (part.last == part.first && path.points.size() > 1) path.points.resize(1);
       senses.take(part.model, path.points);
       for (const auto& point : path.points) {
@@ -188,7 +188,7 @@ class Combination {
         }
       }
     }
-    const auto contrary = contrary_senses(senses.all());
+    const auto contrary = checks::contrary_senses(senses.all());
     if (contrary && warned_.insert(where.motion).second) {
       warn_unsafe(r_, fmt::format("envelope, {}: {}", words_of(motion), *contrary));
     }
@@ -207,15 +207,16 @@ class Combination {
   int states() const { return states_; }
 
  private:
-  analysis::EquilibriumOptions options_for(const std::vector<MotionRequest>& motion, const model::Model& model) const {
+  solve::EquilibriumOptions options_for(const std::vector<study::MotionRequest>& motion,
+                                        const machine::Model& model) const {
     std::vector<Complaint> told_before;
-    analysis::EquilibriumOptions options = options_of(motion, model, {}, told_before);
+    solve::EquilibriumOptions options = study::options_of(motion, model, {}, told_before);
     options.band = false;
     options.held = run_.held;
     return options;
   }
 
-  void take(const model::Model& m, const analysis::EquilibriumResult& e, const Where& where, const std::string& words) {
+  void take(const machine::Model& m, const solve::EquilibriumResult& e, const Where& where, const std::string& words) {
     missing_.take(e.outcome, whole_words(words, where));
     if (!e.outcome.ok()) return;
     ++states_;
@@ -224,28 +225,28 @@ class Combination {
     add_anchors(envelope_, m, e, where);
     add_bodies(envelope_, m, e, where);
     const std::string all = whole_words(words, where);
-    machine_.checked->take(m, e, all, analysis_name(run_.ending, "envelope"));
+    machine_.checked->take(m, e, all, checks::analysis_name(run_.ending, "envelope"));
     for (std::size_t i = 0; i < e.ropes.size(); ++i) {
       keep(fmt::format("rope {}", i), e.ropes[i].T_max, all, m, e);
     }
     for (std::size_t i = 0; i < e.beams.size(); ++i) {
-      const analysis::BeamResult& b = e.beams[i];
+      const solve::BeamResult& b = e.beams[i];
       const double stress = b.points[b.most_stressed].stress;
       keep(fmt::format("stress of beam {}", i), std::isnan(stress) ? b.points[b.most_bent].M : stress, all, m, e);
       keep(fmt::format("buckling of beam {}", i), 1 / b.critical_factor, all, m, e);
     }
-    if (!m.terrain.empty()) keep("rope in the ground", -analysis::rope_clearance(m, e).height, all, m, e);
+    if (!m.terrain.empty()) keep("rope in the ground", -study::rope_clearance(m, e).height, all, m, e);
   }
 
   static std::string whole_words(std::string words, const Where& where) {
     if (!std::isnan(where.load)) words += fmt::format(", {:.6g} kg", where.load);
-    if (!std::isnan(where.temperature)) words += ", " + celsius(where.temperature);
+    if (!std::isnan(where.temperature)) words += ", " + study::celsius(where.temperature);
     return words;
   }
 
   /// Keeps the state if it is the worst in something so far.
-  void keep(const std::string& what, double size, const std::string& words, const model::Model& m,
-            const analysis::EquilibriumResult& e) {
+  void keep(const std::string& what, double size, const std::string& words, const machine::Model& m,
+            const solve::EquilibriumResult& e) {
     if (std::isnan(size)) return;
     const auto [known, is_new] = worst_.try_emplace(what);
     if (!is_new && size <= known->second.size + equal * std::abs(known->second.size)) return;
@@ -255,7 +256,7 @@ class Combination {
   MachineRun& machine_;
   const EnvelopeRun& run_;
   Envelope& envelope_;
-  Watch& watch_;
+  study::Watch& watch_;
   Result& r_;
   struct Kept {
     double size = 0;
@@ -291,7 +292,7 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
   const auto or_none = [](const std::vector<double>& all) { return all.empty() ? std::vector<double>{none} : all; };
   const std::size_t combinations = or_none(run.temperatures).size() * or_none(run.loads).size() * run.motions.size();
   const int states = run.carriage < 0 ? 1 : run.way.steps + 1;
-  Watch watch(machine.progress, "envelope" + run.ending, static_cast<int>(combinations) * states);
+  study::Watch watch(machine.progress, "envelope" + run.ending, static_cast<int>(combinations) * states);
   Combination one(machine, run, envelope, watch, r);
   for (const double temperature : or_none(run.temperatures)) {
     for (const double load : or_none(run.loads)) {
@@ -325,7 +326,7 @@ void solve(MachineRun& machine, const EnvelopeRun& run, Result& r) {
   one.keep_worst();
 }
 
-void resolve_loads(const EnvelopeRequest& request, const std::string& path, Preparation& p, EnvelopeRun& run) {
+void resolve_loads(const study::EnvelopeRequest& request, const std::string& path, Preparation& p, EnvelopeRun& run) {
   run.loads = request.loads;
   if (request.load_at && request.loads.empty()) {
     p.complaints.push_back({path + ".load_at", "there are no 'loads' to put there"});
@@ -349,14 +350,14 @@ void resolve_loads(const EnvelopeRequest& request, const std::string& path, Prep
 
 }  // namespace
 
-Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_envelope(const study::EnvelopeRequest& request, const std::string& path, Preparation& p) {
   const auto run = std::make_shared<EnvelopeRun>();
   run->ending = ending_of(p, "envelope", request.name, path);
   run->machine = &p.machine;
   run->held = request.held;
   if (request.carriage) run->carriage = carriage_of(p, *request.carriage, path + ".carriage");
-  if (request.carriage) check_hold(p.model, run->carriage, p.complaints);
-  if (request.carriage) run->winches = winches_of(p.model, p.machine, run->carriage);
+  if (request.carriage) study::check_hold(p.model, run->carriage, p.complaints);
+  if (request.carriage) run->winches = checks::winches_of(p.model, p.machine, run->carriage);
   const bool all = request.carriage && request.from && request.to;
   const bool nothing = !request.carriage && !request.from && !request.to;
   if (!all && !nothing) {
@@ -365,12 +366,12 @@ Analysis prepare_envelope(const EnvelopeRequest& request, const std::string& pat
     p.complaints.push_back({path + ".to", "is the same place as 'from'"});
   }
   run->way = {run->carriage, request.from.value_or(0), request.to.value_or(0), request.steps,
-              direction_of(request.along, path + ".along", p.complaints)};
+              study::direction_of(request.along, path + ".along", p.complaints)};
   resolve_loads(request, path, p, *run);
   run->motions = request.motions.empty() ? std::vector<std::string>{"at_rest"} : request.motions;
   run->temperatures = request.temperatures;
-  if (!run->temperatures.empty()) require_references(p.machine, path + ".temperatures", p.complaints);
+  if (!run->temperatures.empty()) study::require_references(p.machine, path + ".temperatures", p.complaints);
   return [run](MachineRun& machine, Result& r) { solve(machine, *run, r); };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

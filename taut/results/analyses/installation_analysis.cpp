@@ -12,34 +12,34 @@
 #include "taut/study/installation.hpp"
 #include "taut/study/temperature.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using Kind = analysis::Condition::Kind;
+using Kind = solve::Condition::Kind;
 
 struct InstallationRun {
   std::string ending;
   std::string words;
   int reeving = 0;
   std::vector<double> temperatures;  ///< K; empty: the machine's, whatever it is
-  std::optional<InstallationGivenRequest> given;
-  const model::Machine* machine = nullptr;
+  std::optional<study::InstallationGivenRequest> given;
+  const machine::Machine* machine = nullptr;
 };
 
 /// One row of the table.
 struct Row {
   double temperature = none;
-  analysis::Installation at;
+  study::Installation at;
 };
 
 /// The free span with the longest chord: sags are told of it when the deck names none.
-int longest_span(const analysis::EmptyLine& line) {
-  const model::State state = model::initial_state(line.model);
+int longest_span(const study::EmptyLine& line) {
+  const machine::State state = machine::initial_state(line.model);
   const auto& nodes = line.model.reevings[at(line.reeving)].nodes;
   int longest = 0;
   double most = -1;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-    const double chord = (model::in_ground(state, nodes[k + 1].at) - model::in_ground(state, nodes[k].at)).norm();
+    const double chord = (machine::in_ground(state, nodes[k + 1].at) - machine::in_ground(state, nodes[k].at)).norm();
     if (chord <= most) continue;
     most = chord;
     longest = static_cast<int>(k);
@@ -48,45 +48,45 @@ int longest_span(const analysis::EmptyLine& line) {
 }
 
 /// What the machine itself has given of the rope.
-analysis::Condition own_condition(const model::Reeving& rope) {
+solve::Condition own_condition(const machine::Reeving& rope) {
   switch (rope.given) {
-    case model::Given::tension_at_start:
+    case machine::Given::tension_at_start:
       return {Kind::tension_at_start, 0, rope.value, 0};
-    case model::Given::tension_at_end:
+    case machine::Given::tension_at_end:
       return {Kind::tension_at_end, 0, rope.value, 0};
-    case model::Given::length:
-    case model::Given::torque:
+    case machine::Given::length:
+    case machine::Given::torque:
       break;
   }
   return {Kind::length, 0, rope.value, 0};
 }
 
-analysis::Condition condition_of(const InstallationRun& run, const analysis::EmptyLine& line) {
+solve::Condition condition_of(const InstallationRun& run, const study::EmptyLine& line) {
   if (!run.given) return own_condition(line.model.reevings[at(line.reeving)]);
-  const InstallationGivenRequest& g = *run.given;
-  if (g.tension) return {g.at == RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
+  const study::InstallationGivenRequest& g = *run.given;
+  if (g.tension) return {g.at == study::RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
   if (g.length) return {Kind::length, 0, *g.length, 0};
   return {Kind::sag_of_span, 0, *g.sag, g.span ? *g.span - 1 : longest_span(line)};
 }
 
-std::vector<Row> solve(const model::Model& model, const InstallationRun& run) {
+std::vector<Row> solve(const machine::Model& model, const InstallationRun& run) {
   const auto line_at = [&](double temperature) {
-    model::Model warm = model;
-    if (!std::isnan(temperature)) set_temperature(warm, *run.machine, temperature);
-    return analysis::empty_line(warm, run.reeving);
+    machine::Model warm = model;
+    if (!std::isnan(temperature)) study::set_temperature(warm, *run.machine, temperature);
+    return study::empty_line(warm, run.reeving);
   };
   std::vector<double> temperatures = run.temperatures;
   if (temperatures.empty()) temperatures.push_back(run.machine->temperature.value_or(none));
-  analysis::EmptyLine first = line_at(temperatures.front());
+  study::EmptyLine first = line_at(temperatures.front());
   std::vector<Row> rows;
   if (!first.outcome.ok()) {
     rows.emplace_back().at.outcome = first.outcome;
     return rows;
   }
-  analysis::Condition condition = condition_of(run, first);
-  std::optional<model::State> near;
+  solve::Condition condition = condition_of(run, first);
+  std::optional<machine::State> near;
   if (run.given && run.given->temperature) {
-    const auto there = analysis::installation(line_at(*run.given->temperature), condition);
+    const auto there = study::installation(line_at(*run.given->temperature), condition);
     if (!there.outcome.ok()) {
       rows.emplace_back(Row{*run.given->temperature, there});
       return rows;
@@ -97,22 +97,23 @@ std::vector<Row> solve(const model::Model& model, const InstallationRun& run) {
   for (const double temperature : temperatures) {
     Row& row = rows.emplace_back();
     row.temperature = temperature;
-    row.at = analysis::installation(line_at(temperature), condition, near);
+    row.at = study::installation(line_at(temperature), condition, near);
     if (row.at.outcome.ok()) near = row.at.at.result.state;
   }
   return rows;
 }
 
 std::string words_of(const Row& row, const InstallationRun& run) {
-  return std::isnan(row.temperature) ? fmt::format("installation of {}", run.words)
-                                     : fmt::format("installation of {} at {}", run.words, celsius(row.temperature));
+  return std::isnan(row.temperature)
+             ? fmt::format("installation of {}", run.words)
+             : fmt::format("installation of {} at {}", run.words, study::celsius(row.temperature));
 }
 
 /// "sag_1" and so on, with the span's ends in the title.
-Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const analysis::Installation& any) {
+Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const study::Installation& any) {
   const auto& result = any.at.result;
   const auto reeving = std::find_if(any.at.model.reevings.begin(), any.at.model.reevings.end(),
-                                    [&](const model::Reeving& r) { return r.name == run.words; });
+                                    [&](const machine::Reeving& r) { return r.name == run.words; });
   const auto index = static_cast<int>(reeving - any.at.model.reevings.begin());
   Table t{"installation" + run.ending, "", {}, {}};
   t.columns = {{"temperature", si::K.in("degC")},
@@ -149,7 +150,7 @@ Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const a
 
 /// Unstretched rope on the drums at its ends: what the deck has there, and what the line does not need of its length.
 /// NaN: the deck does not say.
-double on_drums(const model::Machine& machine, const std::string& rope, double unstretched) {
+double on_drums(const machine::Machine& machine, const std::string& rope, double unstretched) {
   const auto reeving = std::find_if(machine.reevings.begin(), machine.reevings.end(),
                                     [&](const auto& one) { return one.name.value_or(one.rope) == rope; });
   if (reeving == machine.reevings.end()) return none;
@@ -178,9 +179,9 @@ Table lengths_table(const InstallationRun& run, const Row& row) {
            {"copies", si::one},
            {"on_drums", si::m}},
           {}};
-  const model::Model& m = row.at.at.model;
+  const machine::Model& m = row.at.at.model;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-    const auto l = analysis::lengths_of(m, row.at.at.result, static_cast<int>(i));
+    const auto l = study::lengths_of(m, row.at.at.result, static_cast<int>(i));
     t.rows.push_back({m.reevings[i].name, l.unstretched, l.cut, l.stretched, l.free, l.on_sheaves,
                       static_cast<double>(m.reevings[i].copies),
                       on_drums(*run.machine, m.reevings[i].name, l.unstretched)});
@@ -209,7 +210,7 @@ Plot plot_of(const InstallationRun& run, const std::vector<Row>& rows, const std
 }
 
 void add_plots(const InstallationRun& run, const std::vector<Row>& rows, std::size_t spans, Result& r) {
-  using Of = std::function<double(const analysis::Installation&)>;
+  using Of = std::function<double(const study::Installation&)>;
   r.figures.emplace_back(plot_of<Of>(run, rows, "installation_tension", fmt::format("Tension of {}, empty", run.words),
                                      {"tension", si::N},
                                      {{"at its start", [](const auto& i) { return i.T_start; }},
@@ -256,7 +257,7 @@ void add_results(const InstallationRun& run, const std::vector<Row>& rows, bool 
   if (rows.size() > 1) add_plots(run, rows, first->at.sag.size(), r);
 }
 
-void resolve_temperatures(const InstallationRequest& request, const std::string& path, Preparation& p,
+void resolve_temperatures(const study::InstallationRequest& request, const std::string& path, Preparation& p,
                           InstallationRun& run) {
   run.temperatures = request.temperatures;
   if (request.from.has_value() != request.to.has_value() || (request.steps && !request.from)) {
@@ -270,15 +271,15 @@ void resolve_temperatures(const InstallationRequest& request, const std::string&
     }
   }
   const std::string key = request.from ? ".from" : ".temperatures";
-  if (!run.temperatures.empty()) require_references(p.machine, path + key, p.complaints);
+  if (!run.temperatures.empty()) study::require_references(p.machine, path + key, p.complaints);
   if (request.given && request.given->temperature) {
-    require_references(p.machine, path + ".given.temperature", p.complaints);
+    study::require_references(p.machine, path + ".given.temperature", p.complaints);
   }
 }
 
 }  // namespace
 
-Analysis prepare_installation(const InstallationRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_installation(const study::InstallationRequest& request, const std::string& path, Preparation& p) {
   const auto run = std::make_shared<InstallationRun>();
   run->ending = ending_of(p, "installation", request.name, path);
   run->words = request.reeving;
@@ -287,12 +288,12 @@ Analysis prepare_installation(const InstallationRequest& request, const std::str
   run->machine = &p.machine;
   resolve_temperatures(request, path, p, *run);
   if (run->reeving < 0) return {};
-  const analysis::EmptyLine line = analysis::empty_line(p.model, run->reeving);
+  const study::EmptyLine line = study::empty_line(p.model, run->reeving);
   if (!line.outcome.ok()) p.complaints.push_back({path + ".reeving", line.outcome.message});
   if (p.model.reevings[at(run->reeving)].closed && request.given && !request.given->length) {
     p.complaints.push_back({path + ".given", "an endless rope is given by its 'length'"});
   }
-  if (p.model.reevings[at(run->reeving)].given == model::Given::torque && !request.given) {
+  if (p.model.reevings[at(run->reeving)].given == machine::Given::torque && !request.given) {
     p.complaints.push_back({path, "the rope is given by a torque: say what is given when it is put up"});
   }
   if (request.given && request.given->span) {
@@ -312,4 +313,4 @@ Analysis prepare_installation(const InstallationRequest& request, const std::str
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -9,7 +9,7 @@
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/study/least_tension.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 struct LeastTensionRun {
@@ -18,16 +18,16 @@ struct LeastTensionRun {
   std::vector<int> chosen;
   double tension = 0;
   std::vector<std::string> cases;  ///< their names; the first: as put up
-  std::vector<model::Model> models;
+  std::vector<machine::Model> models;
   std::size_t guys_from = 0;  ///< reevings from there on are guys
 };
 
 /// The machine with the loads of a case besides its own; complaints at the case.
-std::optional<model::Model> model_of_case(const model::Machine& machine, const LoadCaseRequest& request,
-                                          const std::string& path, std::vector<Complaint>& complaints) {
-  model::Machine loaded = machine;
+std::optional<machine::Model> model_of_case(const machine::Machine& machine, const study::LoadCaseRequest& request,
+                                            const std::string& path, std::vector<Complaint>& complaints) {
+  machine::Machine loaded = machine;
   loaded.loads.insert(loaded.loads.end(), request.loads.begin(), request.loads.end());
-  auto model = model::compile(loaded);
+  auto model = machine::compile(loaded);
   if (model) return std::move(*model);
   for (Complaint& c : model.error()) {
     for (std::size_t i = 0; i < request.loads.size(); ++i) {
@@ -40,7 +40,7 @@ std::optional<model::Model> model_of_case(const model::Machine& machine, const L
 }
 
 /// Guys and lines have been put up; they keep those lengths where they are not chosen.
-void keep_lengths(const LeastTensionRun& run, const model::Model& installed, model::Model& model) {
+void keep_lengths(const LeastTensionRun& run, const machine::Model& installed, machine::Model& model) {
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
     if (i < run.guys_from && !model.reevings[i].put_up) continue;
     model.reevings[i].given = installed.reevings[i].given;
@@ -48,7 +48,7 @@ void keep_lengths(const LeastTensionRun& run, const model::Model& installed, mod
   }
 }
 
-Table least_tension_table(const LeastTensionRun& run, const analysis::LeastTensionResult& result) {
+Table least_tension_table(const LeastTensionRun& run, const study::LeastTensionResult& result) {
   Table t;
   t.name = "least_tension" + run.ending;
   t.title = fmt::format("Lengths for which each of these ropes keeps its least tension; least tensions by case ({})",
@@ -56,7 +56,7 @@ Table least_tension_table(const LeastTensionRun& run, const analysis::LeastTensi
   t.columns = {
       {"rope", si::one}, {"unstretched", si::m}, {"taken_out", si::m}, {"T_least", si::N}, {"governed_by", si::one}};
   for (const std::string& name : run.cases) t.columns.push_back({"T_min, " + name, si::N});
-  for (const analysis::LeastTension& one : result.ropes) {
+  for (const study::LeastTension& one : result.ropes) {
     std::vector<Cell> row = {result.models.front().reevings[at(one.reeving)].name, one.unstretched, one.taken_out,
                              one.T_least, run.cases[at(one.governing)]};
     for (const double T : one.T_min) row.emplace_back(T);
@@ -65,10 +65,10 @@ Table least_tension_table(const LeastTensionRun& run, const analysis::LeastTensi
   return t;
 }
 
-void add_least_tension(const LeastTensionRun& run, const analysis::LeastTensionResult& result, MachineRun& machine,
+void add_least_tension(const LeastTensionRun& run, const study::LeastTensionResult& result, MachineRun& machine,
                        Result& r) {
   r.tables.push_back(least_tension_table(run, result));
-  for (const analysis::LeastTension& one : result.ropes) {
+  for (const study::LeastTension& one : result.ropes) {
     const std::string& name = result.models.front().reevings[at(one.reeving)].name;
     const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
       const std::string full = fmt::format("{}.pretension_{}{}", name, what, run.ending);
@@ -87,8 +87,8 @@ void add_least_tension(const LeastTensionRun& run, const analysis::LeastTensionR
 
 }  // namespace
 
-Analysis prepare_least_tension(const PretensionRequest& request, const std::string& path, const std::string& ending,
-                               Preparation& p) {
+Analysis prepare_least_tension(const study::PretensionRequest& request, const std::string& path,
+                               const std::string& ending, Preparation& p) {
   const auto run = std::make_shared<LeastTensionRun>();
   run->ending = ending;
   run->words = request.name ? fmt::format("pretension, {}", *request.name) : "pretension";
@@ -114,7 +114,7 @@ Analysis prepare_least_tension(const PretensionRequest& request, const std::stri
   run->cases.emplace_back("as put up");
   run->models.push_back(p.model);
   for (std::size_t c = 0; c < request.least->cases.size(); ++c) {
-    const LoadCaseRequest& one = request.least->cases[c];
+    const study::LoadCaseRequest& one = request.least->cases[c];
     const std::string its = fmt::format("{}.cases[{}]", here, c);
     if (one.loads.empty()) p.complaints.push_back({its, "has no loads"});
     if (std::find(run->cases.begin(), run->cases.end(), one.name) != run->cases.end()) {
@@ -125,14 +125,14 @@ Analysis prepare_least_tension(const PretensionRequest& request, const std::stri
   }
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;
-    std::vector<model::Model> cases = run->models;
+    std::vector<machine::Model> cases = run->models;
     cases.front() = machine.model;
-    for (model::Model& model : cases) keep_lengths(*run, machine.model, model);
+    for (machine::Model& model : cases) keep_lengths(*run, machine.model, model);
     int round = 0;
     const auto go_on = [&] {
       return !machine.progress || machine.progress({run->words, 0, fmt::format("round {}", ++round)});
     };
-    const auto result = analysis::least_tension(cases, run->chosen, run->tension, go_on);
+    const auto result = study::least_tension(cases, run->chosen, run->tension, go_on);
     note_failure(r, result.outcome, run->words);
     if (result.interrupted) {
       r.interrupted = true;
@@ -143,4 +143,4 @@ Analysis prepare_least_tension(const PretensionRequest& request, const std::stri
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -7,7 +7,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/study/carriage_way.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 template <class Things>
@@ -50,10 +50,10 @@ std::string ending_of(Preparation& p, const std::string& kind, const std::option
   return text;
 }
 
-std::optional<analysis::Prescribed> prescribed_of(const std::optional<std::string>& carriage,
-                                                  const std::optional<double>& x, const std::vector<double>& along,
-                                                  const std::string& path, Preparation& p) {
-  const Vector3 way = direction_of(along, path + ".along", p.complaints);
+std::optional<machine::Prescribed> prescribed_of(const std::optional<std::string>& carriage,
+                                                 const std::optional<double>& x, const std::vector<double>& along,
+                                                 const std::string& path, Preparation& p) {
+  const Vector3 way = study::direction_of(along, path + ".along", p.complaints);
   if (carriage.has_value() != x.has_value()) {
     p.complaints.push_back({path, "'carriage' and 'x' belong together"});
     return std::nullopt;
@@ -61,28 +61,28 @@ std::optional<analysis::Prescribed> prescribed_of(const std::optional<std::strin
   if (!carriage) return std::nullopt;
   const int car = carriage_of(p, *carriage, path + ".carriage");
   if (car < 0) return std::nullopt;
-  if (const model::Node* support = support_at(p.model, car, *x, way)) {
+  if (const machine::Node* support = study::support_at(p.model, car, *x, way)) {
     p.complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
   }
-  check_hold(p.model, car, p.complaints);
-  return analysis::Prescribed{car, *x, way, {}};
+  study::check_hold(p.model, car, p.complaints);
+  return machine::Prescribed{car, *x, way, {}};
 }
 
-Outcome install_guys(const model::Machine& machine, model::Model& model) {
+Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
   const std::size_t first = machine.reevings.size();
-  model::Model bare;
+  machine::Model bare;
   bare.gravity = model.gravity;
   bare.bodies = model.bodies;
-  for (model::Body& body : bare.bodies) body.free.clear();
+  for (machine::Body& body : bare.bodies) body.free.clear();
   bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
   if (bare.reevings.empty()) return {};
-  analysis::EquilibriumOptions options;
+  solve::EquilibriumOptions options;
   options.band = false;
-  const auto result = analysis::equilibrium(bare, options);
+  const auto result = solve::equilibrium(bare, options);
   if (!result.outcome.ok()) {
     return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
   }
-  const model::Model done = analysis::installed(bare, result);
+  const machine::Model done = solve::installed(bare, result);
   std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
   return {};
 }
@@ -93,4 +93,4 @@ void note_failure(Result& r, const Outcome& outcome, const std::string& what) {
   r.message = fmt::format("{}: {}", what, outcome.message);
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -11,44 +11,46 @@
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/solve/modes.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::Mode;
-using analysis::ModeKind;
-using analysis::ModeSet;
-using analysis::Sheaves;
+using solve::Mode;
+using solve::ModeKind;
+using solve::ModeSet;
+using solve::Sheaves;
 
 constexpr std::size_t most_modes_drawn = 6;
 
 struct ModesRun {
   std::string ending;
-  ModesRequest request;
-  model::Model model;
-  analysis::ModesResult result;
+  study::ModesRequest request;
+  machine::Model model;
+  solve::ModesResult result;
 };
 
-std::string mode_kind_words(ModeKind kind) {
+std::string mode_kind_words(solve::ModeKind kind) {
   switch (kind) {
-    case ModeKind::swings:
+    case solve::ModeKind::swings:
       return "swings";
-    case ModeKind::creeps:
+    case solve::ModeKind::creeps:
       return "creeps back";
-    case ModeKind::free:
+    case solve::ModeKind::free:
       return "nothing brings it back";
-    case ModeKind::unstable:
+    case solve::ModeKind::unstable:
       return "unstable";
   }
   return {};
 }
 
-std::string sheaves_words(const ModesRun& run, const ModeSet& set) {
+std::string sheaves_words(const ModesRun& run, const solve::ModeSet& set) {
   if (run.result.sets.size() == 1) return "no loss";
-  return set.sheaves == Sheaves::stuck ? "stuck" : "released";
+  return set.sheaves == solve::Sheaves::stuck ? "stuck" : "released";
 }
 
 /// "" for the first set, "_released".
-std::string mode_set_ending(const ModeSet& set) { return set.sheaves == Sheaves::stuck ? "" : "_released"; }
+std::string mode_set_ending(const solve::ModeSet& set) {
+  return set.sheaves == solve::Sheaves::stuck ? "" : "_released";
+}
 
 void add_modes_table(const ModesRun& run, Result& r) {
   Table t;
@@ -56,14 +58,15 @@ void add_modes_table(const ModesRun& run, Result& r) {
   t.title = "Vibrations: frequencies and damping, ropes stuck on sheaves with a loss and released";
   t.columns = {{"sheaves", si::one},  {"mode", si::one},          {"frequency", si::per_s}, {"period", si::s},
                {"damped", si::per_s}, {"damping_ratio", si::one}, {"kind", si::one},        {"moves_most", si::one}};
-  for (const ModeSet& set : run.result.sets) {
+  for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
-      const Mode& mode = set.modes[i];
+      const solve::Mode& mode = set.modes[i];
       const double period = mode.frequency > 0 ? 1 / mode.frequency : std::nan("");
       const std::string who =
           mode.largest >= 0 ? run.model.bodies[static_cast<std::size_t>(mode.largest)].name : "ropes";
       t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), mode.frequency, period, mode.damped,
-                        mode.kind == ModeKind::free ? std::nan("") : mode.damping, mode_kind_words(mode.kind), who});
+                        mode.kind == solve::ModeKind::free ? std::nan("") : mode.damping, mode_kind_words(mode.kind),
+                        who});
     }
   }
   r.tables.push_back(std::move(t));
@@ -77,11 +80,11 @@ void add_mode_shapes(const ModesRun& run, Result& r) {
   t.title = "Shapes: shifts of the bodies' origins and turns (rad per metre of the largest shift)";
   t.columns = {{"sheaves", si::one}, {"mode", si::one}, {"body", si::one}, {"x", si::one}, {"y", si::one},
                {"z", si::one},       {"rx", si::one},   {"ry", si::one},   {"rz", si::one}};
-  for (const ModeSet& set : run.result.sets) {
+  for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
         if (run.model.bodies[b].free.empty()) continue;
-        const Mode::Motion& m = set.modes[i].bodies[b];
+        const solve::Mode::Motion& m = set.modes[i].bodies[b];
         t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), run.model.bodies[b].name});
         for (const Vector3& v : {m.shift, m.turn}) {
           for (const double x : v) t.rows.back().emplace_back(std::abs(x) < mode_rounding ? 0 : x);
@@ -93,9 +96,9 @@ void add_mode_shapes(const ModesRun& run, Result& r) {
 }
 
 void add_mode_values(const ModesRun& run, Result& r) {
-  for (const ModeSet& set : run.result.sets) {
+  for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
-      const Mode& mode = set.modes[i];
+      const solve::Mode& mode = set.modes[i];
       const std::string end = fmt::format("{}{}{}", i + 1, mode_set_ending(set), run.ending);
       const std::string words = run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set));
       r.values.push_back({"frequency_" + end,
@@ -104,7 +107,7 @@ void add_mode_values(const ModesRun& run, Result& r) {
                           "f_" + end,
                           fmt::format("undamped frequency of mode {}{}", i + 1, words),
                           {}});
-      if (mode.kind == ModeKind::free) continue;
+      if (mode.kind == solve::ModeKind::free) continue;
       r.values.push_back({"damping_" + end,
                           mode.damping,
                           si::one,
@@ -116,7 +119,7 @@ void add_mode_values(const ModesRun& run, Result& r) {
 }
 
 /// The side from which most is seen: the broadest of xz and yz, and xy where the machine lies flat.
-std::array<int, 2> mode_view(const analysis::TransientFrame& rest, const analysis::TransientFrame& moved) {
+std::array<int, 2> mode_view(const solve::TransientFrame& rest, const solve::TransientFrame& moved) {
   Vector3 low = Vector3::Constant(1e300), high = -low, shift = Vector3::Zero();
   for (std::size_t i = 0; i < rest.branches.size(); ++i) {
     for (const Vector3& p : {rest.branches[i].start, rest.branches[i].end}) {
@@ -137,8 +140,8 @@ std::array<int, 2> mode_view(const analysis::TransientFrame& rest, const analysi
   return {sideways || size.y() > size.x() ? 1 : 0, 2};
 }
 
-Drawing mode_drawing(const ModesRun& run, const ModeSet& set, std::size_t index) {
-  const Mode& mode = set.modes[index];
+Drawing mode_drawing(const ModesRun& run, const solve::ModeSet& set, std::size_t index) {
+  const solve::Mode& mode = set.modes[index];
   const auto axes = mode_view(run.result.rest, mode.shape);
   const auto point = [&](const Vector3& p) { return Point{p[axes[0]], p[axes[1]]}; };
   Drawing d;
@@ -148,16 +151,16 @@ Drawing mode_drawing(const ModesRun& run, const ModeSet& set, std::size_t index)
                         run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set)));
   d.caption = axes[1] == 2 ? "At rest and displaced, not to scale." : "Plan, at rest and displaced, not to scale.";
   d.legend = {{Role::hidden, "at rest"}, {Role::highlight, "displaced"}};
-  const auto lines = [&](const analysis::TransientFrame& frame, Role role) {
+  const auto lines = [&](const solve::TransientFrame& frame, Role role) {
     for (const RopePart& part : rope_parts(run.model, frame)) {
       Polyline line;
       line.role = role;
       for (const Vector3& p : part.points) line.points.push_back(point(p));
       if (line.points.size() > 1) d.shapes.emplace_back(std::move(line));
     }
-    for (const model::Reeving& rope : run.model.reevings) {
-      for (const model::Node& node : rope.nodes) {
-        if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+    for (const machine::Reeving& rope : run.model.reevings) {
+      for (const machine::Node& node : rope.nodes) {
+        if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
         const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
         d.shapes.emplace_back(
             Polyline{{point(body.position), point(body.position + body.orientation * node.at.at)}, role, false, false});
@@ -181,9 +184,9 @@ Drawing mode_drawing(const ModesRun& run, const ModeSet& set, std::size_t index)
 }
 
 void add_mode_warnings(const ModesRun& run, Result& r) {
-  for (const ModeSet& set : run.result.sets) {
+  for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
-      if (set.modes[i].kind != ModeKind::unstable) continue;
+      if (set.modes[i].kind != solve::ModeKind::unstable) continue;
       r.warnings.push_back(fmt::format("mode {} grows: the machine does not stay where it is (sheaves {})", i + 1,
                                        sheaves_words(run, set)));
     }
@@ -200,7 +203,7 @@ void add_modes(const ModesRun& run, Result& r) {
   add_modes_table(run, r);
   add_mode_shapes(run, r);
   add_mode_values(run, r);
-  for (const ModeSet& set : run.result.sets) {
+  for (const solve::ModeSet& set : run.result.sets) {
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < set.modes.size() && drawn < most_modes_drawn; ++i) {
       if (set.modes[i].shape.branches.empty()) continue;
@@ -213,30 +216,30 @@ void add_modes(const ModesRun& run, Result& r) {
 
 }  // namespace
 
-Analysis prepare_modes(const ModesRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_modes(const study::ModesRequest& request, const std::string& path, Preparation& p) {
   ModesRun run;
   run.ending = ending_of(p, "modes", request.name, path);
   run.request = request;
-  check_inertia(p.machine, p.model, p.complaints);
-  check_masses(p.machine, p.model, request.rope_mass, p.complaints);
+  checks::check_inertia(p.machine, p.model, p.complaints);
+  checks::check_masses(p.machine, p.model, request.rope_mass, p.complaints);
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;
     ModesRun one = run;
     one.model = machine.model;
-    analysis::ModesOptions o;
-    const bool settled = one.request.start == TransientRequest::Start::settled;
-    o.start = settled ? analysis::Start::settled : analysis::Start::assembled;
+    solve::ModesOptions o;
+    const bool settled = one.request.start == study::TransientRequest::Start::settled;
+    o.start = settled ? solve::Start::settled : solve::Start::assembled;
     o.most = one.request.count;
     o.damping_ratio = one.request.damping_ratio;
     o.rope_mass = one.request.rope_mass;
     o.branches = branches_of(one.request.branches);
-    one.result = analysis::modes(one.model, o);
+    one.result = solve::modes(one.model, o);
     if (one.result.outcome.ok()) {
-      machine.checked->take_rest(one.model, one.result.rest, o.rope_mass, analysis_words(one.ending, "modes"),
-                                 analysis_name(one.ending, "modes"));
+      machine.checked->take_rest(one.model, one.result.rest, o.rope_mass, checks::analysis_words(one.ending, "modes"),
+                                 checks::analysis_name(one.ending, "modes"));
     }
     add_modes(one, r);
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

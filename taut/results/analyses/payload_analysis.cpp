@@ -19,11 +19,11 @@
 #include "taut/study/watch.hpp"
 #include "taut/units/display.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::LimitKind;
-using analysis::LimitState;
+using study::LimitKind;
+using study::LimitState;
 
 /// A rule of the catalogue that a rope is checked by.
 struct RopeRule {
@@ -36,30 +36,30 @@ struct RopeRule {
 struct PayloadRun {
   std::string ending;
   std::string words;
-  std::vector<MotionRequest> motion;
-  Way way;
+  std::vector<study::MotionRequest> motion;
+  study::Way way;
   bool one_place = false;
   bool held = false;
-  analysis::PayloadLimits limits;
+  study::PayloadLimits limits;
   std::vector<RopeRule> rules;
 };
 
 struct PayloadPosition {
-  const model::Model* model = nullptr;
-  analysis::PayloadPoint point;
-  std::vector<LimitState> states;  ///< of all limits with the payload
-  std::string support;             ///< on which it lies; else empty
+  const machine::Model* model = nullptr;
+  study::PayloadPoint point;
+  std::vector<study::LimitState> states;  ///< of all limits with the payload
+  std::string support;                    ///< on which it lies; else empty
 };
 
 struct Answers {
-  std::vector<WayPart> parts;
+  std::vector<study::WayPart> parts;
   std::vector<PayloadPosition> positions;
 };
 
 /// Resolves the limits of one name.
 class NamedLimit {
  public:
-  NamedLimit(const RopeLimitRequest& request, std::string path, Preparation& p, PayloadRun& run)
+  NamedLimit(const study::RopeLimitRequest& request, std::string path, Preparation& p, PayloadRun& run)
       : request_(request), path_(std::move(path)), p_(p), run_(run) {}
 
   void resolve() {
@@ -89,7 +89,7 @@ class NamedLimit {
   }
 
   void of_rope(int reeving) {
-    const model::Reeving& rope = p_.model.reevings[at(reeving)];
+    const machine::Reeving& rope = p_.model.reevings[at(reeving)];
     if (request_.pull) complain("pull", "is a limit of a drum; a rope has 'tension'");
     if (!request_.tension && !request_.safety_factor && !request_.rule && !request_.clearance) {
       complain("", "says no limit: give tension, safety_factor, rule or clearance");
@@ -139,8 +139,8 @@ class NamedLimit {
     for (std::size_t r = 0; r < p_.model.reevings.size(); ++r) {
       const auto& nodes = p_.model.reevings[r].nodes;
       for (const bool at_end : {false, true}) {
-        const model::Node& node = at_end ? nodes.back() : nodes.front();
-        if (node.kind != model::NodeKind::anchor || node.name != request_.name) continue;
+        const machine::Node& node = at_end ? nodes.back() : nodes.front();
+        if (node.kind != machine::NodeKind::anchor || node.name != request_.name) continue;
         winds = true;
         run_.limits.ends.push_back({static_cast<int>(r), at_end, request_.pull.value_or(1)});
       }
@@ -148,14 +148,14 @@ class NamedLimit {
     if (!winds) complain("", fmt::format("no rope is wound on '{}'", request_.name));
   }
 
-  const RopeLimitRequest& request_;
+  const study::RopeLimitRequest& request_;
   std::string path_;
   Preparation& p_;
   PayloadRun& run_;
 };
 
-void resolve_limits(const LimitsRequest& request, const std::string& path, Preparation& p, PayloadRun& run) {
-  analysis::PayloadLimits& l = run.limits;
+void resolve_limits(const study::LimitsRequest& request, const std::string& path, Preparation& p, PayloadRun& run) {
+  study::PayloadLimits& l = run.limits;
   l.tension.assign(p.model.reevings.size(), std::numeric_limits<double>::infinity());
   l.rope_clearance.assign(p.model.reevings.size(), -std::numeric_limits<double>::infinity());
   if (request.clearance) l.clearance = *request.clearance;
@@ -166,7 +166,7 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Prepa
   if (request.rope_clearance && run.way.carriage >= 0) {
     l.rope_clearance[at(p.model.carriages[at(run.way.carriage)].reeving)] = *request.rope_clearance;
   }
-  for (const RopeLimitRequest& one : request.named) {
+  for (const study::RopeLimitRequest& one : request.named) {
     NamedLimit(one, fmt::format("{}.{}", path, one.name), p, run).resolve();
   }
   const auto needs_ground = [&](bool asked, const std::string& key) {
@@ -176,16 +176,17 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Prepa
   };
   needs_ground(request.clearance.has_value(), "clearance");
   needs_ground(request.rope_clearance.has_value(), "rope_clearance");
-  for (const RopeLimitRequest& one : request.named) needs_ground(one.clearance.has_value(), one.name + ".clearance");
+  for (const study::RopeLimitRequest& one : request.named)
+    needs_ground(one.clearance.has_value(), one.name + ".clearance");
   const bool any = !request.named.empty() || request.clearance || request.rope_clearance || request.break_angle ||
                    request.least_break_angle || request.lift_off;
   if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 
-Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
+Answers solve(const machine::Model& model, const PayloadRun& run, study::Watch& watch) {
   Answers all;
-  all.parts = parts_of(model, run.way);
-  for (const WayPart& part : all.parts) {
+  all.parts = study::parts_of(model, run.way);
+  for (const study::WayPart& part : all.parts) {
     if (watch.ended()) break;
     if (part.support != nullptr) {
       PayloadPosition on;
@@ -196,18 +197,18 @@ Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
       continue;
     }
     std::vector<Complaint> told_before;
-    analysis::LoadPathOptions options = path_over(run.way, part);
-    options.equilibrium = options_of(run.motion, part.model, {}, told_before);
+    study::LoadPathOptions options = study::path_over(run.way, part);
+    options.equilibrium = study::options_of(run.motion, part.model, {}, told_before);
     options.equilibrium.held = run.held;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
-    auto points = analysis::payload_path(part.model, run.limits, options);
+    auto points = study::payload_path(part.model, run.limits, options);
     if (part.last == part.first && points.size() > 1) points.resize(1);
     const int body = part.model.carriages[at(run.way.carriage)].body;
     for (auto& point : points) {
       PayloadPosition one;
       one.model = &part.model;
       one.point = std::move(point);
-      one.states = analysis::limits_at(part.model, body, run.limits, one.point.payload.at);
+      one.states = study::limits_at(part.model, body, run.limits, one.point.payload.at);
       all.positions.push_back(std::move(one));
     }
   }
@@ -218,7 +219,7 @@ Answers solve(const model::Model& model, const PayloadRun& run, Watch& watch) {
 /// Positions with an equilibrium; where a limit is broken without payload it is 0.
 bool answered(const PayloadPosition& p) { return p.support.empty() && p.point.payload.at.outcome.ok(); }
 
-Table table_of(const model::Model& model, const PayloadRun& run, const Answers& all) {
+Table table_of(const machine::Model& model, const PayloadRun& run, const Answers& all) {
   Table t{
       "payload" + run.ending, fmt::format("Payload within the limits, {}", run.words), load_path_columns(model), {}};
   t.columns.insert(t.columns.begin() + 3, {{"payload", si::kg}, {"governing", si::one}});
@@ -264,7 +265,7 @@ Plot payload_plot(const PayloadRun& run, const Answers& all) {
 }
 
 /// How much of each limit is used; lengths are left to the clearance's own column.
-Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& all) {
+Plot used_plot(const machine::Model& model, const PayloadRun& run, const Answers& all) {
   Plot p;
   p.name = "payload_limits" + run.ending;
   p.title = fmt::format("Tensions and pulls over their limits with the payload, {}", run.words);
@@ -273,16 +274,16 @@ Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& 
   std::map<std::string, Curve> curves;
   const int body = model.carriages[at(run.way.carriage)].body;
   for (const PayloadPosition& one : all.positions) {
-    for (const LimitState& state : one.states) {
-      if (state.kind != LimitKind::tension && state.kind != LimitKind::pull) continue;
-      curves[analysis::limit_words(*one.model, body, state)];
+    for (const study::LimitState& state : one.states) {
+      if (state.kind != study::LimitKind::tension && state.kind != study::LimitKind::pull) continue;
+      curves[study::limit_words(*one.model, body, state)];
     }
   }
   for (auto& [words, curve] : curves) {
     curve.label = words;
     for (const PayloadPosition& one : all.positions) {
-      const auto same = std::find_if(one.states.begin(), one.states.end(), [&](const LimitState& s) {
-        return !s.fails && analysis::limit_words(*one.model, body, s) == words;
+      const auto same = std::find_if(one.states.begin(), one.states.end(), [&](const study::LimitState& s) {
+        return !s.fails && study::limit_words(*one.model, body, s) == words;
       });
       curve.x.push_back(one.point.x);
       curve.y.push_back(same == one.states.end() ? none : same->value / same->limit);
@@ -295,7 +296,7 @@ Plot used_plot(const model::Model& model, const PayloadRun& run, const Answers& 
 
 /// Each rope with a limit of its tension, at its largest tension over all positions: against its rule, else against the
 /// limit itself.
-void add_limits(const model::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
+void add_limits(const machine::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
   const auto add = [&](std::size_t reeving, double limit, std::string words, std::string trust) {
     double T = 0;
     for (const PayloadPosition& one : all.positions) {
@@ -321,13 +322,13 @@ void add_limits(const model::Model& model, const PayloadRun& run, const Answers&
 }
 
 /// Where a clearance is asked and the terrain does not reach the carriage or the rope.
-void add_gaps(const model::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
-  const auto worse = [](analysis::TerrainGap& worst, const analysis::TerrainGap& gap) {
+void add_gaps(const machine::Model& model, const PayloadRun& run, const Answers& all, Result& r) {
+  const auto worse = [](study::TerrainGap& worst, const study::TerrainGap& gap) {
     if (gap.missing() > worst.missing()) worst = gap;
   };
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  std::vector<analysis::TerrainGap> ropes(model.reevings.size());
+  std::vector<study::TerrainGap> ropes(model.reevings.size());
   for (const PayloadPosition& one : all.positions) {
     if (!answered(one)) continue;
     const auto& state = one.point.payload.at;
@@ -336,16 +337,16 @@ void add_gaps(const model::Model& model, const PayloadRun& run, const Answers& a
     high = std::max(high, terrain_x(model, place));
     for (std::size_t i = 0; i < ropes.size(); ++i) {
       if (!std::isfinite(run.limits.rope_clearance[i])) continue;
-      worse(ropes[i], analysis::terrain_gap(*one.model, state.spans, static_cast<int>(i), run.limits.rope_between));
+      worse(ropes[i], study::terrain_gap(*one.model, state.spans, static_cast<int>(i), run.limits.rope_between));
     }
   }
-  const auto tell = [&](const std::string& what, const analysis::TerrainGap& gap) {
+  const auto tell = [&](const std::string& what, const study::TerrainGap& gap) {
     if (!(gap.missing() > 0)) return;
-    r.unmade.push_back(gap_words(what, gap));
+    r.unmade.push_back(checks::gap_words(what, gap));
     r.warnings.push_back(r.unmade.back());
   };
   if (std::isfinite(run.limits.clearance) && low <= high) {
-    tell(model.carriages[at(run.way.carriage)].name, analysis::terrain_gap(model, low, high));
+    tell(model.carriages[at(run.way.carriage)].name, study::terrain_gap(model, low, high));
   }
   for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
 }
@@ -362,7 +363,7 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
     }
     missing.take(answered(one) ? Outcome() : one.point.payload.outcome, one.point.x);
     if (!answered(one)) continue;
-    machine.checked->take(*one.model, one.point.payload.at, where, analysis_name(run.ending, "payload"));
+    machine.checked->take(*one.model, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
     if (!one.point.payload.outcome.ok()) nothing[one.point.payload.governing].push_back(one.point.x);
     if (least == nullptr || one.point.payload.mass < least->point.payload.mass) least = &one;
   }
@@ -384,7 +385,7 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
   }
   missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);
   if (least == nullptr) return;
-  const analysis::Payload& worst = least->point.payload;
+  const study::Payload& worst = least->point.payload;
   r.values.push_back({"payload_min" + run.ending,
                       worst.mass,
                       si::kg.in("t"),
@@ -412,25 +413,25 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
 
 }  // namespace
 
-Analysis prepare_payload(const PayloadRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_payload(const study::PayloadRequest& request, const std::string& path, Preparation& p) {
   const auto run = std::make_shared<PayloadRun>();
   run->ending = ending_of(p, "payload", request.name, path);
   run->words = words_of(request.motion);
   run->motion = request.motion;
-  options_of(request.motion, p.model, path + ".motion", p.complaints);
+  study::options_of(request.motion, p.model, path + ".motion", p.complaints);
   run->one_place = request.from == request.to;
   run->way = {carriage_of(p, request.carriage, path + ".carriage"), request.from, request.to,
-              run->one_place ? 1 : request.steps, direction_of(request.along, path + ".along", p.complaints)};
-  check_hold(p.model, run->way.carriage, p.complaints);
+              run->one_place ? 1 : request.steps, study::direction_of(request.along, path + ".along", p.complaints)};
+  study::check_hold(p.model, run->way.carriage, p.complaints);
   run->limits.most = request.most;
   run->held = request.held;
   resolve_limits(request.limits, path + ".limits", p, *run);
   return [run](MachineRun& machine, Result& r) {
-    Watch watch(machine.progress, "payload" + run->ending, run->way.steps + 1);
+    study::Watch watch(machine.progress, "payload" + run->ending, run->way.steps + 1);
     Answers all = solve(machine.model, *run, watch);
     add_results(machine, *run, all, r);
     watch.note(r);
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -16,14 +16,14 @@
 #include "taut/study/pretension.hpp"
 #include "taut/units/parse.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 struct PretensionRun {
   std::string ending;
-  PretensionRequest request;
-  std::vector<analysis::Pull> pulls;  ///< of one round
-  bool observes = false;              ///< the deck names what it observes
+  study::PretensionRequest request;
+  std::vector<study::Pull> pulls;  ///< of one round
+  bool observes = false;           ///< the deck names what it observes
 };
 
 std::string pretension_words(const PretensionRun& run) {
@@ -31,7 +31,7 @@ std::string pretension_words(const PretensionRun& run) {
 }
 
 /// What a pull waits for, with the way that it is to move.
-void resolve_until(const PullRequest& request, const std::string& path, Preparation& p, analysis::Pull& pull) {
+void resolve_until(const study::PullRequest& request, const std::string& path, Preparation& p, study::Pull& pull) {
   if (!request.until) {
     if (request.moves) p.complaints.push_back({path + ".moves", "belongs to 'until'"});
     return;
@@ -41,8 +41,8 @@ void resolve_until(const PullRequest& request, const std::string& path, Preparat
     return;
   }
   std::vector<Complaint> told_before;
-  const model::Links links(p.machine, told_before);
-  const auto until = model::observable(*request.until, p.model, links, path + ".until", p.complaints);
+  const machine::Links links(p.machine, told_before);
+  const auto until = machine::observable(*request.until, p.model, links, path + ".until", p.complaints);
   if (!until) return;
   const auto moves = parse_quantity(*request.moves, until->unit);
   if (!moves) {
@@ -55,15 +55,15 @@ void resolve_until(const PullRequest& request, const std::string& path, Preparat
   }
 }
 
-analysis::Pull resolved_pull(const PullRequest& request, const std::string& path, Preparation& p) {
-  analysis::Pull pull;
+study::Pull resolved_pull(const study::PullRequest& request, const std::string& path, Preparation& p) {
+  study::Pull pull;
   pull.reeving = reeving_of(p, request.rope, path + ".rope");
-  pull.at_end = request.end == RopeEnd::end;
+  pull.at_end = request.end == study::RopeEnd::end;
   pull.force = request.force;
   pull.take_up = request.take_up;
   resolve_until(request, path, p, pull);
   if (pull.reeving < 0) return pull;
-  const model::Reeving& rope = p.model.reevings[at(pull.reeving)];
+  const machine::Reeving& rope = p.model.reevings[at(pull.reeving)];
   if (rope.closed) {
     p.complaints.push_back({path + ".rope", "an endless rope has no end to be pulled at: tighten it by 'take_up'"});
   } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum >= 0) {
@@ -73,16 +73,16 @@ analysis::Pull resolved_pull(const PullRequest& request, const std::string& path
 }
 
 /// "extension.T_end", or, of a rope whose tension is the same all along, "guy.T".
-std::vector<Column> tension_columns(const model::Model& m) {
+std::vector<Column> tension_columns(const machine::Model& m) {
   std::vector<Column> columns;
-  for (const model::Reeving& rope : m.reevings) {
+  for (const machine::Reeving& rope : m.reevings) {
     columns.push_back({rope.name + ".T_start", si::N});
     columns.push_back({rope.name + ".T_end", si::N});
   }
   return columns;
 }
 
-void add_pull_tensions(const analysis::PullEnd& end, std::vector<Cell>& row) {
+void add_pull_tensions(const study::PullEnd& end, std::vector<Cell>& row) {
   for (std::size_t i = 0; i < end.T_start.size(); ++i) {
     row.emplace_back(end.T_start[i]);
     row.emplace_back(end.T_end[i]);
@@ -90,19 +90,19 @@ void add_pull_tensions(const analysis::PullEnd& end, std::vector<Cell>& row) {
 }
 
 /// What the table tells besides tensions: measures, and what the deck itself observes.
-std::vector<std::size_t> told_beside(const PretensionRun& run, const model::Model& m,
-                                     const analysis::PretensionResult& result, const std::vector<Column>& told) {
+std::vector<std::size_t> told_beside(const PretensionRun& run, const machine::Model& m,
+                                     const study::PretensionResult& result, const std::vector<Column>& told) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; result.slowly && k < m.observed.size(); ++k) {
-    const model::Observable& o = m.observed[k];
-    const bool measure = o.taken != model::description::Taken::automatic;
+    const machine::Observable& o = m.observed[k];
+    const bool measure = o.taken != machine::description::Taken::automatic;
     const bool known = std::any_of(told.begin(), told.end(), [&](const Column& c) { return c.name == o.name; });
     if ((measure || run.observes) && !known) all.push_back(k);
   }
   return all;
 }
 
-Table tensioning_table(const PretensionRun& run, const model::Model& m, const analysis::PretensionResult& result) {
+Table tensioning_table(const PretensionRun& run, const machine::Model& m, const study::PretensionResult& result) {
   Table t;
   t.name = "tensioning" + run.ending;
   t.title = "Ropes pulled tight in turn: what each pull has taken out of its rope, and all tensions as it ends";
@@ -110,7 +110,7 @@ Table tensioning_table(const PretensionRun& run, const model::Model& m, const an
   for (const Column& column : tension_columns(m)) t.columns.push_back(column);
   const std::vector<std::size_t> observed = told_beside(run, m, result, t.columns);
   for (const std::size_t k : observed) t.columns.push_back({m.observed[k].name, m.observed[k].unit});
-  const auto add = [&](double step, const std::string& name, const analysis::PullEnd& end) {
+  const auto add = [&](double step, const std::string& name, const study::PullEnd& end) {
     std::vector<Cell> row = {step, name, end.taken, end.taken_in_all};
     add_pull_tensions(end, row);
     for (const std::size_t k : observed) row.emplace_back(end.observed[k]);
@@ -118,7 +118,7 @@ Table tensioning_table(const PretensionRun& run, const model::Model& m, const an
   };
   add(0, "", result.before);
   for (std::size_t i = 0; i < result.ends.size(); ++i) {
-    const analysis::Pull& pull = run.pulls[i % run.pulls.size()];
+    const study::Pull& pull = run.pulls[i % run.pulls.size()];
     add(static_cast<double>(i + 1), m.reevings[at(pull.reeving)].name, result.ends[i]);
   }
   return t;
@@ -129,19 +129,19 @@ void add_pretension_value(Result& r, const std::string& name, double value, cons
 }
 
 /// Measures by step, and of each rope what it has at the end: its tensions, its length, what was taken out.
-void add_pretension_values(const PretensionRun& run, const model::Model& m, const analysis::PretensionResult& result,
+void add_pretension_values(const PretensionRun& run, const machine::Model& m, const study::PretensionResult& result,
                            Result& r) {
   const std::string of = pretension_words(run);
   for (std::size_t i = 0; result.slowly && i < result.ends.size(); ++i) {
     for (std::size_t k = 0; k < m.observed.size(); ++k) {
-      if (m.observed[k].taken == model::description::Taken::automatic) continue;
+      if (m.observed[k].taken == machine::description::Taken::automatic) continue;
       add_pretension_value(r, fmt::format("{}_{}{}", m.observed[k].name, i + 1, run.ending), result.ends[i].observed[k],
                            m.observed[k].unit, fmt::format("{} as pull {} ends ({})", m.observed[k].name, i + 1, of));
     }
   }
   std::set<int> pulled;
-  for (const analysis::Pull& pull : run.pulls) pulled.insert(pull.reeving);
-  const analysis::PullEnd& last = result.ends.back();
+  for (const study::Pull& pull : run.pulls) pulled.insert(pull.reeving);
+  const study::PullEnd& last = result.ends.back();
   for (const int i : pulled) {
     const std::string& name = m.reevings[at(i)].name;
     double taken = 0;
@@ -159,18 +159,18 @@ void add_pretension_values(const PretensionRun& run, const model::Model& m, cons
   }
 }
 
-Plot tensioning_plot(const PretensionRun& run, const model::Model& m, const analysis::PretensionResult& result) {
+Plot tensioning_plot(const PretensionRun& run, const machine::Model& m, const study::PretensionResult& result) {
   Plot p;
   p.name = "tensioning_over_pulls" + run.ending;
   p.title = fmt::format("Tensions as each pull ends ({})", pretension_words(run));
   p.x = {"pull", si::one};
   p.y = {"tension", si::N};
   std::set<std::pair<int, bool>> ends;
-  for (const analysis::Pull& pull : run.pulls) ends.insert({pull.reeving, pull.at_end});
+  for (const study::Pull& pull : run.pulls) ends.insert({pull.reeving, pull.at_end});
   for (const auto& [rope, at_end] : ends) {
     Curve c;
     c.label = fmt::format("{} at its {}", m.reevings[at(rope)].name, at_end ? "end" : "start");
-    const auto add = [&](double step, const analysis::PullEnd& end) {
+    const auto add = [&](double step, const study::PullEnd& end) {
       c.x.push_back(step);
       c.y.push_back(at_end ? end.T_end[at(rope)] : end.T_start[at(rope)]);
     };
@@ -182,7 +182,7 @@ Plot tensioning_plot(const PretensionRun& run, const model::Model& m, const anal
 }
 
 /// A machine that is pulled slowly: before any pull and as each ends, the last one drawn.
-void add_pretension_scene(const PretensionRun& run, const model::Model& m, const analysis::PretensionResult& result,
+void add_pretension_scene(const PretensionRun& run, const machine::Model& m, const study::PretensionResult& result,
                           Result& r) {
   TransientRun slow;
   slow.ending = "_pretension" + run.ending;
@@ -193,9 +193,9 @@ void add_pretension_scene(const PretensionRun& run, const model::Model& m, const
   r.scenes.push_back(scene_of(slow));
 }
 
-std::string how_words(const PretensionRun& run, const analysis::PretensionResult& result) {
+std::string how_words(const PretensionRun& run, const study::PretensionResult& result) {
   if (!result.slowly) return "an equilibrium at rest without loss as each pull ends";
-  const bool settled = run.request.start == PretensionRequest::Start::settled;
+  const bool settled = run.request.start == study::PretensionRequest::Start::settled;
   return fmt::format("slowly, with all friction carried on from pull to pull; starts {}; events and drives stand still",
                      settled ? "settled: at rest in equilibrium, ropes without loss, contacts holding what they can"
                              : "assembled: as described, friction holding what it can");
@@ -203,7 +203,7 @@ std::string how_words(const PretensionRun& run, const analysis::PretensionResult
 
 }  // namespace
 
-Analysis prepare_pretension(const PretensionRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_pretension(const study::PretensionRequest& request, const std::string& path, Preparation& p) {
   PretensionRun run;
   run.ending = ending_of(p, "pretension", request.name, path);
   run.request = request;
@@ -213,29 +213,29 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
     run.pulls.push_back(resolved_pull(request.pull[i], fmt::format("{}.pull[{}]", path, i), p));
   }
   if (request.pull.empty()) p.complaints.push_back({path + ".pull", "names no rope"});
-  if (analysis::pulled_slowly(p.model, run.pulls)) {
+  if (study::pulled_slowly(p.model, run.pulls)) {
     if (!p.machine.beams.empty()) {
       p.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});
     } else {
-      check_inertia(p.machine, p.model, p.complaints);
-      check_masses(p.machine, p.model, true, p.complaints);
+      checks::check_inertia(p.machine, p.model, p.complaints);
+      checks::check_masses(p.machine, p.model, true, p.complaints);
     }
   }
   return [run](MachineRun& machine, Result& r) {
     if (r.interrupted) return;
-    std::vector<analysis::Pull> pulls;
+    std::vector<study::Pull> pulls;
     for (int i = 0; i < run.request.rounds; ++i) pulls.insert(pulls.end(), run.pulls.begin(), run.pulls.end());
-    analysis::PretensionOptions options;
+    study::PretensionOptions options;
     options.longest = run.request.longest;
     options.tolerance = run.request.tolerance;
-    const bool settled = run.request.start == PretensionRequest::Start::settled;
-    options.start = settled ? analysis::Start::settled : analysis::Start::assembled;
+    const bool settled = run.request.start == study::PretensionRequest::Start::settled;
+    options.start = settled ? solve::Start::settled : solve::Start::assembled;
     options.progress = [&](std::size_t i) {
       return !machine.progress ||
              machine.progress({pretension_words(run), static_cast<double>(i) / static_cast<double>(pulls.size()),
                                fmt::format("pull {} of {}", i + 1, pulls.size())});
     };
-    const analysis::PretensionResult result = analysis::pretension(machine.model, pulls, options);
+    const study::PretensionResult result = study::pretension(machine.model, pulls, options);
     if (result.interrupted) {
       r.interrupted = true;
       r.status = Status::not_converged;
@@ -248,13 +248,14 @@ Analysis prepare_pretension(const PretensionRequest& request, const std::string&
     r.figures.emplace_back(tensioning_plot(run, machine.model, result));
     r.assumptions.push_back(fmt::format("{}: {}.", pretension_words(run), how_words(run, result)));
     if (result.slowly) add_pretension_scene(run, machine.model, result, r);
-    for (const analysis::PullEnd& end : result.ends) {
+    for (const study::PullEnd& end : result.ends) {
       if (end.at)
-        machine.checked->take(result.model, *end.at, pretension_words(run), analysis_name(run.ending, "pretension"));
+        machine.checked->take(result.model, *end.at, pretension_words(run),
+                              checks::analysis_name(run.ending, "pretension"));
     }
-    const analysis::PullEnd& last = result.ends.back();
+    const study::PullEnd& last = result.ends.back();
     if (last.at) machine.others.push_back({pretension_words(run), result.model, *last.at, false});
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -19,22 +19,22 @@
 #include "taut/units/display.hpp"
 #include "taut/units/parse.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::SweepEnd;
+using solve::SweepEnd;
 
 struct SweepRun {
   std::string ending;
   std::string words;
   std::string parameter;
   Unit unit;
-  std::vector<MotionRequest> motion;
-  std::optional<analysis::Prescribed> prescribed;
+  std::vector<study::MotionRequest> motion;
+  std::optional<machine::Prescribed> prescribed;
   double from = 0, to = 0;
   int steps = 1;
   bool held = false;
-  const model::Machine* machine = nullptr;
+  const machine::Machine* machine = nullptr;
 };
 
 /// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
@@ -52,20 +52,20 @@ std::string below_machine(const std::string& parameter) {
   return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
 }
 
-tl::expected<model::Model, Outcome> model_at(const SweepRun& run, const model::Model& installed, double value) {
+tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
   if (below_machine(run.parameter) == "temperature") {
-    model::Model warm = installed;
-    set_temperature(warm, *run.machine, value);
+    machine::Model warm = installed;
+    study::set_temperature(warm, *run.machine, value);
     return warm;
   }
-  model::Machine machine = *run.machine;
-  const auto parameter = find_parameter(model::Machine::describe(), &machine, run.parameter);
+  machine::Machine machine = *run.machine;
+  const auto parameter = study::find_parameter(machine::Machine::describe(), &machine, run.parameter);
   if (!parameter) return tl::unexpected(infeasible(parameter.error()));
   if (!parameter->field->range.contains(value) && !(parameter->unit.is_angle && !parameter->field->unit.is_angle)) {
     return tl::unexpected(infeasible(fmt::format("'{}' must be {}", run.parameter, range_text(*parameter->field))));
   }
   parameter->set(value);
-  auto model = model::compile(machine);
+  auto model = machine::compile(machine);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   const std::size_t guys = machine.reevings.size();
   if (changes_the_building(run.parameter)) {
@@ -77,21 +77,21 @@ tl::expected<model::Model, Outcome> model_at(const SweepRun& run, const model::M
       model->reevings[i].value = installed.reevings[i].value;
     }
   }
-  std::vector<analysis::PutUpLine> lines;
+  std::vector<study::PutUpLine> lines;
   if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
   if (run.prescribed)
-    *model = model::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
+    *model = machine::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
   return *model;
 }
 
 /// Columns of a point: places of free bodies, and of each rope its tensions and its length.
-std::vector<Column> columns_of(const model::Model& m) {
+std::vector<Column> columns_of(const machine::Model& m) {
   std::vector<Column> columns;
-  for (const model::Body& body : m.bodies) {
+  for (const machine::Body& body : m.bodies) {
     if (body.free.empty() || body.beam >= 0) continue;
     for (const char* axis : {"x", "y", "z"}) columns.push_back({fmt::format("{}.{}", body.name, axis), si::m});
   }
-  for (const model::Reeving& r : m.reevings) {
+  for (const machine::Reeving& r : m.reevings) {
     columns.push_back({fmt::format("{}.T_start", r.name), si::N});
     columns.push_back({fmt::format("{}.T_end", r.name), si::N});
     columns.push_back({fmt::format("{}.T_max", r.name), si::N});
@@ -100,7 +100,7 @@ std::vector<Column> columns_of(const model::Model& m) {
   return columns;
 }
 
-std::vector<Cell> row_of(const analysis::SweepPoint& point) {
+std::vector<Cell> row_of(const solve::SweepPoint& point) {
   std::vector<Cell> row;
   for (std::size_t b = 0; b < point.model.bodies.size(); ++b) {
     if (point.model.bodies[b].free.empty() || point.model.bodies[b].beam >= 0) continue;
@@ -117,30 +117,30 @@ std::vector<Cell> row_of(const analysis::SweepPoint& point) {
   return row;
 }
 
-std::string end_words(const SweepRun& run, const analysis::Sweep& s) {
+std::string end_words(const SweepRun& run, const solve::Sweep& s) {
   const std::string value = Display().quantity(s.value, run.unit);
   switch (s.end) {
-    case SweepEnd::reached:
+    case solve::SweepEnd::reached:
       return {};
-    case SweepEnd::interrupted:
+    case solve::SweepEnd::interrupted:
       return fmt::format("was interrupted behind {} = {}", run.parameter, value);
-    case SweepEnd::no_machine:
+    case solve::SweepEnd::no_machine:
       return fmt::format("ends at {} = {}: beyond, there is no such machine: {}", run.parameter, value,
                          s.outcome.message);
-    case SweepEnd::turning_point:
+    case solve::SweepEnd::turning_point:
       return fmt::format(
           "ends at {} = {}, a turning point: the equilibrium turns back there and beyond the machine has none, or "
           "jumps "
           "to another: {}",
           run.parameter, value, s.outcome.message);
-    case SweepEnd::no_equilibrium:
+    case solve::SweepEnd::no_equilibrium:
       return fmt::format("ends at {} = {}: beyond, there is no equilibrium: {}", run.parameter, value,
                          s.outcome.message);
   }
   return {};
 }
 
-void add_plots(const SweepRun& run, const model::Model& m, const analysis::Sweep& s, Result& r) {
+void add_plots(const SweepRun& run, const machine::Model& m, const solve::Sweep& s, Result& r) {
   const auto plot = [&](const std::string& name, const std::string& title, const Axis& y) {
     Plot p;
     p.name = name + run.ending;
@@ -162,7 +162,7 @@ void add_plots(const SweepRun& run, const model::Model& m, const analysis::Sweep
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
   }
-  if (s.end != SweepEnd::reached) {
+  if (s.end != solve::SweepEnd::reached) {
     tensions.marks.push_back({s.value, tensions.curves.front().y.back(), "ends", false});
   }
   r.figures.emplace_back(std::move(tensions));
@@ -175,8 +175,8 @@ void add_plots(const SweepRun& run, const model::Model& m, const analysis::Sweep
 }
 
 /// The values that were asked for beyond the one where the sweep ends.
-void note_values_lost(const SweepRun& run, const analysis::Sweep& s, Result& r) {
-  if (s.end == SweepEnd::reached || s.end == SweepEnd::interrupted) return;
+void note_values_lost(const SweepRun& run, const solve::Sweep& s, Result& r) {
+  if (s.end == solve::SweepEnd::reached || s.end == solve::SweepEnd::interrupted) return;
   int lost = 0;
   double first = run.to;
   for (int i = run.steps; i >= 0; --i) {
@@ -190,13 +190,13 @@ void note_values_lost(const SweepRun& run, const analysis::Sweep& s, Result& r) 
                        fmt::format("{} = {}", run.parameter, Display().quantity(first, run.unit)), s.outcome.message});
 }
 
-void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep& s, Result& r) {
-  if (s.points.empty() && s.end == SweepEnd::interrupted) return;
+void add_results(MachineRun& machine, const SweepRun& run, const solve::Sweep& s, Result& r) {
+  if (s.points.empty() && s.end == solve::SweepEnd::interrupted) return;
   if (s.points.empty()) {
     note_failure(r, s.outcome, fmt::format("sweep, {} = {}", run.parameter, Display().quantity(run.from, run.unit)));
     return;
   }
-  const model::Model& m = s.points.front().model;
+  const machine::Model& m = s.points.front().model;
   Table t{"sweep" + run.ending, fmt::format("Equilibrium over {}, {}", run.parameter, run.words), {}, {}};
   t.columns = columns_of(m);
   t.columns.insert(t.columns.begin(), {"value", run.unit});
@@ -220,17 +220,17 @@ void add_results(MachineRun& machine, const SweepRun& run, const analysis::Sweep
   for (const auto& point : s.points) {
     const std::string at =
         fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
-    machine.checked->take(point.model, point.at, at, analysis_name(run.ending, "sweep"));
+    machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
   }
-  const analysis::SweepPoint& first = s.points.front();
+  const solve::SweepPoint& first = s.points.front();
   machine.others.push_back(
       {fmt::format("{} = {}, {}", run.parameter, Display().quantity(first.value, run.unit), run.words), first.model,
        first.at, true});
 }
 
-void resolve_values(const SweepRequest& request, const std::string& path, Preparation& p, SweepRun& run) {
-  model::Machine machine = p.machine;
-  const auto parameter = find_parameter(model::Machine::describe(), &machine, request.parameter);
+void resolve_values(const study::SweepRequest& request, const std::string& path, Preparation& p, SweepRun& run) {
+  machine::Machine machine = p.machine;
+  const auto parameter = study::find_parameter(machine::Machine::describe(), &machine, request.parameter);
   if (!parameter) {
     p.complaints.push_back({path + ".parameter", parameter.error()});
     return;
@@ -258,13 +258,13 @@ void resolve_values(const SweepRequest& request, const std::string& path, Prepar
   read(request.to, "to", run.to);
   if (run.from == run.to) p.complaints.push_back({path + ".to", "is the same value as 'from'"});
   if (below_machine(request.parameter) == "temperature") {
-    require_references(p.machine, path + ".parameter", p.complaints);
+    study::require_references(p.machine, path + ".parameter", p.complaints);
   }
 }
 
 }  // namespace
 
-Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_sweep(const study::SweepRequest& request, const std::string& path, Preparation& p) {
   const auto run = std::make_shared<SweepRun>();
   run->ending = ending_of(p, "sweep", request.name, path);
   run->words = words_of(request.motion);
@@ -273,29 +273,29 @@ Analysis prepare_sweep(const SweepRequest& request, const std::string& path, Pre
   run->steps = request.steps;
   run->held = request.held;
   run->machine = &p.machine;
-  options_of(request.motion, p.model, path + ".motion", p.complaints);
+  study::options_of(request.motion, p.model, path + ".motion", p.complaints);
   resolve_values(request, path, p, *run);
   run->prescribed = prescribed_of(request.carriage, request.x, request.along, path, p);
   return [run](MachineRun& machine, Result& r) {
     std::vector<Complaint> told_before;
-    model::Model base = machine.model;
+    machine::Model base = machine.model;
     if (run->prescribed)
-      base = model::with_carriage_at(base, run->prescribed->carriage, run->prescribed->x, run->prescribed->along);
-    analysis::SweepOptions options;
+      base = machine::with_carriage_at(base, run->prescribed->carriage, run->prescribed->x, run->prescribed->along);
+    solve::SweepOptions options;
     options.from = run->from;
     options.to = run->to;
     options.steps = run->steps;
-    options.equilibrium = options_of(run->motion, base, {}, told_before);
+    options.equilibrium = study::options_of(run->motion, base, {}, told_before);
     options.equilibrium.prescribed = run->prescribed;
     options.equilibrium.held = run->held;
     const auto at = [&](double value) { return model_at(*run, base, value); };
-    Watch watch(machine.progress, "sweep" + run->ending, run->steps + 1);
+    study::Watch watch(machine.progress, "sweep" + run->ending, run->steps + 1);
     options.go_on = [&](double value) {
       return watch.go_on(fmt::format("{} = {}", run->parameter, Display().quantity(value, run->unit)));
     };
-    add_results(machine, *run, analysis::sweep(at, options), r);
+    add_results(machine, *run, solve::sweep(at, options), r);
     watch.note(r);
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -12,10 +12,10 @@
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/results/motion/transient_tables.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::TransientFrame;
+using solve::TransientFrame;
 
 constexpr std::size_t most_curves_in_plot = 6;
 constexpr std::size_t most_events = 10;
@@ -57,19 +57,19 @@ std::vector<PlaneView> views_of(const TransientRun& run) {
 }
 
 /// Lines from the origin of each body to what sits on it.
-std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const TransientFrame& frame) {
+std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m, const solve::TransientFrame& frame) {
   std::vector<std::array<Vector3, 2>> lines;
   std::set<std::pair<int, std::string>> drawn;
-  for (const model::Reeving& rope : m.reevings) {
-    for (const model::Node& node : rope.nodes) {
-      if (node.at.body == model::ground || node.at.at.norm() == 0) continue;
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
       if (!drawn.insert({node.at.body, node.name}).second) continue;
       const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
       lines.push_back({body.position, body.position + body.orientation * node.at.at});
     }
   }
-  for (const model::Face& face : m.faces) {
-    const auto* body = face.body == model::ground ? nullptr : &frame.bodies[static_cast<std::size_t>(face.body)];
+  for (const machine::Face& face : m.faces) {
+    const auto* body = face.body == machine::ground ? nullptr : &frame.bodies[static_cast<std::size_t>(face.body)];
     const auto place = [&](const Vector3& at) -> Vector3 {
       return body == nullptr ? at : Vector3(body->position + body->orientation * at);
     };
@@ -80,8 +80,8 @@ std::vector<std::array<Vector3, 2>> body_lines(const model::Model& m, const Tran
 }
 
 Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
-  const model::Model& m = run.model;
-  const TransientFrame& frame = run.result.frames[index];
+  const machine::Model& m = run.model;
+  const solve::TransientFrame& frame = run.result.frames[index];
   Drawing d;
   d.name = fmt::format("motion{}_{}", run.ending, index);
   d.title = title;
@@ -137,11 +137,11 @@ void add_drawings(const TransientRun& run, Result& r) {
 }
 
 /// Driven sheaves and rope loads: where they begin to slip or hold, the machine does something else.
-std::set<std::string> gripping_places(const model::Model& model) {
+std::set<std::string> gripping_places(const machine::Model& model) {
   std::set<std::string> names;
-  for (const model::Reeving& rope : model.reevings) {
-    for (const model::Node& node : rope.nodes) {
-      if (node.motor >= 0 || (node.kind == model::NodeKind::load && node.load.part == 0)) names.insert(node.name);
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.motor >= 0 || (node.kind == machine::NodeKind::load && node.load.part == 0)) names.insert(node.name);
     }
   }
   return names;
@@ -218,8 +218,8 @@ Animation animation_of(const TransientRun& run, const PlaneView& view) {
     }
   }
   for (std::size_t i = 0; i < run.model.observed.size() && a.readouts.size() < most_readouts; ++i) {
-    const model::Observable& o = run.model.observed[i];
-    const bool end = o.quantity == model::Quantity::T_start || o.quantity == model::Quantity::T_end;
+    const machine::Observable& o = run.model.observed[i];
+    const bool end = o.quantity == machine::Quantity::T_start || o.quantity == machine::Quantity::T_end;
     if (!end) a.readouts.push_back({o.name, o.unit, run.result.observed[i]});
   }
   return a;
@@ -322,4 +322,4 @@ void add_transient_figures(const TransientRun& run, Result& r) {
   r.scenes.push_back(scene_of(run));
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -11,22 +11,22 @@
 #include "taut/checks/motion_checks.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/motion/transient_figures.hpp"
-#include "taut/results/motion/transient_tables.hpp"
 #include "taut/results/motion/transient_state.hpp"
+#include "taut/results/motion/transient_tables.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
 constexpr double most_lines = 1e6, most_numbers = 1e8;
 constexpr double usual_tolerance = 1e-6, coarse_tolerance = 1e-3;
 
-double lines_of(const TransientRequest& request) {
+double lines_of(const study::TransientRequest& request) {
   const double step = request.output_step.value_or(request.duration / 1000);
   return std::ceil(request.duration / step * (1 - 1e-9)) + 1;
 }
 
 /// t and what is observed.
-std::size_t series_columns(const model::Model& model) { return 1 + model.observed.size(); }
+std::size_t series_columns(const machine::Model& model) { return 1 + model.observed.size(); }
 
 /// It becomes a file's name in the folder of the results.
 bool is_plain_name(const std::string& name) {
@@ -34,7 +34,7 @@ bool is_plain_name(const std::string& name) {
          name.find('\\') == std::string::npos;
 }
 
-void check_names(const TransientRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+void check_names(const study::TransientRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
   if (!request.save) return;
   if (!is_plain_name(*request.save)) {
     complaints.push_back({path + ".save", "a file's name is expected; the state goes to the folder of the results"});
@@ -45,13 +45,14 @@ void check_names(const TransientRequest& request, const std::string& path, std::
 }
 
 /// Speeds whose signal a deck without signals named.
-void check_signals(const model::Machine& machine, const model::Model& model, std::vector<Complaint>& complaints) {
-  const auto check = [&](const model::Drive& drive, const std::string& path) {
-    if (drive.kind == model::DriveKind::held || !std::isnan(model::at(drive.signal, 0).value)) return;
+void check_signals(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
+  const auto check = [&](const machine::Drive& drive, const std::string& path) {
+    if (drive.kind == machine::DriveKind::held || !std::isnan(machine::at(drive.signal, 0).value)) return;
     complaints.push_back({path, fmt::format("there is no signal '{}'", drive.signal.name)});
   };
-  for (const model::Drum& drum : model.drums) check(drum.drive, fmt::format("machine.drums.{}.drive.speed", drum.name));
-  for (const model::Motor& motor : model.motors) {
+  for (const machine::Drum& drum : model.drums)
+    check(drum.drive, fmt::format("machine.drums.{}.drive.speed", drum.name));
+  for (const machine::Motor& motor : model.motors) {
     const bool sheave = std::any_of(machine.sheaves.begin(), machine.sheaves.end(),
                                     [&](const auto& one) { return one.name == motor.name; });
     check(motor.drive, fmt::format("machine.{}.{}.motor.speed", sheave ? "sheaves" : "supports", motor.name));
@@ -59,14 +60,14 @@ void check_signals(const model::Machine& machine, const model::Model& model, std
 }
 
 /// A cylinder that is ever locked, or moves by a speed, is as stiff as the deck says.
-void check_actuators(const model::Model& model, std::vector<Complaint>& complaints) {
+void check_actuators(const machine::Model& model, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < model.actuators.size(); ++i) {
-    const model::Actuator& one = model.actuators[i];
-    const bool locks = std::any_of(model.events.begin(), model.events.end(), [&](const model::Event& e) {
-      return e.kind == model::EventKind::actuator && e.index == static_cast<int>(i) &&
-             e.mode == model::ActuatorMode::lock;
+    const machine::Actuator& one = model.actuators[i];
+    const bool locks = std::any_of(model.events.begin(), model.events.end(), [&](const machine::Event& e) {
+      return e.kind == machine::EventKind::actuator && e.index == static_cast<int>(i) &&
+             e.mode == machine::ActuatorMode::lock;
     });
-    const bool held = locks || one.mode == model::ActuatorMode::lock || one.kind == model::ActuatorKind::speed;
+    const bool held = locks || one.mode == machine::ActuatorMode::lock || one.kind == machine::ActuatorKind::speed;
     if (!held || one.lock_stiffness > 0) continue;
     complaints.push_back({fmt::format("machine.actuators.{}", one.name),
                           "is locked or moves by a speed: a motion needs its 'lock_stiffness'"});
@@ -84,7 +85,7 @@ void check_rope_loads(const Preparation& p, std::vector<Complaint>& complaints) 
   }
   for (std::size_t i = 0; i < p.machine.take_up.size(); ++i) {
     const auto& given = p.machine.take_up[i];
-    for (const model::Body& body : p.model.bodies) {
+    for (const machine::Body& body : p.model.bodies) {
       if (!given.weight || body.name != given.body || body.free.size() <= 1) continue;
       complaints.push_back({fmt::format("machine.take_up[{}].weight", i),
                             "in motion a weight hangs on a body with one way to move ('guide'); else make it a body on "
@@ -104,9 +105,9 @@ int slid_index(const Things& things, const char* kind, const std::string& name, 
 }
 
 /// What has moved slowly before a sliding start, with all names resolved.
-std::vector<analysis::Slid> slid_of(const TransientRequest& request, const std::string& path, Preparation& p) {
-  std::vector<analysis::Slid> all;
-  const bool slides = request.start == TransientRequest::Start::sliding;
+std::vector<solve::Slid> slid_of(const study::TransientRequest& request, const std::string& path, Preparation& p) {
+  std::vector<solve::Slid> all;
+  const bool slides = request.start == study::TransientRequest::Start::sliding;
   if (slides && request.slid.empty()) {
     p.complaints.push_back({path + ".start", "'sliding' needs 'slid': what has moved slowly, and how far"});
   }
@@ -114,9 +115,9 @@ std::vector<analysis::Slid> slid_of(const TransientRequest& request, const std::
     p.complaints.push_back({path + ".slid", "belongs to a start 'sliding'"});
   }
   for (std::size_t i = 0; i < request.slid.size(); ++i) {
-    const SlidRequest& one = request.slid[i];
+    const study::SlidRequest& one = request.slid[i];
     const std::string at = fmt::format("{}.slid[{}]", path, i);
-    analysis::Slid slid;
+    solve::Slid slid;
     slid.by = one.by;
     slid.drum = one.drum.has_value();
     slid.index = slid.drum ? slid_index(p.model.drums, "drum", *one.drum, at + ".drum", p.complaints)
@@ -125,8 +126,8 @@ std::vector<analysis::Slid> slid_of(const TransientRequest& request, const std::
     if (one.by == 0) p.complaints.push_back({at + ".by", "is no way"});
     const auto index = static_cast<std::size_t>(slid.index);
     if (slid.drum) {
-      const model::Drive& drive = p.model.drums[index].drive;
-      if (!drive.brake && drive.kind != model::DriveKind::held && drive.kind != model::DriveKind::speed) {
+      const machine::Drive& drive = p.model.drums[index].drive;
+      if (!drive.brake && drive.kind != machine::DriveKind::held && drive.kind != machine::DriveKind::speed) {
         p.complaints.push_back({at + ".drum", "turns by a force: only rope that is held comes slowly into its place"});
       }
     } else if (!(p.model.actuators[index].lock_stiffness > 0)) {
@@ -138,20 +139,20 @@ std::vector<analysis::Slid> slid_of(const TransientRequest& request, const std::
 }
 
 /// A machine without inertia: what would need its mass to have an answer.
-void check_quasi_static(const TransientRequest& request, const std::string& path, Preparation& p) {
+void check_quasi_static(const study::TransientRequest& request, const std::string& path, Preparation& p) {
   if (!request.quasi_static) return;
-  if (request.method != TransientRequest::Method::implicit) {
+  if (request.method != study::TransientRequest::Method::implicit) {
     p.complaints.push_back({path + ".method", "a quasi-static motion has its own steps"});
   }
   for (std::size_t i = 0; i < p.model.actuators.size(); ++i) {
-    const model::Actuator& one = p.model.actuators[i];
-    if (one.kind != model::ActuatorKind::law || one.lock_stiffness > 0) continue;
+    const machine::Actuator& one = p.model.actuators[i];
+    if (one.kind != machine::ActuatorKind::law || one.lock_stiffness > 0) continue;
     p.complaints.push_back({fmt::format("machine.actuators.{}", one.name),
                             "follows its reference speed in a quasi-static motion: it needs its 'lock_stiffness'"});
   }
 }
 
-void check(const TransientRequest& request, const std::string& path, Preparation& p) {
+void check(const study::TransientRequest& request, const std::string& path, Preparation& p) {
   std::vector<Complaint>& complaints = p.complaints;
   const double step = request.output_step.value_or(request.duration / 1000);
   if (step > request.duration) complaints.push_back({path + ".output_step", "is longer than the duration"});
@@ -169,13 +170,13 @@ void check(const TransientRequest& request, const std::string& path, Preparation
   if (request.step && *request.step > request.duration) {
     complaints.push_back({path + ".step", "is longer than the duration"});
   }
-  if (request.step && request.method == TransientRequest::Method::reference) {
+  if (request.step && request.method == study::TransientRequest::Method::reference) {
     complaints.push_back({path + ".step", "the reference chooses its steps itself; leave it away"});
   }
   check_names(request, path, complaints);
   check_signals(p.machine, p.model, complaints);
-  check_inertia(p.machine, p.model, complaints);
-  check_masses(p.machine, p.model, request.rope_mass, complaints);
+  checks::check_inertia(p.machine, p.model, complaints);
+  checks::check_masses(p.machine, p.model, request.rope_mass, complaints);
   check_actuators(p.model, complaints);
   check_rope_loads(p, complaints);
   check_quasi_static(request, path, p);
@@ -184,28 +185,28 @@ void check(const TransientRequest& request, const std::string& path, Preparation
 
 }  // namespace
 
-analysis::Start start_of(TransientRequest::Start start) {
+solve::Start start_of(study::TransientRequest::Start start) {
   switch (start) {
-    case TransientRequest::Start::settled:
-      return analysis::Start::settled;
-    case TransientRequest::Start::sliding:
-      return analysis::Start::sliding;
-    case TransientRequest::Start::assembled:
+    case study::TransientRequest::Start::settled:
+      return solve::Start::settled;
+    case study::TransientRequest::Start::sliding:
+      return solve::Start::sliding;
+    case study::TransientRequest::Start::assembled:
       break;
   }
-  return analysis::Start::assembled;
+  return solve::Start::assembled;
 }
 
-analysis::Branches branches_of(TransientRequest::Branches branches) {
+solve::Branches branches_of(study::TransientRequest::Branches branches) {
   switch (branches) {
-    case TransientRequest::Branches::catenary:
-      return analysis::Branches::catenary;
-    case TransientRequest::Branches::by_weight:
-      return analysis::Branches::by_weight;
-    case TransientRequest::Branches::straight:
+    case study::TransientRequest::Branches::catenary:
+      return solve::Branches::catenary;
+    case study::TransientRequest::Branches::by_weight:
+      return solve::Branches::by_weight;
+    case study::TransientRequest::Branches::straight:
       break;
   }
-  return analysis::Branches::straight;
+  return solve::Branches::straight;
 }
 
 std::string words_of(const TransientRun& run) {
@@ -213,21 +214,22 @@ std::string words_of(const TransientRun& run) {
 }
 
 double energy_tolerance(const TransientRun& run) {
-  const TransientRequest& request = run.request;
-  const bool as_given = request.step || request.quasi_static || request.method == TransientRequest::Method::verlet;
+  const study::TransientRequest& request = run.request;
+  const bool as_given =
+      request.step || request.quasi_static || request.method == study::TransientRequest::Method::verlet;
   return request.tolerance.value_or(as_given ? coarse_tolerance : usual_tolerance);
 }
 
-void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress, CheckedParts* checked) {
-  const TransientRequest& request = run.request;
-  analysis::TransientOptions& o = run.options;
+void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress, checks::CheckedParts* checked) {
+  const study::TransientRequest& request = run.request;
+  solve::TransientOptions& o = run.options;
   o.duration = request.duration;
   o.output_step = request.output_step.value_or(0);
   o.step = request.step.value_or(0);
-  const bool explicit_steps = request.method == TransientRequest::Method::verlet;
+  const bool explicit_steps = request.method == study::TransientRequest::Method::verlet;
   o.tolerance = request.tolerance.value_or(explicit_steps ? coarse_tolerance : usual_tolerance);
-  o.method = explicit_steps ? analysis::TimeMethod::verlet : analysis::TimeMethod::implicit;
-  if (request.method == TransientRequest::Method::reference) o.method = analysis::TimeMethod::reference;
+  o.method = explicit_steps ? solve::TimeMethod::verlet : solve::TimeMethod::implicit;
+  if (request.method == study::TransientRequest::Method::reference) o.method = solve::TimeMethod::reference;
   o.start = start_of(request.start);
   o.slid = run.slid;
   o.quasi_static = request.quasi_static;
@@ -251,17 +253,17 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
                                    begin + run.request.duration, lines_of(run.request), series_columns(run.model))});
     };
   }
-  const std::string words = words_of(run), name = analysis_name(run.ending, "transient");
-  const auto before = checked == nullptr ? nullptr : std::make_shared<const CheckedParts>(*checked);
+  const std::string words = words_of(run), name = checks::analysis_name(run.ending, "transient");
+  const auto before = checked == nullptr ? nullptr : std::make_shared<const checks::CheckedParts>(*checked);
   o.anew = [&] {
     run.record = {};
     if (checked != nullptr) *checked = *before;
   };
-  o.take = [&](const analysis::TransientResult& so_far) {
+  o.take = [&](const solve::TransientResult& so_far) {
     run.record.take(run.model, so_far);
     if (checked != nullptr) checked->take_moment(run.model, so_far, words, name);
   };
-  run.result = analysis::transient(run.model, o);
+  run.result = solve::transient(run.model, o);
   o.anew = {};
   o.take = {};
   if (checked != nullptr) checked->take(run.model, run.result, run.record.slips(), words);
@@ -269,7 +271,7 @@ void solve(TransientRun& run, const std::function<bool(const Progress&)>& progre
 }
 
 void add_transient(const TransientRun& run, Result& r) {
-  const analysis::TransientResult& result = run.result;
+  const solve::TransientResult& result = run.result;
   if (result.interrupted && !r.interrupted) {
     r.interrupted = true;
     r.status = Status::not_converged;
@@ -286,7 +288,7 @@ void add_transient(const TransientRun& run, Result& r) {
   if (run.request.save) r.attachments.push_back({*run.request.save, to_json(result.state, run.model)});
 }
 
-Analysis prepare_transient(const TransientRequest& request, const std::string& path, Preparation& p) {
+Analysis prepare_transient(const study::TransientRequest& request, const std::string& path, Preparation& p) {
   check(request, path, p);
   TransientRun run;
   run.ending = ending_of(p, "transient", request.name, path);
@@ -306,4 +308,4 @@ Analysis prepare_transient(const TransientRequest& request, const std::string& p
   };
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

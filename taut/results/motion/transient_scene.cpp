@@ -7,26 +7,26 @@
 #include <cmath>
 #include <map>
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::TransientFrame;
+using solve::TransientFrame;
 
 constexpr double arc_step = 0.3;  ///< rad
 constexpr double largest_arc = 40;
 
-Matrix3 orientation_of(const TransientFrame& frame, int body) {
-  return body == model::ground ? Matrix3(Matrix3::Identity())
-                               : frame.bodies[static_cast<std::size_t>(body)].orientation;
+Matrix3 orientation_of(const solve::TransientFrame& frame, int body) {
+  return body == machine::ground ? Matrix3(Matrix3::Identity())
+                                 : frame.bodies[static_cast<std::size_t>(body)].orientation;
 }
 
-Vector3 place_of(const TransientFrame& frame, const model::Place& place) {
-  if (place.body == model::ground) return place.at;
+Vector3 place_of(const solve::TransientFrame& frame, const machine::Place& place) {
+  if (place.body == machine::ground) return place.at;
   const auto& body = frame.bodies[static_cast<std::size_t>(place.body)];
   return body.position + body.orientation * place.at;
 }
 
-const TransientFrame::Contact* contact_at(const TransientFrame& frame, int reeving, int node) {
+const solve::TransientFrame::Contact* contact_at(const solve::TransientFrame& frame, int reeving, int node) {
   for (const auto& c : frame.contacts) {
     if (c.reeving == reeving && c.node == node) return &c;
   }
@@ -34,7 +34,8 @@ const TransientFrame::Contact* contact_at(const TransientFrame& frame, int reevi
 }
 
 /// The rope on a round from where it arrives, without that point and the last one.
-void add_arc(const model::Node& node, const TransientFrame& frame, double wrap, double tension, RopePart& part) {
+void add_arc(const machine::Node& node, const solve::TransientFrame& frame, double wrap, double tension,
+             RopePart& part) {
   if (node.radius <= 0 || part.points.empty() || !(wrap > 0)) return;
   const Vector3 centre = place_of(frame, node.at);
   const Vector3 axis = orientation_of(frame, node.at.body) * node.axis;
@@ -47,9 +48,9 @@ void add_arc(const model::Node& node, const TransientFrame& frame, double wrap, 
   }
 }
 
-double radius_now(const model::Model& m, const model::Node& node, const TransientFrame& frame) {
+double radius_now(const machine::Model& m, const machine::Node& node, const solve::TransientFrame& frame) {
   if (node.drum < 0 || static_cast<std::size_t>(node.drum) >= frame.drums.size()) return node.radius;
-  const model::Drum& drum = m.drums[static_cast<std::size_t>(node.drum)];
+  const machine::Drum& drum = m.drums[static_cast<std::size_t>(node.drum)];
   const int layer = frame.drums[static_cast<std::size_t>(node.drum)].layer;
   if (drum.layer < 1 || layer == drum.layer) return node.radius;
   // the deck's radius is core + (layer - 1/2) d of its own layer
@@ -59,15 +60,15 @@ double radius_now(const model::Model& m, const model::Node& node, const Transien
 
 class Parts {
  public:
-  Parts(const model::Model& model, const TransientFrame& frame, const TransientFrame& first)
+  Parts(const machine::Model& model, const solve::TransientFrame& frame, const solve::TransientFrame& first)
       : model_(model), frame_(frame), first_(first) {}
 
   std::vector<HeldPart> all() {
     for (std::size_t r = 0; r < model_.reevings.size(); ++r) {
-      const model::Reeving& rope = model_.reevings[r];
+      const machine::Reeving& rope = model_.reevings[r];
       for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
         HeldPart& part = part_of(rope.nodes[n]);
-        const TransientFrame::Contact* c = contact_at(frame_, static_cast<int>(r), static_cast<int>(n));
+        const solve::TransientFrame::Contact* c = contact_at(frame_, static_cast<int>(r), static_cast<int>(n));
         if (c != nullptr) {
           part.force += rope.copies * c->force;
           part.turned = rope.nodes[n].side * c->angle;
@@ -81,7 +82,7 @@ class Parts {
   }
 
  private:
-  HeldPart& part_of(const model::Node& node) {
+  HeldPart& part_of(const machine::Node& node) {
     const auto at = index_.find(node.name);
     if (at != index_.end()) {
       HeldPart& part = parts_[at->second];
@@ -94,7 +95,7 @@ class Parts {
     part.at = place_of(frame_, node.at);
     part.radius = radius_now(model_, node, frame_);
     part.axis = orientation_of(frame_, node.at.body) * node.axis;
-    part.moves = node.at.body != model::ground && !model_.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+    part.moves = node.at.body != machine::ground && !model_.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
     parts_.push_back(std::move(part));
     return parts_.back();
   }
@@ -109,23 +110,23 @@ class Parts {
   }
 
   /// Rope that is taken in at the start of a path runs against it.
-  void turn_drum(HeldPart& part, const model::Node& node, bool at_start) const {
+  void turn_drum(HeldPart& part, const machine::Node& node, bool at_start) const {
     const auto i = static_cast<std::size_t>(node.drum);
     if (i >= frame_.drums.size() || part.radius <= 0) return;
     const double taken = frame_.drums[i].content - first_.drums[i].content;
     part.turned = node.side * (at_start ? -1 : 1) * taken / part.radius;
   }
 
-  void add_ends(const TransientFrame::Branch& b) {
-    const model::Reeving& rope = model_.reevings[static_cast<std::size_t>(b.reeving)];
+  void add_ends(const solve::TransientFrame::Branch& b) {
+    const machine::Reeving& rope = model_.reevings[static_cast<std::size_t>(b.reeving)];
     const Vector3 way = b.end - b.start;
     if (!b.whole || way.norm() == 0) return;
     const auto is_anchor = [&](int n) {
-      return rope.nodes[static_cast<std::size_t>(n)].kind == model::NodeKind::anchor;
+      return rope.nodes[static_cast<std::size_t>(n)].kind == machine::NodeKind::anchor;
     };
     // of a rope in segments only the outer ones end at a node
     const auto near = [&](int n, const Vector3& end) {
-      const model::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+      const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
       return (end - place_of(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
     };
     if (is_anchor(b.from) && near(b.from, b.start)) {
@@ -136,9 +137,9 @@ class Parts {
     }
   }
 
-  const model::Model& model_;
-  const TransientFrame& frame_;
-  const TransientFrame& first_;
+  const machine::Model& model_;
+  const solve::TransientFrame& frame_;
+  const solve::TransientFrame& first_;
   std::vector<HeldPart> parts_;
   std::map<std::string, std::size_t> index_;
 };
@@ -150,7 +151,7 @@ void add_lines(const TransientRun& run, Scene& scene) {
     const std::vector<RopePart> parts = rope_parts(run.model, run.result.frames[i]);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (i == 0) {
-        const model::Reeving& rope = run.model.reevings[static_cast<std::size_t>(parts[k].reeving)];
+        const machine::Reeving& rope = run.model.reevings[static_cast<std::size_t>(parts[k].reeving)];
         scene.lines.push_back({fmt::format("{}[{}]", rope.name, parts[k].from + 1),
                                parts[k].reeving == 0 ? Role::rope : Role::second_rope,
                                {},
@@ -183,10 +184,10 @@ void add_points(const TransientRun& run, Scene& scene) {
 
 }  // namespace
 
-std::vector<RopePart> rope_parts(const model::Model& m, const TransientFrame& frame) {
+std::vector<RopePart> rope_parts(const machine::Model& m, const solve::TransientFrame& frame) {
   std::vector<RopePart> parts;
   for (std::size_t r = 0; r < m.reevings.size(); ++r) {
-    for (int k = 0; k < model::branch_count(m.reevings[r]); ++k) parts.push_back({static_cast<int>(r), k, {}, {}});
+    for (int k = 0; k < machine::branch_count(m.reevings[r]); ++k) parts.push_back({static_cast<int>(r), k, {}, {}});
   }
   const auto part_at = [&](int reeving, int from) -> RopePart* {
     for (RopePart& part : parts) {
@@ -210,15 +211,16 @@ std::vector<RopePart> rope_parts(const model::Model& m, const TransientFrame& fr
     part->tension.push_back(b.T_to);
   }
   for (const auto& c : frame.contacts) {
-    const model::Reeving& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
-    const auto count = model::branch_count(rope);
+    const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
+    const auto count = machine::branch_count(rope);
     RopePart* before = part_at(c.reeving, rope.closed ? (c.node + count - 1) % count : c.node - 1);
     if (before != nullptr) add_arc(rope.nodes[static_cast<std::size_t>(c.node)], frame, c.wrap, c.T_out, *before);
   }
   return parts;
 }
 
-std::vector<HeldPart> held_parts(const model::Model& m, const TransientFrame& frame, const TransientFrame& first) {
+std::vector<HeldPart> held_parts(const machine::Model& m, const solve::TransientFrame& frame,
+                                 const solve::TransientFrame& first) {
   return Parts(m, frame, first).all();
 }
 
@@ -231,4 +233,4 @@ Scene scene_of(const TransientRun& run) {
   return scene;
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

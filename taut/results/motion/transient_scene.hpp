@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/results/motion/transient_run.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 /// Where something round or a body is in one frame, and what the ropes do to it.
 struct HeldPart {
@@ -21,12 +21,12 @@ struct RopePart {
   std::vector<double> tension;  ///< N, by point
 };
 
-std::vector<RopePart> rope_parts(const model::Model& model, const analysis::TransientFrame& frame);
+std::vector<RopePart> rope_parts(const machine::Model& model, const solve::TransientFrame& frame);
 /// In the order of their first node along the ropes; each name once.
-std::vector<HeldPart> held_parts(const model::Model& model, const analysis::TransientFrame& frame,
-                                 const analysis::TransientFrame& first);
+std::vector<HeldPart> held_parts(const machine::Model& model, const solve::TransientFrame& frame,
+                                 const solve::TransientFrame& first);
 
 /// All frames as a scene in space.
 Scene scene_of(const TransientRun& run);
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -8,10 +8,10 @@
 
 #include "taut/units/display.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::DynamicState;
+using solve::DynamicState;
 using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;
@@ -66,26 +66,26 @@ Matrix3 matrix_in(const Json& j) {
   return m;
 }
 
-Json signal(const model::Signal& s) {
+Json signal(const machine::Signal& s) {
   Json j = {{"name", s.name}, {"unit", s.unit.symbol}};
   if (const auto* constant = std::get_if<double>(&s.law)) j["constant"] = json_number(*constant);
-  if (const auto* moves = std::get_if<model::Moves>(&s.law)) {
+  if (const auto* moves = std::get_if<machine::Moves>(&s.law)) {
     Json list = Json::array();
-    for (const model::Move& m : moves->moves)
+    for (const machine::Move& m : moves->moves)
       list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), m.smooth});
     j["moves"] = {{"from", json_number(moves->from)}, {"list", std::move(list)}};
   }
-  if (const auto* curve = std::get_if<model::Curve>(&s.law)) {
+  if (const auto* curve = std::get_if<machine::Curve>(&s.law)) {
     j["curve"] = {{"t", numbers(curve->t)}, {"value", numbers(curve->value)}, {"slopes", numbers(curve->slopes)}};
   }
-  if (const auto* sine = std::get_if<model::Sine>(&s.law)) {
+  if (const auto* sine = std::get_if<machine::Sine>(&s.law)) {
     j["sine"] = numbers({sine->mean, sine->amplitude, sine->omega, sine->phase});
   }
   return j;
 }
 
-model::Signal signal_in(const Json& j) {
-  model::Signal s;
+machine::Signal signal_in(const Json& j) {
+  machine::Signal s;
   s.name = j.at("name").get<std::string>();
   const auto symbol = j.at("unit").get<std::string>();
   for (const Unit& unit : display_kinds()) {
@@ -93,7 +93,7 @@ model::Signal signal_in(const Json& j) {
   }
   if (j.contains("constant")) s.law = number_in(j["constant"]);
   if (j.contains("moves")) {
-    model::Moves moves;
+    machine::Moves moves;
     moves.from = number_in(j["moves"].at("from"));
     for (const Json& m : j["moves"].at("list")) {
       moves.moves.push_back({number_in(m.at(0)), number_in(m.at(1)), number_in(m.at(2)), m.at(3).get<bool>()});
@@ -102,33 +102,33 @@ model::Signal signal_in(const Json& j) {
   }
   if (j.contains("curve")) {
     const Json& c = j["curve"];
-    s.law = model::Curve{numbers_in(c.at("t")), numbers_in(c.at("value")), numbers_in(c.at("slopes"))};
+    s.law = machine::Curve{numbers_in(c.at("t")), numbers_in(c.at("value")), numbers_in(c.at("slopes"))};
   }
   if (j.contains("sine")) {
     const std::vector<double> x = numbers_in(j["sine"]);
-    s.law = model::Sine{x.at(0), x.at(1), x.at(2), x.at(3)};
+    s.law = machine::Sine{x.at(0), x.at(1), x.at(2), x.at(3)};
   }
   return s;
 }
 
-Json drives(const std::vector<model::Drive>& all) {
+Json drives(const std::vector<machine::Drive>& all) {
   Json list = Json::array();
-  for (const model::Drive& d : all) {
+  for (const machine::Drive& d : all) {
     list.push_back({{"kind", static_cast<int>(d.kind)}, {"brake", d.brake}, {"signal", signal(d.signal)}});
   }
   return list;
 }
-std::vector<model::Drive> drives_in(const Json& j) {
-  std::vector<model::Drive> all;
+std::vector<machine::Drive> drives_in(const Json& j) {
+  std::vector<machine::Drive> all;
   for (const Json& d : j) {
     const int kind = d.at("kind").get<int>();
-    if (kind < 0 || kind > static_cast<int>(model::DriveKind::pull)) throw std::out_of_range("kind of a drive");
-    all.push_back({static_cast<model::DriveKind>(kind), signal_in(d.at("signal")), d.at("brake").get<bool>()});
+    if (kind < 0 || kind > static_cast<int>(machine::DriveKind::pull)) throw std::out_of_range("kind of a drive");
+    all.push_back({static_cast<machine::DriveKind>(kind), signal_in(d.at("signal")), d.at("brake").get<bool>()});
   }
   return all;
 }
 
-Json bodies(const DynamicState& state) {
+Json bodies(const solve::DynamicState& state) {
   Json list = Json::array();
   for (const auto& b : state.bodies) {
     list.push_back({{"position", vector(b.position)},
@@ -139,7 +139,7 @@ Json bodies(const DynamicState& state) {
   return list;
 }
 
-Json ropes(const DynamicState& state) {
+Json ropes(const solve::DynamicState& state) {
   Json list = Json::array();
   for (const auto& r : state.ropes) {
     list.push_back({{"length", numbers(r.length)},
@@ -157,22 +157,22 @@ Json ropes(const DynamicState& state) {
   return list;
 }
 
-Json drums(const DynamicState& state) {
+Json drums(const solve::DynamicState& state) {
   Json list = Json::array();
   for (const auto& d : state.drums)
     list.push_back({{"content", json_number(d.content)}, {"layer", d.layer}, {"strain", numbers(d.strain)}});
   return list;
 }
 
-DynamicState state_in(const Json& j) {
-  DynamicState s;
+solve::DynamicState state_in(const Json& j) {
+  solve::DynamicState s;
   s.t = number_in(j.at("t"));
   for (const Json& b : j.at("bodies")) {
     s.bodies.push_back({vector_in(b.at("position")), matrix_in(b.at("orientation")), vector_in(b.at("velocity")),
                         vector_in(b.at("spin"))});
   }
   for (const Json& r : j.at("ropes")) {
-    DynamicState::Rope rope;
+    solve::DynamicState::Rope rope;
     rope.length = numbers_in(r.at("length"));
     rope.whole = r.at("whole").get<std::vector<std::uint8_t>>();
     rope.angle = numbers_in(r.at("angle"));
@@ -194,8 +194,8 @@ DynamicState state_in(const Json& j) {
   s.motor_drive = drives_in(j.at("motor_drive"));
   for (const Json& mode : j.at("actuator_mode")) {
     const int value = mode.get<int>();
-    if (value < 0 || value > static_cast<int>(model::ActuatorMode::free)) throw std::out_of_range("mode");
-    s.actuator_mode.push_back(static_cast<model::ActuatorMode>(value));
+    if (value < 0 || value > static_cast<int>(machine::ActuatorMode::free)) throw std::out_of_range("mode");
+    s.actuator_mode.push_back(static_cast<machine::ActuatorMode>(value));
   }
   s.damping_time = numbers_in(j.at("damping_time"));
   if (j.contains("memory")) s.memory = numbers_in(j.at("memory"));
@@ -210,7 +210,7 @@ Json names(const All& all) {
 }
 
 /// Why a state does not fit a machine; empty when it does.
-std::string misfit(const DynamicState& s, const Json& j, const model::Model& m) {
+std::string misfit(const solve::DynamicState& s, const Json& j, const machine::Model& m) {
   const auto same = [&](const char* key, const Json& own) { return j.at("machine").at(key) == own; };
   if (!same("bodies", names(m.bodies)) || s.bodies.size() != m.bodies.size()) return "its bodies are others";
   if (!same("ropes", names(m.reevings)) || s.ropes.size() != m.reevings.size()) return "its ropes are others";
@@ -220,9 +220,9 @@ std::string misfit(const DynamicState& s, const Json& j, const model::Model& m) 
   if (s.happened.size() != m.events.size()) return "its events are others";
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const std::size_t nodes = m.reevings[i].nodes.size();
-    const auto parts =
-        static_cast<std::size_t>(model::branch_count(m.reevings[i])) * static_cast<std::size_t>(m.reevings[i].segments);
-    const DynamicState::Rope& r = s.ropes[i];
+    const auto parts = static_cast<std::size_t>(machine::branch_count(m.reevings[i])) *
+                       static_cast<std::size_t>(m.reevings[i].segments);
+    const solve::DynamicState::Rope& r = s.ropes[i];
     const bool by_branch = r.length.size() == parts && r.whole.size() == parts;
     if (!by_branch || r.angle.size() != nodes || r.spin.size() != nodes || r.passed.size() != nodes ||
         r.wrap.size() != nodes || r.inside.size() != r.inside_velocity.size()) {
@@ -234,7 +234,7 @@ std::string misfit(const DynamicState& s, const Json& j, const model::Model& m) 
 
 }  // namespace
 
-std::string to_json(const DynamicState& state, const model::Model& model) {
+std::string to_json(const solve::DynamicState& state, const machine::Model& model) {
   Json j;
   j["taut_state"] = format;
   j["machine"] = {{"bodies", names(model.bodies)}, {"ropes", names(model.reevings)}, {"drums", names(model.drums)}};
@@ -247,20 +247,20 @@ std::string to_json(const DynamicState& state, const model::Model& model) {
   j["drum_drive"] = drives(state.drum_drive);
   j["motor_drive"] = drives(state.motor_drive);
   j["actuator_mode"] = Json::array();
-  for (const model::ActuatorMode mode : state.actuator_mode) j["actuator_mode"].push_back(static_cast<int>(mode));
+  for (const machine::ActuatorMode mode : state.actuator_mode) j["actuator_mode"].push_back(static_cast<int>(mode));
   j["damping_time"] = numbers(state.damping_time);
   j["memory"] = numbers(state.memory);
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-tl::expected<DynamicState, std::string> state_from_json(const std::string& text, const model::Model& model) {
+tl::expected<solve::DynamicState, std::string> state_from_json(const std::string& text, const machine::Model& model) {
   const Json j = Json::parse(text, nullptr, false);
   if (j.is_discarded() || !j.is_object() || !j.contains("taut_state")) {
     return tl::unexpected(std::string("it is no saved state of a transient"));
   }
   try {
     if (j.at("taut_state").get<int>() != format) return tl::unexpected(std::string("it is of another version of taut"));
-    DynamicState state = state_in(j);
+    solve::DynamicState state = state_in(j);
     if (const std::string why = misfit(state, j, model); !why.empty()) {
       return tl::unexpected(fmt::format("it is of another machine: {}", why));
     }
@@ -270,4 +270,4 @@ tl::expected<DynamicState, std::string> state_from_json(const std::string& text,
   }
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -8,27 +8,27 @@
 
 #include "taut/machine/compile/compile.hpp"
 
-namespace taut::app::transient_state_test {
+namespace taut::results::transient_state_test {
 
-model::Model winch() {
-  using model::description::PathElement;
-  model::Machine m;
-  model::description::Rope rope;
+machine::Model winch() {
+  using machine::description::PathElement;
+  machine::Machine m;
+  machine::description::Rope rope;
   rope.name = "hoist";
   rope.mass = 1;
   rope.stiffness = 1e7;
   m.ropes = {rope};
-  model::description::Drum drum;
+  machine::description::Drum drum;
   drum.name = "winch";
   drum.at = {0, 0, 20};
   drum.core_diameter = 0.4;
   m.drums = {drum};
-  model::description::Body load;
+  machine::description::Body load;
   load.name = "load";
   load.mass = 1000;
   load.free = {"z"};
   m.bodies = {load};
-  model::description::Reeving r;
+  machine::description::Reeving r;
   r.rope = "hoist";
   r.path.resize(2);
   r.path[0].drum = "winch";
@@ -38,11 +38,11 @@ model::Model winch() {
   m.events.resize(1);
   m.events[0].at = 1;
   m.events[0].stop = true;
-  return model::compile(m).value();
+  return machine::compile(m).value();
 }
 
-analysis::DynamicState state() {
-  analysis::DynamicState s;
+solve::DynamicState state() {
+  solve::DynamicState s;
   s.t = 1.0 / 3;
   s.bodies.resize(1);
   s.bodies[0].position = {0.1, -2e-17, 1e300};
@@ -57,19 +57,19 @@ analysis::DynamicState state() {
   s.drums = {{12.5, 2, {0.001, -0.0}}};
   s.force = {INFINITY, 5e-324};
   s.happened = {1};
-  const model::Signal moves{"v", si::m_per_s, model::Moves{0.25, {{1, 0.7, 0.5, true}}}};
-  s.drum_drive = {{model::DriveKind::speed, moves, true}};
+  const machine::Signal moves{"v", si::m_per_s, machine::Moves{0.25, {{1, 0.7, 0.5, true}}}};
+  s.drum_drive = {{machine::DriveKind::speed, moves, true}};
   s.damping_time = {0.003};
   return s;
 }
 
 TEST(TransientState, ComesBackBitByBit) {
-  const model::Model m = winch();
+  const machine::Model m = winch();
   const std::string text = to_json(state(), m);
   const auto back = state_from_json(text, m);
   ASSERT_TRUE(back) << back.error();
   EXPECT_EQ(to_json(*back, m), text);
-  const analysis::DynamicState s = state();
+  const solve::DynamicState s = state();
   EXPECT_EQ(back->t, s.t);
   EXPECT_EQ(back->bodies[0].position, s.bodies[0].position);
   EXPECT_EQ(back->bodies[0].orientation, s.bodies[0].orientation);
@@ -78,39 +78,39 @@ TEST(TransientState, ComesBackBitByBit) {
   EXPECT_EQ(back->force, s.force);
   EXPECT_EQ(back->drums[0].layer, 2);
   for (const double t : {0.0, 1.1, 1.3, 2.0}) {
-    EXPECT_EQ(model::at(back->drum_drive[0].signal, t).value, model::at(s.drum_drive[0].signal, t).value);
+    EXPECT_EQ(machine::at(back->drum_drive[0].signal, t).value, machine::at(s.drum_drive[0].signal, t).value);
   }
   EXPECT_TRUE(back->drum_drive[0].brake);
 }
 
 TEST(TransientState, EveryKindOfSignalComesBack) {
-  const model::Model m = winch();
-  analysis::DynamicState s = state();
-  for (const model::Signal& signal :
-       {model::Signal{"", si::m_per_s, 0.3}, model::Signal{"s", si::m_per_s, model::Sine{1, 2, 3, 4}},
-        model::Signal{"c", si::m_per_s, model::smooth_curve({0, 1, 3}, {0, 2, 1})},
-        model::Signal{"l", si::m_per_s, model::Curve{{0, 1}, {0, 2}, {}}}}) {
+  const machine::Model m = winch();
+  solve::DynamicState s = state();
+  for (const machine::Signal& signal :
+       {machine::Signal{"", si::m_per_s, 0.3}, machine::Signal{"s", si::m_per_s, machine::Sine{1, 2, 3, 4}},
+        machine::Signal{"c", si::m_per_s, machine::smooth_curve({0, 1, 3}, {0, 2, 1})},
+        machine::Signal{"l", si::m_per_s, machine::Curve{{0, 1}, {0, 2}, {}}}}) {
     s.drum_drive[0].signal = signal;
     const auto back = state_from_json(to_json(s, m), m);
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(back->drum_drive[0].signal.unit.symbol, "m/s");
     for (const double t : {-1.0, 0.5, 2.0, 9.0}) {
-      EXPECT_EQ(model::at(back->drum_drive[0].signal, t).value, model::at(signal, t).value);
-      EXPECT_EQ(model::at(back->drum_drive[0].signal, t).rate, model::at(signal, t).rate);
+      EXPECT_EQ(machine::at(back->drum_drive[0].signal, t).value, machine::at(signal, t).value);
+      EXPECT_EQ(machine::at(back->drum_drive[0].signal, t).rate, machine::at(signal, t).rate);
     }
   }
 }
 
 TEST(TransientState, WhatDoesNotFitIsRefused) {
   using testing::HasSubstr;
-  const model::Model m = winch();
+  const machine::Model m = winch();
   const std::string text = to_json(state(), m);
   EXPECT_THAT(state_from_json("", m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json("{\"a\": 1}", m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json(text.substr(0, text.size() / 2), m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json("{\"taut_state\": 1}", m).error(), HasSubstr("damaged"));
   EXPECT_THAT(state_from_json("{\"taut_state\": 99}", m).error(), HasSubstr("another version"));
-  model::Model other = m;
+  machine::Model other = m;
   other.bodies[0].name = "bucket";
   EXPECT_THAT(state_from_json(text, other).error(), HasSubstr("its bodies are others"));
   other = m;
@@ -121,4 +121,4 @@ TEST(TransientState, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(state_from_json(text, other).error(), HasSubstr("other segments"));
 }
 
-}  // namespace taut::app::transient_state_test
+}  // namespace taut::results::transient_state_test

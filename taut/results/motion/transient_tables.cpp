@@ -8,17 +8,17 @@
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rule.hpp"
 
-namespace taut::app {
+namespace taut::results {
 namespace {
 
-using analysis::EnergyLedger;
+using solve::EnergyLedger;
 
 void add_series(const TransientRun& run, Result& r) {
   Table t;
   t.name = "time" + run.ending;
   t.title = "Observed quantities over time";
   t.columns.push_back({"t", si::s});
-  for (const model::Observable& o : run.model.observed) t.columns.push_back({o.name, o.unit});
+  for (const machine::Observable& o : run.model.observed) t.columns.push_back({o.name, o.unit});
   t.long_rows = run.record.lines();
   r.series.push_back(std::move(t));
 }
@@ -39,8 +39,8 @@ void add_events(const TransientRun& run, Result& r) {
 }
 
 /// What a measure is in one number, under its own name.
-void add_measure(const TransientRun& run, const model::Observable& o, const analysis::Extreme& e, Result& r) {
-  using model::description::Taken;
+void add_measure(const TransientRun& run, const machine::Observable& o, const solve::Extreme& e, Result& r) {
+  using machine::description::Taken;
   if (o.taken == Taken::automatic) return;
   const auto [x, words] = o.taken == Taken::mean  ? std::pair{e.mean, "mean"}
                           : o.taken == Taken::min ? std::pair{e.min, "smallest value"}
@@ -62,8 +62,8 @@ void add_envelope(const TransientRun& run, Result& r) {
   t.columns = {{"quantity", si::one}, {"unit", si::one}, {"min", si::one}, {"t_min", si::s},
                {"max", si::one},      {"t_max", si::s},  {"end", si::one}};
   for (std::size_t i = 0; i < run.result.extremes.size(); ++i) {
-    const model::Observable& o = run.model.observed[i];
-    const analysis::Extreme& e = run.result.extremes[i];
+    const machine::Observable& o = run.model.observed[i];
+    const solve::Extreme& e = run.result.extremes[i];
     const std::string unit = o.unit.symbol == "1" ? "" : std::string(o.unit.symbol);
     t.rows.push_back({o.name, unit, e.min, e.t_min, e.max, e.t_max, e.end});
     const auto value = [&](const char* ending, double x, const std::string& words) {
@@ -80,33 +80,33 @@ void add_envelope(const TransientRun& run, Result& r) {
 }
 
 void add_energy(const TransientRun& run, Result& r) {
-  const EnergyLedger &first = run.result.frames.front().energy, &last = run.result.frames.back().energy;
+  const solve::EnergyLedger &first = run.result.frames.front().energy, &last = run.result.frames.back().energy;
   Table t;
   t.name = "energy" + run.ending;
   t.title = "Energy: what the machine holds, what was supplied and lost since the start";
   t.columns = {{"form", si::one}, {"at_start", si::J}, {"at_end", si::J}};
-  const auto add = [&](const char* form, double EnergyLedger::*part) {
+  const auto add = [&](const char* form, double solve::EnergyLedger::*part) {
     t.rows.push_back({std::string(form), first.*part, last.*part});
   };
-  add("kinetic", &EnergyLedger::kinetic);
-  add("elastic", &EnergyLedger::elastic);
-  add("potential", &EnergyLedger::potential);
-  add("supplied by drives", &EnergyLedger::supplied);
-  add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &EnergyLedger::damped);
-  add("slip of ropes on sheaves", &EnergyLedger::slipped);
-  add("bearings of sheaves", &EnergyLedger::bearings);
+  add("kinetic", &solve::EnergyLedger::kinetic);
+  add("elastic", &solve::EnergyLedger::elastic);
+  add("potential", &solve::EnergyLedger::potential);
+  add("supplied by drives", &solve::EnergyLedger::supplied);
+  add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &solve::EnergyLedger::damped);
+  add("slip of ropes on sheaves", &solve::EnergyLedger::slipped);
+  add("bearings of sheaves", &solve::EnergyLedger::bearings);
   const bool jolts = std::any_of(run.result.events.begin(), run.result.events.end(), [](const auto& event) {
     return event.what == "brake" || event.what == "drive" || event.what == "layer";
   });
-  add(jolts ? "broken ropes, jolts by brakes and drives" : "broken ropes", &EnergyLedger::broken);
-  add("contacts", &EnergyLedger::contacts);
-  const auto add_if_any = [&](const char* form, double EnergyLedger::*part, double of_turnover) {
+  add(jolts ? "broken ropes, jolts by brakes and drives" : "broken ropes", &solve::EnergyLedger::broken);
+  add("contacts", &solve::EnergyLedger::contacts);
+  const auto add_if_any = [&](const char* form, double solve::EnergyLedger::*part, double of_turnover) {
     if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
   };
-  add_if_any("weight of slack ropes", &EnergyLedger::slack, 1e-5);
-  add_if_any("flanges, where ropes leave rounds askew", &EnergyLedger::askew, 1e-5);
-  add_if_any("numerical, where ropes snatch", &EnergyLedger::numerical, 0);
-  add("residual", &EnergyLedger::residual);
+  add_if_any("weight of slack ropes", &solve::EnergyLedger::slack, 1e-5);
+  add_if_any("flanges, where ropes leave rounds askew", &solve::EnergyLedger::askew, 1e-5);
+  add_if_any("numerical, where ropes snatch", &solve::EnergyLedger::numerical, 0);
+  add("residual", &solve::EnergyLedger::residual);
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
@@ -121,7 +121,7 @@ void add_energy(const TransientRun& run, Result& r) {
 
 /// What the steps leave open beyond the tolerance.
 void warn_of_errors(const TransientRun& run, Result& r) {
-  const analysis::TransientResult& result = run.result;
+  const solve::TransientResult& result = run.result;
   const double tolerance = energy_tolerance(run);
   const bool in_steps = run.options.step > 0 || run.options.quasi_static;
   const char* const better = in_steps ? "take a shorter 'step'" : "compare 'method: reference'";
@@ -139,7 +139,7 @@ void warn_of_errors(const TransientRun& run, Result& r) {
 }
 
 /// "between head and block"
-std::string branch_words(const model::Reeving& rope, int branch) {
+std::string branch_words(const machine::Reeving& rope, int branch) {
   const auto k = static_cast<std::size_t>(std::max(branch, 0) / std::max(1, rope.segments));
   if (k + 1 > rope.nodes.size()) return {};
   return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
@@ -154,8 +154,8 @@ void add_ropes(const TransientRun& run, Result& r) {
   double worst = 0;
   std::string where;
   for (std::size_t i = 0; i < run.result.ropes.size(); ++i) {
-    const analysis::RopeExtreme& e = run.result.ropes[i];
-    const model::Reeving& rope = run.model.reevings[i];
+    const solve::RopeExtreme& e = run.result.ropes[i];
+    const machine::Reeving& rope = run.model.reevings[i];
     const double factor = e.T_static > 0 ? e.T.max / e.T_static : std::nan("");
     t.rows.push_back({rope.name, e.T_static, e.T.max, e.T.t_max, branch_words(rope, e.branch), e.T.min, factor});
     const std::string name = fmt::format("{}.dynamic_factor{}", rope.name, run.ending);
@@ -190,10 +190,10 @@ void add_ropes(const TransientRun& run, Result& r) {
 
 /// How much of the way of each driven rim its rope did not go along with, over all that was written down.
 void add_slip_shares(const TransientRun& run, Result& r) {
-  const std::vector<TransientRecord::Slip>& slips = run.record.slips();
+  const std::vector<study::TransientRecord::Slip>& slips = run.record.slips();
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const auto& first = run.result.frames.front().contacts[c];
-    const model::Node& node =
+    const machine::Node& node =
         run.model.reevings[static_cast<std::size_t>(first.reeving)].nodes[static_cast<std::size_t>(first.node)];
     if (node.motor < 0) continue;
     const auto [slipped, rim] = slips[c];
@@ -207,11 +207,11 @@ void add_slip_shares(const TransientRun& run, Result& r) {
 /// Peak over static against phi2 of EN 13001-2.
 void check_hoist_factor(const TransientRun& run, Result& r) {
   if (!run.request.hoist_factor) return;
-  const HoistFactor& asked = *run.request.hoist_factor;
+  const study::HoistFactor& asked = *run.request.hoist_factor;
   const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
-                                 [&](const model::Reeving& one) { return one.name == asked.rope; });
+                                 [&](const machine::Reeving& one) { return one.name == asked.rope; });
   if (rope == run.model.reevings.end()) return;
-  const analysis::RopeExtreme& e = run.result.ropes[static_cast<std::size_t>(rope - run.model.reevings.begin())];
+  const solve::RopeExtreme& e = run.result.ropes[static_cast<std::size_t>(rope - run.model.reevings.begin())];
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
   const auto phi2_min = catalogue::find_rule(id + ".phi2_min");
   const auto beta2 = catalogue::find_rule(id + ".beta2");
@@ -227,7 +227,7 @@ void check_hoist_factor(const TransientRun& run, Result& r) {
 
 std::string slid_words(const TransientRun& run) {
   std::string ways;
-  for (const analysis::Slid& slid : run.options.slid) {
+  for (const solve::Slid& slid : run.options.slid) {
     const auto index = static_cast<std::size_t>(slid.index);
     const std::string& name = slid.drum ? run.model.drums[index].name : run.model.actuators[index].name;
     const char* verb = slid.drum ? (slid.by > 0 ? "taken in" : "let out") : slid.by > 0 ? "extended" : "retracted";
@@ -239,11 +239,11 @@ std::string slid_words(const TransientRun& run) {
 std::string start_words(const TransientRun& run) {
   if (run.options.from) return fmt::format("goes on from a saved state at t = {:.6g} s", run.options.from->t);
   switch (run.options.start) {
-    case analysis::Start::settled:
+    case solve::Start::settled:
       return "starts settled: at rest in equilibrium, without loss";
-    case analysis::Start::sliding:
+    case solve::Start::sliding:
       return slid_words(run);
-    case analysis::Start::assembled:
+    case solve::Start::assembled:
       break;
   }
   return "starts assembled: as described, at rest";
@@ -252,9 +252,9 @@ std::string start_words(const TransientRun& run) {
 std::string scheme_words(const TransientRun& run) {
   if (run.options.quasi_static) return "quasi-static: an equilibrium at the end of every step, with friction";
   switch (run.options.method) {
-    case analysis::TimeMethod::verlet:
+    case solve::TimeMethod::verlet:
       return "velocity Verlet";
-    case analysis::TimeMethod::reference:
+    case solve::TimeMethod::reference:
       return fmt::format("the reference, IDA of SUNDIALS, tolerance {:.1e}", run.options.tolerance);
     default:
       return run.options.step > 0 ? std::string("generalised-alpha with a fixed step")
@@ -264,11 +264,11 @@ std::string scheme_words(const TransientRun& run) {
 
 /// Events that did not happen while the motion lasted: one with a time is told as a warning.
 void add_missed_events(const TransientRun& run, Result& r) {
-  const analysis::TransientResult& result = run.result;
+  const solve::TransientResult& result = run.result;
   if (!result.outcome.ok() || result.interrupted) return;
   const std::string name = words_of(run);
   for (std::size_t i = 0; i < run.model.events.size() && i < result.state.happened.size(); ++i) {
-    const model::Event& event = run.model.events[i];
+    const machine::Event& event = run.model.events[i];
     if (result.state.happened[i]) continue;
     if (event.at) {
       r.warnings.push_back(fmt::format("{}: '{}' at {:.6g} s does not happen: the motion ends at {:.6g} s", name,
@@ -282,7 +282,7 @@ void add_missed_events(const TransientRun& run, Result& r) {
 
 /// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
 std::string weight_words(const TransientRun& run, std::size_t reeving) {
-  const model::Reeving& rope = run.model.reevings[reeving];
+  const machine::Reeving& rope = run.model.reevings[reeving];
   if (!run.options.rope_mass || rope.segments > 1 || !(rope.weight > 0)) return {};
   double most = 0;
   for (const auto& branch : run.result.frames.front().branches) {
@@ -298,8 +298,8 @@ std::string weight_words(const TransientRun& run, std::size_t reeving) {
 }
 
 void add_words(const TransientRun& run, Result& r) {
-  const analysis::TransientResult& result = run.result;
-  const bool explicit_steps = run.options.method == analysis::TimeMethod::verlet;
+  const solve::TransientResult& result = run.result;
+  const bool explicit_steps = run.options.method == solve::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
                                   result.largest_step, result.rejected);
   if (explicit_steps) steps += fmt::format("; stable below {:.3g} s at the start", result.stability_limit);
@@ -309,7 +309,7 @@ void add_words(const TransientRun& run, Result& r) {
     const double omega = i < result.frequency.size() ? result.frequency[i] : 0;
     const bool lumped = i < result.mass_lumped.size() && result.mass_lumped[i];
     const int sagging = i < result.sagging.size() ? result.sagging[i] : 0;
-    const int all = model::branch_count(run.model.reevings[i]);
+    const int all = machine::branch_count(run.model.reevings[i]);
     const std::string hangs =
         sagging == 0 ? std::string()
                      : fmt::format("{} its free parts hang as the catenary at rest between their ends; ",
@@ -351,4 +351,4 @@ void add_transient_tables(const TransientRun& run, Result& r) {
   add_words(run, r);
 }
 
-}  // namespace taut::app
+}  // namespace taut::results

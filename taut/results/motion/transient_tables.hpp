@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/results/motion/transient_run.hpp"
 
-namespace taut::app {
+namespace taut::results {
 
 /// The series `time` (t and every observed quantity), the tables `events`, `envelope`, `energy`, `dynamic` (peak over
 /// static by rope), the values NAME_min, NAME_max, NAME_end and ROPE.dynamic_factor, the check of each rope against its
@@ -11,4 +11,4 @@ void add_transient_tables(const TransientRun& run, Result& r);
 /// Frames' times.
 std::vector<double> times_of(const TransientRun& run);
 
-}  // namespace taut::app
+}  // namespace taut::results

@@ -11,7 +11,7 @@
 #include "taut/math/roots.hpp"
 #include "taut/rope/contact.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 /// The tensions that go with a slack tension: under the load asked for, or at the limit of slip.
@@ -118,4 +118,4 @@ Outcome solve(const BeltDrive& drive, BeltDriveState& out) {
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

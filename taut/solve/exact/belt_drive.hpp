@@ -5,7 +5,7 @@
 
 /// An endless elastic rope on a driving sheave and an idler, running steadily: the tensions that set themselves. All
 /// SI.
-namespace taut::analysis {
+namespace taut::solve {
 
 enum class TakeUp {
   weight,  ///< a constant pull on the idler
@@ -50,4 +50,4 @@ struct BeltDriveState {
 /// slipping drive can't even turn its idler.
 Outcome solve(const BeltDrive& drive, BeltDriveState& out);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::analysis::belt_drive_test {
+namespace taut::solve::belt_drive_test {
 
 BeltDrive saw() {
   BeltDrive d;
@@ -117,4 +117,4 @@ TEST(BeltDrive, SpeedTakesTheGripOfAScrewNotOfAWeight) {
   EXPECT_NE(o.message.find("lifts off"), std::string::npos);
 }
 
-}  // namespace taut::analysis::belt_drive_test
+}  // namespace taut::solve::belt_drive_test

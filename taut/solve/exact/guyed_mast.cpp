@@ -14,7 +14,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/roots.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using structure::BeamState;
@@ -388,4 +388,4 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

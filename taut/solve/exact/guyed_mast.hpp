@@ -10,7 +10,7 @@
 #include "taut/structure/beam.hpp"
 
 /// A guyed mast, exactly: a geometrically exact beam held by elastic catenaries. All SI, the foot at the origin, z up.
-namespace taut::analysis {
+namespace taut::solve {
 
 enum class MastBase { clamped, hinged };  ///< hinged: free to lean any way, held against turning about its axis
 
@@ -100,4 +100,4 @@ std::optional<double> installed_length(const Guy& guy);
 /// buckles, with the share of the loads that it still carries. `out` is filled when ok.
 Outcome solve(const GuyedMast& mast, GuyedMastResult& out);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

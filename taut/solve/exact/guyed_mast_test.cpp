@@ -12,7 +12,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "test/support/mast_witness.hpp"
 
-namespace taut::analysis::guyed_mast_test {
+namespace taut::solve::guyed_mast_test {
 
 Guy guy_at(double angle, double height, double distance, GuyInstallation install, double anchor_height = 0) {
   return {"g",     height, {distance * std::cos(angle), distance * std::sin(angle), anchor_height}, 15e6, 9.0,
@@ -288,17 +288,17 @@ TEST(GuyedMast, OwnWeightIsCarriedByTheFoot) {
 }
 
 /// The same mast as a machine: a beam, and its guys as ropes of the lengths that they were put up with.
-model::Model machine_of(const GuyedMast& m) {
-  model::StraightBeam b;
+machine::Model machine_of(const GuyedMast& m) {
+  machine::StraightBeam b;
   b.name = "mast";
   b.to.at = {0, 0, m.height};
   b.section = m.section;
-  b.base = m.base == MastBase::hinged ? model::BeamHold::hinged : model::BeamHold::clamped;
+  b.base = m.base == MastBase::hinged ? machine::BeamHold::hinged : machine::BeamHold::clamped;
   for (const Guy& guy : m.guys) b.stations.push_back(guy.height / m.height);
   for (const MastLoad& load : m.loads) b.stations.push_back(load.height / m.height);
-  b.stations = model::cuts_of(b, m.height);
-  model::Model machine;
-  model::add_beam(machine, b);
+  b.stations = machine::cuts_of(b, m.height);
+  machine::Model machine;
+  machine::add_beam(machine, b);
   const auto section_at = [&](double height) {
     for (std::size_t k = 0; k < machine.bodies.size(); ++k) {
       if (std::abs(machine.bodies[k].position.z() - height) < 1e-5) return static_cast<int>(k);
@@ -308,7 +308,7 @@ model::Model machine_of(const GuyedMast& m) {
   for (const MastLoad& load : m.loads)
     machine.loads.push_back({{section_at(load.height), Vector3::Zero()}, load.force});
   for (const Guy& guy : m.guys) {
-    model::Reeving rope;
+    machine::Reeving rope;
     rope.name = guy.name;
     rope.nodes.resize(2);
     rope.nodes[0].at.at = guy.anchor;
@@ -388,4 +388,4 @@ TEST(GuyedMast, OfADeckBucklesWhereItDoes) {
   EXPECT_FALSE(equilibrium(machine_of(m)).outcome.ok());
 }
 
-}  // namespace taut::analysis::guyed_mast_test
+}  // namespace taut::solve::guyed_mast_test

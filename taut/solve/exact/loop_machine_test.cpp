@@ -10,24 +10,24 @@
 namespace loop_machine_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 constexpr double g = 9.80665;
 
 /// A running skyline: traction rope from A to the carriage, return rope from there over B and through the carriage's
 /// roller to A. Its lengths are those of an exact loop.
-model::Model loop_machine(const RunningLoop& loop, const LoopState& s) {
-  model::Model m;
+machine::Model loop_machine(const RunningLoop& loop, const LoopState& s) {
+  machine::Model m;
   const double c = loop.branch_distance, chord = std::hypot(loop.span, loop.rise);
   const Vector3 up_there =
       loop.offset_is_vertical ? Vector3(0, 0, c) : Vector3(-c * loop.rise / chord, 0, c * loop.span / chord);
   const Vector3 B(loop.span, 0, loop.rise);
-  model::Body car = body("car", {s.first.x, 0, s.first.z}, loop.carriage_weight / g, "xyz");
+  machine::Body car = body("car", {s.first.x, 0, s.first.z}, loop.carriage_weight / g, "xyz");
   if (c > 0) car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
   m.bodies.push_back(car);
   m.reevings.push_back(reeve("traction", {anchor("A", origin), anchor_on("car", 0)}, s.traction_length,
                              loop.traction_rope.weight, loop.traction_rope.stiffness));
-  std::vector<model::Node> nodes{anchor_on("car", 0)};
+  std::vector<machine::Node> nodes{anchor_on("car", 0)};
   const Vector3 pull(loop.pull_x, 0, loop.pull_z);
   int hung = 0;
   double stretch = 0;
@@ -36,7 +36,7 @@ model::Model loop_machine(const RunningLoop& loop, const LoopState& s) {
     hung = 1;
     m.bodies.push_back(body("hung", {s.second.x, 0, s.second.z}, 0, "xyz"));
     nodes.push_back(anchor_on("hung", 1));
-    nodes.back().kind = model::NodeKind::clamp;
+    nodes.back().kind = machine::NodeKind::clamp;
     // the loop's piece between the sections does not stretch
     nodes.back().length_before = unstretched(s.between.rope.length, s.between.T_start);
     stretch = s.between.rope.length - nodes.back().length_before;
@@ -57,7 +57,7 @@ model::Model loop_machine(const RunningLoop& loop, const LoopState& s) {
   return m;
 }
 
-EquilibriumResult in_haul(const model::Model& m, const std::optional<Prescribed>& prescribed = {}) {
+EquilibriumResult in_haul(const machine::Model& m, const std::optional<machine::Prescribed>& prescribed = {}) {
   EquilibriumOptions options;
   options.motion = Motion::in;  // against the return rope's path
   options.prescribed = prescribed;
@@ -115,10 +115,10 @@ TEST(ClosedLoop, ThePublishedExampleByPlaceAlone) {
   const RunningLoop loop = base_loop();
   LoopState s;
   ASSERT_TRUE(solve_loop(loop, {100, 10}, s).ok());
-  model::Model m = loop_machine(loop, s);
+  machine::Model m = loop_machine(loop, s);
   m.reevings[0].value = 101;  // neither length is known: x and z are
   m.reevings[1].value = 303;
-  Prescribed at{0, 100};
+  machine::Prescribed at{0, 100};
   at.z = -10;
   const EquilibriumResult r = in_haul(m, at);
   EXPECT_NEAR(r.spans[0].T_from / g, 8587.9, 0.0005 * 8587.9);
@@ -170,10 +170,10 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
     loop.traction_rope = loop.return_rope = {12, 1.5e7};
     LoopState s;
     ASSERT_TRUE(solve_loop(loop, {120, 12}, s).ok());
-    model::Model m = loop_machine(loop, s);
-    model::Node drive = over("A", origin), grip = anchor_on("car", 0), roller = m.reevings[1].nodes[2];
-    drive.kind = model::NodeKind::drive;
-    grip.kind = model::NodeKind::clamp;
+    machine::Model m = loop_machine(loop, s);
+    machine::Node drive = over("A", origin), grip = anchor_on("car", 0), roller = m.reevings[1].nodes[2];
+    drive.kind = machine::NodeKind::drive;
+    grip.kind = machine::NodeKind::clamp;
     grip.length_before = 100;
     m.reevings = {reeve("loop", {drive, grip, m.reevings[1].nodes[1], roller}, s.loop_length(), 12, 1.5e7)};
     m.reevings[0].closed = true;
@@ -181,7 +181,7 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
     m.carriages = {{"car", 0, 0, 3, -1, 1, 0, 1, -1}};
     EquilibriumOptions options;
     options.motion = Motion::in;  // against the path: the lower branch runs to A
-    options.prescribed = Prescribed{0, 120};
+    options.prescribed = machine::Prescribed{0, 120};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     ASSERT_EQ(r.spans.size(), 4U);

@@ -9,7 +9,7 @@
 #include "taut/solve/exact/loop_system.hpp"
 #include "taut/solve/exact/running_loop.hpp"
 
-namespace taut::analysis::loop_offset_test {
+namespace taut::solve::loop_offset_test {
 
 /// The same numbers on every machine: std::uniform_real_distribution does not promise that.
 class Chance {
@@ -151,4 +151,4 @@ TEST(LoopOffset, ContinuousAtTheIdealSheave) {
   }
 }
 
-}  // namespace taut::analysis::loop_offset_test
+}  // namespace taut::solve::loop_offset_test

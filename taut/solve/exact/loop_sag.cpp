@@ -10,7 +10,7 @@
 #include "taut/solve/exact/loop_system.hpp"
 #include "taut/solve/exact/running_loop.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double smallest_share = 1e-4;  // of the span
@@ -267,4 +267,4 @@ Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -8,7 +8,7 @@
 #include "taut/solve/exact/loop_system.hpp"
 #include "taut/solve/exact/running_loop.hpp"
 
-namespace taut::analysis::loop_sag_test {
+namespace taut::solve::loop_sag_test {
 
 RunningLoop uphill() {
   RunningLoop loop;
@@ -102,4 +102,4 @@ TEST(LoopSystem, ConvergesToTheSameFromDifferentStarts) {
   }
 }
 
-}  // namespace taut::analysis::loop_sag_test
+}  // namespace taut::solve::loop_sag_test

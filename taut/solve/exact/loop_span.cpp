@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr int most_span_iterations = 40;
@@ -86,4 +86,4 @@ LoopSpanRates rates_of(const LoopSpan& s) {
           with_z.L};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

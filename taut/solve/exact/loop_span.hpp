@@ -3,7 +3,7 @@
 
 #include "taut/rope/catenary.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// A rope between two points whose horizontal tension is given: its unstretched length and its vertical forces follow.
 /// Forces N, lengths m; V is upwards, positive where the rope rises toward its end.
@@ -31,4 +31,4 @@ std::optional<LoopSpan> span_at_tension(double weight, double stiffness, double 
 /// Exact derivatives of a solved span.
 LoopSpanRates rates_of(const LoopSpan& span);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace taut::analysis::loop_span_test {
+namespace taut::solve::loop_span_test {
 
 struct Given {
   double weight, stiffness, H, x, z;
@@ -55,4 +55,4 @@ TEST(LoopSpan, NoneWithoutTensionOrBackwards) {
   EXPECT_FALSE(span_at_tension(10, 1e7, 0, 100, 0).has_value());
 }
 
-}  // namespace taut::analysis::loop_span_test
+}  // namespace taut::solve::loop_span_test

@@ -6,7 +6,7 @@
 
 #include "taut/math/dense_lu.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr int most_loop_iterations = 60;
@@ -292,4 +292,4 @@ bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns&
          is_taut(system, state.lean);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -3,7 +3,7 @@
 
 #include "taut/solve/exact/running_loop.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// What the Newton iteration of a running loop solves for.
 struct LoopUnknowns {
@@ -30,4 +30,4 @@ bool reach_loop(const RunningLoop& loop, const LoopPlace& place, LoopState& stat
 /// harder.
 bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns& start, LoopState& state);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -9,7 +9,7 @@
 
 /// Newton's iteration by itself: from poor starts, how fast it ends, and its answer by spans that are solved another
 /// way (from their lengths, not from their tensions).
-namespace taut::analysis::loop_system_test {
+namespace taut::solve::loop_system_test {
 
 RunningLoop skyline(bool two, double stiffness = 8e6) {
   RunningLoop loop;
@@ -154,4 +154,4 @@ TEST(LoopSystem, WhatHasNoAnswerIsRefused) {
   EXPECT_FALSE(newton(flat, {75, 1e-300}, start(1, 0), s));
 }
 
-}  // namespace taut::analysis::loop_system_test
+}  // namespace taut::solve::loop_system_test

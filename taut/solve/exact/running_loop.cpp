@@ -9,7 +9,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/solve/exact/loop_system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double first_part_of_loop = 1.0 / 64;  // of sag or distance, where a continuation starts
@@ -306,4 +306,4 @@ Outcome solve_loop(const RunningLoop& loop, const LoopPlace& place, LoopState& s
   return continue_to(loop, place, state);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -10,7 +10,7 @@
 /// carriage, a return rope from the carriage to the tail support B, over the sheave there and back to A. The carriage
 /// is clamped to the lower branch, and its roller runs on the upper one at the end of a massless, hinged link. Every
 /// span is an elastic catenary; weight per unstretched metre. x from A to B, z up; m, N, rad.
-namespace taut::analysis {
+namespace taut::solve {
 
 /// How the roller presses on the upper branch: across it without friction, so that the tension is the same on both
 /// sides and the link leans with the force; or straight up and down, the link upright, so that the tension jumps.
@@ -98,4 +98,4 @@ struct LoopSag {
 /// or to where the case ends (lift-off, slack rope). Infeasible: no sag has it; the message gives the possible range.
 Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double value, LoopSag& found);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -10,7 +10,7 @@
 #include "taut/math/degree.hpp"
 #include "taut/rope/catenary_shape.hpp"
 
-namespace taut::analysis::running_loop_test {
+namespace taut::solve::running_loop_test {
 
 constexpr double kgf = 9.80665;
 
@@ -288,4 +288,4 @@ TEST(RunningLoop, ASecondSectionPulledUnderTheFirstIsNamed) {
   EXPECT_NE(deep.message.find("between the sections stands upright"), std::string::npos) << deep.message;
 }
 
-}  // namespace taut::analysis::running_loop_test
+}  // namespace taut::solve::running_loop_test

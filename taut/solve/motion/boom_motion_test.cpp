@@ -10,16 +10,19 @@
 /// The telescopic boom in motion: published rows beside an independent model with the same data, and what any such
 /// model has to show.
 namespace taut_test::boom_motion_test {
+
+namespace machine = taut::machine;
+
 namespace {
 
-using taut::analysis::Start;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TransientFrame;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double degree = std::numbers::pi / 180;
 
-TransientResult run(const model::Model& m, double duration, double tolerance = 1e-4, double output_step = 0.02,
+TransientResult run(const machine::Model& m, double duration, double tolerance = 1e-4, double output_step = 0.02,
                     Start start = Start::assembled) {
   TransientOptions options = lasting(duration, tolerance);
   options.output_step = output_step;
@@ -172,10 +175,10 @@ TEST(BoomMotion, TheEnergyOfABreakIsAccountedFor) {
   b.angle = 0;
   b.travel = 6;
   b.moves = false;
-  model::Model m = boom_machine(b);
-  model::Event gone;
+  machine::Model m = boom_machine(b);
+  machine::Event gone;
   gone.words = "break";
-  gone.kind = taut::model::EventKind::breaks;
+  gone.kind = taut::machine::EventKind::breaks;
   gone.at = 1;
   gone.index = gone.part = 0;
   m.events.push_back(gone);

@@ -16,13 +16,13 @@
 #include "taut/solve/motion/transient_stable.hpp"
 #include "taut/solve/rest/sides.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using namespace dynamics;
 
 /// Inner nodes on the catenaries of the equilibrium.
-void place_inside(const model::Model& model, const EquilibriumResult& found, DynamicState& start) {
+void place_inside(const machine::Model& model, const EquilibriumResult& found, DynamicState& start) {
   std::vector<std::size_t> next(model.reevings.size(), 0);
   for (const SpanResult& span : found.spans) {
     const auto r = static_cast<std::size_t>(span.reeving);
@@ -34,19 +34,19 @@ void place_inside(const model::Model& model, const EquilibriumResult& found, Dyn
                                              : Vector3(span.start + (span.end - span.start) * s / segments);
     }
     const auto to = static_cast<std::size_t>(span.to);
-    if (segments > 1 && model.reevings[r].nodes[to].kind == model::NodeKind::load) {
+    if (segments > 1 && model.reevings[r].nodes[to].kind == machine::NodeKind::load) {
       start.ropes[r].inside[next[r]++] = span.end;
     }
   }
 }
 
 /// Forces along ropes as they are at rest: friction is none, others as they begin.
-model::Model with_loads_at_rest(model::Model model) {
-  for (model::Reeving& rope : model.reevings) {
-    for (model::Node& node : rope.nodes) {
-      if (node.kind != model::NodeKind::load) continue;
+machine::Model with_loads_at_rest(machine::Model model) {
+  for (machine::Reeving& rope : model.reevings) {
+    for (machine::Node& node : rope.nodes) {
+      if (node.kind != machine::NodeKind::load) continue;
       if (node.load.signal)
-        (node.load.part > 0 ? node.load.rate : node.load.force) = model::at(*node.load.signal, 0).value;
+        (node.load.part > 0 ? node.load.rate : node.load.force) = machine::at(*node.load.signal, 0).value;
       if (node.load.by_motion && node.load.sense < 0) node.load.force = node.load.rate = 0;
     }
   }
@@ -54,15 +54,15 @@ model::Model with_loads_at_rest(model::Model model) {
 }
 
 /// The equilibrium of catenaries as a start, else the machine as described.
-DynamicState near_equilibrium(const model::Model& model) {
+DynamicState near_equilibrium(const machine::Model& model) {
   if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
   EquilibriumOptions at_rest;
   at_rest.band = false;
   at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
   if (!found.outcome.ok()) return assembled(model);
-  model::Model by_length = model;
-  for (model::Reeving& rope : by_length.reevings) rope.given = model::Given::length;
+  machine::Model by_length = model;
+  for (machine::Reeving& rope : by_length.reevings) rope.given = machine::Given::length;
   DynamicState start = state_from(by_length, found.state);
   place_inside(model, found, start);
   return start;
@@ -104,7 +104,7 @@ void damp(Run& run) {
   std::vector<double> time = run.origin.damping_time, frequency;
   const std::size_t ropes = run.model.reevings.size();
   for (std::size_t r = time.size(); r < ropes; ++r) {
-    const model::Reeving& rope = run.model.reevings[r];
+    const machine::Reeving& rope = run.model.reevings[r];
     time.push_back(rope.damping_time);
     const double ratio = rope.damping_ratio > 0 ? rope.damping_ratio : run.options.damping_ratio;
     if (rope.damping_time > 0 || !(ratio > 0)) continue;
@@ -120,19 +120,19 @@ void damp(Run& run) {
 
 }  // namespace
 
-model::Model dynamics::sided_at_rest(const model::Model& model, Start start) {
+machine::Model dynamics::sided_at_rest(const machine::Model& model, Start start) {
   const bool as_described = start == Start::assembled || !model.contacts.empty() || !model.actuators.empty();
   if (as_described || !has_open_sides(model)) return model;
   EquilibriumOptions at_rest;
   at_rest.band = false;
   at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  return found.outcome.ok() ? model::with_sides(model, found.state) : model;
+  return found.outcome.ok() ? machine::with_sides(model, found.state) : model;
 }
 
 bool dynamics::open_run(Run& run) {
   const TransientOptions& options = run.options;
-  const model::Model& model = run.model;
+  const machine::Model& model = run.model;
   const bool settles = !options.from && options.start != Start::assembled;
   prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
   run.result.observed.resize(model.observed.size());
@@ -147,7 +147,7 @@ bool dynamics::open_run(Run& run) {
   if (!run.result.outcome.ok()) return false;
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;
-  if (settles) run.result.outcome = analysis::settle(run);
+  if (settles) run.result.outcome = solve::settle(run);
   const bool slides = !options.from && options.start == Start::sliding;
   if (slides || options.quasi_static) {
     for (Line& line : run.m.lines) line.damping = 0;
@@ -210,9 +210,9 @@ TransientResult by_own_step(const Run& opened, TransientOptions& options) {
 
 }  // namespace
 
-TransientResult transient(const model::Model& described, const TransientOptions& given) {
+TransientResult transient(const machine::Model& described, const TransientOptions& given) {
   expects(given.duration > 0, "a motion lasts");
-  const model::Model model = sided_at_rest(described, given.start);
+  const machine::Model model = sided_at_rest(described, given.start);
   TransientOptions options = given;
   if (options.output_step <= 0) options.output_step = options.duration / 1000;
   if (options.method == TimeMethod::reference) options.step = 0;
@@ -253,4 +253,4 @@ TransientResult transient(const model::Model& described, const TransientOptions&
   return marched(run);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

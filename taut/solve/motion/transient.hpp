@@ -10,7 +10,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/solve/equilibrium.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// implicit: generalised-alpha, adaptive. verlet: explicit, for waves and breaks; its step is one for the whole motion,
 /// stable and as short as the tolerance asks. reference: another integrator (IDA of SUNDIALS, variable order) of the
@@ -68,8 +68,8 @@ struct DynamicState {
   std::vector<Drum> drums;
   std::vector<double> force;           ///< state variables of force elements (bristles of contacts), in their order
   std::vector<std::uint8_t> happened;  ///< by event of the model
-  std::vector<model::Drive> drum_drive, motor_drive;  ///< as events have left them
-  std::vector<model::ActuatorMode> actuator_mode;
+  std::vector<machine::Drive> drum_drive, motor_drive;  ///< as events have left them
+  std::vector<machine::ActuatorMode> actuator_mode;
   std::vector<double> damping_time;  ///< by reeving, s, found at the start
   std::vector<double> memory;        ///< of the integrator; empty: it begins anew from the above
 };
@@ -227,6 +227,6 @@ struct TransientResult {
 };
 
 /// The machine in motion. docs/theory/dynamics.md.
-TransientResult transient(const model::Model& described, const TransientOptions& given);
+TransientResult transient(const machine::Model& described, const TransientOptions& given);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

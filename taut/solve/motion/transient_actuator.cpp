@@ -4,20 +4,20 @@
 
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-using model::ActuatorKind;
-using model::ActuatorMode;
+using machine::ActuatorKind;
+using machine::ActuatorMode;
 
 /// Its force by a spring of the length `hold`: locked, or driven by a speed.
-bool holds_length(const model::Actuator& law, ActuatorMode mode, bool at_rest) {
+bool holds_length(const machine::Actuator& law, ActuatorMode mode, bool at_rest) {
   if (mode == ActuatorMode::free) return false;
   if (mode == ActuatorMode::lock || law.kind == ActuatorKind::speed) return true;
   return at_rest && law.kind == ActuatorKind::law && law.lock_stiffness > 0;
 }
 
-void push_actuator(const model::Actuator& law, const Scheme& s, double when, const ActuatorValues& was,
+void push_actuator(const machine::Actuator& law, const Scheme& s, double when, const ActuatorValues& was,
                    ActuatorValues& is) {
   const double sense = is.mode == ActuatorMode::retract ? -1 : 1;
   is.hold = was.hold;
@@ -26,8 +26,8 @@ void push_actuator(const model::Actuator& law, const Scheme& s, double when, con
   if (holds_length(law, is.mode, s.at_rest)) {
     const double passed = s.at_rest ? s.elapsed : s.h;
     const bool moves = is.mode != ActuatorMode::lock && (!s.at_rest || passed > 0);
-    const double rate = moves ? sense * model::at(law.signal, when).value : 0;
-    if (moves && passed > 0) is.hold += sense * model::integral(law.signal, when - passed, when);
+    const double rate = moves ? sense * machine::at(law.signal, when).value : 0;
+    if (moves && passed > 0) is.hold += sense * machine::integral(law.signal, when - passed, when);
     const double c = s.at_rest ? 0 : law.lock_damping;
     is.F = law.lock_stiffness * (is.hold - is.length) + c * (rate - is.speed);
     is.F_l = -law.lock_stiffness;
@@ -39,7 +39,7 @@ void push_actuator(const model::Actuator& law, const Scheme& s, double when, con
     is.F_l = is.F_v = 0;
     return;
   }
-  const double value = model::at(law.signal, when).value;
+  const double value = machine::at(law.signal, when).value;
   if (law.kind == ActuatorKind::force) {
     is.F = sense * value;
   } else {
@@ -94,7 +94,7 @@ void assemble_actuator(Mechanism& m, const Scheme& s, std::size_t i, const Value
 
 void set_mode(const Mechanism& m, Values& v, int actuator, ActuatorMode mode) {
   ActuatorValues& is = v.actuators[at(actuator)];
-  const model::Actuator& law = m.model->actuators[at(actuator)];
+  const machine::Actuator& law = m.model->actuators[at(actuator)];
   is.mode = mode;
   if (holds_length(law, mode, false) && law.lock_stiffness > 0) is.hold = is.length + is.F / law.lock_stiffness;
 }
@@ -108,4 +108,4 @@ std::vector<TransientFrame::Actuator> actuator_frames(const Values& v) {
   return all;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

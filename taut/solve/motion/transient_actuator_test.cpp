@@ -12,42 +12,42 @@ namespace taut_test::transient_actuator_test {
 namespace {
 
 using taut::Matrix3;
-using taut::analysis::Start;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
-using taut::model::ActuatorKind;
-using taut::model::ActuatorMode;
+using taut::machine::ActuatorKind;
+using taut::machine::ActuatorMode;
+using taut::solve::Start;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
-model::Signal constant(double value, const taut::Unit& unit) {
-  model::Signal s;
+machine::Signal constant(double value, const taut::Unit& unit) {
+  machine::Signal s;
   s.unit = unit;
   s.law = value;
   return s;
 }
 
 /// A mass that slides along x without gravity, 2 m from a wall, with a cylinder between them.
-model::Model pushed_mass(const model::Actuator& ram) {
-  model::Model m;
+machine::Model pushed_mass(const machine::Actuator& ram) {
+  machine::Model m;
   m.gravity = 0;
   m.bodies = {body("mass", {2, 0, 0}, 500, "x")};
   m.actuators = {ram};
   m.actuators[0].name = "ram";
   m.actuators[0].to_body = 0;
-  m.observed = {{"F", model::Quantity::actuator_F, taut::si::N, 0, -1, origin},
-                {"l", model::Quantity::actuator_length, taut::si::m, 0, -1, origin},
-                {"v", model::Quantity::actuator_speed, taut::si::m_per_s, 0, -1, origin}};
+  m.observed = {{"F", machine::Quantity::actuator_F, taut::si::N, 0, -1, origin},
+                {"l", machine::Quantity::actuator_length, taut::si::m, 0, -1, origin},
+                {"v", machine::Quantity::actuator_speed, taut::si::m_per_s, 0, -1, origin}};
   return m;
 }
 
-TransientResult run(const model::Model& m, double duration, double tolerance = 1e-7) {
+TransientResult run(const machine::Model& m, double duration, double tolerance = 1e-7) {
   TransientResult r = run_to_end(m, lasting(duration, tolerance, 100));
   EXPECT_LT(std::abs(r.frames.back().energy.residual), 1e-3 * r.frames.back().energy.turnover);
   return r;
 }
 
 TEST(TransientActuator, ALawComesToItsSpeed) {
-  model::Actuator ram;
+  machine::Actuator ram;
   ram.kind = ActuatorKind::law;
   ram.F0 = 100;
   ram.gain = 1000;
@@ -64,7 +64,7 @@ TEST(TransientActuator, ALawComesToItsSpeed) {
 }
 
 TEST(TransientActuator, AForceIsLimitedAndTurnsWithItsMode) {
-  model::Actuator ram;
+  machine::Actuator ram;
   ram.kind = ActuatorKind::force;
   ram.signal = constant(800, taut::si::N);
   ram.force_limit = 500;
@@ -75,13 +75,13 @@ TEST(TransientActuator, AForceIsLimitedAndTurnsWithItsMode) {
 }
 
 TEST(TransientActuator, ALockTakesOverTheForce) {
-  model::Actuator ram;
+  machine::Actuator ram;
   ram.kind = ActuatorKind::force;
   ram.signal = constant(1000, taut::si::N);
   ram.lock_stiffness = 2e5;  // omega 20
-  model::Model m = pushed_mass(ram);
-  model::Event lock;
-  lock.kind = model::EventKind::actuator;
+  machine::Model m = pushed_mass(ram);
+  machine::Event lock;
+  lock.kind = machine::EventKind::actuator;
   lock.at = 0.5;
   lock.index = 0;
   m.events = {lock};
@@ -94,10 +94,10 @@ TEST(TransientActuator, ALockTakesOverTheForce) {
 }
 
 TEST(TransientActuator, ASpeedMovesItWithoutDrift) {
-  model::Actuator ram;
+  machine::Actuator ram;
   ram.kind = ActuatorKind::speed;
   ram.signal = constant(0, taut::si::m_per_s);
-  ram.signal.law = taut::model::Moves{0, {{0, 0.5, 1, false}, {3, 0, 1, false}}};
+  ram.signal.law = taut::machine::Moves{0, {{0, 0.5, 1, false}, {3, 0, 1, false}}};
   ram.lock_stiffness = 1e7;
   ram.lock_damping = 5e4;
   const TransientResult r = run(pushed_mass(ram), 6, 1e-6);
@@ -110,14 +110,14 @@ TEST(TransientActuator, TheFrameDoesNotMatter) {
   double length = 0;
   for (const bool turned : {false, true}) {
     const Matrix3 T = turned ? R : Matrix3(Matrix3::Identity());
-    model::Model m;
+    machine::Model m;
     m.gravity = 0;
-    model::Body b = body("beam", T * Vector3(1, 0, 0), 300, "xyzXYZ");
+    machine::Body b = body("beam", T * Vector3(1, 0, 0), 300, "xyzXYZ");
     b.orientation = T;
     b.centre = {0.2, 0.1, -0.3};
     b.inertia = {10, 20, 25};
     m.bodies = {b};
-    model::Actuator ram;
+    machine::Actuator ram;
     ram.kind = ActuatorKind::law;
     ram.F0 = 2000;
     ram.gain = 3000;
@@ -175,19 +175,19 @@ OnBelt on_belt(double m, double k, double N, double f0, double f1, double vs, do
 TEST(TransientActuator, AMassOnABeltSticksAndSlips) {
   const double mass = 1000, k = 1e5, N = mass * 9.81, v0 = 0.1;
   const OnBelt witness = on_belt(mass, k, N, 0.3, 0.2, 0.05, v0);
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
-  model::Body belt = body("belt", origin, 0, "");
-  model::Signal way = constant(0, taut::si::m);
-  way.law = taut::model::Curve{{0, 100}, {0, 100 * v0}, {}};
+  machine::Body belt = body("belt", origin, 0, "");
+  machine::Signal way = constant(0, taut::si::m);
+  way.law = taut::machine::Curve{{0, 100}, {0, 100 * v0}, {}};
   belt.driven = {{Vector3::UnitX(), origin, way}};
   m.bodies = {body("mass", {0, 0, -N / 1e8}, mass, "xz"), belt};
-  model::Face face;
+  machine::Face face;
   face.body = 1;
   face.from = {-20, 0, 0};
   face.to = {20, 0, 0};
   m.faces = {face};
-  model::FaceContact c;
+  machine::FaceContact c;
   c.name = "shoe";
   c.body = 0;
   c.stiffness = c.tangential_stiffness = 1e8;
@@ -196,7 +196,7 @@ TEST(TransientActuator, AMassOnABeltSticksAndSlips) {
   c.kinetic_friction = 0.2;
   c.stribeck_speed = 0.05;
   m.contacts = {c};
-  model::Actuator spring;
+  machine::Actuator spring;
   spring.from = {-2, 0, 0};
   spring.to_body = 0;
   spring.mode = ActuatorMode::lock;
@@ -221,9 +221,9 @@ TEST(TransientActuator, AMassOnABeltSticksAndSlips) {
 }
 
 TEST(TransientActuator, WhatCannotBeComputedIsTold) {
-  model::Actuator ram;
+  machine::Actuator ram;
   ram.mode = ActuatorMode::lock;
-  model::Model m = pushed_mass(ram);
+  machine::Model m = pushed_mass(ram);
   EXPECT_NE(transient(m, lasting(1, 1e-6, 100)).outcome.message.find("lock_stiffness"), std::string::npos);
   m.actuators[0].mode = ActuatorMode::extend;
   m.actuators[0].from = {2, 0, 0};

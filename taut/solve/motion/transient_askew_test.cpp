@@ -12,32 +12,32 @@
 namespace taut_test::transient_askew {
 namespace {
 
-using taut::analysis::EnergyLedger;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::EnergyLedger;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double radius = 0.3;
 
 /// A round that turns with its body about its own axis, a rope stuck on it that comes in its plane and leaves out of
 /// it to `end`; the body's weight beside the axis turns it. No line moves.
-model::Model winch(const Vector3& end, bool backwards, int side) {
-  model::Model m;
+machine::Model winch(const Vector3& end, bool backwards, int side) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("round", {0, 0, 0}, 200, "Y"));
   m.bodies[0].inertia = Vector3(10, 20, 10);
   m.bodies[0].centre = {0.25, 0, 0};
-  model::Node on = sheave("groove", origin, radius, backwards ? -side : side, 0, 0);
+  machine::Node on = sheave("groove", origin, radius, backwards ? -side : side, 0, 0);
   on.law = {20, 0};
-  std::vector<model::Node> path{anchor("start", {-2.0 * side, 0, -1}), on, anchor("end", end)};
+  std::vector<machine::Node> path{anchor("start", {-2.0 * side, 0, -1}), on, anchor("end", end)};
   if (backwards) std::reverse(path.begin(), path.end());
   m.reevings.push_back(reeve("rope", path, 0, 0, 2e5));
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 4000;
   return m;
 }
 
-TransientResult run(const model::Model& m, taut::analysis::Branches branches = taut::analysis::Branches::catenary) {
+TransientResult run(const machine::Model& m, taut::solve::Branches branches = taut::solve::Branches::catenary) {
   TransientOptions options = lasting(1, 1e-5, 500);
   options.branches = branches;  // of ropes with weight
   return transient(m, options);
@@ -94,17 +94,17 @@ TEST(TransientAskew, NoneInThePlane) {
 TEST(TransientAskew, BlockThatTumbles) {
   for (const auto& [tilt, weight] : {std::pair{0.3, 0.0}, {-0.7, 0.0}, {0.3, 30.0}}) {
     SCOPED_TRACE(testing::Message() << tilt << ' ' << weight);
-    model::Model m;
+    machine::Model m;
     m.gravity = 9.81;
     m.bodies.push_back(body("block", {0, 0, 0}, 300, "xyzXYZ"));
     m.bodies[0].inertia = Vector3(20, 30, 25);
     m.bodies[0].centre = {0.1, 0.15, -0.2};
-    model::Node head = sheave("head", {2, 0.4, 5}, 0.2, 1);
+    machine::Node head = sheave("head", {2, 0.4, 5}, 0.2, 1);
     head.axis = Vector3(std::sin(tilt), std::cos(tilt), 0);
-    model::Node low = sheave("low", {0, 0, 0.2}, radius, -1, 1, 0);
+    machine::Node low = sheave("low", {0, 0, 0.2}, radius, -1, 1, 0);
     m.reevings.push_back(
         reeve("rope", {anchor("start", {-0.9, -0.2, 5}), low, head, anchor("end", {4, 1, 1})}, 0, weight, 5e5));
-    m.reevings[0].given = model::Given::tension_at_start;
+    m.reevings[0].given = machine::Given::tension_at_start;
     m.reevings[0].value = 1500;
     const TransientResult r = run(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -118,13 +118,13 @@ TEST(TransientAskew, BlockThatTumbles) {
 TEST(TransientAskew, SlackRopeOnARound) {
   for (const double aside : {0.0, 0.8}) {
     SCOPED_TRACE(aside);
-    model::Model m;
+    machine::Model m;
     m.gravity = 9.81;
     m.bodies.push_back(body("block", {0, 0, 0}, 100, "xz"));
-    model::Node low = sheave("low", origin, radius, -1, 0, 0);
+    machine::Node low = sheave("low", origin, radius, -1, 0, 0);
     low.law = {20, 0};
     m.reevings.push_back(reeve("rope", {anchor("start", {-3, 0, 2}), low, anchor("end", {2, aside, 1})}, 60, 40, 5e5));
-    const TransientResult r = run(m, taut::analysis::Branches::straight);
+    const TransientResult r = run(m, taut::solve::Branches::straight);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_GT(largest(r, &EnergyLedger::slack), 0.01);
     EXPECT_LT(largest(r, &EnergyLedger::residual), 1e-4);

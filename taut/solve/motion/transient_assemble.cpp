@@ -5,7 +5,7 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// Acceleration of the centre of mass and rate of the angular momentum of a body: mass * a, I b + w x I w.
@@ -36,7 +36,7 @@ double dead_power(const Mechanism& m, int body, const Values& now, const Vector3
     power -= shape.own_mass * m.model->gravity * (along + about.cross(c)).z();
   }
   if (shape.model < 0) return power;
-  for (const model::Load& load : m.model->loads) {
+  for (const machine::Load& load : m.model->loads) {
     if (load.at.body == shape.model) power += load.force.dot(along + about.cross(is.R * load.at.at));
   }
   return power;
@@ -90,7 +90,7 @@ double turning_entry(const Mechanism& m, const Scheme& s, int body, const Values
   turned += B.dot(dI_beta + is.w.cross(dI_w));
   turned += shape.own_mass * m.model->gravity * B.cross(b.cross(is.R * shape.own_centre)).z();
   if (shape.model >= 0) {
-    for (const model::Load& load : m.model->loads) {
+    for (const machine::Load& load : m.model->loads) {
       if (load.at.body == shape.model) turned -= load.force.dot(B.cross(b.cross(is.R * load.at.at)));
     }
   }
@@ -258,7 +258,7 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
 
 Vector3 dead_load(const Mechanism& m, int model_body) {
   Vector3 force = Vector3::Zero();
-  for (const model::Load& load : m.model->loads) {
+  for (const machine::Load& load : m.model->loads) {
     if (load.at.body == model_body) force += load.force;
   }
   return force;
@@ -298,4 +298,4 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
   assemble_couples(m, s, now, w);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -8,15 +8,15 @@
 
 /// The rows of straight machines: their derivatives against differences, the inertia of a body against the change of
 /// its momentum.
-namespace taut::analysis::dynamics::transient_assemble_test {
+namespace taut::solve::dynamics::transient_assemble_test {
 
 using namespace taut_test;
 
 constexpr Grip every[] = {Grip::stuck, Grip::forward, Grip::backward, Grip::equal};
 
 /// The boom with inertia, a hook that turns, and a motor's worth of inertia in its skew sheave.
-model::Model heavy_boom() {
-  model::Model m = boom();
+machine::Model heavy_boom() {
+  machine::Model m = boom();
   m.bodies[0].inertia = {40, 9000, 9000};
   m.bodies[1].free = body("", origin, 0, "xyzXYZ").free;
   m.bodies[1].inertia = {30, 45, 60};
@@ -31,7 +31,7 @@ model::Model heavy_boom() {
 
 /// Without dampers in motion, with them at rest: by how much they change with the rate of strain itself, the damping
 /// times that rate of all, is left out of the tangent.
-double worst_of_both(model::Model m, Grip grip, int turns = 0, double speed = 0.1) {
+double worst_of_both(machine::Model m, Grip grip, int turns = 0, double speed = 0.1) {
   const double undamped = worst_slope(m, {.grip = grip, .turns = turns, .speed = speed});
   for (auto& rope : m.reevings) rope.damping_time = 0.01;
   return std::max(undamped, worst_slope(m, {.grip = grip, .turns = turns, .still = true}));
@@ -57,7 +57,7 @@ TEST(TransientAssemble, SlopesOfTurningBodiesAgreeWithDifferences) {
 }
 
 TEST(TransientAssemble, SlopesOfChainsAgreeWithDifferences) {
-  model::Model m = with_carriage(false, 0.1);
+  machine::Model m = with_carriage(false, 0.1);
   m.reevings[0].segments = 3;
   EXPECT_LT(worst_of_both(m, Grip::forward), 1e-7);
 }
@@ -65,9 +65,9 @@ TEST(TransientAssemble, SlopesOfChainsAgreeWithDifferences) {
 /// A body that spins about no axis of its own: what its inertia asks of each virtual velocity is the rate of its linear
 /// and angular momentum, by differences over a short time of its motion, less the power of its weight and its load.
 TEST(TransientAssemble, InertiaIsTheRateOfMomentum) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("block", {1, 2, 3}, 80, "xyzXYZ"));
-  model::Body& block = m.bodies[0];
+  machine::Body& block = m.bodies[0];
   block.inertia = {5, 11, 8};
   block.centre = {0.3, -0.2, 0.5};
   block.orientation = Eigen::AngleAxisd(0.8, Vector3(1, 1, -2).normalized());
@@ -102,4 +102,4 @@ TEST(TransientAssemble, InertiaIsTheRateOfMomentum) {
   EXPECT_EQ(dead_load(built.mechanism, 0), load);
 }
 
-}  // namespace taut::analysis::dynamics::transient_assemble_test
+}  // namespace taut::solve::dynamics::transient_assemble_test

@@ -13,20 +13,20 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_strain = 5;  ///< no cord stretches more, of rubber neither; such a length is a slip
 
-Outcome no_rope_between(const model::Model& model, const Line& line, const char* how) {
-  const model::Reeving& rope = model.reevings[at(line.reeving)];
+Outcome no_rope_between(const machine::Model& model, const Line& line, const char* how) {
+  const machine::Reeving& rope = model.reevings[at(line.reeving)];
   return infeasible(fmt::format("no rope {} from '{}' to '{}' of '{}' where the motion begins", how,
                                 rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, rope.name));
 }
 
-Outcome too_short(const model::Model& model, const Line& line, const LineValues& is) {
-  const model::Reeving& rope = model.reevings[at(line.reeving)];
+Outcome too_short(const machine::Model& model, const Line& line, const LineValues& is) {
+  const machine::Reeving& rope = model.reevings[at(line.reeving)];
   return infeasible(fmt::format(
       "rope '{}' would begin the motion stretched by {:.3g} %: {:.4g} m of rope between '{}' and '{}', {:.4g} m apart; "
       "give it its length",
@@ -51,7 +51,7 @@ double back_from_rounds(const Line& line, const Values& v, const DynamicState::R
 
 void place_lines(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   Values& v = built.values;
   v.lines.resize(m.lines.size());
   v.sags.resize(at(m.sagging));
@@ -92,10 +92,10 @@ void place_lines(const DynamicState& start, Built& built) {
 
 void fill_contacts(const DynamicState& start, Built& built) {
   const Mechanism& m = built.mechanism;
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   Values& v = built.values;
   v.contacts.resize(m.contacts.size());
-  std::vector<model::Pose> poses;
+  std::vector<machine::Pose> poses;
   poses.reserve(v.bodies.size());
   for (const Motion3& body : v.bodies) poses.push_back({body.x, body.R});
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
@@ -105,8 +105,10 @@ void fill_contacts(const DynamicState& start, Built& built) {
     is.lambda = 1 + std::max(0.0, entry_strain(m, v, contact, is.entry));
     is.winding = is.lambda;
     if (contact.in < 0 || contact.out < 0) continue;
-    const model::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
-    is.wrap = bend(node, end_at(node, poses), direction(m, v, contact.in, 1), direction(m, v, contact.out, 0)).wrap;
+    const machine::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    is.wrap = mechanics::bend(node, mechanics::end_at(node, poses), direction(m, v, contact.in, 1),
+                              direction(m, v, contact.out, 0))
+                  .wrap;
     const auto& wraps = start.ropes[at(contact.reeving)].wrap;
     if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[at(contact.node)] - is.wrap) / (two_pi));
   }
@@ -114,7 +116,7 @@ void fill_contacts(const DynamicState& start, Built& built) {
 
 void fill_drums(const DynamicState& start, Built& built) {
   const Mechanism& m = built.mechanism;
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   Values& v = built.values;
   v.drums.resize(model.drums.size());
   for (std::size_t d = 0; d < model.drums.size(); ++d) {
@@ -160,8 +162,8 @@ void classify(Mechanism& m) {
   }
   for (const auto& [line, end] : m.tensioner) m.lines[at(line)].tensioned = true;
   for (Contact& contact : m.contacts) {
-    const model::Reeving& rope = m.model->reevings[at(contact.reeving)];
-    contact.load = rope.nodes[at(contact.node)].kind == model::NodeKind::load;
+    const machine::Reeving& rope = m.model->reevings[at(contact.reeving)];
+    contact.load = rope.nodes[at(contact.node)].kind == machine::NodeKind::load;
     m.rope_loads = m.rope_loads || contact.load;
     const bool light = contact.spin < 0;
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
@@ -170,7 +172,7 @@ void classify(Mechanism& m) {
   const auto plain = [](const Line& line) { return line.kind == LineKind::points && line.sag < 0; };
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
   const bool driven = std::any_of(m.model->bodies.begin(), m.model->bodies.end(),
-                                  [](const model::Body& body) { return !body.driven.empty(); });
+                                  [](const machine::Body& body) { return !body.driven.empty(); });
   m.simple = m.contacts.empty() && m.chain_loads.empty() && m.couples.empty() && m.tensioner.empty() && !driven &&
              std::all_of(m.lines.begin(), m.lines.end(), plain) && std::all_of(m.bodies.begin(), m.bodies.end(), still);
   m.lossless =
@@ -191,7 +193,7 @@ double lumped_length(const Mechanism& m, const DynamicState& start, int line) {
 
 void fill_values(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   Values& v = built.values;
   v.t = v.when = start.t;
   v.q.assign(at(m.size), 0.0);
@@ -241,7 +243,7 @@ void fill_values(const DynamicState& start, Built& built) {
   v.tensioned.assign(m.tensioner.size(), 0.0);
   v.tension_rate = v.tensioned;
   for (std::size_t k = 0; k < m.tensioner.size(); ++k)
-    v.tensioned[k] = model::at(model.tensioners[k].change, v.t).value;
+    v.tensioned[k] = machine::at(model.tensioners[k].change, v.t).value;
   place_lines(start, built);
   if (m.rope_loads) place_rope_loads(m, v);
   place_chain_loads(start, m, v);
@@ -251,4 +253,4 @@ void fill_values(const DynamicState& start, Built& built) {
   for (const LineValues& line : v.lines) m.size_of_machine = std::max(m.size_of_machine, line.l);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -9,7 +9,7 @@
 
 /// Where a motion begins, by hand: straight lines over a round, velocities, what lies on drums, what comes back from
 /// rounds where a rope that hung is straight from now on.
-namespace taut::analysis::dynamics::transient_begin_test {
+namespace taut::solve::dynamics::transient_begin_test {
 
 using namespace taut_test;
 using std::numbers::pi;
@@ -17,8 +17,8 @@ using std::numbers::pi;
 constexpr double R = 0.5, EA = 2e6;
 
 /// Over a sheave at the origin from 4 m to its left to 4 m to its right, 3 m below: tangents from 5 m.
-model::Model over_the_top() {
-  model::Model m;
+machine::Model over_the_top() {
+  machine::Model m;
   m.bodies.push_back(body("load", {4, 0, -3}, 100, "xz"));
   m.reevings.push_back(
       reeve("rope", {anchor("a", {-4, 0, -3}), sheave("top", origin, R, 1), anchor_on("load", 0)}, 10.6, 0, EA));
@@ -28,7 +28,7 @@ model::Model over_the_top() {
 TEST(TransientBegin, LinesOverARoundAreItsTangents) {
   DynamicState start = assembled(over_the_top());
   start.ropes[0].length = {4.9, 4.97};
-  const model::Model m = over_the_top();
+  const machine::Model m = over_the_top();
   const Built built = build(m, start, {});
   ASSERT_TRUE(built.outcome.ok()) << built.outcome.message;
   const double l = std::sqrt(25 - R * R), up = std::atan2(3, 4) + std::asin(R / 5);
@@ -46,7 +46,7 @@ TEST(TransientBegin, LinesOverARoundAreItsTangents) {
 }
 
 TEST(TransientBegin, ALengthThatIsASlipIsRefusedByName) {
-  const model::Model m = over_the_top();
+  const machine::Model m = over_the_top();
   DynamicState start = assembled(m);
   start.ropes[0].length = {4.9, 1};
   EXPECT_TRUE(build(m, start, {}).outcome.ok());  // a cord may stretch so far
@@ -59,8 +59,8 @@ TEST(TransientBegin, ALengthThatIsASlipIsRefusedByName) {
 }
 
 TEST(TransientBegin, ASavedStateGivesRoundsTheirTurns) {
-  const model::Model m = [] {
-    model::Model of = over_the_top();
+  const machine::Model m = [] {
+    machine::Model of = over_the_top();
     of.reevings[0].nodes[1].inertia = 2;
     return of;
   }();
@@ -85,7 +85,7 @@ TEST(TransientBegin, ASavedStateGivesRoundsTheirTurns) {
 
 /// A rope that hung left its rounds in other directions: arcs and free rope together stay as long as they were.
 TEST(TransientBegin, WhatHungAndIsStraightNowComesBackFromItsRounds) {
-  model::Model m = over_the_top();
+  machine::Model m = over_the_top();
   m.reevings[0].nodes[0].radius = 0.3;  // both of its ends are rounds
   m.reevings[0].nodes[0].side = -1;
   DynamicState start = assembled(m);
@@ -105,7 +105,7 @@ TEST(TransientBegin, WhatHungAndIsStraightNowComesBackFromItsRounds) {
 }
 
 TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("load", {2, 0, -9}, 100, "xz"));
   m.reevings.push_back(reeve("rope", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 9.2, 0, EA));
   m.drums[0].layer = 3;
@@ -129,7 +129,7 @@ TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {
 }
 
 TEST(TransientBegin, SimpleMachinesAreThoseOfPointsAndLinesBetweenThem) {
-  model::Model m;
+  machine::Model m;
   m.bodies.push_back(body("load", {3, 0, -4}, 100, "xyz"));
   m.bodies[0].counterweight = 30;
   m.loads.push_back({{0, origin}, {10, 20, -40}});
@@ -151,4 +151,4 @@ TEST(TransientBegin, SimpleMachinesAreThoseOfPointsAndLinesBetweenThem) {
   EXPECT_TRUE(classified().lines[0].still);
 }
 
-}  // namespace taut::analysis::dynamics::transient_begin_test
+}  // namespace taut::solve::dynamics::transient_begin_test

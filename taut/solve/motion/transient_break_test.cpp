@@ -7,14 +7,14 @@
 namespace taut_test::transient_break {
 namespace {
 
-using taut::analysis::EnergyLedger;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientResult;
+using taut::solve::EnergyLedger;
+using taut::solve::TransientFrame;
+using taut::solve::TransientResult;
 
-model::Event break_at(double t, double over, int part = -1) {
-  model::Event event;
+machine::Event break_at(double t, double over, int part = -1) {
+  machine::Event event;
   event.words = "break";
-  event.kind = model::EventKind::breaks;
+  event.kind = machine::EventKind::breaks;
   event.at = t;
   event.over = over;
   event.index = 0;
@@ -23,14 +23,14 @@ model::Event break_at(double t, double over, int part = -1) {
 }
 
 /// A mass of 100 kg on a rope over two points, 3 m beside each other, 5 m above it; its other end is held 2 m below.
-model::Model over_two_points(double weight) {
-  model::Model m;
+machine::Model over_two_points(double weight) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {0, 0, 0}, 100, "z"));
-  model::Reeving rope =
+  machine::Reeving rope =
       reeve("rope", {anchor_on("held", 0), over("left", {0, 0, 5}), over("right", {3, 0, 5}), anchor("end", {3, 0, 3})},
             0, weight, 1e6);
-  rope.given = model::Given::tension_at_start;
+  rope.given = machine::Given::tension_at_start;
   rope.value = 981;
   m.reevings.push_back(rope);
   return m;
@@ -46,7 +46,7 @@ double time_of(const TransientResult& r, const std::string& what, const std::str
 /// The mass falls freely with a rope without weight: its dead end runs over the right point when the mass has fallen by
 /// what hung there, and over the left one when the rest has followed.
 TEST(TransientBreak, DeadEndRunsOffWhenItsRopeIsUsedUp) {
-  model::Model m = over_two_points(0);
+  machine::Model m = over_two_points(0);
   m.events.push_back(break_at(0, 0, 2));
   const TransientResult r = run_to_end(m, lasting(1.2, 1e-4, 100));
   const double stretch = 1 + 981 / 1e6, g = 9.81;
@@ -65,7 +65,7 @@ TEST(TransientBreak, DeadEndRunsOffWhenItsRopeIsUsedUp) {
 
 /// With weight: what runs over the points has a height, and the branch of the dead end is longer than its rope.
 TEST(TransientBreak, WeightOfDeadEndsClosesTheBooks) {
-  model::Model m = over_two_points(20);
+  machine::Model m = over_two_points(20);
   m.events.push_back(break_at(0.05, 0, 2));
   const TransientResult r = run_to_end(m, lasting(1.3, 1e-4, 100));
   EXPECT_GT(time_of(r, "run_off", "left"), 0);
@@ -77,7 +77,7 @@ TEST(TransientBreak, WeightOfDeadEndsClosesTheBooks) {
 /// A break that takes 10 ms, far less than the mass moves in: all strain energy is lost in it, in however few steps the
 /// rest of the motion would go.
 TEST(TransientBreak, StrainEnergyGoesWithTheStiffness) {
-  model::Model m = over_two_points(0);
+  machine::Model m = over_two_points(0);
   m.events.push_back(break_at(0.1, 0.01, 2));
   const TransientResult r = run_to_end(m, lasting(0.2, 1e-4, 100));
   const double strain = r.frames.front().energy.elastic;
@@ -90,7 +90,7 @@ TEST(TransientBreak, StrainEnergyGoesWithTheStiffness) {
 
 /// What is broken breaks no second time, and does not hold again while it does.
 TEST(TransientBreak, BrokenRopeDoesNotHoldAgain) {
-  model::Model m = over_two_points(0);
+  machine::Model m = over_two_points(0);
   m.events = {break_at(0.1, 0), break_at(0.3, 0.05), break_at(0.4, 0.05, 1)};
   const TransientResult r = run_to_end(m, lasting(0.5, 1e-4, 100));
   std::vector<double> broke;

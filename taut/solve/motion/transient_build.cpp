@@ -13,19 +13,19 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 int count(std::size_t n) { return static_cast<int>(n); }
 
-bool is_load(const model::Reeving& rope, int node) { return rope.nodes[at(node)].kind == model::NodeKind::load; }
+bool is_load(const machine::Reeving& rope, int node) { return rope.nodes[at(node)].kind == machine::NodeKind::load; }
 
 /// A direction square to the axis.
 Vector3 normal_to(const Vector3& axis) { return axis.unitOrthogonal(); }
 
 class Builder {
  public:
-  Builder(const model::Model& model, const DynamicState& start, const TransientOptions& options)
+  Builder(const machine::Model& model, const DynamicState& start, const TransientOptions& options)
       : model_(model), start_(start), options_(options) {
     built_.mechanism.model = &model;
   }
@@ -52,7 +52,7 @@ class Builder {
 
   void add_bodies() {
     for (int b = 0; b < count(model_.bodies.size()); ++b) {
-      const model::Body& given = model_.bodies[at(b)];
+      const machine::Body& given = model_.bodies[at(b)];
       Body body;
       body.model = b;
       body.count = given.of_rope ? 0 : count(given.free.size());
@@ -86,7 +86,7 @@ class Builder {
   }
 
   Line line_between(int r, int from, int to) const {
-    const model::Reeving& rope = model_.reevings[at(r)];
+    const machine::Reeving& rope = model_.reevings[at(r)];
     Line line;
     line.reeving = r;
     line.from = from;
@@ -101,7 +101,7 @@ class Builder {
     }
     for (const std::size_t end : {0U, 1U}) {
       // beyond loads, whose parts have both ends of the whole free line
-      const model::Node& node = rope.nodes[at(line_end(rope, end == 0 ? from : to, end))];
+      const machine::Node& node = rope.nodes[at(line_end(rope, end == 0 ? from : to, end))];
       line.body[end] = node.at.body;
       line.place[end] = node.at.at;
       line.axis[end] = node.axis;
@@ -114,8 +114,8 @@ class Builder {
   }
 
   void add_rope(int r) {
-    const model::Reeving& rope = model_.reevings[at(r)];
-    const int nodes = count(rope.nodes.size()), branches = model::branch_count(rope);
+    const machine::Reeving& rope = model_.reevings[at(r)];
+    const int nodes = count(rope.nodes.size()), branches = machine::branch_count(rope);
     const int first = count(m().lines.size());
     m().inside.emplace_back();
     for (int k = 0; k < branches; ++k) {
@@ -180,8 +180,8 @@ class Builder {
 
   /// A node between two branches, or a drum at an end.
   void add_contact(int r, int node, int in, int out) {
-    const model::Reeving& rope = model_.reevings[at(r)];
-    const model::Node& given = rope.nodes[at(node)];
+    const machine::Reeving& rope = model_.reevings[at(r)];
+    const machine::Node& given = rope.nodes[at(node)];
     Contact contact;
     contact.reeving = r;
     contact.node = node;
@@ -204,20 +204,20 @@ class Builder {
 
   void add_contacts() {
     for (int r = 0; r < count(model_.reevings.size()); ++r) {
-      const model::Reeving& rope = model_.reevings[at(r)];
+      const machine::Reeving& rope = model_.reevings[at(r)];
       const auto [first, lines] = m().first_line[at(r)];
       const int per_branch = std::max(1, rope.segments), nodes = count(rope.nodes.size());
       for (int k = 0; k < nodes; ++k) {
-        const model::Node& node = rope.nodes[at(k)];
+        const machine::Node& node = rope.nodes[at(k)];
         const bool end = !rope.closed && (k == 0 || k == nodes - 1);
-        if (node.kind == model::NodeKind::clamp || (end && node.drum < 0)) continue;
-        if (rope.segments > 1 && node.kind == model::NodeKind::load) continue;
+        if (node.kind == machine::NodeKind::clamp || (end && node.drum < 0)) continue;
+        if (rope.segments > 1 && node.kind == machine::NodeKind::load) continue;
         const int out = end && k > 0 ? -1 : first + k * per_branch;
         const int in = end && k == 0 ? -1 : first + (k > 0 ? k * per_branch : lines) - 1;
         add_contact(r, k, in, out);
       }
     }
-    for (const model::Tensioner& tensioner : model_.tensioners) {
+    for (const machine::Tensioner& tensioner : model_.tensioners) {
       const auto [first, lines] = m().first_line[at(tensioner.reeving)];
       m().tensioner.emplace_back(tensioner.at_start ? first : first + lines - 1, tensioner.at_start ? 0 : 1);
     }
@@ -227,7 +227,7 @@ class Builder {
     std::vector<int> of_drum(model_.drums.size(), -1);
     for (int i = 0; i < count(m().contacts.size()); ++i) {
       Contact& contact = m().contacts[at(i)];
-      const model::Node& node = model_.reevings[at(contact.reeving)].nodes[at(contact.node)];
+      const machine::Node& node = model_.reevings[at(contact.reeving)].nodes[at(contact.node)];
       const double along = node.side;
       Spin spin;
       spin.body = contact.body;
@@ -257,7 +257,7 @@ class Builder {
 
   /// Half of each line's mass to the bodies at its ends, at its rounds; and what hangs on the bodies.
   void add_lumps() {
-    for (const model::Load& load : model_.loads) {
+    for (const machine::Load& load : model_.loads) {
       if (load.at.body >= 0 && load.mass > 0) add_mass(m().bodies[at(load.at.body)], load.mass, load.at.at);
     }
     for (int i = 0; i < count(m().lines.size()); ++i) {
@@ -288,7 +288,7 @@ class Builder {
   void number();
   void list_places();
 
-  const model::Model& model_;
+  const machine::Model& model_;
   const DynamicState& start_;
   const TransientOptions& options_;
   Built built_;
@@ -383,8 +383,8 @@ void Builder::list_places() {
 
 }  // namespace
 
-Built build(const model::Model& model, const DynamicState& start, const TransientOptions& options) {
+Built build(const machine::Model& model, const DynamicState& start, const TransientOptions& options) {
   return Builder(model, start, options).run();
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

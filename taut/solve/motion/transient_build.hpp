@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// Where a build begins: poses and velocities of the model's bodies, lengths by reeving and line, places of inner
 /// nodes.
@@ -10,7 +10,7 @@ struct Built {
   Values values;
   Outcome outcome;  ///< not ok: which part can't move
 };
-Built build(const model::Model& model, const DynamicState& start, const TransientOptions& options);
+Built build(const machine::Model& model, const DynamicState& start, const TransientOptions& options);
 
 /// Not ok: a part that can't be computed in motion, or that can't move.
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v);
@@ -24,12 +24,12 @@ double start_length(const Mechanism& m, const DynamicState& start, int line);
 double lumped_length(const Mechanism& m, const DynamicState& start, int line);
 
 /// The state as described, at rest: each rope straight from round to round.
-DynamicState assembled(const model::Model& model);
+DynamicState assembled(const machine::Model& model);
 
 /// The same from a state of statics.
-DynamicState state_from(const model::Model& model, const model::State& state);
+DynamicState state_from(const machine::Model& model, const machine::State& state);
 
 /// What is to be kept.
 DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& before);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -11,11 +11,11 @@
 
 /// The machine as arrays: that no mass is lost and none counted twice, that every unknown has its own column, how lines
 /// and rounds are told apart.
-namespace taut::analysis::dynamics::transient_build_test {
+namespace taut::solve::dynamics::transient_build_test {
 
 using namespace taut_test;
 
-Built built_of(const model::Model& m, const TransientOptions& options = {}) {
+Built built_of(const machine::Model& m, const TransientOptions& options = {}) {
   Built built = build(m, assembled(m), options);
   EXPECT_TRUE(built.outcome.ok()) << built.outcome.message;
   return built;
@@ -28,8 +28,8 @@ Matrix3 about_origin(double mass, const Vector3& at) {
 
 /// Mass, first and second moments about the body's origin are sums over what lies on it; its weight stays its own.
 TEST(TransientBuild, HalfOfEachRopesMassLiesAtItsEnds) {
-  model::Model m;
-  model::Body lug = body("block", {0, 0, 5}, 200, "xyzXYZ");
+  machine::Model m;
+  machine::Body lug = body("block", {0, 0, 5}, 200, "xyzXYZ");
   lug.centre = {0.1, 0.2, -0.3};
   lug.inertia = {9, 12, 15};
   m.bodies.push_back(lug);
@@ -59,7 +59,7 @@ TEST(TransientBuild, HalfOfEachRopesMassLiesAtItsEnds) {
 
 /// Of a rope in segments the joints have all of it but what lies at its ends.
 TEST(TransientBuild, AChainHasTheMassOfItsRope) {
-  model::Model m = with_carriage(false);
+  machine::Model m = with_carriage(false);
   m.reevings[0].segments = 5;
   const Built built = built_of(m);
   const Mechanism& is = built.mechanism;
@@ -84,7 +84,7 @@ TEST(TransientBuild, AChainHasTheMassOfItsRope) {
 }
 
 TEST(TransientBuild, EveryUnknownHasItsColumn) {
-  model::Model m = boom();
+  machine::Model m = boom();
   m.reevings[1].nodes[1].inertia = 2;
   m.reevings[0].segments = 3;
   const Built built = built_of(m);
@@ -112,19 +112,19 @@ TEST(TransientBuild, EveryUnknownHasItsColumn) {
   }
 }
 
-LineKind kind_of(const model::Node& from, const model::Node& to, const std::string& free = "",
-                 const model::DrivenWay* driven = nullptr) {
-  model::Model m;
+LineKind kind_of(const machine::Node& from, const machine::Node& to, const std::string& free = "",
+                 const machine::DrivenWay* driven = nullptr) {
+  machine::Model m;
   m.bodies.push_back(body("body", {6, 0, 1}, 50, free));
   m.bodies[0].inertia = Vector3::Ones();
   if (driven) m.bodies[0].driven.push_back(*driven);
   m.reevings.push_back(reeve("rope", {from, to}, 1e3, 0, 1e6));
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   return built_of(m).mechanism.lines.at(0).kind;
 }
 
 TEST(TransientBuild, LinesAreFlatWhereTheirRoundsStayParallel) {
-  model::Node point = anchor("a", {0, 0, 0}), drum = point, far = anchor_on("b", 0), on = far;
+  machine::Node point = anchor("a", {0, 0, 0}), drum = point, far = anchor_on("b", 0), on = far;
   drum.radius = 0.3;
   on.radius = 0.2;
   EXPECT_EQ(kind_of(point, far), LineKind::points);
@@ -133,7 +133,7 @@ TEST(TransientBuild, LinesAreFlatWhereTheirRoundsStayParallel) {
   EXPECT_EQ(kind_of(point, on, "xyzZ"), LineKind::skew);
   EXPECT_EQ(kind_of(drum, on, "Y"), LineKind::planar);
   EXPECT_EQ(kind_of(drum, on, "X"), LineKind::skew);
-  model::DrivenWay about_y{Vector3::Zero(), Vector3::UnitY(), {}}, about_z{Vector3::Zero(), Vector3::UnitZ(), {}};
+  machine::DrivenWay about_y{Vector3::Zero(), Vector3::UnitY(), {}}, about_z{Vector3::Zero(), Vector3::UnitZ(), {}};
   EXPECT_EQ(kind_of(drum, on, "", &about_y), LineKind::planar);
   EXPECT_EQ(kind_of(drum, on, "", &about_z), LineKind::skew);
   on.axis = Vector3(0.1, 1, 0).normalized();
@@ -145,18 +145,18 @@ TEST(TransientBuild, LinesAreFlatWhereTheirRoundsStayParallel) {
 
 /// Two ropes on one drum turn it together: both take in where it does, whichever of their ends lies there.
 TEST(TransientBuild, ADrumHasOneSpinForAllItsRopes) {
-  model::Model m;
+  machine::Model m;
   m.bodies = {body("left", {-3, 0, -8}, 100, "z"), body("right", {3, 0, -8}, 100, "z")};
   // its path runs out to the right over the top: where the drum turns left it comes in
-  const model::Node drum = add_drum(m, "winch", origin, 0.25, 1);
+  const machine::Node drum = add_drum(m, "winch", origin, 0.25, 1);
   m.drums[0].inertia = 6;
-  model::Node other = drum;
+  machine::Node other = drum;
   other.side = -1;  // this one's path ends there, from the right over the top: the same
   m.reevings = {reeve("a", {drum, anchor_on("right", 1)}, 8.6, 0, 1e6),
                 reeve("b", {anchor_on("right", 1), other}, 8.6, 0, 1e6)};
-  model::Node wheel = sheave("wheel", {-3, 0, 4}, 0.2, 1);
+  machine::Node wheel = sheave("wheel", {-3, 0, 4}, 0.2, 1);
   wheel.inertia = 0.5;
-  model::Node light = sheave("light", {-5, 0, 4}, 0.2, 1), stone = saddle("stone", {-7, 0, 3}, 0.3);
+  machine::Node light = sheave("light", {-5, 0, 4}, 0.2, 1), stone = saddle("stone", {-7, 0, 3}, 0.3);
   stone.inertia = 3;  // it does not turn
   m.reevings.push_back(reeve("c", {anchor("pin", {-12, 0, 0}), stone, light, wheel, anchor_on("left", 0)}, 22, 0, 1e6));
   const Mechanism is = built_of(m).mechanism;
@@ -167,7 +167,7 @@ TEST(TransientBuild, ADrumHasOneSpinForAllItsRopes) {
   for (const auto& [contact, sense] : is.spins[0].contacts) {
     const Contact& at_drum = is.contacts[at(contact)];
     EXPECT_EQ(sense, at_drum.reeving == 0 ? -1 : 1);  // against the path where it begins there
-    const model::Node& node = m.reevings[at(at_drum.reeving)].nodes[at(at_drum.node)];
+    const machine::Node& node = m.reevings[at(at_drum.reeving)].nodes[at(at_drum.node)];
     EXPECT_EQ(is.spins[0].axis, sense * node.side * node.axis);  // both about the same axis in the same sense
   }
   EXPECT_EQ(is.spins[1].drum, -1);
@@ -178,4 +178,4 @@ TEST(TransientBuild, ADrumHasOneSpinForAllItsRopes) {
   EXPECT_EQ(is.contacts[4].spin, 1);
 }
 
-}  // namespace taut::analysis::dynamics::transient_build_test
+}  // namespace taut::solve::dynamics::transient_build_test

@@ -6,7 +6,7 @@
 
 #include "taut/solve/motion/transient_rope_load.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double whole_share = 1e-12;
@@ -111,11 +111,11 @@ void add_chain_loads(Mechanism& m, TimeMethod method) {
     return body < 0 || (m.bodies[at(body)].count == 0 && m.model->bodies[at(body)].driven.empty());
   };
   for (std::size_t r = 0; r < ropes.size(); ++r) {
-    const model::Reeving& rope = ropes[r];
+    const machine::Reeving& rope = ropes[r];
     if (rope.segments <= 1) continue;
     const int nodes = static_cast<int>(rope.nodes.size());
     for (int node = 0; node < nodes; ++node) {
-      if (rope.nodes[at(node)].kind != model::NodeKind::load) continue;
+      if (rope.nodes[at(node)].kind != machine::NodeKind::load) continue;
       ChainLoad load;
       load.as.reeving = static_cast<int>(r);
       load.as.node = node;
@@ -265,4 +265,4 @@ TransientFrame::Contact chain_load_frame(const Mechanism& m, const Values& v, st
   return c;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,7 +10,7 @@
 /// A force against the motion is friction of a given size that also holds: it sticks by a bristle twenty times
 /// as stiff as the segment (explicit steps: as stiff; return mapping, as contacts on faces do), |T_out - T_in| <= F.
 /// docs/theory/rope_load.md.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// Chains through loads of the mechanism: their loads, once its lines stand.
 void add_chain_loads(Mechanism& m, TimeMethod method);
@@ -30,4 +30,4 @@ ChainLoadWork work_of_chain_loads(const Mechanism& m, const Values& before, cons
 /// As a contact of the frame: tensions before and behind the place, the speed of the rope there as its slip.
 TransientFrame::Contact chain_load_frame(const Mechanism& m, const Values& v, std::size_t i);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

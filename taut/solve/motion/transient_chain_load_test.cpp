@@ -11,9 +11,9 @@
 namespace taut_test::transient_chain_load_test {
 namespace {
 
-using taut::analysis::Start;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 TransientOptions lasting(double duration, double tolerance, Start start) {
   TransientOptions options;
@@ -24,22 +24,22 @@ TransientOptions lasting(double duration, double tolerance, Start start) {
   return options;
 }
 
-model::Node load_on(model::Model& m, const Vector3& at, double share) {
-  model::Body place = body("brake", at, 0, "xyz");
+machine::Node load_on(machine::Model& m, const Vector3& at, double share) {
+  machine::Body place = body("brake", at, 0, "xyz");
   place.of_rope = true;
-  model::Node node = anchor_on("brake", static_cast<int>(m.bodies.size()));
-  node.kind = model::NodeKind::load;
+  machine::Node node = anchor_on("brake", static_cast<int>(m.bodies.size()));
+  node.kind = machine::NodeKind::load;
   node.load.share = share;
   m.bodies.push_back(place);
   return node;
 }
 
 /// A mass on a rope with its own mass, a force at the share 0.33 below its top.
-model::Model hanging(int segments, bool friction, bool swapped = false) {
-  model::Model m;
+machine::Model hanging(int segments, bool friction, bool swapped = false) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {0, 0, -10}, 200, "xz"));
-  model::Node load = load_on(m, {0, 0, -3.3}, swapped ? 0.67 : 0.33);
+  machine::Node load = load_on(m, {0, 0, -3.3}, swapped ? 0.67 : 0.33);
   load.load.by_motion = friction;
   load.load.sense = friction || swapped ? -1 : 1;
   if (friction) {
@@ -47,7 +47,7 @@ model::Model hanging(int segments, bool friction, bool swapped = false) {
   } else {
     load.load.signal = smooth_move(0, 900, 0, 0.3);
   }
-  std::vector<model::Node> nodes{anchor("top", {0, 0, 0}), load, anchor_on("mass", 0)};
+  std::vector<machine::Node> nodes{anchor("top", {0, 0, 0}), load, anchor_on("mass", 0)};
   if (swapped) std::reverse(nodes.begin(), nodes.end());
   m.reevings.push_back(reeve("rope", nodes, friction ? 9.92 : 9.95, 0.5 * 9.81, 4e5));
   m.reevings[0].segments = segments;
@@ -56,7 +56,7 @@ model::Model hanging(int segments, bool friction, bool swapped = false) {
 }
 
 /// The first line of a frame at the load: its contact.
-const taut::analysis::TransientFrame::Contact& load_of(const TransientResult& r) {
+const taut::solve::TransientFrame::Contact& load_of(const TransientResult& r) {
   return r.frames.back().contacts.back();
 }
 
@@ -64,7 +64,7 @@ const taut::analysis::TransientFrame::Contact& load_of(const TransientResult& r)
 /// is what their tensions differ by.
 TEST(TransientChainLoad, TheSteadyStateOfTheStraightBranch) {
   const auto rest = [](int segments, bool swapped) {
-    model::Model m = hanging(segments, false, swapped);
+    machine::Model m = hanging(segments, false, swapped);
     m.reevings[0].damping_time = 0.02;
     return run_to_end(m, lasting(8, 1e-6, Start::settled));
   };
@@ -102,10 +102,10 @@ TEST(TransientChainLoad, ClosesItsEnergyAndComesToOneMotion) {
 /// A chain in free flight between two masses: the force is all that changes its momentum, and as the place follows no
 /// end that stands, it keeps its share.
 TEST(TransientChainLoad, GivesItsImpulse) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 0;
   m.bodies = {body("a", {0, 0, 0}, 30, "xyz"), body("b", {6, 2, 3}, 50, "xyz")};
-  model::Node load = load_on(m, {2.4, 0.8, 1.2}, 0.4);
+  machine::Node load = load_on(m, {2.4, 0.8, 1.2}, 0.4);
   load.load.signal = smooth_move(0, 700, 0, 0.2);
   load.load.sense = 1;
   m.reevings.push_back(reeve("rope", {anchor_on("a", 0), load, anchor_on("b", 1)}, 6.9, 0, 1e5));
@@ -130,16 +130,16 @@ TEST(TransientChainLoad, GivesItsImpulse) {
 /// acts in the segment at the sheave itself.
 TEST(TransientChainLoad, GoesOverFromSegmentToSegment) {
   const auto machine = [](int segments, double share) {
-    model::Model m;
+    machine::Model m;
     m.gravity = 9.81;
     m.bodies = {body("mass", {0.2, 0, -12}, 300, "z")};
-    model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1, 0.97);
+    machine::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1, 0.97);
     wheel.inertia = 0.3;
-    model::Node drum = sheave("winch", {0, 0, -8}, 0.2, 1);  // below the wheel: nothing sags
+    machine::Node drum = sheave("winch", {0, 0, -8}, 0.2, 1);  // below the wheel: nothing sags
     drum.drum = 0;
     m.drums.resize(1);
-    m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 1.2)};
-    model::Node load = load_on(m, {0.2, 0, -12 * share}, share);
+    m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, 0.5, 0, 1.2)};
+    machine::Node load = load_on(m, {0.2, 0, -12 * share}, share);
     load.load.by_motion = true;
     load.load.sense = -1;
     load.load.force = 400;
@@ -165,7 +165,7 @@ TEST(TransientChainLoad, GoesOverFromSegmentToSegment) {
 }
 
 TEST(TransientChainLoad, GoesOnFromItsState) {
-  const model::Model m = hanging(10, true);
+  const machine::Model m = hanging(10, true);
   TransientOptions options = lasting(0.6, 1e-6, Start::assembled);
   options.step = 2e-4;
   options.output_step = 0.05;

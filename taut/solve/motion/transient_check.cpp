@@ -7,10 +7,10 @@
 #include "taut/solve/motion/transient_build.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   if (!model.beams.empty()) {
     return infeasible(fmt::format(
         "the beam '{}' bends in statics only: for a motion put a body in its place (fixed, or hinged by 'free: [ry]' "
@@ -39,16 +39,16 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
   if (Outcome couples = check_couples(m, v); !couples.ok()) return couples;
   for (const Spin& spin : m.spins) {
     if (spin.motor < 0 || spin.inertia > 0) continue;
-    const model::Drive& drive = v.drive(spin);
-    if (drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed || drive.brake) continue;
+    const machine::Drive& drive = v.drive(spin);
+    if (drive.kind == machine::DriveKind::held || drive.kind == machine::DriveKind::speed || drive.brake) continue;
     return infeasible(fmt::format("the sheave with the motor '{}' needs an 'inertia' when a torque drives it",
                                   model.motors[at(spin.motor)].name));
   }
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     if (!std::isinf(rope.stiffness)) continue;
     return infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));
   }
   return {};
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

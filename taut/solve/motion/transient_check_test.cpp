@@ -10,8 +10,8 @@
 namespace taut_test::transient_check_test {
 namespace {
 
-model::Model load_on_a_sheave() {
-  model::Model m;
+machine::Model load_on_a_sheave() {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {2, 0, -10}, 100, "xzY"));
   m.bodies[0].inertia = {1, 1, 1};
@@ -22,30 +22,30 @@ model::Model load_on_a_sheave() {
 
 TEST(TransientCheck, WhatCantMoveIsToldWithWhatItLacks) {
   struct Case {
-    std::function<void(model::Model&)> spoil;
+    std::function<void(machine::Model&)> spoil;
     const char *name, *lacks;
   };
-  const auto by_a_torque = [](model::Model& m) {
+  const auto by_a_torque = [](machine::Model& m) {
     m.motors.resize(1);
     m.motors[0].name = "engine";
-    m.motors[0].drive.kind = model::DriveKind::torque;
-    m.reevings[0].nodes[1].kind = model::NodeKind::drive;
+    m.motors[0].drive.kind = machine::DriveKind::torque;
+    m.reevings[0].nodes[1].kind = machine::NodeKind::drive;
     m.reevings[0].nodes[1].motor = 0;
     m.reevings[0].nodes[1].law.friction = 0.3;
   };
   const std::vector<Case> cases = {
-      {[](model::Model& m) { m.bodies[0].mass = 0; }, "'load'", "mass"},
-      {[](model::Model& m) { m.bodies[0].inertia.setZero(); }, "'load'", "inertia about its axis"},
-      {[](model::Model& m) { m.reevings[0].stiffness = std::numeric_limits<double>::infinity(); }, "'rope'",
+      {[](machine::Model& m) { m.bodies[0].mass = 0; }, "'load'", "mass"},
+      {[](machine::Model& m) { m.bodies[0].inertia.setZero(); }, "'load'", "inertia about its axis"},
+      {[](machine::Model& m) { m.reevings[0].stiffness = std::numeric_limits<double>::infinity(); }, "'rope'",
        "'stiffness'"},
       {by_a_torque, "'engine'", "'inertia'"},
   };
-  taut::analysis::TransientOptions options;
+  taut::solve::TransientOptions options;
   options.duration = 0.01;
-  options.start = taut::analysis::Start::assembled;
+  options.start = taut::solve::Start::assembled;
   EXPECT_TRUE(transient(load_on_a_sheave(), options).outcome.ok());
   for (const Case& one : cases) {
-    model::Model m = load_on_a_sheave();
+    machine::Model m = load_on_a_sheave();
     one.spoil(m);
     const auto r = transient(m, options);
     EXPECT_EQ(r.outcome.status, taut::Status::infeasible) << one.lacks;

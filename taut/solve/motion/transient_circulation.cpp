@@ -7,7 +7,7 @@
 /// what runs round all of them alike changes none: nothing but rounding says how much that is, while laws change their
 /// sides by it and the thrust of fast rope takes all grip away. A rope has its own inertia along itself, though: it
 /// goes on as it ran, and gets faster by no more than its tensions could make its mass.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double taut_strain = 1e-3;  ///< with which its inertia is measured, where its tensions are less
@@ -92,4 +92,4 @@ bool loops_hold(const Mechanism& m, const Values& before, const Values& now, dou
   return true;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

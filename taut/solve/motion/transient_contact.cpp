@@ -5,7 +5,7 @@
 #include "taut/solve/motion/transient_rope_load.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// Columns of a contact: those of its line `in`, those of `out`, its own, its spin's.
@@ -350,4 +350,4 @@ bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& n
   return changed;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

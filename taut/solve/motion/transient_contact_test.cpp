@@ -9,7 +9,7 @@
 
 /// What contacts and bearings decide by tensions set by hand: bounds of grip from both sides, moments, and the loss of
 /// a sheave by its efficiency. (Their rows: transient_assemble_test.)
-namespace taut::analysis::dynamics::transient_contact_test {
+namespace taut::solve::dynamics::transient_contact_test {
 
 using namespace taut_test;
 
@@ -17,13 +17,13 @@ constexpr double R = 0.3;
 
 /// Two weights over a sheave, the legs upright unless the left one is drawn aside.
 struct Hung {
-  model::Model m;
+  machine::Model m;
   Mechanism is;
   Values before, now;
 
   explicit Hung(double inertia = 0, double eta = 1, double aside = 0, int copies = 1) {
     m.bodies = {body("left", {-R - aside, 0, -6}, 100, "xz"), body("right", {R, 0, -6}, 100, "xz")};
-    model::Node round = sheave("round", origin, R, 1, eta);
+    machine::Node round = sheave("round", origin, R, 1, eta);
     round.inertia = inertia;
     m.reevings.push_back(reeve("rope", {anchor_on("left", 0), round, anchor_on("right", 1)}, 12.5 + aside, 0, 1e6));
     m.reevings[0].copies = copies;
@@ -158,4 +158,4 @@ TEST(TransientContact, LooseRopeStaysWhereItIs) {
   EXPECT_EQ(loose_flow(of.contact(), was, of.before), 0.7);
 }
 
-}  // namespace taut::analysis::dynamics::transient_contact_test
+}  // namespace taut::solve::dynamics::transient_contact_test

@@ -4,7 +4,7 @@
 
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double least_share = 1e-5;  ///< of the tolerance that any step may use
@@ -166,4 +166,4 @@ void keep_history(Run& run) {
   ++run.known;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -8,9 +8,9 @@
 
 /// What the control makes of steps set by hand: errors against the trapezoidal rule's own on polynomials, and how the
 /// bound of them grows in runs of very many steps.
-namespace taut::analysis::dynamics::transient_control_test {
+namespace taut::solve::dynamics::transient_control_test {
 
-const model::Model nothing;
+const machine::Model nothing;
 
 /// A run with one slide of mass and one line, three steps of the sizes `h` (the last one first) behind it.
 struct ByHand {
@@ -187,14 +187,14 @@ TEST(TransientControl, AResolvingStepIsByTheFastestSwing) {
 /// A mass between two ropes shakes 160 times in a second, undamped: its steps are of one size for 150 000 of them, and
 /// then grow to eight times that; every swing is still resolved, so that it shakes as much as at first.
 TEST(TransientControl, ALongShakingRunGrowsCoarserAndKeepsItsSwing) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 0;
   m.bodies.push_back(taut_test::body("mass", {0.002, 0, 0}, 2, "x"));
   for (const double end : {-1.0, 1.0}) {
     m.reevings.push_back(
         taut_test::reeve("rope", {taut_test::anchor("a", {end, 0, 0}), taut_test::anchor_on("mass", 0)}, 0.99, 0, 1e6));
   }
-  m.observed.push_back({"x", model::Quantity::x, si::m, 0, -1, Vector3::Zero()});
+  m.observed.push_back({"x", machine::Quantity::x, si::m, 0, -1, Vector3::Zero()});
   const auto run = [&](double duration) { return taut_test::run_to_end(m, taut_test::lasting(duration, 1e-6, 500)); };
   const TransientResult usual = run(0.14), longer = run(0.6), longest = run(0.75);
   EXPECT_LT(usual.steps, 150'000);
@@ -227,4 +227,4 @@ TEST(TransientControl, WhatIsKeptIsTheStepBefore) {
   EXPECT_EQ(of.run.known, 4);
 }
 
-}  // namespace taut::analysis::dynamics::transient_control_test
+}  // namespace taut::solve::dynamics::transient_control_test

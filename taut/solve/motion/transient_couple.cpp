@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-using model::ActuatorMode;
+using machine::ActuatorMode;
 
 Couple couple_between(const Mechanism& m, int body, const Vector3& place, int other, const Vector3& other_place) {
   Couple couple;
@@ -40,11 +40,11 @@ const Motion3& motion_of(const Values& v, int body) {
 }
 
 void add_couples(Mechanism& m) {
-  for (const model::FaceContact& contact : m.model->contacts) {
-    const model::Face& face = m.model->faces[at(contact.face)];
+  for (const machine::FaceContact& contact : m.model->contacts) {
+    const machine::Face& face = m.model->faces[at(contact.face)];
     m.couples.push_back(couple_between(m, contact.body, contact.at, face.body, face.from));
   }
-  for (const model::Actuator& actuator : m.model->actuators) {
+  for (const machine::Actuator& actuator : m.model->actuators) {
     m.couples.push_back(couple_between(m, actuator.to_body, actuator.to, actuator.from_body, actuator.from));
   }
 }
@@ -56,7 +56,7 @@ void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
   v.actuators.resize(actuators);
   for (std::size_t i = 0; i < faces; ++i) {
     const Couple& couple = m.couples[i];
-    const model::Face& face = m.model->faces[at(m.model->contacts[i].face)];
+    const machine::Face& face = m.model->faces[at(m.model->contacts[i].face)];
     const Motion3& carrier = motion_of(v, couple.body[1]);
     v.faces[i].point = couple_place(v, couple, 0);
     v.faces[i].arm = carrier.R.transpose() * (v.faces[i].point - carrier.x);
@@ -74,10 +74,10 @@ void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
     m.size_of_machine = std::max(m.size_of_machine, is.length);
   }
   // a force rounds as its places do
-  for (const model::FaceContact& law : m.model->contacts) {
+  for (const machine::FaceContact& law : m.model->contacts) {
     m.stiffest = std::max(m.stiffest, law.stiffness * m.size_of_machine);
   }
-  for (const model::Actuator& law : m.model->actuators) {
+  for (const machine::Actuator& law : m.model->actuators) {
     m.stiffest = std::max(m.stiffest, law.lock_stiffness * m.size_of_machine);
   }
 }
@@ -100,17 +100,17 @@ void take_modes(const Values& before, Values& now) {
 
 Outcome check_couples(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < v.actuators.size(); ++i) {
-    const model::Actuator& law = m.model->actuators[i];
+    const machine::Actuator& law = m.model->actuators[i];
     if (!(v.actuators[i].length > 0)) {
       return infeasible(
           fmt::format("the ends of the actuator '{}' are at one place where the motion begins: its force "
                       "has no direction",
                       law.name));
     }
-    const auto locks = [&](const model::Event& e) {
-      return e.kind == model::EventKind::actuator && at(e.index) == i && e.mode == ActuatorMode::lock;
+    const auto locks = [&](const machine::Event& e) {
+      return e.kind == machine::EventKind::actuator && at(e.index) == i && e.mode == ActuatorMode::lock;
     };
-    const bool held = law.kind == model::ActuatorKind::speed || v.actuators[i].mode == ActuatorMode::lock ||
+    const bool held = law.kind == machine::ActuatorKind::speed || v.actuators[i].mode == ActuatorMode::lock ||
                       std::any_of(m.model->events.begin(), m.model->events.end(), locks);
     if (held && !(law.lock_stiffness > 0)) {
       return infeasible(
@@ -213,7 +213,7 @@ double yielding(const Mechanism& m, int body, const Vector3& place) {
 std::pair<double, double> spring_of(const Mechanism& m, std::size_t couple, const Values& v) {
   const std::size_t faces = v.faces.size();
   if (couple >= faces) return {-v.actuators[couple - faces].F_l, -v.actuators[couple - faces].F_v};
-  const model::FaceContact& law = m.model->contacts[couple];
+  const machine::FaceContact& law = m.model->contacts[couple];
   if (law.static_friction == 0) return {law.stiffness, law.damping};
   return {std::max(law.stiffness, law.tangential_stiffness), std::max(law.damping, law.tangential_damping)};
 }
@@ -253,7 +253,7 @@ CoupleWork work_of_couples(const Mechanism& m, const Values& before, const Value
   CoupleWork work;
   for (std::size_t i = 0; i < now.faces.size(); ++i) {
     const FaceValues &a = before.faces[i], &b = now.faces[i];
-    const model::FaceContact& law = m.model->contacts[i];
+    const machine::FaceContact& law = m.model->contacts[i];
     const double k = law.stiffness;
     const double deep_a = a.over ? std::max(0.0, a.pen) : 0, deep_b = b.over ? std::max(0.0, b.pen) : 0;
     if (a.over == b.over) {
@@ -311,8 +311,8 @@ double power_of_couples(const Mechanism& m, int body, const Values& v) {
   return power;
 }
 
-double observe_couple(const Mechanism& m, const Values& v, const model::Observable& what) {
-  using model::Quantity;
+double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what) {
+  using machine::Quantity;
   const bool face = what.quantity <= Quantity::contact_state && what.quantity >= Quantity::contact_N;
   const auto i = at(what.index);
   if (face) {
@@ -341,4 +341,4 @@ double observe_couple(const Mechanism& m, const Values& v, const model::Observab
   }
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,7 +3,7 @@
 
 /// Points on faces and actuators of a machine in motion: forces between two places, each with its derivatives.
 /// docs/theory/faces.md.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// Numbers them; before the pattern of the solver is made.
 void add_couples(Mechanism& m);
@@ -43,12 +43,12 @@ double energy_of_faces(const Mechanism& m, const Values& v);
 /// What they do on the driven part of a body's motion, W.
 double power_of_couples(const Mechanism& m, int body, const Values& v);
 
-double observe_couple(const Mechanism& m, const Values& v, const model::Observable& what);
+double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what);
 TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std::size_t i);
 std::vector<TransientFrame::Actuator> actuator_frames(const Values& v);
 
 /// An event: an actuator's mode. A lock keeps the force that there is.
-void set_mode(const Mechanism& m, Values& v, int actuator, model::ActuatorMode mode);
+void set_mode(const Mechanism& m, Values& v, int actuator, machine::ActuatorMode mode);
 
 /// How a couple follows one freedom of one of its bodies.
 struct CoupleColumn {
@@ -73,7 +73,7 @@ const Motion3& motion_of(const Values& v, int body);
 struct Friction {
   double f = 0, slope = 0;
 };
-Friction friction_at(const model::FaceContact& law, double speed);
+Friction friction_at(const machine::FaceContact& law, double speed);
 
 void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now);
 void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w);
@@ -82,6 +82,6 @@ void assemble_actuator(Mechanism& m, const Scheme& s, std::size_t i, const Value
 /// Whether a point that is pressed comes over the end of its face in the step: the force jumps then.
 bool meets_an_edge(const Mechanism& m, const Values& now);
 /// Whether the point is between the ends of its face; `arm`: in the frame of the face's body.
-bool is_over(const model::Face& face, const Vector3& arm);
+bool is_over(const machine::Face& face, const Vector3& arm);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr std::size_t most_lines = 250;
@@ -142,4 +142,4 @@ std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& 
   return found;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

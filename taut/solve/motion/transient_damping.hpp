@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/solve/motion/transient_step.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// By reeving: the lowest frequency of a mode in which the rope stretches (has a hundredth of the strain energy or
 /// more), with ropes stuck on their sheaves, at these values, rad/s; 0 where it moves nothing. From the eigenvalues of
@@ -16,4 +16,4 @@ struct Symmetric {
 };
 Symmetric eigen_of(std::vector<double> a, std::size_t n);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

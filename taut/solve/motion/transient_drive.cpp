@@ -2,7 +2,7 @@
 
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
   const bool leaves = contact.out >= 0;
@@ -11,21 +11,21 @@ double working_radius(const Mechanism& /*m*/, const Contact& contact, const Valu
 
 std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
   if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind == model::DriveKind::held) return Turning{};
+  const machine::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == machine::DriveKind::held) return Turning{};
   // gives its tension to the rope, whatever the drum asks beside it: the rope goes by, and the drum does not count
-  if (drive.kind == model::DriveKind::pull && spin.drum >= 0) return Turning{};
-  if (drive.kind != model::DriveKind::speed) return std::nullopt;
-  const model::SignalValue speed = model::at(drive.signal, t);
+  if (drive.kind == machine::DriveKind::pull && spin.drum >= 0) return Turning{};
+  if (drive.kind != machine::DriveKind::speed) return std::nullopt;
+  const machine::SignalValue speed = machine::at(drive.signal, t);
   const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
   return Turning{speed.value / radius, speed.rate / radius};
 }
 
 double drive_torque(const Mechanism& /*m*/, const Spin& spin, const Values& v, double t) {
   if (spin.drum < 0 && spin.motor < 0) return 0;
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind != model::DriveKind::torque) return 0;
-  return model::at(drive.signal, t).value;
+  const machine::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind != machine::DriveKind::torque) return 0;
+  return machine::at(drive.signal, t).value;
 }
 
 namespace {
@@ -44,14 +44,15 @@ std::optional<double> given_tension(const Mechanism& m, const Contact& contact, 
                                     const Values& rope) {
   if (contact.drum < 0) return std::nullopt;
   const Spin& spin = m.spins[at(contact.spin)];
-  const model::Drive& drive = v.drive(spin);
-  if (drive.brake || drive.kind == model::DriveKind::held || drive.kind == model::DriveKind::speed) return std::nullopt;
-  const bool pulls = drive.kind == model::DriveKind::pull;
+  const machine::Drive& drive = v.drive(spin);
+  if (drive.brake || drive.kind == machine::DriveKind::held || drive.kind == machine::DriveKind::speed)
+    return std::nullopt;
+  const bool pulls = drive.kind == machine::DriveKind::pull;
   if (!pulls && spin.inertia > 0) return std::nullopt;
   // against the free end of a broken rope there is nothing to pull
   const double left = left_of(m, contact.reeving, rope);
-  if (pulls) return left * model::at(drive.signal, t).value;
+  if (pulls) return left * machine::at(drive.signal, t).value;
   return left * drive_torque(m, spin, v, t) / (working_radius(m, contact, v) * contact.copies);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

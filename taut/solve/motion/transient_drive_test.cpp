@@ -4,20 +4,20 @@
 #include "test/support/machines.hpp"
 
 /// What each kind of drive gives a drum: a way of turning, a torque or a tension, and never two of them.
-namespace taut::analysis::dynamics::transient_drive_test {
+namespace taut::solve::dynamics::transient_drive_test {
 
 using namespace taut_test;
 
 constexpr double R = 0.4;
 
 struct Winch {
-  model::Model m;
+  machine::Model m;
   Mechanism is;
   Values v;
 
   explicit Winch(double inertia, int copies = 1) {
     m.bodies.push_back(body("load", {3, 0, -9}, 100, "xz"));
-    const model::Node drum = add_drum(m, "winch", origin, R);
+    const machine::Node drum = add_drum(m, "winch", origin, R);
     m.drums[0].inertia = inertia;
     m.reevings.push_back(reeve("rope", {drum, anchor_on("load", 0)}, 9.4, 0, 1e6));
     m.reevings[0].copies = copies;
@@ -26,9 +26,9 @@ struct Winch {
     is = std::move(built.mechanism);
     v = std::move(built.values);
   }
-  void drive(model::DriveKind kind, bool brake = false) {
-    model::Signal ramp;
-    ramp.law = model::Curve{{0, 10}, {100, 300}, {}};
+  void drive(machine::DriveKind kind, bool brake = false) {
+    machine::Signal ramp;
+    ramp.law = machine::Curve{{0, 10}, {100, 300}, {}};
     v.drum_drive[0] = {kind, ramp, brake};
   }
   std::optional<Turning> turning(double t) const { return prescribed(is, is.spins[0], v, t); }
@@ -38,7 +38,7 @@ struct Winch {
 
 TEST(TransientDrive, ASpeedIsThatOfTheRopeOnItsLayer) {
   Winch of(5);
-  of.drive(model::DriveKind::speed);
+  of.drive(machine::DriveKind::speed);
   ASSERT_TRUE(of.turning(2));
   EXPECT_NEAR(of.turning(2)->omega, 140 / R, 1e-12);
   EXPECT_NEAR(of.turning(2)->alpha, 20 / R, 1e-12);
@@ -50,9 +50,9 @@ TEST(TransientDrive, ASpeedIsThatOfTheRopeOnItsLayer) {
 
 TEST(TransientDrive, WhatIsHeldOrBrakedStands) {
   Winch of(0);
-  for (const model::DriveKind kind : {model::DriveKind::held, model::DriveKind::free, model::DriveKind::speed,
-                                      model::DriveKind::torque, model::DriveKind::pull}) {
-    of.drive(kind, kind != model::DriveKind::held);
+  for (const machine::DriveKind kind : {machine::DriveKind::held, machine::DriveKind::free, machine::DriveKind::speed,
+                                        machine::DriveKind::torque, machine::DriveKind::pull}) {
+    of.drive(kind, kind != machine::DriveKind::held);
     ASSERT_TRUE(of.turning(2));
     EXPECT_EQ(of.turning(2)->omega, 0);
     EXPECT_EQ(of.torque(2), 0);
@@ -66,14 +66,14 @@ TEST(TransientDrive, ATorqueIsATensionWhereNothingTurnsSlowly) {
   for (const int copies : {1, 4}) {
     Winch heavy(5, copies), light(0, copies);
     for (Winch* of : {&heavy, &light}) {
-      of->drive(model::DriveKind::torque);
+      of->drive(machine::DriveKind::torque);
       EXPECT_FALSE(of->turning(5));
       EXPECT_NEAR(of->torque(5), 200, 1e-12);
     }
     EXPECT_FALSE(heavy.tension(5));
     ASSERT_TRUE(light.tension(5));
     EXPECT_NEAR(*light.tension(5) * R * copies, 200, 1e-12);
-    light.drive(model::DriveKind::free);
+    light.drive(machine::DriveKind::free);
     EXPECT_EQ(light.tension(5), 0);
     EXPECT_EQ(light.torque(5), 0);
   }
@@ -83,7 +83,7 @@ TEST(TransientDrive, ATorqueIsATensionWhereNothingTurnsSlowly) {
 TEST(TransientDrive, APullIsTheRopesOwn) {
   for (const double inertia : {0.0, 5.0}) {
     Winch of(inertia);
-    of.drive(model::DriveKind::pull);
+    of.drive(machine::DriveKind::pull);
     ASSERT_TRUE(of.turning(1));  // the drum does not count: the rope goes by
     EXPECT_EQ(of.turning(1)->omega, 0);
     EXPECT_EQ(of.torque(1), 0);
@@ -95,4 +95,4 @@ TEST(TransientDrive, APullIsTheRopesOwn) {
   }
 }
 
-}  // namespace taut::analysis::dynamics::transient_drive_test
+}  // namespace taut::solve::dynamics::transient_drive_test

@@ -8,13 +8,13 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr std::size_t most_notes = 20000;  ///< beyond it only breaks and stops are noted
 
 std::string line_name(const Run& run, const Line& line) {
-  const model::Reeving& rope = run.model.reevings[at(line.reeving)];
+  const machine::Reeving& rope = run.model.reevings[at(line.reeving)];
   if (rope.nodes.size() == 2 && line.segment < 0) return rope.name;
   const std::string branch =
       fmt::format("{}: {} - {}", rope.name, rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name);
@@ -25,14 +25,14 @@ std::string contact_name(const Run& run, const Contact& contact) {
   return run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name;
 }
 
-bool holds(const Run& run, const Values& v, const model::Condition& condition) {
+bool holds(const Run& run, const Values& v, const machine::Condition& condition) {
   const double value = observe(run, v, condition.of);
   return condition.above ? value > condition.threshold : value < condition.threshold;
 }
 
 /// The line that an event breaks, of those that are whole: where the tension is largest; of equal ones, whatever their
 /// rounding, the first. -1: they all are broken; or the rope is, somewhere, and what is left of it hangs loose.
-int breaking_line(const Run& run, const Values& v, const model::Event& event) {
+int breaking_line(const Run& run, const Values& v, const machine::Event& event) {
   const auto [first, lines] = run.m.first_line[at(event.index)];
   const int pieces = std::max(1, run.model.reevings[at(event.index)].segments);
   int from = first, to = first + lines;
@@ -51,7 +51,7 @@ int breaking_line(const Run& run, const Values& v, const model::Event& event) {
   return worst >= 0 && broken && v.lines[at(worst)].T <= 0 ? -1 : worst;
 }
 
-void break_rope(Run& run, Values& v, const model::Event& event) {
+void break_rope(Run& run, Values& v, const machine::Event& event) {
   const int line = breaking_line(run, v, event);
   if (line < 0) return;
   run.breaking.push_back({line, v.t, event.over});
@@ -73,29 +73,29 @@ void turn_with_rope(Run& run, Values& v, int drum) {
   }
 }
 
-bool apply_event(Run& run, Values& v, const model::Event& event) {
+bool apply_event(Run& run, Values& v, const machine::Event& event) {
   switch (event.kind) {
-    case model::EventKind::breaks:
+    case machine::EventKind::breaks:
       break_rope(run, v, event);
       break;
-    case model::EventKind::stop:
+    case machine::EventKind::stop:
       note(run, v.t, "stop", event.words);
       return true;
-    case model::EventKind::brake: {
+    case machine::EventKind::brake: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
       drives[at(event.index)].brake = event.brake_set;
       note(run, v.t, "brake", event.words);
       break;
     }
-    case model::EventKind::drive: {
+    case machine::EventKind::drive: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
-      const bool lets_go = drives[at(event.index)].kind == model::DriveKind::pull && !event.of_motor;
+      const bool lets_go = drives[at(event.index)].kind == machine::DriveKind::pull && !event.of_motor;
       drives[at(event.index)] = event.drive;
-      if (lets_go && event.drive.kind == model::DriveKind::torque) turn_with_rope(run, v, event.index);
+      if (lets_go && event.drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
       note(run, v.t, "drive", event.words);
       break;
     }
-    case model::EventKind::actuator:
+    case machine::EventKind::actuator:
       set_mode(run.m, v, event.index, event.mode);
       note(run, v.t, "actuator", event.words);
       break;
@@ -108,13 +108,13 @@ constexpr double rounding_of_radius = 1e-9;  ///< share of a radius
 
 /// How a drum takes the rope of this contact; width 0 where nobody knows.
 rope::DrumLayers layers_on(const Run& run, const Contact& contact) {
-  return model::measures_of(run.model.drums[at(contact.drum)], run.model.reevings[at(contact.reeving)].diameter);
+  return machine::measures_of(run.model.drums[at(contact.drum)], run.model.reevings[at(contact.reeving)].diameter);
 }
 
 /// The layer on which the end of so much unstretched rope lies, as statics has it: by its turns and the tension at
 /// which it was wound.
 int layer_of(const Run& run, const Contact& contact, double content) {
-  const model::Drum& drum = run.model.drums[at(contact.drum)];
+  const machine::Drum& drum = run.model.drums[at(contact.drum)];
   const rope::DrumLayers layers = layers_on(run, contact);
   if (layers.width == 0) return drum.layer;
   const double strain = drum.wound_at.value_or(0) / run.m.lines[at(std::max(contact.in, contact.out))].stiffness;
@@ -194,7 +194,7 @@ bool winds_on(const Run& run, const Values& v) {
   return std::any_of(run.m.contacts.begin(), run.m.contacts.end(), [&](const Contact& contact) {
     const auto content = content_ahead(run, contact, v);
     if (!content) return false;
-    const model::Drum& drum = run.model.drums[at(contact.drum)];
+    const machine::Drum& drum = run.model.drums[at(contact.drum)];
     const bool climbs =
         drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[at(contact.drum)].layer;
     return climbs || *content < -no_rope_on_drum;
@@ -222,7 +222,7 @@ bool comes_true(const Run& run, const Values& v) {
   const auto overdrawn = [](const LineValues& line) { return line.gone == 0 && !(line.L > 0); };
   if (std::any_of(v.lines.begin(), v.lines.end(), overdrawn)) return true;  // the end runs off before
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
-    const model::Event& event = run.model.events[i];
+    const machine::Event& event = run.model.events[i];
     if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;
   }
   return meets_an_edge(run.m, v);
@@ -231,7 +231,7 @@ bool comes_true(const Run& run, const Values& v) {
 bool happen(Run& run, Values& v, bool& stop) {
   bool any = false;
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
-    const model::Event& event = run.model.events[i];
+    const machine::Event& event = run.model.events[i];
     if (run.happened[i]) continue;
     const bool due = (event.at && v.t >= *event.at) || (event.when && holds(run, v, *event.when));
     if (!due) continue;
@@ -263,7 +263,7 @@ bool change_layers(Run& run, Values& v) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
     if (contact.drum < 0) continue;
-    const model::Drum& drum = run.model.drums[at(contact.drum)];
+    const machine::Drum& drum = run.model.drums[at(contact.drum)];
     if (!drum.automatic_layers || !drum.length_on_drum) continue;
     DrumValues& is = v.drums[at(contact.drum)];
     const rope::DrumLayers layers = layers_on(run, contact);
@@ -298,26 +298,26 @@ bool change_layers(Run& run, Values& v) {
   return any;
 }
 
-std::vector<double> stops_of(const model::Model& model, double from, double to) {
+std::vector<double> stops_of(const machine::Model& model, double from, double to) {
   std::vector<double> stops;
-  const auto add = [&](const model::Signal& signal) {
-    for (const double t : model::breakpoints(signal)) stops.push_back(t);
+  const auto add = [&](const machine::Signal& signal) {
+    for (const double t : machine::breakpoints(signal)) stops.push_back(t);
   };
-  for (const model::Signal& signal : model.signals) add(signal);
-  for (const model::Drum& drum : model.drums) add(drum.drive.signal);
-  for (const model::Motor& motor : model.motors) add(motor.drive.signal);
-  for (const model::Actuator& actuator : model.actuators) add(actuator.signal);
-  for (const model::Tensioner& tensioner : model.tensioners) add(tensioner.change);
-  for (const model::Body& body : model.bodies) {
-    for (const model::DrivenWay& way : body.driven) add(way.signal);
+  for (const machine::Signal& signal : model.signals) add(signal);
+  for (const machine::Drum& drum : model.drums) add(drum.drive.signal);
+  for (const machine::Motor& motor : model.motors) add(motor.drive.signal);
+  for (const machine::Actuator& actuator : model.actuators) add(actuator.signal);
+  for (const machine::Tensioner& tensioner : model.tensioners) add(tensioner.change);
+  for (const machine::Body& body : model.bodies) {
+    for (const machine::DrivenWay& way : body.driven) add(way.signal);
   }
-  for (const model::Reeving& rope : model.reevings) {
-    for (const model::Node& node : rope.nodes) {
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
       if (node.load.signal) add(*node.load.signal);
     }
   }
-  for (const model::Event& event : model.events) {
-    if (event.kind == model::EventKind::drive) add(event.drive.signal);
+  for (const machine::Event& event : model.events) {
+    if (event.kind == machine::EventKind::drive) add(event.drive.signal);
     if (!event.at) continue;
     stops.push_back(*event.at);
     if (event.over > 0) stops.push_back(*event.at + event.over);
@@ -334,4 +334,4 @@ bool jumps_at(const Run& run, double t) {
   return !stops.empty();
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -5,21 +5,21 @@
 
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// The part of a vector along the face.
 Vector3 along_face(const Vector3& normal, const Vector3& v) { return v - normal * normal.dot(v); }
 
 /// By the speed of the contact; in a quasi-static step by that of the step before.
-Friction friction_of(const model::FaceContact& law, const FaceValues& is) {
+Friction friction_of(const machine::FaceContact& law, const FaceValues& is) {
   if (is.held_by >= 0) return {is.held_by, 0};
   return friction_at(law, is.slide.norm());
 }
 
 /// How a point has slid in a quasi-static step: as soon as that is farther, since it stuck, than its bristle yields,
 /// with the speed of this step; where no time passes (it falls, or comes to its start) that is fast.
-void pace_face(const model::FaceContact& law, const Scheme& s, double slid, const FaceValues& was, FaceValues& is) {
+void pace_face(const machine::FaceContact& law, const Scheme& s, double slid, const FaceValues& was, FaceValues& is) {
   is.pace = is.gone = 0;
   if (!s.creeps || !is.closed || is.sticks) return;
   is.gone = was.gone + slid;
@@ -28,7 +28,7 @@ void pace_face(const model::FaceContact& law, const Scheme& s, double slid, cons
 }
 
 /// Pressure and friction by the strain and speed of the contact; the bristle as it ends.
-void push_face(const model::FaceContact& law, const Matrix3& R, bool at_rest, FaceValues& is) {
+void push_face(const machine::FaceContact& law, const Matrix3& R, bool at_rest, FaceValues& is) {
   const double c = at_rest ? 0 : law.damping, ct = at_rest ? 0 : law.tangential_damping;
   is.N = is.over && is.pen > 0 ? std::max(0.0, law.stiffness * is.pen + c * is.pen_rate) : 0;
   is.closed = is.N > 0;
@@ -55,20 +55,20 @@ Vector3 velocity_carried(const Values& now, const Couple& couple, const CoupleCo
 
 }  // namespace
 
-Friction friction_at(const model::FaceContact& law, double speed) {
+Friction friction_at(const machine::FaceContact& law, double speed) {
   const double more = (law.static_friction - law.kinetic_friction) * std::exp(-speed / law.stribeck_speed);
   return {law.kinetic_friction + more, -more / law.stribeck_speed};
 }
 
-bool is_over(const model::Face& face, const Vector3& arm) {
+bool is_over(const machine::Face& face, const Vector3& arm) {
   const Vector3 along = face.to - face.from;
   const double part = (arm - face.from).dot(along);
   return part >= 0 && part <= along.squaredNorm();
 }
 
 void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {
-  const model::FaceContact& law = m.model->contacts[i];
-  const model::Face& face = m.model->faces[at(law.face)];
+  const machine::FaceContact& law = m.model->contacts[i];
+  const machine::Face& face = m.model->faces[at(law.face)];
   const Couple& couple = m.couples[i];
   const Motion3 &of_point = motion_of(now, couple.body[0]), &of_face = motion_of(now, couple.body[1]);
   const FaceValues& was = before.faces[i];
@@ -93,7 +93,7 @@ void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Value
 void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, Work& w) {
   const FaceValues& is = now.faces[i];
   if (!is.closed) return;
-  const model::FaceContact& law = m.model->contacts[i];
+  const machine::FaceContact& law = m.model->contacts[i];
   const Couple& couple = m.couples[i];
   const double c = s.at_rest ? 0 : law.damping, ct = s.at_rest ? 0 : law.tangential_damping;
   const double r = s.reach, square = r * r;
@@ -140,7 +140,7 @@ bool meets_an_edge(const Mechanism& m, const Values& now) {
 double energy_of_faces(const Mechanism& m, const Values& v) {
   double energy = 0;
   for (std::size_t i = 0; i < v.faces.size(); ++i) {
-    const model::FaceContact& law = m.model->contacts[i];
+    const machine::FaceContact& law = m.model->contacts[i];
     const FaceValues& is = v.faces[i];
     if (is.over && is.pen > 0) energy += law.stiffness * is.pen * is.pen / 2;
     energy += law.tangential_stiffness * is.bristle.squaredNorm() / 2;
@@ -150,7 +150,7 @@ double energy_of_faces(const Mechanism& m, const Values& v) {
 
 TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std::size_t i) {
   const FaceValues& is = v.faces[i];
-  const model::Face& face = m.model->faces[at(m.model->contacts[i].face)];
+  const machine::Face& face = m.model->faces[at(m.model->contacts[i].face)];
   const Vector3 along = motion_of(v, m.couples[i].body[1]).R * (face.to - face.from);
   const auto signed_size = [&](const Vector3& x) { return std::copysign(x.norm(), x.dot(along)); };
   TransientFrame::FaceContact frame;
@@ -165,4 +165,4 @@ TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std:
   return frame;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -13,15 +13,15 @@ namespace taut_test::transient_face_test {
 namespace {
 
 using taut::Matrix3;
-using taut::analysis::Start;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double g = 9.81;
 
-model::FaceContact pad(const std::string& name, int body, const Vector3& at, int face) {
-  model::FaceContact c;
+machine::FaceContact pad(const std::string& name, int body, const Vector3& at, int face) {
+  machine::FaceContact c;
   c.name = name;
   c.body = body;
   c.at = at;
@@ -37,17 +37,17 @@ model::FaceContact pad(const std::string& name, int body, const Vector3& at, int
 }
 
 /// A block of 860 kg, 1.2 m long, on a ground face of this slope; the whole turned about z. Four pads in space.
-model::Model block(double slope, double about_z) {
-  model::Model m;
+machine::Model block(double slope, double about_z) {
+  machine::Model m;
   m.gravity = g;
   const Matrix3 R =
       (Eigen::AngleAxisd(about_z, Vector3::UnitZ()) * Eigen::AngleAxisd(slope, Vector3::UnitY())).toRotationMatrix();
-  model::Body b = body("block", origin, 860, "xyzXYZ");
+  machine::Body b = body("block", origin, 860, "xyzXYZ");
   b.orientation = R;
   b.centre = {0, 0, 0.3};
   b.inertia = {60, 120, 150};
   m.bodies = {b};
-  model::Face face;
+  machine::Face face;
   face.name = "slope";
   face.from = R * Vector3(-1, 0, 0);
   face.to = R * Vector3(100, 0, 0);
@@ -95,11 +95,11 @@ TEST(TransientFace, SlidesAboveTheFrictionAngle) {
 }
 
 /// A point mass on a ground face that is level from x = -1 m to `end`.
-model::Model mass_on_floor(double mass, double end) {
-  model::Model m;
+machine::Model mass_on_floor(double mass, double end) {
+  machine::Model m;
   m.gravity = g;
   m.bodies = {body("mass", origin, mass, "xyz")};
-  model::Face face;
+  machine::Face face;
   face.name = "floor";
   face.from = {-1, 0, 0};
   face.to = {end, 0, 0};
@@ -132,12 +132,12 @@ Bounce bounce(double mass, double k, double c, double v) {
 
 TEST(TransientFace, BouncesAsTheSpringAndItsDamperDo) {
   for (const double damping : {0.0, 2e3}) {
-    model::Model m = mass_on_floor(100, 1);
+    machine::Model m = mass_on_floor(100, 1);
     m.bodies[0].position.z() = 0.2;
     m.contacts[0].stiffness = 1e6;
     m.contacts[0].damping = damping;
-    m.observed = {{"N", model::Quantity::contact_N, taut::si::N, 0, -1, origin},
-                  {"v", model::Quantity::vz, taut::si::m_per_s, 0, -1, origin}};
+    m.observed = {{"N", machine::Quantity::contact_N, taut::si::N, 0, -1, origin},
+                  {"v", machine::Quantity::vz, taut::si::m_per_s, 0, -1, origin}};
     const double v = std::sqrt(2 * g * 0.2);
     const Bounce one = bounce(100, 1e6, damping, v);
     const TransientResult r = transient(m, lasting(0.35, 1e-7, 100));
@@ -157,10 +157,10 @@ TEST(TransientFace, BouncesAsTheSpringAndItsDamperDo) {
 }
 
 TEST(TransientFace, FallsOverTheEdge) {
-  model::Model m = mass_on_floor(100, 1);
+  machine::Model m = mass_on_floor(100, 1);
   m.contacts[0].static_friction = m.contacts[0].kinetic_friction = 0;
   m.bodies[0].position.z() = -100 * g / 1e8;  // at rest on it
-  taut::analysis::DynamicState start;
+  taut::solve::DynamicState start;
   start.bodies.push_back({m.bodies[0].position, Matrix3::Identity(), {2, 0, 0}, origin});
   TransientOptions options = lasting(0.8, 1e-6, 100);
   options.from = start;
@@ -173,11 +173,11 @@ TEST(TransientFace, FallsOverTheEdge) {
 
 /// The same block on a plate that tilts: it slides where the plate reaches its angle, and not before.
 TEST(TransientFace, SlidesOnATiltingPlate) {
-  model::Model m = block(0, 0);
-  model::Body plate = body("plate", {0, 0, 0}, 0, "");
-  taut::model::Signal tilt;
+  machine::Model m = block(0, 0);
+  machine::Body plate = body("plate", {0, 0, 0}, 0, "");
+  taut::machine::Signal tilt;
   tilt.unit = taut::si::rad;
-  tilt.law = taut::model::Moves{0, {{0, 0.2, 20, true}}};
+  tilt.law = taut::machine::Moves{0, {{0, 0.2, 20, true}}};
   plate.driven = {{origin, Vector3::UnitY(), tilt}};
   m.bodies.push_back(plate);
   m.faces[0].body = 1;
@@ -188,7 +188,7 @@ TEST(TransientFace, SlidesOnATiltingPlate) {
   double angle = 0;
   for (const auto& frame : r.frames) {
     const bool slides = std::none_of(frame.faces.begin(), frame.faces.end(), [](const auto& f) { return f.sticks; });
-    if (frame.t > 1 && slides && angle == 0) angle = taut::model::at(tilt, frame.t).value;
+    if (frame.t > 1 && slides && angle == 0) angle = taut::machine::at(tilt, frame.t).value;
   }
   EXPECT_GT(angle, std::atan(0.15) - 1e-3);
   EXPECT_LT(angle, std::atan(0.15) + 6e-3);  // an output step later
@@ -217,7 +217,7 @@ TEST(TransientFace, SettlesWhereItSticks) {
 
 /// A run in two parts is the run in one: the state keeps the strain of what sticks.
 TEST(TransientFace, GoesOnFromAState) {
-  const model::Model m = block(0.12, 0.4);
+  const machine::Model m = block(0.12, 0.4);
   const TransientResult whole = transient(m, lasting(2, 1e-6, 100)), half = transient(m, lasting(1, 1e-6, 100));
   TransientOptions options = lasting(1, 1e-6, 100);
   options.from = half.state;

@@ -4,7 +4,7 @@
 
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double no_rope = 1e-3;          ///< of a line's first length, of one that is whole
@@ -69,7 +69,7 @@ Outcome failure(Run& run, StepEnd end, double t) {
   const double left = end == StepEnd::no_place ? nearly_no_rope : hardly_any_rope;
   if (!run.m.lines.empty() && share <= left) {
     const Line& of = run.m.lines[line];
-    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
+    const machine::Reeving& rope = run.model.reevings[at(of.reeving)];
     note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
     return infeasible(
         fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
@@ -87,7 +87,7 @@ Outcome failure(Run& run, StepEnd end, double t) {
   }
   if (const int joint = joint_at_round(run); end == StepEnd::no_place && joint >= 0) {
     const Line& of = run.m.lines[at(joint)];
-    const model::Reeving& rope = run.model.reevings[at(of.reeving)];
+    const machine::Reeving& rope = run.model.reevings[at(of.reeving)];
     return infeasible(fmt::format(
         "at t = {:.6g} s a joint between the segments of '{}' comes onto the round '{}': give it fewer 'segments', or "
         "stop the motion before",
@@ -105,4 +105,4 @@ Outcome failure(Run& run, StepEnd end, double t) {
   return not_converged(fmt::format("at t = {:.6g} s no common answer of all ropes and contacts was found{}", t, steps));
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -13,15 +13,15 @@ namespace taut_test::transient_faults {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::ContactState;
-using taut::analysis::Start;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::ContactState;
+using taut::solve::Start;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// A mass on a rope from above, and a longer one to the floor that is slack.
-model::Model between_two_ropes() {
-  model::Model m;
+machine::Model between_two_ropes() {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {0, 0, -10}, 100, "z"));
   m.reevings.push_back(reeve("upper", {anchor("top", {0, 0, 0}), anchor_on("mass", 0)}, 10, 0, 1e6));
@@ -30,8 +30,8 @@ model::Model between_two_ropes() {
 }
 
 TEST(TransientFaults, RestIsNotFoundWithRopesThatPush) {
-  const model::Model m = between_two_ropes();
-  const auto rest = taut::analysis::equilibrium(m);
+  const machine::Model m = between_two_ropes();
+  const auto rest = taut::solve::equilibrium(m);
   ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
   TransientOptions options = in_steps(0.5, 0, 50);
   options.start = Start::settled;
@@ -45,7 +45,7 @@ TEST(TransientFaults, RestIsNotFoundWithRopesThatPush) {
 
 /// A step of 70 periods of the stiffest motion: an iteration to a fixed point would have to contract by 2e5.
 TEST(TransientFaults, AStiffRopeIsSolvedByNewtonNotByAFixedPoint) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("light", {0, 0, -5}, 1, "z"), body("heavy", {0, 0, -10}, 1000, "z")};
   m.reevings.push_back(reeve("stiff", {anchor("top", {0, 0, 0}), anchor_on("light", 0)}, 5, 0, 1e9));
@@ -62,7 +62,7 @@ TEST(TransientFaults, AStiffRopeIsSolvedByNewtonNotByAFixedPoint) {
 
 /// The slow motion under the stiff one comes out right: the step knows the stiffness. 1000 kg on 1e6 N / 5 m.
 TEST(TransientFaults, TheSlowMotionKeepsItsPeriodBesideAStiffRope) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("light", {0, 0, -5}, 1, "z"), body("heavy", {0, 0, -10}, 1000, "z")};
   m.reevings.push_back(reeve("stiff", {anchor("top", {0, 0, 0}), anchor_on("light", 0)}, 5, 0, 1e9));
@@ -79,7 +79,7 @@ TEST(TransientFaults, TheSlowMotionKeepsItsPeriodBesideAStiffRope) {
 
 /// Beta so large that the damper alone would push as soon as the rope gets shorter.
 TEST(TransientFaults, ADamperNeverPushesInASlackRope) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {0, 0, -10}, 100, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("mass", 0)}, 9.9, 0, 1e5));
@@ -101,14 +101,14 @@ TEST(TransientFaults, ADamperNeverPushesInASlackRope) {
 }
 
 TEST(TransientFaults, EveryPieceOfARopeTellsItsForce) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.2, 0, -10}, 500, "z"));
   m.reevings.push_back(
       reeve("rope", {anchor("dead end", {-8, 0, 0}), sheave("head", {0, 0, 0}, 0.2, 1, 0.95), anchor_on("load", 0)},
             18.3, 5, 1e7));
   m.reevings[0].segments = 4;
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 4905;
   TransientOptions options = in_steps(0.2, 0, 50);
   const TransientResult r = transient(m, options);
@@ -128,10 +128,10 @@ TEST(TransientFaults, EveryPieceOfARopeTellsItsForce) {
 
 /// Two turns and a half about a capstan that stands still: exp(mu 5 pi).
 TEST(TransientFaults, WrapsGoBeyondOneTurn) {
-  model::Node capstan = sheave("capstan", {0, 0, 0}, 0.2, 1, 0);
+  machine::Node capstan = sheave("capstan", {0, 0, 0}, 0.2, 1, 0);
   capstan.law.friction = 0.1;
   capstan.turns = 2;
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("left", {-0.2, 0, -20}, 100, "z"), body("right", {0.2, 0, -20}, 700, "z")};
   m.reevings.push_back(
@@ -149,9 +149,9 @@ TEST(TransientFaults, WrapsGoBeyondOneTurn) {
 
 /// Acceleration over a locked round in slip, m2 g - T2 = m2 a, T1 - m1 g = m1 a, T2 = r T1, from steps that are halved.
 TEST(TransientFaults, SlipGetsBetterWithTheStep) {
-  model::Node round = sheave("bollard", {0, 0, 0}, 0.2, 1, 0);
+  machine::Node round = sheave("bollard", {0, 0, 0}, 0.2, 1, 0);
   round.law.friction = 0.2;
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("left", {-0.2, 0, -20}, 100, "z"), body("right", {0.2, 0, -20}, 250, "z")};
   m.reevings.push_back(
@@ -172,7 +172,7 @@ TEST(TransientFaults, SlipGetsBetterWithTheStep) {
 
 /// A winch at one end of a rope over four points without loss: what it takes in stretches all of it alike.
 TEST(TransientFaults, AWinchTightensTheWholeRope) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("idler", {3, 0, -3}, 1, "z"));  // something that moves
   m.reevings.push_back(reeve("light", {anchor("pin", {3, 0, 0}), anchor_on("idler", 0)}, 3, 0, 1e4));
@@ -180,7 +180,7 @@ TEST(TransientFaults, AWinchTightensTheWholeRope) {
                              {anchor("winch", {0, 0, 0}), over("a", {4, 0, 1}), over("b", {9, 0, 0}),
                               over("c", {11, 2, 3}), anchor("dead end", {15, 2, 0})},
                              0, 0, 1e6));
-  m.reevings[1].given = model::Given::tension_at_start;
+  m.reevings[1].given = machine::Given::tension_at_start;
   m.reevings[1].value = 100;
   m.tensioners.push_back({1, true, smooth_move(0, -0.1, 0, 0.5)});
   const TransientResult r = transient(m, in_steps(1, 1e-2, 50));
@@ -196,11 +196,11 @@ TEST(TransientFaults, AWinchTightensTheWholeRope) {
 
 /// The unstretched length follows what a drum takes in, at each time.
 TEST(TransientFaults, TheUnstretchedLengthIsKeptUpToDate) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.25, 0, -12}, 300, "z"));
-  const model::Node winch = add_drum(m, "winch", origin, 0.25);
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.8, 0, 0.5)};
+  const machine::Node winch = add_drum(m, "winch", origin, 0.25);
+  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, 0.8, 0, 0.5)};
   m.drums[0].length_on_drum = 10;
   m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 12, 0, 1e6));
   TransientOptions options = in_steps(3, 0, 50);

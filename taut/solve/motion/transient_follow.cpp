@@ -8,7 +8,7 @@
 #include "taut/solve/motion/transient_rope_load.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -20,12 +20,12 @@ Matrix3 turned_by(const Vector3& rotation) {
 }
 
 /// Place, velocity and acceleration that signals give a body, and its orientation by them.
-void drive_body(const model::Body& shape, double t, Vector3& shift, Matrix3& turn, Motion3& now) {
+void drive_body(const machine::Body& shape, double t, Vector3& shift, Matrix3& turn, Motion3& now) {
   shift.setZero();
   turn.setIdentity();
   now.driven_v = now.driven_w = now.driven_a = now.driven_b = Vector3::Zero();
-  for (const model::DrivenWay& way : shape.driven) {
-    const model::SignalValue s = model::at(way.signal, t);
+  for (const machine::DrivenWay& way : shape.driven) {
+    const machine::SignalValue s = machine::at(way.signal, t);
     shift += s.value * way.along;
     now.driven_v += s.rate * way.along;
     now.driven_a += s.acceleration * way.along;
@@ -68,7 +68,7 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
     if (shape.turns) is.R = turned_by(turn) * was.R;
     return;
   }
-  const model::Body& given = m.model->bodies[at(shape.model)];
+  const machine::Body& given = m.model->bodies[at(shape.model)];
   Vector3 shift_before, shift_now;
   Matrix3 turn_before, turn_now;
   drive_body(given, before.when, shift_before, turn_before, is);
@@ -318,7 +318,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   }
   turn_spins(m, s, before, now.when, now);
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
-    const model::SignalValue change = model::at(m.model->tensioners[k].change, now.when);
+    const machine::SignalValue change = machine::at(m.model->tensioners[k].change, now.when);
     now.tensioned[k] = change.value;
     now.tension_rate[k] = change.rate;
   }
@@ -388,4 +388,4 @@ std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Val
   return {a, b};
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -8,10 +8,10 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-using model::Quantity;
+using machine::Quantity;
 
 constexpr int parts_of_curve = 16;  ///< of a sagging branch in a frame
 
@@ -110,8 +110,8 @@ double counted_turn(const Run& run, const Values& v, int index, int axis) {
   double turn = 0;
   for (int f = 0; body.turns && f < body.count; ++f) turn += v.q[at(body.first + f)] * body.about[at(f)][axis];
   if (!body.driven) return turn;
-  for (const model::DrivenWay& way : run.model.bodies[at(body.model)].driven) {
-    if (way.about[axis] != 0) turn += model::at(way.signal, v.when).value * way.about[axis];
+  for (const machine::DrivenWay& way : run.model.bodies[at(body.model)].driven) {
+    if (way.about[axis] != 0) turn += machine::at(way.signal, v.when).value * way.about[axis];
   }
   return turn;
 }
@@ -140,7 +140,7 @@ double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm
   }
 }
 
-double observe_place(const Run& run, const Values& v, const model::Observable& what) {
+double observe_place(const Run& run, const Values& v, const machine::Observable& what) {
   static const Motion3 still;
   const Motion3& body = what.index < 0 ? still : v.bodies[at(what.index)];
   const Vector3 arm = body.R * what.at;
@@ -158,7 +158,7 @@ double observe_place(const Run& run, const Values& v, const model::Observable& w
   return body.w[axis(Quantity::wx)];
 }
 
-double observe_rope(const Run& run, const Values& v, const model::Observable& what) {
+double observe_rope(const Run& run, const Values& v, const machine::Observable& what) {
   const auto [first, lines] = run.m.first_line[at(what.index)];
   const int pieces = std::max(1, run.model.reevings[at(what.index)].segments);
   double T = 0, L = 0;
@@ -181,7 +181,7 @@ double observe_rope(const Run& run, const Values& v, const model::Observable& wh
   }
 }
 
-double observe_sheave(const Run& run, const Values& v, const model::Observable& what) {
+double observe_sheave(const Run& run, const Values& v, const machine::Observable& what) {
   for (std::size_t k = 0; k < run.m.chain_loads.size(); ++k) {
     const Contact& load = run.m.chain_loads[k].as;
     if (load.reeving != what.index || load.node != what.part) continue;
@@ -207,7 +207,7 @@ double observe_sheave(const Run& run, const Values& v, const model::Observable& 
   }
 }
 
-double observe_drum(const Run& run, const Values& v, const model::Observable& what) {
+double observe_drum(const Run& run, const Values& v, const machine::Observable& what) {
   const int spin = spin_of_drum(run.m, what.index);
   if (spin < 0) return 0;
   if (what.quantity == Quantity::drum_length) return v.drums[at(what.index)].content;
@@ -244,12 +244,12 @@ double observe_energy(const Run& run, Quantity what) {
 
 }  // namespace
 
-double observe_as_it_is(const Run& run, const Values& v, const model::Observable& what) {
+double observe_as_it_is(const Run& run, const Values& v, const machine::Observable& what) {
   if (what.quantity <= Quantity::wz) return observe_place(run, v, what);
   if (what.quantity <= Quantity::length) return observe_rope(run, v, what);
   if (what.quantity <= Quantity::slip) return observe_sheave(run, v, what);
   if (what.quantity <= Quantity::drum_power) return observe_drum(run, v, what);
-  if (what.quantity == Quantity::signal) return model::at(run.model.signals[at(what.index)], v.t).value;
+  if (what.quantity == Quantity::signal) return machine::at(run.model.signals[at(what.index)], v.t).value;
   if (what.quantity >= Quantity::kinetic) return observe_energy(run, what.quantity);
   return observe_couple(run.m, v, what);
 }
@@ -327,7 +327,7 @@ void extend_observed(Run& run, const Values& v) {
   const bool first = run.result.steps == 0;
   take_references(run, v);
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const model::Observable& what = run.model.observed[i];
+    const machine::Observable& what = run.model.observed[i];
     const double value = observe(run, v, what);
     extend(run.result.extremes[i], value, v.t, first || (v.t >= what.since && run.last_time < what.since));
     add_to_mean(run, v, i, value);
@@ -349,4 +349,4 @@ void record_extremes(Run& run, const Values& v) {
   }
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -12,27 +12,27 @@ namespace taut_test::transient_invariance {
 namespace {
 
 using taut::Matrix3;
-using taut::analysis::DynamicState;
-using taut::analysis::Start;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::DynamicState;
+using taut::solve::Start;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// A mass on a spring-like rope that swings and stretches.
-model::Model pendulum() {
-  model::Model m;
+machine::Model pendulum() {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {6, 1, -8}, 100, "xyz"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("mass", 0)}, 9.5, 0, 2e4));
   return m;
 }
 
-Vector3 place_after(const model::Model& m, double step) {
+Vector3 place_after(const machine::Model& m, double step) {
   return transient(m, in_steps(0.5, step)).frames.back().bodies[0].position;
 }
 
 TEST(TransientInvariance, SecondOrderOnAPendulum) {
-  const model::Model m = pendulum();
+  const machine::Model m = pendulum();
   const Vector3 exact = place_after(m, 2e-5);
   const double coarse = (place_after(m, 4e-3) - exact).norm(), fine = (place_after(m, 2e-3) - exact).norm(),
                finer = (place_after(m, 1e-3) - exact).norm();
@@ -41,10 +41,10 @@ TEST(TransientInvariance, SecondOrderOnAPendulum) {
 }
 
 TEST(TransientInvariance, SecondOrderOverASheaveWithInertia) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("a", {0.2, 0, -5}, 100, "z"), body("b", {-0.2, 0, -5}, 120, "z")};
-  model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, -1);
+  machine::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, -1);
   wheel.inertia = 0.8;
   m.reevings.push_back(reeve("rope", {anchor_on("a", 0), wheel, anchor_on("b", 1)}, 9.99 + 0.2 * M_PI, 0, 1e5));
   const Vector3 exact = place_after(m, 2e-5);
@@ -53,7 +53,7 @@ TEST(TransientInvariance, SecondOrderOverASheaveWithInertia) {
 }
 
 TEST(TransientInvariance, MomentumOfAFreeSystem) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 1e-300;
   m.bodies = {body("a", {0, 0, 0}, 100, "xyz"), body("b", {10, 0, 0}, 60, "xyzXYZ")};
   m.bodies[1].inertia = {20, 30, 40};
@@ -83,15 +83,15 @@ TEST(TransientInvariance, MomentumOfAFreeSystem) {
 }
 
 /// The machine turned about the vertical.
-model::Model turned(model::Model m, const Matrix3& by) {
-  for (model::Body& b : m.bodies) {
+machine::Model turned(machine::Model m, const Matrix3& by) {
+  for (machine::Body& b : m.bodies) {
     b.position = by * b.position;
     b.orientation = by * b.orientation;
-    for (model::Freedom& way : b.free) way = {by * way.along, by * way.about};
+    for (machine::Freedom& way : b.free) way = {by * way.along, by * way.about};
   }
-  for (model::Reeving& rope : m.reevings) {
-    for (model::Node& node : rope.nodes) {
-      if (node.at.body != model::ground) continue;
+  for (machine::Reeving& rope : m.reevings) {
+    for (machine::Node& node : rope.nodes) {
+      if (node.at.body != machine::ground) continue;
       node.at.at = by * node.at.at;
       node.axis = by * node.axis;
     }
@@ -100,11 +100,11 @@ model::Model turned(model::Model m, const Matrix3& by) {
 }
 
 TEST(TransientInvariance, TheSameInEveryFrameAndInEveryRun) {
-  model::Model m = boom();
+  machine::Model m = boom();
   m.bodies[0].inertia = {100, 8000, 8000};
   m.reevings[1].nodes[1].inertia = 0.5;
-  for (model::Reeving& rope : m.reevings) rope.damping_ratio = 0.05;
-  const auto run = [](const model::Model& machine) {
+  for (machine::Reeving& rope : m.reevings) rope.damping_ratio = 0.05;
+  const auto run = [](const machine::Model& machine) {
     TransientOptions options = in_steps(0.5, 1e-3);
     options.step = 0;
     options.tolerance = 1e-5;
@@ -129,7 +129,7 @@ TEST(TransientInvariance, TheSameInEveryFrameAndInEveryRun) {
 }
 
 TEST(TransientInvariance, GoesOnFromItsState) {
-  const model::Model m = pendulum();
+  const machine::Model m = pendulum();
   TransientOptions options = in_steps(1, 1e-4);
   const TransientResult whole = transient(m, options);
   options.duration = 0.5;
@@ -146,15 +146,15 @@ TEST(TransientInvariance, GoesOnFromItsState) {
 
 /// Sheaves with inertia and friction, a heavy rope, a body that turns, dampers: to the last bit, by both methods.
 TEST(TransientInvariance, GoesOnToTheLastBit) {
-  model::Model m = boom();
+  machine::Model m = boom();
   m.bodies[0].inertia = {100, 8000, 8000};
   m.reevings[1].nodes[1].inertia = 0.5;
   m.reevings[1].nodes[1].law = {0.2, 0.95};
-  for (model::Reeving& rope : m.reevings) {
+  for (machine::Reeving& rope : m.reevings) {
     rope.damping_ratio = 0.05;
     rope.weight = 20;
   }
-  for (const auto method : {taut::analysis::TimeMethod::implicit, taut::analysis::TimeMethod::verlet}) {
+  for (const auto method : {taut::solve::TimeMethod::implicit, taut::solve::TimeMethod::verlet}) {
     TransientOptions options = in_steps(0.4, 2e-4);
     options.output_step = 0.05;
     options.method = method;
@@ -174,7 +174,7 @@ TEST(TransientInvariance, GoesOnToTheLastBit) {
 }
 
 TEST(TransientInvariance, HalfTheToleranceGivesTheSame) {
-  const model::Model m = pendulum();
+  const machine::Model m = pendulum();
   TransientOptions options = in_steps(2, 0);
   options.tolerance = 1e-4;
   const TransientResult one = transient(m, options);

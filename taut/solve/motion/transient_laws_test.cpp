@@ -15,16 +15,16 @@ namespace taut_test::transient_laws {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::ContactState;
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::ContactState;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// Two masses over one round. The tensions settle by the rope's damping; then both move with one acceleration.
-model::Model two_masses(const model::Node& round, double left, double right) {
-  model::Model m;
+machine::Model two_masses(const machine::Node& round, double left, double right) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("left", {-0.2, 0, -20}, left, "z"), body("right", {0.2, 0, -20}, right, "z")};
   m.reevings.push_back(
@@ -37,7 +37,7 @@ struct Steady {
   double T_in = 0, T_out = 0, a = 0;
   TransientResult result;
 };
-Steady steady(const model::Model& m) {
+Steady steady(const machine::Model& m) {
   Steady s;
   s.result = transient(m, lasting(1, 1e-5));
   EXPECT_TRUE(s.result.outcome.ok()) << s.result.outcome.message;
@@ -50,7 +50,7 @@ Steady steady(const model::Model& m) {
 }
 
 TEST(TransientLaws, RopeSlipsOverALockedSheaveByEulersLaw) {
-  model::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
+  machine::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
   round.law.friction = 0.2;
   const Steady s = steady(two_masses(round, 100, 250));
   const double r = std::exp(0.2 * pi), g = 9.81;
@@ -62,7 +62,7 @@ TEST(TransientLaws, RopeSlipsOverALockedSheaveByEulersLaw) {
 }
 
 TEST(TransientLaws, RopeSticksOnALockedSheaveWithinEulersLaw) {
-  model::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
+  machine::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
   round.law.friction = 0.4;  // exp(0.4 pi) = 3.5
   const Steady s = steady(two_masses(round, 100, 250));
   EXPECT_NEAR(s.T_in, 981, 1);  // what is left of the fall into the rope
@@ -80,7 +80,7 @@ TEST(TransientLaws, LightSheaveLosesByItsEfficiency) {
 
 /// m1 a = T1 - m1 g, m2 a = m2 g - T2, J a/R^2 = T2 - T1 - (1 - eta)/(1 + eta) (T1 + T2).
 TEST(TransientLaws, SheaveWithInertiaAndBearing) {
-  model::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 0.95);
+  machine::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 0.95);
   round.inertia = 1.6;
   const Steady s = steady(two_masses(round, 100, 250));
   const double g = 9.81, k = 0.05 / 1.95;
@@ -92,7 +92,7 @@ TEST(TransientLaws, SheaveWithInertiaAndBearing) {
 
 /// A sheave with inertia and little grip: it slips at first and is taken along at the bound of the groove.
 TEST(TransientLaws, HeavySheaveIsTakenAlongAtTheGroovesBound) {
-  model::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 1);
+  machine::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 1);
   round.inertia = 40;
   round.law.friction = 0.1;
   const Steady s = steady(two_masses(round, 100, 250));
@@ -103,9 +103,9 @@ TEST(TransientLaws, HeavySheaveIsTakenAlongAtTheGroovesBound) {
 }
 
 TEST(TransientLaws, EndsSwappedGiveTheSameMotion) {
-  model::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 0.95);
+  machine::Node round = sheave("sheave", {0, 0, 0}, 0.2, 1, 0.95);
   round.inertia = 1.6;
-  model::Model m = two_masses(round, 100, 250);
+  machine::Model m = two_masses(round, 100, 250);
   const Steady one = steady(m);
   std::swap(m.reevings[0].nodes[0], m.reevings[0].nodes[2]);
   m.reevings[0].nodes[1].side = -1;
@@ -119,14 +119,14 @@ TEST(TransientLaws, BrokenRopeRecoils) {
   constexpr double EA = 1e7, T0 = 5e4;
   constexpr int n = 200;
   const double c = std::sqrt(EA), length = 100 / (1 + T0 / EA);
-  model::Model m;
+  machine::Model m;
   m.gravity = 1e-9;
   m.bodies.push_back(body("end", {100, 0, 0}, 1e-9, "x"));
   m.reevings = {reeve("rope", {anchor("a", {0, 0, 0}), anchor_on("end", 0)}, length, m.gravity, EA),
                 reeve("stop", {anchor_on("end", 0), anchor("b", {101, 0, 0})}, 1 / (1 + T0 / 1e9), 0, 1e9)};
   m.reevings[0].segments = n;
-  model::Event lets_go;
-  lets_go.kind = model::EventKind::breaks;
+  machine::Event lets_go;
+  lets_go.kind = machine::EventKind::breaks;
   lets_go.at = 1e-6;
   lets_go.index = 1;
   m.events.push_back(lets_go);
@@ -164,7 +164,7 @@ TEST(TransientLaws, BrokenRopeRecoils) {
 /// A block on falls that are nearly parallel swings with hardly any stretch: the damping is that of its bounce.
 TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
   for (const double aside : {0.0, 0.25, 0.4}) {
-    model::Model m = tackle(2, 1, 3000);
+    machine::Model m = tackle(2, 1, 3000);
     m.reevings[0].damping_ratio = 0.02;
     m.reevings[0].nodes.back().at.at.x() += aside;
     TransientOptions options = lasting(0.1, 1e-4);
@@ -180,20 +180,20 @@ TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
 
 /// A drum that takes in at 0.5 m/s; the strained rope that lies on it counts unstretched. The load hangs still.
 TEST(TransientLaws, DrumTakesInByTheLayer) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.21, 0, -10}, 1000, "z"));
   m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.21), anchor_on("load", 0)}, 10, 0, 1e6));
   m.reevings[0].damping_time = 0.02;
   m.reevings[0].diameter = 0.02;
-  model::Drum& winch = m.drums[0];
+  machine::Drum& winch = m.drums[0];
   winch.core_radius = 0.2;  // the rope's middle lies a radius of its own farther out
   winch.automatic_layers = true;
   winch.width = 0.1;
   winch.pitch = 0.024;
   winch.layer_height = 0.017;
   winch.length_on_drum = 5;
-  winch.drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 1)};
+  winch.drive = {machine::DriveKind::speed, smooth_move(0, 0.5, 0, 1)};
   TransientOptions options = lasting(8, 1e-4);
   options.start = Start::settled;
   const TransientResult r = transient(m, options);
@@ -215,15 +215,15 @@ TEST(TransientLaws, DrumTakesInByTheLayer) {
 
 /// A heavy rope is wound on a drum and let out by a tensioner at its other end: its weight goes with it.
 TEST(TransientLaws, TheLedgerClosesWithAHeavyRopeOnADrum) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {3, 0, -20}, 100, "xz"));
-  const model::Node winch = add_drum(m, "winch", {0, 0, 2}, 0.25);
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 2, 0, 1)};
+  const machine::Node winch = add_drum(m, "winch", {0, 0, 2}, 0.25);
+  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, 2, 0, 1)};
   m.reevings.push_back(reeve("rope", {winch, anchor_on("load", 0)}, 0, 40, 1e7));
   m.reevings.push_back(reeve("guide", {anchor("pin", {8, 0, 3}), anchor_on("load", 0)}, 0, 15, 1e7));
-  for (model::Reeving& rope : m.reevings) {
-    rope.given = model::Given::tension_at_start;
+  for (machine::Reeving& rope : m.reevings) {
+    rope.given = machine::Given::tension_at_start;
     rope.value = 1000;
   }
   m.tensioners.push_back({1, true, smooth_move(0, 0.5, 0, 2)});
@@ -238,7 +238,7 @@ TEST(TransientLaws, TheLedgerClosesWithAHeavyRopeOnADrum) {
 
 /// A mass falls into a slack rope and comes back: no push, and the events in order.
 TEST(TransientLaws, SlackRopeNeverPushes) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("mass", {0, 0, -9}, 100, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("mass", 0)}, 10, 0, 1e6));
@@ -258,14 +258,14 @@ TEST(TransientLaws, SlackRopeNeverPushes) {
 
 /// A load that swings below a locked drum: the rope winds on and off its rim, by the angle.
 TEST(TransientLaws, SwingingLoadWindsOnALockedDrum) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {4, 0, -3}, 500, "xz"));
-  model::Node drum = add_drum(m, "winch", origin, 0.5);
+  machine::Node drum = add_drum(m, "winch", origin, 0.5);
   for (const int side : {1, -1}) {
     drum.side = side;
     m.reevings = {reeve("rope", {drum, anchor_on("load", 0)}, 5, 0, 1e8)};
-    m.reevings[0].given = model::Given::tension_at_start;
+    m.reevings[0].given = machine::Given::tension_at_start;
     m.reevings[0].value = 3000;
     TransientOptions options = lasting(2, 1e-4);
     options.output_step = 0.02;
@@ -286,12 +286,12 @@ TEST(TransientLaws, SwingingLoadWindsOnALockedDrum) {
 }
 
 TEST(TransientLaws, ARunIntoTheBlocksIsToldWithItsTime) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0, 0, -2}, 100, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("load", 0)}, 2, 0, 1e6));
-  model::Signal in;
-  in.law = model::Moves{0, {{0, -2, 1, false}}};
+  machine::Signal in;
+  in.law = machine::Moves{0, {{0, -2, 1, false}}};
   m.tensioners.push_back({0, true, in});
   const TransientResult r = transient(m, lasting(2, 1e-3));
   EXPECT_FALSE(r.outcome.ok());

@@ -8,7 +8,7 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// What a metre of unstretched rope takes out of a line at one end, J/m: the tension's work less its strain energy.
@@ -218,7 +218,7 @@ Stored stored_in_bodies(const Mechanism& m, const Values& v) {
     }
     if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
   }
-  for (const model::Load& load : m.model->loads) {
+  for (const machine::Load& load : m.model->loads) {
     if (load.at.body < 0) continue;
     const Motion3& is = v.bodies[at(load.at.body)];
     s.potential -= load.force.dot(is.x + is.R * load.at.at);
@@ -385,4 +385,4 @@ EnergyLedger told(const Ledger& l) {
   return e;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

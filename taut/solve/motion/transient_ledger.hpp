@@ -3,7 +3,7 @@
 
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// What the bearings of spins take and drives give at one time, W.
 struct Powers {
@@ -69,4 +69,4 @@ double taken_by_euler(const Mechanism& m, const Values& before, const Values& no
 /// Power of a drive into its spin, and its torque.
 double drive_moment(const Mechanism& m, int spin, const Values& v);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -7,7 +7,7 @@
 
 #include "taut/rope/tangent.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 Vector3 place_of(const std::vector<Motion3>& bodies, int body, const Vector3& place) {
@@ -217,4 +217,4 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
   }
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,7 +3,7 @@
 
 #include "taut/solve/motion/transient_mechanism.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// A line as it is at one time.
 struct LineValues {
@@ -116,4 +116,4 @@ inline void pull_without_bounds(const Line& line, double damping, LineValues& no
 }
 inline void pull(const Line& line, LineValues& now) { pull(line, line.damping, now); }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,7 +10,7 @@
 #include "test/support/transient_runs.hpp"
 
 /// One free line: its law and what of its weight its ends bear, by hand; how it follows its bodies, by differences.
-namespace taut::analysis::dynamics::transient_line_test {
+namespace taut::solve::dynamics::transient_line_test {
 
 using namespace taut_test;
 
@@ -66,9 +66,9 @@ TEST(TransientLine, BothEndsGrowWithItsTension) {
 TEST(TransientLine, ADrumsPullGivesAHeavyRopeOneTension) {
   for (const bool below : {false, true}) {
     for (const double given : {20.0, 300.0, 700.0, 1000.0, 5000.0}) {
-      model::Model m;
-      const model::Node winch = add_drum(m, "winch", {0, 0, below ? -20.0 : 0.0}, 0.3, below ? -1 : 1);
-      m.drums[0].drive.kind = model::DriveKind::pull;
+      machine::Model m;
+      const machine::Node winch = add_drum(m, "winch", {0, 0, below ? -20.0 : 0.0}, 0.3, below ? -1 : 1);
+      m.drums[0].drive.kind = machine::DriveKind::pull;
       m.drums[0].drive.signal.law = given;
       m.reevings.push_back(reeve("rope", {winch, anchor("eye", {0.3, 0, below ? 0.0 : -20.0})}, 20, 40, 1e7));
       const TransientResult r = run_to_end(m, lasting(0.01, 1e-8));
@@ -85,14 +85,14 @@ TEST(TransientLine, ADrumsPullGivesAHeavyRopeOneTension) {
 
 /// A line between bodies that turn: rounds with parallel axes, askew ones, points.
 struct Turning {
-  model::Model m;
+  machine::Model m;
   Built built;
 
   explicit Turning(LineKind kind) {
     const char* const free = kind == LineKind::planar ? "xyzY" : "xyzXYZ";
     m.bodies = {body("a", {0.2, 0.1, 0}, 50, free), body("b", {6, 0.4, 2}, 60, free)};
-    model::Node from = anchor_on("from", 0, {0.1, 0.2, -0.1}), to = anchor_on("to", 1, {-0.2, 0.1, 0.3});
-    for (model::Body& one : m.bodies) one.inertia = Vector3::Ones();
+    machine::Node from = anchor_on("from", 0, {0.1, 0.2, -0.1}), to = anchor_on("to", 1, {-0.2, 0.1, 0.3});
+    for (machine::Body& one : m.bodies) one.inertia = Vector3::Ones();
     if (kind != LineKind::points) {
       from.radius = 0.4;
       to.radius = 0.25;
@@ -168,4 +168,4 @@ TEST(TransientLine, WithoutRoomThereIsNone) {
   EXPECT_TRUE(place_line(points, {}, LineValues(), now));
 }
 
-}  // namespace taut::analysis::dynamics::transient_line_test
+}  // namespace taut::solve::dynamics::transient_line_test

@@ -5,7 +5,7 @@
 #include "taut/solve/motion/transient_values.hpp"
 
 /// Rope that lies loose: branches without tension on either side of a contact share their rope as they did before.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double hardly = 1e-12;       ///< of a line's length
@@ -82,4 +82,4 @@ bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, V
   return any;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,7 +10,7 @@
 #include "taut/solve/motion/transient_run.hpp"
 #include "taut/solve/motion/transient_stable.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double smallest_share = 1e-13;  ///< of the duration: a step below it ends the run
@@ -410,4 +410,4 @@ void march(Run& run) {
   run.result.tension_error = tension_error(run);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,23 +3,23 @@
 
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-using model::description::Relative;
+using machine::description::Relative;
 
-double scaled(const Run& run, const Values& v, const model::Observable& what) {
+double scaled(const Run& run, const Values& v, const machine::Observable& what) {
   return what.factor * observe_as_it_is(run, v, what);
 }
 
-bool in_window(const Run& run, const Values& v, const model::Observable& what) {
+bool in_window(const Run& run, const Values& v, const machine::Observable& what) {
   const double x = what.mean_of < 0 ? v.t : observe(run, v, run.model.mean_windows[at(what.mean_of)]);
   return x >= what.mean_from && x <= what.mean_to;
 }
 
 }  // namespace
 
-double observe(const Run& run, const Values& v, const model::Observable& what) {
+double observe(const Run& run, const Values& v, const machine::Observable& what) {
   const double value = scaled(run, v, what);
   if (what.relative == Relative::none || what.slot < 0) return value + what.offset;
   const double reference = run.reference[at(what.slot)];
@@ -31,14 +31,14 @@ double observe(const Run& run, const Values& v, const model::Observable& what) {
 
 void take_references(Run& run, const Values& v) {
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const model::Observable& what = run.model.observed[i];
+    const machine::Observable& what = run.model.observed[i];
     if (what.relative == Relative::none || !std::isnan(run.reference[i]) || v.t < what.since) continue;
     run.reference[i] = scaled(run, v, what);
   }
 }
 
 void add_to_mean(Run& run, const Values& v, std::size_t observed, double value) {
-  const model::Observable& what = run.model.observed[observed];
+  const machine::Observable& what = run.model.observed[observed];
   if (!what.has_mean) return;
   Run::Mean& mean = run.means[observed];
   const bool inside = v.t >= what.since && in_window(run, v, what);
@@ -65,4 +65,4 @@ void extend(Extreme& e, double value, double t, bool first) {
   e.end = value;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,7 +10,7 @@
 #include "taut/solve/motion/transient.hpp"
 
 /// Inside of the transient analysis: the machine as arrays. docs/theory/dynamics.md.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// A body of the model, or an inner node of a rope in segments (model < 0: a point mass free in x, y, z). Columns
 /// [first, first + count) of the unknowns are the accelerations of its freedoms.
@@ -160,7 +160,7 @@ enum class Grip : std::int8_t {
 
 /// The compiled machine.
 struct Mechanism {
-  const model::Model* model = nullptr;
+  const machine::Model* model = nullptr;
   std::vector<Body> bodies;
   std::vector<Line> lines;
   std::vector<Contact> contacts;
@@ -184,4 +184,4 @@ struct Mechanism {
   StaticLu solver;
 };
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

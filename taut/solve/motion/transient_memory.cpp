@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// Shows every number to `see`, which reads or writes it. Lists keep their lengths.
@@ -212,4 +212,4 @@ bool take_memory(Run& run, const std::vector<double>& memory) {
   return true;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

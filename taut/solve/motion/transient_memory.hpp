@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// All that the integrator remembers at the time reached, as a list of numbers: with it a run goes on as if it had
 /// never stopped, to the last bit when its steps are given.
@@ -10,4 +10,4 @@ std::vector<double> memory_of(Run& run);
 /// Takes such a list. False, and nothing is changed, when it is of another machine, method or share of damping.
 bool take_memory(Run& run, const std::vector<double>& memory);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

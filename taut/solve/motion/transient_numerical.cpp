@@ -6,7 +6,7 @@
 
 /// What a step of implicit Euler takes by itself: its works are done by the forces at its end. Each part is found by
 /// itself, so that the books of such a step can fail to close.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// Power of inertia at the end over the step, less what kinetic energy and that of the dead forces have grown: of a
@@ -77,4 +77,4 @@ double taken_by_euler(const Mechanism& m, const Values& before, const Values& no
   return taken;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

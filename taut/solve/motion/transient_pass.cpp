@@ -6,7 +6,7 @@
 /// The ropes of a step for given places of bodies. The more rope a contact passes on, the less tension is behind it and
 /// the more before it: each law by itself is one equation that falls, whose root is enclosed, and going round the
 /// contacts comes to the common answer (a system of M-functions: Rheinboldt 1970).
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr int most_rounds_of_passing = 12;
@@ -202,4 +202,4 @@ bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const
   return false;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -5,7 +5,7 @@
 
 // Lines between points of bodies that only shift: most of a chain, of a tackle drawn with points. The same laws as for
 // any line, without what rounds and turning add.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 using PlainColumns = std::array<PlainColumn, 12>;
@@ -135,4 +135,4 @@ void assemble_plain(Mechanism& m, const Scheme& s, std::size_t line_index, const
   }
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

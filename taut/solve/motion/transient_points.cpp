@@ -5,7 +5,7 @@
 
 #include "taut/solve/motion/transient_stable.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 void gather(const Run& run, Points& p) {
@@ -195,4 +195,4 @@ void step_points(Run& run, Points& p, double limit, long most) {
   if (run.result.smallest_step == 0) run.result.smallest_step = h;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

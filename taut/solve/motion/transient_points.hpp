@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// Point masses and the lines between them side by side, for many explicit steps in a row. Node 0 is the ground.
 struct Points {
@@ -30,4 +30,4 @@ bool steps_as_points(const Run& run);
 /// what nobody reads in between; slack and taut, extremes and the dampers' work are kept at each step.
 void step_points(Run& run, Points& points, double limit, long most);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

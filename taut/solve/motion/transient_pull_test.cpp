@@ -7,29 +7,29 @@
 namespace taut_test::transient_pull {
 namespace {
 
-using taut::analysis::Start;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TransientFrame;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double g = 9.81;
 
 /// 100 kg on a winch that pulls with 1.2 times its weight.
-model::Model pulled(double inertia) {
-  model::Model m;
+machine::Model pulled(double inertia) {
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("load", {0.3, 0, -10}, 100, "z"));
-  model::Node drum = anchor("winch", {0, 0, 0});
+  machine::Node drum = anchor("winch", {0, 0, 0});
   drum.radius = 0.3;
   drum.drum = 0;
   drum.side = 1;
   m.reevings.push_back(reeve("hoist", {drum, anchor_on("load", 0)}, 10, 0, 1e7));
   m.reevings[0].damping_time = 1e-3;
-  model::Drum winch;
+  machine::Drum winch;
   winch.name = "winch";
   winch.core_radius = 0.29;
   winch.inertia = inertia;
-  winch.drive.kind = model::DriveKind::pull;
+  winch.drive.kind = machine::DriveKind::pull;
   winch.drive.signal.law = 1.2 * 100 * g;
   m.drums.push_back(winch);
   return m;
@@ -63,13 +63,13 @@ TEST(TransientPull, InertiaOfTheDrumDoesNotCount) {
 
 /// From a pull to a torque: the drum goes on as its rope went, without a snatch.
 TEST(TransientPull, ADrumThatLetsGoOfItsPullTurnsWithItsRope) {
-  model::Model m = pulled(3);
-  model::Event event;
+  machine::Model m = pulled(3);
+  machine::Event event;
   event.words = "torque";
-  event.kind = model::EventKind::drive;
+  event.kind = machine::EventKind::drive;
   event.at = 0.5;
   event.index = 0;
-  event.drive.kind = model::DriveKind::torque;
+  event.drive.kind = machine::DriveKind::torque;
   event.drive.signal.law = 100 * g * 0.3;
   m.events.push_back(event);
   const TransientResult r = run_to_end(m, until(1));

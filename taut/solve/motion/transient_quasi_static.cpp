@@ -5,7 +5,7 @@
 
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double without_inertia = 1e4;  ///< s: of a step so long that masses are nothing
@@ -216,4 +216,4 @@ Outcome slide_into_place(Run& run) {
   return {};
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -2,7 +2,7 @@
 #include "taut/solve/motion/transient_run.hpp"
 
 /// Motion so slow that nothing has inertia: equilibria one after the other, with friction carried on.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// One step of the time `elapsed` to t: drives and signals go on by it, then everything is in equilibrium there. It is
 /// looked for from where the machine was, at once. Not converged where there is none within a twentieth of the
@@ -39,4 +39,4 @@ void book_slow_step(Run& run);
 /// again. Infeasible where there is no equilibrium on the way.
 Outcome slide_into_place(Run& run);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

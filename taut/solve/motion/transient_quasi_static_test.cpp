@@ -11,17 +11,20 @@
 
 /// Motions without inertia, starts in sliding friction: against closed forms.
 namespace taut_test::transient_quasi_static_test {
+
+namespace machine = taut::machine;
+
 namespace {
 
-using taut::analysis::Slid;
-using taut::analysis::Start;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Slid;
+using taut::solve::Start;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double degree = std::numbers::pi / 180, g = 10;
 
-TransientResult run(const model::Model& m, const TransientOptions& o) {
+TransientResult run(const machine::Model& m, const TransientOptions& o) {
   TransientResult r = run_to_end(m, o);
   const auto& energy = r.frames.back().energy;  // what a step leaves is of the third order of its ways
   EXPECT_LE(std::abs(energy.residual), 5e-4 * energy.turnover);
@@ -31,10 +34,10 @@ TransientResult run(const model::Model& m, const TransientOptions& o) {
   return r;
 }
 
-model::Signal through(const std::vector<double>& t, const std::vector<double>& value, const taut::Unit& unit) {
-  model::Signal s;
+machine::Signal through(const std::vector<double>& t, const std::vector<double>& value, const taut::Unit& unit) {
+  machine::Signal s;
   s.unit = unit;
-  s.law = model::Curve{t, value, {}};
+  s.law = machine::Curve{t, value, {}};
   return s;
 }
 
@@ -45,17 +48,17 @@ bool has(const TransientResult& r, const std::string& what, const std::string& w
 
 /// A block of 500 kg on a floor of 10 m, drawn to the right by a rope of 100 kN/m whose end a tensioner takes in at 1
 /// cm/s and, from `turns` on, lets out again.
-model::Model drawn_block(double f0, double f_inf, double turns) {
-  model::Model m;
+machine::Model drawn_block(double f0, double f_inf, double turns) {
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("block", origin, 500, "xz"));
-  model::FaceContact& sole = add_floor(m, 0, 5, 1e9, f_inf);
+  machine::FaceContact& sole = add_floor(m, 0, 5, 1e9, f_inf);
   sole.damping = sole.tangential_damping = 1e5;
   sole.static_friction = f0;
   sole.stribeck_speed = 1e-4;
   m.reevings.push_back(reeve("rope", {anchor_on("block", 0), anchor("end", {20, 0, 0})}, 20, 0, 2e6));
   m.reevings[0].damping_time = 0.02;
-  model::Tensioner end;
+  machine::Tensioner end;
   end.at_start = false;
   end.change = through({0, turns, turns + 20}, {0, -0.01 * turns, -0.01 * turns + 0.2}, taut::si::m);
   m.tensioners.push_back(end);
@@ -91,22 +94,22 @@ TEST(QuasiStatic, ABlockIsDrawnByItsFriction) {
 }
 
 /// A weight on a rope over a sheave with losses, from a drum.
-model::Model hoist(double eta, const model::Signal& speed) {
-  model::Model m;
+machine::Model hoist(double eta, const machine::Signal& speed) {
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("load", {2, 0, -10}, 300, "z"));
-  const model::Node drum = add_drum(m, "drum", {-8, 0, 0}, 0.15);
-  m.drums[0].drive = {model::DriveKind::speed, speed};
+  const machine::Node drum = add_drum(m, "drum", {-8, 0, 0}, 0.15);
+  m.drums[0].drive = {machine::DriveKind::speed, speed};
   m.reevings.push_back(
       reeve("rope", {drum, sheave("top", {1.8, 0, 0}, 0.2, 1, eta), anchor_on("load", 0)}, 3000, 0, 2e6));
-  m.reevings[0].given = model::Given::tension_at_end;
+  m.reevings[0].given = machine::Given::tension_at_end;
   m.reevings[0].damping_time = 0.01;
   return m;
 }
 
 TEST(QuasiStatic, HoistingAndLoweringDifferByTheLossesTwice) {
   const double W = 3000, eta = 0.95;
-  const model::Model m = hoist(eta, through({0, 0.001, 5, 5.001, 20}, {0, 0.1, 0.1, -0.1, -0.1}, taut::si::m_per_s));
+  const machine::Model m = hoist(eta, through({0, 0.001, 5, 5.001, 20}, {0, 0.1, 0.1, -0.1, -0.1}, taut::si::m_per_s));
   const TransientResult r = run(m, slowly(10, 100));
   EXPECT_NEAR(tension(r, 0), W, 1e-6 * W);
   EXPECT_NEAR(tension(r, 1), W / eta, 1e-8 * W);
@@ -142,14 +145,14 @@ TEST(QuasiStatic, AStartInSlidingFrictionIsTheEndOfASlowMotion) {
 TEST(QuasiStatic, HalfATurnRoundASheaveLosesItsEfficiency) {
   const double W = 3000, eta = 0.94;
   for (const double inertia : {0.0, 0.5}) {
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies.push_back(body("load", {2, 0, -10}, W / g, "z"));
-    model::Node top = sheave("top", {1.8, 0, 0}, 0.2, 1, eta);
+    machine::Node top = sheave("top", {1.8, 0, 0}, 0.2, 1, eta);
     top.inertia = inertia;
     m.reevings.push_back(reeve("rope", {anchor("pull", {1.6, 0, -10}), top, anchor_on("load", 0)}, W, 0, 2e6));
-    m.reevings[0].given = model::Given::tension_at_end;
-    model::Tensioner end;
+    m.reevings[0].given = machine::Given::tension_at_end;
+    machine::Tensioner end;
     end.change = through({0, 5, 10}, {0, -0.5, 0}, taut::si::m);
     m.tensioners.push_back(end);
     const TransientResult r = run(m, slowly(10, 100));
@@ -163,14 +166,14 @@ TEST(QuasiStatic, HalfATurnRoundASheaveLosesItsEfficiency) {
 TEST(QuasiStatic, ASaddleHoldsByItsWrap) {
   const double W = 3000, mu = 0.2;
   for (const double aside : {0.0, 3.0}) {
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies.push_back(body("load", {0, 0, -10}, W / g, "z"));
-    model::Node stone = saddle("stone", origin, mu);
+    machine::Node stone = saddle("stone", origin, mu);
     stone.support = Vector3::Zero();
     m.reevings.push_back(reeve("rope", {anchor("pull", {-10, aside, 0}), stone, anchor_on("load", 0)}, W, 0, 2e6));
-    m.reevings[0].given = model::Given::tension_at_end;
-    model::Tensioner end;
+    m.reevings[0].given = machine::Given::tension_at_end;
+    machine::Tensioner end;
     end.change = through({0, 5, 10}, {0, -0.5, 0}, taut::si::m);
     m.tensioners.push_back(end);
     const TransientResult r = run(m, slowly(10, 100));
@@ -183,12 +186,12 @@ TEST(QuasiStatic, ASaddleHoldsByItsWrap) {
 /// Heavy sheaves with bearings under a tackle: what slides at its very limit there is no hindrance where the winch
 /// stops and goes on.
 TEST(QuasiStatic, ATackleWithHeavySheavesStopsAndGoesOn) {
-  model::Model m = tackle(4, 0.96, 1000);
+  machine::Model m = tackle(4, 0.96, 1000);
   m.gravity = g;
-  for (model::Node& node : m.reevings[0].nodes) {
-    if (node.kind == model::NodeKind::contact) node.inertia = 0.3;
+  for (machine::Node& node : m.reevings[0].nodes) {
+    if (node.kind == machine::NodeKind::contact) node.inertia = 0.3;
   }
-  model::Tensioner winch;
+  machine::Tensioner winch;
   winch.change = through({0, 2, 3, 5, 6, 9}, {0, -0.4, -0.4, -0.8, -0.8, -0.2}, taut::si::m);
   m.tensioners.push_back(winch);
   const TransientResult r = run(m, slowly(9, 90));
@@ -198,27 +201,27 @@ TEST(QuasiStatic, ATackleWithHeavySheavesStopsAndGoesOn) {
 }
 
 /// A block on a board that is tilted: it slides from tan a = f_0 on, down to a stop that it meets after 2 m.
-model::Model tilted_board(double f0, double f_inf) {
-  model::Model m;
+machine::Model tilted_board(double f0, double f_inf) {
+  machine::Model m;
   m.gravity = g;
-  model::Body board = body("board", origin, 0, "");
+  machine::Body board = body("board", origin, 0, "");
   board.driven.push_back({Vector3::Zero(), Vector3::UnitY(), through({0, 40}, {0, 40 * degree}, taut::si::rad)});
   m.bodies.push_back(board);
   m.bodies.push_back(body("block", origin, 100, "xz"));
-  model::Face face;
+  machine::Face face;
   face.name = "board";
   face.body = 0;
   face.from = {-1, 0, 0};
   face.to = {5, 0, 0};
   m.faces.push_back(face);
-  model::Face stop;
+  machine::Face stop;
   stop.name = "stop";
   stop.body = 0;
   stop.from = {2, 0, -1};
   stop.to = {2, 0, 1};
   stop.normal = {-1, 0, 0};
   m.faces.push_back(stop);
-  model::FaceContact sole;
+  machine::FaceContact sole;
   sole.name = "sole";
   sole.body = 1;
   sole.stiffness = sole.tangential_stiffness = 1e9;
@@ -251,23 +254,23 @@ TEST(QuasiStatic, ABlockFallsFromWhereNothingHoldsItToItsStop) {
 
 /// The same angle found by the motion itself: an event stops it where the block has gone a millimetre.
 TEST(QuasiStatic, TheSlipAngleIsFoundToTheLastDigits) {
-  model::Model m = tilted_board(0.4, 0.35);
-  model::Event stop;
+  machine::Model m = tilted_board(0.4, 0.35);
+  machine::Event stop;
   stop.words = "slides";
-  stop.kind = model::EventKind::stop;
-  model::Observable x;
+  stop.kind = machine::EventKind::stop;
+  machine::Observable x;
   x.name = "x";
   x.unit = taut::si::m;
   x.index = 1;
   x.seen_from = 0;
-  stop.when = model::Condition{x, true, 1e-3};
+  stop.when = machine::Condition{x, true, 1e-3};
   m.events.push_back(stop);
   const TransientResult r = run(m, slowly(40, 80));
   EXPECT_NEAR(r.t_end, std::atan(0.4) / degree, 1e-6);
 }
 
 TEST(QuasiStatic, NothingHoldsABlockOnABoardWithoutEnd) {
-  model::Model m = tilted_board(0.4, 0.3);
+  machine::Model m = tilted_board(0.4, 0.3);
   m.contacts.pop_back();
   m.faces[0].to = {20, 0, 0};
   const TransientResult r = transient(m, slowly(40, 80));
@@ -279,15 +282,15 @@ TEST(QuasiStatic, NothingHoldsABlockOnABoardWithoutEnd) {
 
 /// Of two ropes that carry a weight side by side one breaks: the other has all of it, at rest.
 TEST(QuasiStatic, ABreakEndsAtRest) {
-  model::Model m;
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("load", {0, 0, -10}, 200, "z"));
   for (const char* name : {"one", "two"}) {
     m.reevings.push_back(reeve(name, {anchor(name, origin), anchor_on("load", 0)}, 10 / (1 + 1e3 / 1e6), 0, 1e6));
   }
-  model::Event gone;
+  machine::Event gone;
   gone.words = "break";
-  gone.kind = model::EventKind::breaks;
+  gone.kind = machine::EventKind::breaks;
   gone.at = 1;
   gone.index = gone.part = 0;
   m.events.push_back(gone);
@@ -323,11 +326,11 @@ TEST(QuasiStatic, SteadySlidingOfTheBoomKeepsItsForces) {
 /// one. The rope neither runs off nor does the sheave, and the ledger closes.
 TEST(QuasiStatic, HeavySheavesOnMovingBodiesAreAsLightOnes) {
   const auto luffed = [](double inertia, double efficiency) {
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies = {body("boom", {0, 0, 0}, 0, ""), body("hook", {19.2, 0, -2}, 800, "xyz")};
     m.bodies[0].driven.push_back({Vector3::Zero(), Vector3::UnitY(), smooth_move(0, -0.7, 0, 18)});
-    model::Node tip = sheave("tip", {18.8, 0, 6.8}, 0.4, 1, efficiency, 0);
+    machine::Node tip = sheave("tip", {18.8, 0, 6.8}, 0.4, 1, efficiency, 0);
     tip.law.friction = 0.2;
     tip.inertia = inertia;
     m.reevings.push_back(

@@ -8,13 +8,16 @@
 #include "test/support/random_machines.hpp"
 
 namespace taut_test::transient_random {
+
+namespace machine = taut::machine;
+
 namespace {
 
-using taut::analysis::EnergyLedger;
-using taut::analysis::transient;
-using taut::analysis::TransientFrame;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::EnergyLedger;
+using taut::solve::transient;
+using taut::solve::TransientFrame;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 bool finite(const TransientFrame& frame) {
   bool all = std::isfinite(frame.energy.residual) && std::isfinite(frame.energy.kinetic);
@@ -37,7 +40,7 @@ double largest_gain(const TransientResult& r) {
 
 TransientResult run(unsigned seed, long most_steps) {
   RandomMachine chance(seed);
-  const model::Model m = chance.machine();
+  const machine::Model m = chance.machine();
   TransientOptions options = chance.options();
   options.most_steps = most_steps;
   return transient(m, options);

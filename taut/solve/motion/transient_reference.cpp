@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double share_of_tolerance = 1e-3;  ///< backward differences leave more than their tolerance over a long run
@@ -387,14 +387,14 @@ Outcome reference_refuses(const Mechanism& m) {
                                     m.model->bodies[at(m.bodies[at(line.body[end])].model)].name));
     }
   }
-  for (const model::Drum& drum : m.model->drums) {
+  for (const machine::Drum& drum : m.model->drums) {
     if (drum.automatic_layers)
       return infeasible(fmt::format("the drum '{}' changes its layers: not in the reference", drum.name));
   }
-  if (std::ranges::any_of(m.model->events, [](const model::Event& e) { return e.when.has_value(); })) {
+  if (std::ranges::any_of(m.model->events, [](const machine::Event& e) { return e.when.has_value(); })) {
     return infeasible("the reference has no events by condition: give them times");
   }
   return {};
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

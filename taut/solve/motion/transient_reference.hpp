@@ -7,7 +7,7 @@
 /// integrated by IDA of SUNDIALS (backward differences of variable order, its own control of the error). Nothing of the
 /// steps of the fast schemes is in it. Where a contact begins to slip or stick, a branch goes slack or taut, a bearing
 /// begins to turn, its dense output is searched for the moment, and it begins anew there.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 struct ReferenceState;
 
@@ -32,4 +32,4 @@ class Reference {
 /// What the reference can't do with a machine.
 Outcome reference_refuses(const Mechanism& m);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -13,11 +13,11 @@ namespace taut_test::transient_reference_test {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 TransientOptions by(TimeMethod method, double duration) {
   TransientOptions options = lasting(duration, 1e-6, 10);
@@ -26,11 +26,11 @@ TransientOptions by(TimeMethod method, double duration) {
 }
 
 /// A load on a tackle with losses that a drum hoists: light sheaves, and sheaves with inertia, friction and bearings.
-model::Model hoist(bool heavy) {
-  model::Model m;
+machine::Model hoist(bool heavy) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("block", {0, 0, -10}, 3000, "z"));
-  std::vector<model::Node> nodes{add_drum(m, "winch", {-10, 0, -8}, 0.2)};
+  std::vector<machine::Node> nodes{add_drum(m, "winch", {-10, 0, -8}, 0.2)};
   for (int i = 0; i < 4; ++i) {
     nodes.push_back(i % 2 == 0 ? sheave("head", {0, 0, 0}, 0.2, 1, 0.96) : sheave("block", {0, 0, 0}, 0.2, 1, 0.96, 0));
     if (!heavy) continue;
@@ -40,7 +40,7 @@ model::Model hoist(bool heavy) {
   nodes.push_back(anchor("becket", {-0.2, 0, 0}));
   m.reevings.push_back(reeve("hoist", nodes, 54.68, heavy ? 12 : 0, 1e7));
   m.reevings[0].damping_time = 1e-3;
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.6, 0.1, 0.4)};
+  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, 0.6, 0.1, 0.4)};
   return m;
 }
 
@@ -64,11 +64,11 @@ TEST(TransientReference, TheFastSchemeHoistsATackleAsItDoes) {
 
 /// A belt that slips on its drive as it starts and grips later; its mass runs with it.
 TEST(TransientReference, ABeltThatSlipsAndGrips) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   for (const double side : {0.0, 1.0}) {
-    model::Node wheel = sheave(side > 0 ? "driven" : "drive", {5 * side, 0, 0}, 0.3, 1);
-    wheel.kind = side > 0 ? model::NodeKind::contact : model::NodeKind::drive;
+    machine::Node wheel = sheave(side > 0 ? "driven" : "drive", {5 * side, 0, 0}, 0.3, 1);
+    wheel.kind = side > 0 ? machine::NodeKind::contact : machine::NodeKind::drive;
     if (side == 0) wheel.motor = 0;
     wheel.law.friction = side > 0 ? 0.5 : 0.25;  // the drive slips, the other one doesn't
     wheel.inertia = side > 0 ? 20 : 0.5;
@@ -79,7 +79,7 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
   m.reevings[0].value = (10 + 2 * pi * 0.3) / (1 + 800 / 2e5);
   m.reevings[0].damping_time = 5e-3;
   m.motors.resize(1);
-  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, 5, 0, 0.5)};
+  m.motors[0].drive = {machine::DriveKind::speed, smooth_move(0, 5, 0, 0.5)};
   const TransientResult exact = run_to_end(m, by(TimeMethod::reference, 2.2)),
                         fast = run_to_end(m, by(TimeMethod::implicit, 2.2));
   bool slipped = false;
@@ -96,7 +96,7 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
 }
 
 TEST(TransientReference, WhatItCannotDoIsTold) {
-  model::Model m = hoist(false);
+  machine::Model m = hoist(false);
   m.drums[0].automatic_layers = true;
   EXPECT_NE(transient(m, by(TimeMethod::reference, 0.1)).outcome.message.find("not in the reference"),
             std::string::npos);

@@ -9,39 +9,39 @@
 namespace taut_test::transient_restart_test {
 namespace {
 
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// Two masses on a rope with dampers over a driven sheave that is faster than its grip can take along; a force against
 /// the motion along the rising branch, part of it by the metre.
-model::Model slipping(double weight) {
-  model::Model m;
+machine::Model slipping(double weight) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("a", {0.2, 0, -6}, 100, "z"), body("b", {-0.2, 0, -5}, 104, "z")};
   const auto brake = [&](const char* name, double share) {
-    model::Body place = body(name, {0.2, 0, -6 + 6 * share}, 0, "xyz");
+    machine::Body place = body(name, {0.2, 0, -6 + 6 * share}, 0, "xyz");
     place.of_rope = true;
-    model::Node node = anchor_on(name, static_cast<int>(m.bodies.size()));
-    node.kind = model::NodeKind::load;
+    machine::Node node = anchor_on(name, static_cast<int>(m.bodies.size()));
+    node.kind = machine::NodeKind::load;
     node.load.share = share;
     node.load.by_motion = true;
     node.load.sense = -1;
     m.bodies.push_back(place);
     return node;
   };
-  model::Node point = brake("point", 0.3), spread = brake("spread", 0.6);
+  machine::Node point = brake("point", 0.3), spread = brake("spread", 0.6);
   point.load.force = 30;
   spread.load.rate = 15;
   spread.load.part = 0.4;
-  model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1);
-  wheel.kind = model::NodeKind::drive;
+  machine::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1);
+  wheel.kind = machine::NodeKind::drive;
   wheel.motor = 0;
   wheel.inertia = 0.5;
   wheel.law.friction = 0.05;
   m.motors.resize(1);
-  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, 3, 0, 0.2)};
+  m.motors[0].drive = {machine::DriveKind::speed, smooth_move(0, 3, 0, 0.2)};
   m.reevings.push_back(reeve("rope", {anchor_on("a", 0), point, spread, wheel, anchor_on("b", 1)},
                              (11 + 0.2 * M_PI) / (1 + 1000 / 2e5), weight, 2e5));
   m.reevings[0].damping_time = 1e-3;
@@ -59,7 +59,7 @@ TransientOptions by_steps(double duration, double step, TimeMethod method) {
 }
 
 TEST(TransientRestart, ARopeThatSlipsGoesOnToTheLastBit) {
-  const model::Model m = slipping(4);
+  const machine::Model m = slipping(4);
   for (const auto method : {TimeMethod::implicit, TimeMethod::verlet}) {
     const auto until = [&](double duration) { return by_steps(duration, 1e-4, method); };
     const TransientResult whole = run_to_end(m, until(0.8));
@@ -92,7 +92,7 @@ TEST(TransientRestart, ARopeThatSlipsGoesOnToTheLastBit) {
 /// there, but no rope has passed, and no tension has changed. (What counts for a rope's momentum is part of the memory:
 /// without weight here.)
 TEST(TransientRestart, NoRopeSlipsWhileNoTimePasses) {
-  const model::Model m = slipping(0);
+  const machine::Model m = slipping(0);
   const TransientResult first = run_to_end(m, by_steps(0.5, 2e-5, TimeMethod::implicit));
   TransientOptions options = by_steps(1e-3, 2e-5, TimeMethod::implicit);
   options.from = first.state;
@@ -109,13 +109,13 @@ TEST(TransientRestart, NoRopeSlipsWhileNoTimePasses) {
 
 /// Beyond what dampers can hold the rope does slip at once: a drum whose pull jumps to more than twice the tension.
 TEST(TransientRestart, WhatDampersCantHoldSlipsAtOnce) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("load", {0.2, 0, -10}, 100, "z")};
-  model::Node drum = sheave("winch", {0, 0, 0}, 0.2, 1);
+  machine::Node drum = sheave("winch", {0, 0, 0}, 0.2, 1);
   drum.drum = 0;
   m.drums.resize(1);
-  m.drums[0].drive = {model::DriveKind::pull, {}};
+  m.drums[0].drive = {machine::DriveKind::pull, {}};
   m.drums[0].drive.signal.law = 5000.0;
   m.reevings.push_back(reeve("rope", {drum, anchor_on("load", 0)}, 10 / (1 + 981 / 1e5), 0, 1e5));
   m.reevings[0].damping_time = 1e-3;

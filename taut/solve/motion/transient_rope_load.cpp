@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-const model::RopeLoad& load_at(const Mechanism& m, const Contact& contact) {
+const machine::RopeLoad& load_at(const Mechanism& m, const Contact& contact) {
   return m.model->reevings[at(contact.reeving)].nodes[at(contact.node)].load;
 }
 
@@ -22,9 +22,9 @@ double difference_at(const Contact& contact, const Values& v) {
 
 /// Unstretched length of the free rope at the very start, from round to round, in which a load lies, m.
 double loaded_span(const Mechanism& m, const Contact& contact, const DynamicState& start) {
-  const model::Reeving& rope = m.model->reevings[at(contact.reeving)];
+  const machine::Reeving& rope = m.model->reevings[at(contact.reeving)];
   const int nodes = static_cast<int>(rope.nodes.size()), per_branch = std::max(1, rope.segments);
-  const auto is_load = [&](int k) { return rope.nodes[at((k + nodes) % nodes)].kind == model::NodeKind::load; };
+  const auto is_load = [&](int k) { return rope.nodes[at((k + nodes) % nodes)].kind == machine::NodeKind::load; };
   int from = contact.node, to = contact.node;
   while (is_load(from)) --from;
   while (is_load(to)) ++to;
@@ -46,8 +46,8 @@ void measure_loaded_spans(Mechanism& m, const DynamicState& start) {
 }
 
 RopeLoadStep rope_load(const Mechanism& m, const Contact& contact, double when, double flow, bool lossless) {
-  const model::RopeLoad& given = load_at(m, contact);
-  const double force = given.signal ? model::at(*given.signal, when).value : given.force + given.rate;
+  const machine::RopeLoad& given = load_at(m, contact);
+  const double force = given.signal ? machine::at(*given.signal, when).value : given.force + given.rate;
   const double size = given.part > 0 ? force * given.part * contact.load_length : force;
   if (!given.by_motion) return {-given.sense * size, false};
   if (lossless) return {0, true};
@@ -65,23 +65,23 @@ Grip grip_at_load(const RopeLoadStep& load, double difference, double slip) {
 
 double asked_difference(const ContactValues& is) { return is.grip == Grip::backward ? -is.drop : is.drop; }
 
-int line_end(const model::Reeving& rope, int node, std::size_t end) {
+int line_end(const machine::Reeving& rope, int node, std::size_t end) {
   const int nodes = static_cast<int>(rope.nodes.size());
-  while (rope.nodes[at(node)].kind == model::NodeKind::load) node = (node + (end == 0 ? nodes - 1 : 1)) % nodes;
+  while (rope.nodes[at(node)].kind == machine::NodeKind::load) node = (node + (end == 0 ? nodes - 1 : 1)) % nodes;
   return node;
 }
 
-void set_part(const Mechanism& m, const model::Reeving& rope, Line& line) {
+void set_part(const Mechanism& m, const machine::Reeving& rope, Line& line) {
   if (rope.segments > 1) return;
-  const model::Node &from = rope.nodes[at(line.from)], &to = rope.nodes[at(line.to)];
-  line.at_load = {from.kind == model::NodeKind::load, to.kind == model::NodeKind::load};
+  const machine::Node &from = rope.nodes[at(line.from)], &to = rope.nodes[at(line.to)];
+  line.at_load = {from.kind == machine::NodeKind::load, to.kind == machine::NodeKind::load};
   line.part = line.at_load[0] || line.at_load[1];
   if (!line.part) return;
   const auto stands = [&](int body) {
     return body < 0 || (m.bodies[at(body)].count == 0 && m.model->bodies[at(body)].driven.empty());
   };
   // of how much of the line's length a place follows
-  const auto follows = [&](const model::Node& node) {
+  const auto follows = [&](const machine::Node& node) {
     return stands(line.body[0]) ? 0.0 : stands(line.body[1]) ? 1.0 : node.load.share;
   };
   line.ahead = line.at_load[0] ? follows(from) : 0;
@@ -89,10 +89,10 @@ void set_part(const Mechanism& m, const model::Reeving& rope, Line& line) {
   line.middle = ((line.at_load[0] ? from.load.share : 0) + (line.at_load[1] ? to.load.share : 1)) / 2;
 }
 
-void set_places(const DynamicState& start, const LineValues& now, const model::Reeving& rope, Line& line) {
+void set_places(const DynamicState& start, const LineValues& now, const machine::Reeving& rope, Line& line) {
   // a motion that goes on has the places among its bodies
   const bool anew = start.ropes[at(line.reeving)].passed.empty();
-  const auto place = [&](const model::Node& node) {
+  const auto place = [&](const machine::Node& node) {
     if (anew) return node.load.share * now.l;
     return now.t.dot(start.bodies[at(node.at.body)].position - now.touch[0]);
   };
@@ -194,4 +194,4 @@ double rope_load_work(const Contact& contact, const Values& before, const Values
   return contact.copies * (a + b) / 2;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,14 +10,14 @@
 /// The free line of length l is divided into parts, each a line of the mechanism with both ends of the whole: part i
 /// has the length share_i l + more_i, and follows share_i of every virtual displacement. With T_out - T_in = -F at the
 /// places, virtual work gives the rounds the tensions of the first and of the last part alone.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// The node at which the free line really begins (end 0) or ends (end 1), beyond loads.
-int line_end(const model::Reeving& rope, int node, std::size_t end);
+int line_end(const machine::Reeving& rope, int node, std::size_t end);
 /// Which part of the free line a line is; `from` and `to` are its nodes, its bodies those of the free line.
-void set_part(const Mechanism& m, const model::Reeving& rope, Line& line);
+void set_part(const Mechanism& m, const machine::Reeving& rope, Line& line);
 /// Where it lies on the free line at the start, as `now` has that.
-void set_places(const DynamicState& start, const LineValues& now, const model::Reeving& rope, Line& line);
+void set_places(const DynamicState& start, const LineValues& now, const machine::Reeving& rope, Line& line);
 
 /// The lengths of the spans in which loads lie.
 void measure_loaded_spans(Mechanism& m, const DynamicState& start);
@@ -55,4 +55,4 @@ void add_part_slopes(Mechanism& m, const Scheme& s, const Line& line, const Line
 /// Work that the place's own way takes in a step, J.
 double rope_load_work(const Contact& contact, const Values& before, const Values& now);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -16,19 +16,19 @@ namespace taut_test::transient_rope_load_test {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double g = 9.81;
 
 /// A node of kind load with its body.
-model::Node load_on(model::Model& m, const std::string& name, double share, double force, const Vector3& at) {
-  model::Body place = body(name, at, 0, "xyz");
+machine::Node load_on(machine::Model& m, const std::string& name, double share, double force, const Vector3& at) {
+  machine::Body place = body(name, at, 0, "xyz");
   place.of_rope = true;
-  model::Node node = anchor_on(name, static_cast<int>(m.bodies.size()));
-  node.kind = model::NodeKind::load;
+  machine::Node node = anchor_on(name, static_cast<int>(m.bodies.size()));
+  node.kind = machine::NodeKind::load;
   node.load.share = share;
   node.load.force = force;
   m.bodies.push_back(place);
@@ -38,12 +38,12 @@ model::Node load_on(model::Model& m, const std::string& name, double share, doub
 double smoothed(double x) { return x <= 0 ? 0 : x >= 1 ? 1 : x * x * x * (10 - 15 * x + 6 * x * x); }
 
 /// A mass on a rope 10 m long below a fixed point, with a force along the rope 3 m (share 0.3) below that point.
-model::Model hanging(double force, bool swapped = false) {
-  model::Model m;
+machine::Model hanging(double force, bool swapped = false) {
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("mass", {0, 0, -10}, 200, "z"));
-  model::Node load = load_on(m, "brake", swapped ? 0.7 : 0.3, force, {0, 0, -3});
-  std::vector<model::Node> nodes{anchor("top", {0, 0, 0}), load, anchor_on("mass", 0)};
+  machine::Node load = load_on(m, "brake", swapped ? 0.7 : 0.3, force, {0, 0, -3});
+  std::vector<machine::Node> nodes{anchor("top", {0, 0, 0}), load, anchor_on("mass", 0)};
   if (swapped) std::reverse(nodes.begin(), nodes.end());
   m.reevings.push_back(reeve("rope", nodes, 10 / (1 + 200 * g / 4e4), 0, 4e4));
   return m;
@@ -67,7 +67,7 @@ TEST(TransientRopeLoad, AForceOfItsOwnDirectionPullsAMassDown) {
   const auto [z, v] = runge_kutta(
       10, 0, 0.6, [&](double t, double l, double) { return g - tension_below(l, L, 3, force(t), EA) / 200; });
   for (const bool swapped : {false, true}) {
-    model::Model m = hanging(0, swapped);
+    machine::Model m = hanging(0, swapped);
     m.reevings[0].nodes[1].load.signal = smooth_move(0, 900, 0, 0.3);
     m.reevings[0].nodes[1].load.sense = swapped ? -1 : 1;
     const TransientResult r = run_to_end(m, lasting(0.6, 1e-7));
@@ -88,7 +88,7 @@ TEST(TransientRopeLoad, AForceOfItsOwnDirectionPullsAMassDown) {
 /// slides (T_above - T_below = -+ F) and holds (the upper part keeps its length).
 TEST(TransientRopeLoad, FrictionOfAGivenSizeSlidesAndHolds) {
   const double EA = 4e4, mass = 200, F = 150, L = 10 / (1 + mass * g / EA) - 0.3, d = 3;
-  model::Model m = hanging(F);
+  machine::Model m = hanging(F);
   m.reevings[0].value = L;
   m.reevings[0].nodes[1].load.by_motion = true;
   m.reevings[0].nodes[1].load.sense = -1;
@@ -130,29 +130,29 @@ struct Saw {
   bool left = true, mirrored = false;
   int parts = 0;  ///< > 0: the force as a rate
 };
-model::Model saw(const Saw& of) {
+machine::Model saw(const Saw& of) {
   constexpr double R = 0.25, EA = 6.5e6;
-  model::Model m;
+  machine::Model m;
   m.gravity = 0;
   const double s = of.mirrored ? -1 : 1;
-  model::Body slide = body("slide", {9 * s, 0, 0}, 60, "x");
+  machine::Body slide = body("slide", {9 * s, 0, 0}, 60, "x");
   slide.centre = {0, 0, 0};
   m.bodies.push_back(slide);
   m.loads.push_back({{0, origin}, {of.pull * s, 0, 0}});
   const int side = of.left == !of.mirrored ? 1 : -1;
-  model::Node drive = sheave("drive", origin, R, side), idler = sheave("idler", origin, R, side, 1, 0);
-  drive.kind = model::NodeKind::drive;
+  machine::Node drive = sheave("drive", origin, R, side), idler = sheave("idler", origin, R, side, 1, 0);
+  drive.kind = machine::NodeKind::drive;
   drive.motor = 0;
   drive.inertia = 2;
   drive.law.friction = of.friction;
   m.reevings.push_back(reeve("saw", {drive, idler}, (18 + 2 * pi * R) / (1 + of.pull / 2 / EA), of.per_metre * g, EA));
-  model::Reeving& rope = m.reevings[0];
+  machine::Reeving& rope = m.reevings[0];
   m.gravity = g;
   rope.closed = true;
   rope.damping_time = 2e-3;
   const auto add = [&](double share, double force) {
     // the returning branch lies below where the path runs left
-    model::Node node = load_on(m, "cut", share, force, {9 * s * (1 - share), 0, of.left ? -R : R});
+    machine::Node node = load_on(m, "cut", share, force, {9 * s * (1 - share), 0, of.left ? -R : R});
     node.load.by_motion = true;
     node.load.sense = -1;
     rope.nodes.push_back(node);
@@ -164,7 +164,7 @@ model::Model saw(const Saw& of) {
     rope.nodes.back().load.part = 0.6 / of.parts;
   }
   m.motors.resize(1);
-  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, of.speed, 0, 1)};
+  m.motors[0].drive = {machine::DriveKind::speed, smooth_move(0, of.speed, 0, 1)};
   return m;
 }
 
@@ -223,7 +223,7 @@ TEST(TransientRopeLoad, DrivenAtOnceEitherWayRound) {
       Saw of;
       of.parts = parts;
       of.speed = speed;
-      model::Model m = saw(of);
+      machine::Model m = saw(of);
       m.motors[0].drive.signal.law = speed;
       m.reevings[0].nodes[0].inertia = 0;
       m.reevings[0].nodes[1].law.efficiency = 0.98;
@@ -260,11 +260,11 @@ TEST(TransientRopeLoad, TooMuchForTheGripStopsTheRope) {
 /// A force of no size is none: the same motion as of the machine without it, with its weight.
 TEST(TransientRopeLoad, NoForceIsNoLoad) {
   const auto machine = [](bool loaded) {
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies.push_back(body("mass", {6, 1, -8}, 100, "xyz"));
     // never slack
-    std::vector<model::Node> nodes{anchor("top", {0, 0, 0}), anchor_on("mass", 0)};
+    std::vector<machine::Node> nodes{anchor("top", {0, 0, 0}), anchor_on("mass", 0)};
     if (loaded) nodes.insert(nodes.begin() + 1, load_on(m, "none", 0.35, 0, {2.1, 0.35, -2.8}));
     m.reevings.push_back(reeve("rope", nodes, 10.0099, 8, 2e5));
     return m;
@@ -279,7 +279,7 @@ TEST(TransientRopeLoad, NoForceIsNoLoad) {
 TEST(TransientRopeLoad, GoesOnFromItsStateAndAgreesWithTheReference) {
   Saw of;
   of.speed = 4;
-  const model::Model m = saw(of);
+  const machine::Model m = saw(of);
   const TransientResult whole = run_to_end(m, lasting(1, 1e-6));
   TransientOptions options = lasting(0.6, 1e-6);
   options.from = run_to_end(m, options).state;

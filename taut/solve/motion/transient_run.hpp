@@ -3,11 +3,11 @@
 #include "taut/solve/motion/transient_ledger.hpp"
 #include "taut/solve/motion/transient_step.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// A run under way.
 struct Run {
-  const model::Model& model;
+  const machine::Model& model;
   const TransientOptions& options;
   Mechanism m{};
   Values before{}, now{};  ///< at the start and at the end of the step
@@ -62,15 +62,15 @@ struct Run {
 
 /// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
 /// motion begins as described.
-model::Model sided_at_rest(const model::Model& model, Start start);
+machine::Model sided_at_rest(const machine::Model& model, Start start);
 
 /// Builds the mechanism where the motion begins, settles it where the options say so, finds the damping. False with an
 /// outcome in the result.
 bool open_run(Run& run);
 
 /// The value of an observable now; of a measure as its deck wants it seen.
-double observe(const Run& run, const Values& v, const model::Observable& what);
-double observe_as_it_is(const Run& run, const Values& v, const model::Observable& what);
+double observe(const Run& run, const Values& v, const machine::Observable& what);
+double observe_as_it_is(const Run& run, const Values& v, const machine::Observable& what);
 /// What relative measures relate to, from their `since` on; before the extremes of a step.
 void take_references(Run& run, const Values& v);
 /// Adds the step to the mean of what is observed.
@@ -100,7 +100,7 @@ bool change_layers(Run& run, Values& v);
 /// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
-std::vector<double> stops_of(const model::Model& model, double from, double to);
+std::vector<double> stops_of(const machine::Model& model, double from, double to);
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t);
 
@@ -141,4 +141,4 @@ void keep_history(Run& run);
 /// Steps until the end. Fills the outcome.
 void march(Run& run);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

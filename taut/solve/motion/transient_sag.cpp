@@ -10,14 +10,14 @@
 #include "taut/rope/catenary_shape.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr int most_hanging_steps = 30;
 constexpr double hanging_closes = 1e-14;  ///< of the size: tangent points and free length
 constexpr double hanging_open = 1e-10;    ///< with more it is no solution
 
-using Ends = std::array<BranchEnd, 2>;
+using Ends = std::array<mechanics::BranchEnd, 2>;
 
 Matrix3 sag_turned(const std::vector<Motion3>& bodies, int body) {
   return body < 0 ? Matrix3(Matrix3::Identity()) : bodies[at(body)].R;
@@ -67,8 +67,8 @@ HangingRates hanging_rates(const rope::Span& span, const std::array<Vector3, 2>&
 /// How chord and length follow the vector between the centres and the rope let in: the inverse of this.
 Eigen::Matrix4d tangent_matrix(const Ends& ends, const std::array<double, 2>& winding, const HangingRates& r,
                                const std::array<Vector3, 2>& direction) {
-  const Matrix3 N0 = tangent_offset_rate(ends[0], direction[0]) * r.turn[0];
-  const Matrix3 N1 = tangent_offset_rate(ends[1], direction[1]) * r.turn[1];
+  const Matrix3 N0 = mechanics::tangent_offset_rate(ends[0], direction[0]) * r.turn[0];
+  const Matrix3 N1 = mechanics::tangent_offset_rate(ends[1], direction[1]) * r.turn[1];
   const Vector3 arc0 = r.turn[0].transpose() * arc_rate(ends[0], direction[0], true) / winding[0];
   const Vector3 arc1 = r.turn[1].transpose() * arc_rate(ends[1], direction[1], false) / winding[1];
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
@@ -94,9 +94,9 @@ void take_span(const rope::Span& span, SagValues& is) {
 /// What lies on the rounds since the rope had the directions `then`, stretched, m.
 std::array<double, 2> arcs_of(const Ends& ends, const std::array<Vector3, 2>& then,
                               const std::array<Vector3, 2>& direction) {
-  const BranchEnd point;
-  const BranchDirections before{then[0], then[1]}, now{direction[0], direction[1]};
-  return {arcs_between(ends[0], point, before, now), arcs_between(point, ends[1], before, now)};
+  const mechanics::BranchEnd point;
+  const mechanics::BranchDirections before{then[0], then[1]}, now{direction[0], direction[1]};
+  return {mechanics::arcs_between(ends[0], point, before, now), mechanics::arcs_between(point, ends[1], before, now)};
 }
 
 /// Mean strain, least tension, the stretch's share in the compliance along the chord.
@@ -142,8 +142,8 @@ bool close_hanging(const ToHang& of, std::optional<rope::CatenaryForce> force, V
     force = span->force;
     arcs = arcs_of(of.ends, of.then, is.direction);
     Eigen::Vector4d open;
-    open << of.apart + tangent_offset(of.ends[1], is.direction[1]) - tangent_offset(of.ends[0], is.direction[0]) -
-                chord,
+    open << of.apart + mechanics::tangent_offset(of.ends[1], is.direction[1]) -
+                mechanics::tangent_offset(of.ends[0], is.direction[0]) - chord,
         of.fed - arcs[0] / of.winding[0] - arcs[1] / of.winding[1] - length;
     const double gap = open.norm();
     if (!std::isfinite(gap)) return false;
@@ -159,11 +159,12 @@ bool close_hanging(const ToHang& of, std::optional<rope::CatenaryForce> force, V
 
 /// From afar: the force as statics finds it.
 bool close_from_afar(const ToHang& of, Vector3& chord, double& length, std::array<double, 2>& arcs, SagValues& is) {
-  const auto found = branch_force(sag_rope(of.line, of.fed), of.ends[0], of.ends[1], {of.then[0], of.then[1]});
+  const auto found =
+      mechanics::branch_force(sag_rope(of.line, of.fed), of.ends[0], of.ends[1], {of.then[0], of.then[1]});
   if (!found) return false;
   const Vector3 half = of.line.weight * found->length / 2 * up();
   const Vector3 leaves = (found->force - half).normalized(), arrives = (found->force + half).normalized();
-  chord = of.apart + tangent_offset(of.ends[1], arrives) - tangent_offset(of.ends[0], leaves);
+  chord = of.apart + mechanics::tangent_offset(of.ends[1], arrives) - mechanics::tangent_offset(of.ends[0], leaves);
   length = found->length;
   const rope::CatenaryForce near{std::hypot(found->force.x(), found->force.y()), found->force.z()};
   return close_hanging(of, near, chord, length, arcs, is);
@@ -184,7 +185,7 @@ bool hang(const Line& line, const std::vector<Motion3>& bodies, const std::array
       .apart = X,
       .fed = fed,
       .size = X.norm() + std::abs(ends[0].radius) + std::abs(ends[1].radius)};
-  Vector3 chord = X + tangent_offset(ends[1], of.then[1]) - tangent_offset(ends[0], of.then[0]);
+  Vector3 chord = X + mechanics::tangent_offset(ends[1], of.then[1]) - mechanics::tangent_offset(ends[0], of.then[0]);
   double length = fed;
   std::array<double, 2> arcs{0, 0};
   std::optional<rope::CatenaryForce> force;
@@ -192,7 +193,7 @@ bool hang(const Line& line, const std::vector<Motion3>& bodies, const std::array
   if (!close_hanging(of, force, chord, length, arcs, is) && !close_from_afar(of, chord, length, arcs, is)) return false;
   now.L = length;
   for (const std::size_t e : {0U, 1U}) {
-    now.touch[e] = now.centre[e] + tangent_offset(ends[e], is.direction[e]);
+    now.touch[e] = now.centre[e] + mechanics::tangent_offset(ends[e], is.direction[e]);
     is.seat[e] = sag_turned(bodies, line.body[e]).transpose() * is.direction[e];
     now.angle[e] = angle[e];
     if (now.radius[e] > 0) now.angle[e] += (e == 0 ? arcs[0] : -arcs[1]) / now.radius[e];
@@ -225,8 +226,8 @@ SagRates sag_rates(const Line& line, const std::vector<Motion3>& bodies, const s
   r.x_g = is.along.dot(now.l * now.t) - is.H * stretch;
   r.z_g = now.l * now.t.z() - is.V * stretch;
   for (const std::size_t e : {0U, 1U}) {
-    r.offset[e] = tangent_offset_rate(r.ends[e], is.direction[e]);
-    r.arc[e] = arc_rate(r.ends[e], is.direction[e], e == 0);
+    r.offset[e] = mechanics::tangent_offset_rate(r.ends[e], is.direction[e]);
+    r.arc[e] = mechanics::arc_rate(r.ends[e], is.direction[e], e == 0);
   }
   return r;
 }
@@ -362,4 +363,4 @@ void hang_on_new_radius(const Line& line, const std::vector<Motion3>& bodies, st
   is = shape;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -10,7 +10,7 @@
 /// damper takes up the rate of (chord / unstretched length) by the share chi of it that the rope's stretch has in the
 /// compliance along the chord, `EA beta chi^2 rate`, so that it is a dashpot, has nothing to do with how the whole rope
 /// moves, becomes the straight branch's where the rope is taut, and fades where it hangs.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// A sagging line as it is at one time, beside its LineValues: there t and l are the chord's, e is the mean strain, T
 /// the mean of the tensions at the ends.
@@ -88,4 +88,4 @@ bool begin_to_hang(const Line& line, const std::vector<Motion3>& bodies, const D
 /// where a saved one left off.
 bool sags_by_weight(const Line& line, const DynamicState& start, int branch, double length, double light);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -6,7 +6,7 @@
 #include "taut/solve/motion/transient_sag.hpp"
 
 // How sagging lines begin.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 Matrix3 turned_at_start(const DynamicState& start, int body) {
@@ -19,8 +19,8 @@ Vector3 centre_at_start(const Line& line, const DynamicState& start, std::size_t
   return start.bodies[at(line.body[end])].position + turned_at_start(start, line.body[end]) * line.place[end];
 }
 
-BranchEnd end_at_start(const Line& line, const DynamicState& start, const std::array<double, 2>& radius,
-                       std::size_t end) {
+mechanics::BranchEnd end_at_start(const Line& line, const DynamicState& start, const std::array<double, 2>& radius,
+                                  std::size_t end) {
   return {centre_at_start(line, start, end), turned_at_start(start, line.body[end]) * line.axis[end],
           line.side[end] * radius[end]};
 }
@@ -52,10 +52,11 @@ bool begin_to_hang(const Line& line, const std::vector<Motion3>& bodies, const D
   SagValues before;
   if (!(length > 0)) return false;
   if (!known.any) {
-    model::BranchState near;
+    machine::BranchState near;
     near.length = length;
-    const auto found = solve_branch({length, line.weight, line.stiffness}, end_at_start(line, start, now.radius, 0),
-                                    end_at_start(line, start, now.radius, 1), near);
+    const auto found =
+        mechanics::solve_branch({length, line.weight, line.stiffness}, end_at_start(line, start, now.radius, 0),
+                                end_at_start(line, start, now.radius, 1), near);
     if (!found) return false;
     direction = {found->leaves, found->arrives};
     length = found->length;
@@ -71,9 +72,10 @@ bool sags_by_weight(const Line& line, const DynamicState& start, int branch, dou
   const DirectionsAtStart known = known_directions(start, line.reeving, branch);
   if (goes_on) return known.any;
   if (!(length > 0)) return false;
-  const auto found = solve_branch({length, line.weight, line.stiffness}, end_at_start(line, start, line.radius, 0),
-                                  end_at_start(line, start, line.radius, 1), {length, known.leaves, known.arrives, {}});
+  const auto found =
+      mechanics::solve_branch({length, line.weight, line.stiffness}, end_at_start(line, start, line.radius, 0),
+                              end_at_start(line, start, line.radius, 1), {length, known.leaves, known.arrives, {}});
   return found && line.weight * length > light * (found->T_from + found->T_to) / 2;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -5,7 +5,7 @@
 #include "taut/solve/motion/transient_values.hpp"
 
 // What sagging lines pull their ends with, and their rows.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 /// Tension along the chord at an end, beside the catenary's: the damper's, less what the momentum of the running rope
@@ -168,4 +168,4 @@ double sag_winding_rate(const Mechanism& m, std::size_t line_index, std::size_t 
   return is.radius[end] / winding[end] * rate;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

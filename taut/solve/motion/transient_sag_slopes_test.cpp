@@ -8,12 +8,12 @@
 namespace taut_test::transient_sag_slopes_test {
 namespace {
 
-double worst_sagging_slope(model::Model m, double damping) {
+double worst_sagging_slope(machine::Model m, double damping) {
   for (auto& rope : m.reevings) {
     rope.damping_time = damping;
     EXPECT_GT(rope.weight, 0);
   }
-  return worst_slope(m, {.branches = taut::analysis::Branches::catenary});
+  return worst_slope(m, {.branches = taut::solve::Branches::catenary});
 }
 
 TEST(TransientSagSlopes, AgreeWithDifferences) {

@@ -20,14 +20,14 @@ namespace taut_test::transient_sag_test {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::Branches;
-using taut::analysis::equilibrium;
-using taut::analysis::EquilibriumOptions;
-using taut::analysis::EquilibriumResult;
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Branches;
+using taut::solve::equilibrium;
+using taut::solve::EquilibriumOptions;
+using taut::solve::EquilibriumResult;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 TransientOptions hanging_for(double duration, double tolerance = 1e-6, int outputs = 10) {
   TransientOptions options = lasting(duration, tolerance, outputs);
@@ -37,8 +37,8 @@ TransientOptions hanging_for(double duration, double tolerance = 1e-6, int outpu
 }
 
 /// A mass clamped to two ropes between anchors of different height. `slack`: what is longer than straight.
-model::Model two_legs(double mass, double slack, double weight = 15, double EA = 5e6) {
-  model::Model m;
+machine::Model two_legs(double mass, double slack, double weight = 15, double EA = 5e6) {
+  machine::Model m;
   m.bodies.push_back(body("car", {60, 3, -5}, mass, "xyz"));
   const double first = std::sqrt(60 * 60 + 9 + 25.0), second = std::sqrt(90 * 90 + 49 + 625.0);
   m.reevings.push_back(reeve("a", {anchor("A", {0, 0, 0}), anchor_on("car", 0)}, first * (1 + slack), weight, EA));
@@ -47,10 +47,10 @@ model::Model two_legs(double mass, double slack, double weight = 15, double EA =
 }
 
 /// A carriage that rolls on a skyline over two saddles without loss; a drum with a core of 0.4 m hauls its mainline.
-model::Model hauled(double speed, double from = 0.0, double over = 1.0) {
-  model::Model m = with_carriage(false, 0, 2000);
-  const model::Node drum = add_drum(m, "winch", {302, 0, 82}, 0.4, -1);
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, speed, from, over)};
+machine::Model hauled(double speed, double from = 0.0, double over = 1.0) {
+  machine::Model m = with_carriage(false, 0, 2000);
+  const machine::Node drum = add_drum(m, "winch", {302, 0, 82}, 0.4, -1);
+  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, speed, from, over)};
   m.reevings.push_back(reeve("mainline", {drum, anchor_on("car", 0)}, 158, 5, 5e6));
   m.carriages[0].mainline = 1;
   return m;
@@ -58,7 +58,7 @@ model::Model hauled(double speed, double from = 0.0, double over = 1.0) {
 
 /// Every branch as statics has it, and it stays so.
 TEST(TransientSag, StartsWhereStaticsIsAndStays) {
-  for (const model::Model& m : {with_carriage(true, 0), two_legs(800, 0.03), tackle(4, 1, 3000, 8)}) {
+  for (const machine::Model& m : {with_carriage(true, 0), two_legs(800, 0.03), tackle(4, 1, 3000, 8)}) {
     EquilibriumOptions at_rest;
     at_rest.band = false;
     const EquilibriumResult rest = equilibrium(m, at_rest);
@@ -88,7 +88,7 @@ TEST(TransientSag, TensionsDifferByWeightTimesHeight) {
 
 /// Assembled, over rounds: the length along the straight lines, tension from the first moment on.
 TEST(TransientSag, BeginsAssembledOverRounds) {
-  model::Model m = tackle(4, 0.97, 3000, 30);
+  machine::Model m = tackle(4, 0.97, 3000, 30);
   m.reevings[0].value -= 0.75;
   TransientOptions o = hanging_for(0.2);
   o.start = Start::assembled;
@@ -112,7 +112,7 @@ TEST(TransientSag, BeginsAssembledOverRounds) {
 /// A mass that swings a little on two sagging legs: the frequency of the tangent stiffness, in modes and in motion.
 TEST(TransientSag, SmallVibrations) {
   for (const double slack : {-0.001, 0.002, 0.05}) {
-    model::Model m = two_legs(800, slack);
+    machine::Model m = two_legs(800, slack);
     for (auto& way : m.bodies[0].free) way = {Vector3::UnitZ(), Vector3::Zero()};
     m.bodies[0].free.resize(1);
     EquilibriumOptions at_rest;
@@ -125,9 +125,9 @@ TEST(TransientSag, SmallVibrations) {
       mass += 15 * span.unstretched / m.gravity / 2;
     }
     const double f = std::sqrt(K / mass) / (2 * pi);
-    taut::analysis::ModesOptions asked;
+    taut::solve::ModesOptions asked;
     asked.branches = Branches::catenary;
-    const auto found = taut::analysis::modes(m, asked);
+    const auto found = taut::solve::modes(m, asked);
     ASSERT_TRUE(found.outcome.ok()) << found.outcome.message;
     EXPECT_NEAR(found.sets[0].modes[0].frequency / f, 1, 1e-8) << slack;
     // let go 1 mm above: back there after a period
@@ -142,7 +142,7 @@ TEST(TransientSag, SmallVibrations) {
 
 /// Hauled very slowly: at every time the static machine with the carriage there.
 TEST(TransientSag, SlowHaulIsTheLoadPath) {
-  const model::Model m = hauled(0.5);
+  const machine::Model m = hauled(0.5);
   TransientOptions o = hanging_for(20, 1e-6, 5);
   o.quasi_static = true;
   o.step = 1;
@@ -166,7 +166,7 @@ TEST(TransientSag, SlowHaulIsTheLoadPath) {
 /// With next to no weight it is the straight branch, damped or not, over rounds and drums.
 TEST(TransientSag, WithoutWeightItIsStraight) {
   for (const double damping : {0.0, 0.004}) {
-    model::Model m = hauled(2);
+    machine::Model m = hauled(2);
     for (auto& rope : m.reevings) {
       rope.weight *= 1e-7;
       rope.damping_time = damping;
@@ -190,8 +190,8 @@ TEST(TransientSag, WithoutWeightItIsStraight) {
 /// Moved slowly, a chain of ever more segments comes to the catenary, by the square of their number.
 TEST(TransientSag, ChainsOfSegmentsComeToIt) {
   const auto moved = [](int segments, Branches branches) {
-    model::Model m = two_legs(800, 0.03, 20);
-    model::Body end = body("end", {150, 10, 20}, 1, "");
+    machine::Model m = two_legs(800, 0.03, 20);
+    machine::Body end = body("end", {150, 10, 20}, 1, "");
     end.driven.push_back({Vector3(0.6, 0, 0.8), Vector3::Zero(), smooth_move(0, 3, 0, 20)});
     m.bodies.push_back(end);
     m.reevings[1].nodes.back() = anchor_on("end", 1);
@@ -215,7 +215,7 @@ TEST(TransientSag, ChainsOfSegmentsComeToIt) {
 
 /// Smooth motions with ropes over sheaves, a drum, weights going up: nothing is lost but what is told.
 TEST(TransientSag, EnergyCloses) {
-  model::Model car = two_legs(800, 0.02);
+  machine::Model car = two_legs(800, 0.02);
   car.bodies[0].position += Vector3(2, 1, 1);
   TransientOptions o = hanging_for(2, 1e-7);
   o.start = Start::assembled;
@@ -234,7 +234,7 @@ TEST(TransientSag, EnergyCloses) {
 
 /// A heavy carriage thrown on a slack skyline, on which it rolls: straight, the weight of slack rope hung on nothing.
 TEST(TransientSag, EnergyOfASlackRope) {
-  model::Model m = with_carriage(true, 0, 2000);
+  machine::Model m = with_carriage(true, 0, 2000);
   m.reevings[0].value = 326;
   m.reevings[1].value = 166;
   m.bodies[0].position.z() += 4;
@@ -258,14 +258,14 @@ double apart(const TransientResult& a, const TransientResult& b, const taut::Mat
 }
 
 TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
-  model::Model m = hauled(2);
+  machine::Model m = hauled(2);
   const TransientOptions o = hanging_for(1, 1e-7, 4);
   const TransientResult r = run_to_end(m, o);
   const Vector3 by(30, -20, 5);
   const taut::Matrix3 turn = Eigen::AngleAxisd(0.7, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_LT(apart(r, run_to_end(turned(m, 0.7, by), o), turn, by), 2e-6);
 
-  model::Model mirrored = m;
+  machine::Model mirrored = m;
   const taut::Matrix3 mirror = Vector3(-1, 1, 1).asDiagonal();
   for (auto& one : mirrored.bodies) one.position = mirror * one.position;
   for (auto& rope : mirrored.reevings) {
@@ -276,7 +276,7 @@ TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
   }
   EXPECT_LT(apart(r, run_to_end(mirrored, o), mirror, origin), 2e-6);
 
-  model::Model swapped = m;
+  machine::Model swapped = m;
   for (auto& rope : swapped.reevings) {
     std::reverse(rope.nodes.begin(), rope.nodes.end());
     for (auto& node : rope.nodes) node.side = -node.side;
@@ -286,7 +286,7 @@ TEST(TransientSag, TurnedMirroredAndOtherWayRound) {
 }
 
 TEST(TransientSag, TheReferenceAgrees) {
-  model::Model m = hauled(2);
+  machine::Model m = hauled(2);
   for (auto& rope : m.reevings) rope.damping_time = 0.003;
   TransientOptions o = hanging_for(1.5, 1e-7, 3);
   const TransientResult fast = run_to_end(m, o);
@@ -301,7 +301,7 @@ TEST(TransientSag, TheReferenceAgrees) {
 }
 
 TEST(TransientSag, GoesOnToTheLastBit) {
-  const model::Model m = hauled(2);
+  const machine::Model m = hauled(2);
   TransientOptions o = hanging_for(1);
   o.step = 5e-3;
   const TransientResult whole = run_to_end(m, o);
@@ -318,7 +318,7 @@ TEST(TransientSag, GoesOnToTheLastBit) {
 
 /// Where the rope weighs little beside its tension it is straight; a saved state says which ones were not.
 TEST(TransientSag, ByWeight) {
-  model::Model m = two_legs(800, 0.01);
+  machine::Model m = two_legs(800, 0.01);
   m.reevings[1].weight = 0.2;
   TransientOptions o = hanging_for(0.1);
   o.branches = Branches::by_weight;
@@ -336,10 +336,10 @@ TEST(TransientSag, ByWeight) {
 /// A leg that breaks falls away, at once or over a time; its energy is told.
 TEST(TransientSag, ABranchBreaks) {
   for (const double over : {0.0, 0.05}) {
-    model::Model m = two_legs(800, 0.002);
-    model::Event event;
+    machine::Model m = two_legs(800, 0.002);
+    machine::Event event;
     event.at = 0.2;
-    event.kind = model::EventKind::breaks;
+    event.kind = machine::EventKind::breaks;
     event.index = 1;
     event.over = over;
     m.events.push_back(event);

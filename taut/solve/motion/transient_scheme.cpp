@@ -3,7 +3,7 @@
 #include "taut/solve/motion/transient_values.hpp"
 
 // The method of integration: its numbers, what it makes of the last step before the next one begins.
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 Scheme scheme_of(double rho) {
   Scheme s;
@@ -55,4 +55,4 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
   w.mean_step = s.h;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -6,7 +6,7 @@
 
 /// The method by itself, on y' = a y, whose answer is known: its order, with steps of changing size too, and what it
 /// leaves of what is far too fast for its steps.
-namespace taut::analysis::dynamics::transient_scheme_test {
+namespace taut::solve::dynamics::transient_scheme_test {
 
 /// y(1) from y(0) = 1; `change`: each other step is so many times the one before.
 double at_one(Scheme s, double a, int steps, double change) {
@@ -62,4 +62,4 @@ TEST(TransientScheme, OfWhatIsTooFastAStepLeavesRho) {
   EXPECT_NEAR(at_one(scheme_of(1), a, 10, 1), trapezoid, 1e-12);
 }
 
-}  // namespace taut::analysis::dynamics::transient_scheme_test
+}  // namespace taut::solve::dynamics::transient_scheme_test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 double equal_step(const TransientOptions& options, double step) {
   constexpr double rounding = 1e-9;
@@ -62,4 +62,4 @@ double shorter_step(const TransientOptions& options, const VerletRun& before, co
   return equal_step(options, last.step * std::min(most, shorter));
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,7 +3,7 @@
 
 #include "taut/solve/motion/transient_run.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// Verlet's step where none is given, as a share of the stability limit.
 constexpr double verlet_share = 0.8;
@@ -42,4 +42,4 @@ struct VerletRun {
 /// power, down to the first, as from the run `before` (without a step: there was none) to this one.
 double shorter_step(const TransientOptions& options, const VerletRun& before, const VerletRun& last);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -6,33 +6,33 @@
 #include "taut/solve/motion/transient_build.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
-rope::Round round_at(const model::State& state, const model::Node& node) {
-  const Vector3 centre = model::in_ground(state, node.at);
+rope::Round round_at(const machine::State& state, const machine::Node& node) {
+  const Vector3 centre = machine::in_ground(state, node.at);
   if (node.radius == 0) return rope::point(centre);
   const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[at(node.at.body)].orientation;
   return rope::sheave(centre, turned * node.axis, node.radius, node.side);
 }
 
 /// Inner nodes on the straight line of a branch.
-void add_inside(const model::State& state, const model::Node& from, const model::Node& to, int segments,
+void add_inside(const machine::State& state, const machine::Node& from, const machine::Node& to, int segments,
                 DynamicState::Rope& rope) {
   if (segments <= 1) return;
   const auto line = rope::tangent_line(round_at(state, from), round_at(state, to));
-  const Vector3 start = line ? line->from : model::in_ground(state, from.at);
-  const Vector3 end = line ? line->to : model::in_ground(state, to.at);
+  const Vector3 start = line ? line->from : machine::in_ground(state, from.at);
+  const Vector3 end = line ? line->to : machine::in_ground(state, to.at);
   for (int s = 1; s < segments; ++s) rope.inside.emplace_back(start + (end - start) * s / segments);
 }
 
 /// Tension that the description gives a branch; a rope over a drive has one on either side. None: not known.
-std::optional<double> given_tension(const model::Reeving& rope, std::size_t branch) {
-  using model::Given;
+std::optional<double> given_tension(const machine::Reeving& rope, std::size_t branch) {
+  using machine::Given;
   if (rope.given == Given::torque) return {};
   if (!rope.also) return rope.given == Given::length ? std::optional<double>() : rope.value;
   const auto drive =
-      std::find_if(rope.nodes.begin(), rope.nodes.end(), [](const model::Node& node) { return node.motor >= 0; });
+      std::find_if(rope.nodes.begin(), rope.nodes.end(), [](const machine::Node& node) { return node.motor >= 0; });
   const bool before = static_cast<std::ptrdiff_t>(branch) < drive - rope.nodes.begin();
   const Given side = before ? Given::tension_at_start : Given::tension_at_end;
   if (rope.given == side) return rope.value;
@@ -41,19 +41,19 @@ std::optional<double> given_tension(const model::Reeving& rope, std::size_t bran
 
 /// Unstretched lengths of a rope's branches at the start: by the tensions that are given, the others share what is
 /// left.
-std::vector<double> lengths_of(const model::State& state, const model::Reeving& rope,
-                               const std::vector<model::BranchState>& found) {
+std::vector<double> lengths_of(const machine::State& state, const machine::Reeving& rope,
+                               const std::vector<machine::BranchState>& found) {
   std::vector<double> lengths;
   double whole = 0, known = 0, others = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    const model::Node &from = rope.nodes[k], &to = rope.nodes[(k + 1) % rope.nodes.size()];
+    const machine::Node &from = rope.nodes[k], &to = rope.nodes[(k + 1) % rope.nodes.size()];
     const auto tension = given_tension(rope, k);
-    lengths.push_back(tension ? model::straight_length(state, from, to) / (1 + *tension / rope.stiffness)
+    lengths.push_back(tension ? machine::straight_length(state, from, to) / (1 + *tension / rope.stiffness)
                               : found[k].length);
     whole += found[k].length;
     (tension ? known : others) += lengths.back();
   }
-  const bool shares = rope.given == model::Given::length && rope.also && others > 0 && whole > known;
+  const bool shares = rope.given == machine::Given::length && rope.also && others > 0 && whole > known;
   for (std::size_t k = 0; k < found.size() && shares; ++k) {
     if (!given_tension(rope, k)) lengths[k] *= (whole - known) / others;
   }
@@ -62,24 +62,24 @@ std::vector<double> lengths_of(const model::State& state, const model::Reeving& 
 
 }  // namespace
 
-DynamicState state_from(const model::Model& model, const model::State& state) {
+DynamicState state_from(const machine::Model& model, const machine::State& state) {
   DynamicState start;
-  for (const model::Pose& pose : state.bodies) {
+  for (const machine::Pose& pose : state.bodies) {
     start.bodies.push_back({pose.position, pose.orientation, Vector3::Zero(), Vector3::Zero()});
   }
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-    const model::Reeving& given = model.reevings[r];
+    const machine::Reeving& given = model.reevings[r];
     DynamicState::Rope rope;
     const int segments = std::max(1, given.segments);
     const std::vector<double> lengths = lengths_of(state, given, state.branches[r]);
     for (std::size_t k = 0; k < state.branches[r].size(); ++k) {
-      const model::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
+      const machine::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
       for (int s = 0; s < segments; ++s) rope.length.push_back(lengths[k] / segments);
-      const bool known = given.given == model::Given::length;
+      const bool known = given.given == machine::Given::length;
       rope.leaves.push_back(known ? state.branches[r][k].leaves : Vector3(Vector3::Zero()));
       rope.arrives.push_back(known ? state.branches[r][k].arrives : Vector3(Vector3::Zero()));
       add_inside(state, from, to, segments, rope);
-      if (segments > 1 && to.kind == model::NodeKind::load) rope.inside.push_back(model::in_ground(state, to.at));
+      if (segments > 1 && to.kind == machine::NodeKind::load) rope.inside.push_back(machine::in_ground(state, to.at));
     }
     rope.whole.assign(rope.length.size(), 1);
     rope.inside_velocity.assign(rope.inside.size(), Vector3::Zero());
@@ -91,8 +91,8 @@ DynamicState state_from(const model::Model& model, const model::State& state) {
 namespace {
 
 /// Rope on the round of an inner node between two straight branches, m.
-double arc_on(const model::State& state, const model::Reeving& given, std::size_t node) {
-  const model::Node& here = given.nodes[node];
+double arc_on(const machine::State& state, const machine::Reeving& given, std::size_t node) {
+  const machine::Node& here = given.nodes[node];
   if (here.radius == 0) return 0;
   const rope::Round round = round_at(state, here);
   const auto before = rope::tangent_line(round_at(state, given.nodes[node - 1]), round);
@@ -104,17 +104,17 @@ double arc_on(const model::State& state, const model::Reeving& given, std::size_
 }
 
 /// The rope before a clamp and behind it, as far as the next one, has the length that the description says.
-void keep_clamps(const model::Model& model, model::State& state) {
+void keep_clamps(const machine::Model& model, machine::State& state) {
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-    const model::Reeving& rope = model.reevings[r];
-    if (rope.given != model::Given::length || rope.also || rope.closed) continue;
-    std::vector<model::BranchState>& branches = state.branches[r];
+    const machine::Reeving& rope = model.reevings[r];
+    if (rope.given != machine::Given::length || rope.also || rope.closed) continue;
+    std::vector<machine::BranchState>& branches = state.branches[r];
     double from = 0, free = 0, arcs = 0;
     std::size_t first = 0;
     for (std::size_t node = 1; node < rope.nodes.size(); ++node) {
       free += branches[node - 1].length;
       const bool last = node + 1 == rope.nodes.size();
-      const bool clamp = rope.nodes[node].kind == model::NodeKind::clamp;
+      const bool clamp = rope.nodes[node].kind == machine::NodeKind::clamp;
       if (!clamp && !last) arcs += arc_on(state, rope, node);
       if (!clamp && (!last || first == 0)) continue;
       const double to = (clamp ? rope.nodes[node].length_before : rope.value) * (1 + rope.thermal_strain);
@@ -129,8 +129,8 @@ void keep_clamps(const model::Model& model, model::State& state) {
 
 }  // namespace
 
-DynamicState assembled(const model::Model& model) {
-  model::State state = model::initial_state(model);
+DynamicState assembled(const machine::Model& model) {
+  machine::State state = machine::initial_state(model);
   keep_clamps(model, state);
   return state_from(model, state);
 }
@@ -138,7 +138,7 @@ DynamicState assembled(const model::Model& model) {
 DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& before) {
   DynamicState state = before;
   state.t = v.t;
-  const model::Model& model = *m.model;
+  const machine::Model& model = *m.model;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Motion3& is = v.bodies[b];
     state.bodies[b] = {is.x, is.R, is.v, is.w};
@@ -186,4 +186,4 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
   return state;
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

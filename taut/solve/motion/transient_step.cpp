@@ -6,7 +6,7 @@
 
 #include "taut/solve/motion/transient_couple.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 constexpr double step_rounding = 1e-14;
@@ -162,7 +162,7 @@ double change_of_tensions(const Values& now, Work& w, Newton& newton, bool& turn
 
 bool has_loops(const Mechanism& m) {
   const auto& ropes = m.model->reevings;
-  return std::any_of(ropes.begin(), ropes.end(), [](const model::Reeving& rope) { return rope.closed; });
+  return std::any_of(ropes.begin(), ropes.end(), [](const machine::Reeving& rope) { return rope.closed; });
 }
 
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
@@ -375,4 +375,4 @@ double highest_frequency(const Mechanism& m, const Values& v) {
   return std::sqrt(largest + bounds_of_couples(m, v).square);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -3,7 +3,7 @@
 
 #include "taut/solve/motion/transient_values.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
 
@@ -59,4 +59,4 @@ Work work_for(const Mechanism& m);
 /// An upper bound of the largest natural frequency, 1/s: of the stiffest line with its share of the masses at its ends.
 double highest_frequency(const Mechanism& m, const Values& v);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

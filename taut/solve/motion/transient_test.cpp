@@ -10,17 +10,17 @@
 namespace taut_test::transient_rows {
 namespace {
 
-using taut::analysis::DynamicState;
-using taut::analysis::Start;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::DynamicState;
+using taut::solve::Start;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// Two masses over a sheave with inertia, each leg in equilibrium at the start.
-model::Model atwood() {
-  model::Model m;
+machine::Model atwood() {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies = {body("light", {0.2, 0, -5}, 100, "z"), body("heavy", {-0.2, 0, -5}, 120, "z")};
-  model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, -1);
+  machine::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, -1);
   wheel.inertia = 0.8;
   m.reevings.push_back(reeve("rope", {anchor_on("light", 0), wheel, anchor_on("heavy", 1)}, 10, 0, 1e6));
   return m;
@@ -38,7 +38,7 @@ DynamicState atwood_start() {
 
 /// By the fast scheme and by the reference: the tensions at 0.1, 0.5 and 1 s.
 TEST(Transient, ElasticAtwoodMachine) {
-  using taut::analysis::TimeMethod;
+  using taut::solve::TimeMethod;
   for (const TimeMethod method : {TimeMethod::implicit, TimeMethod::reference}) {
     TransientOptions options = lasting(1, 1e-7);
     options.output_step = 0.1;
@@ -61,18 +61,18 @@ TEST(Transient, ElasticAtwoodMachine) {
   }
 }
 
-model::Signal curve(std::vector<double> t, std::vector<double> value, std::vector<double> slopes) {
-  model::Signal signal;
-  signal.law = model::Curve{std::move(t), std::move(value), std::move(slopes)};
+machine::Signal curve(std::vector<double> t, std::vector<double> value, std::vector<double> slopes) {
+  machine::Signal signal;
+  signal.law = machine::Curve{std::move(t), std::move(value), std::move(slopes)};
   return signal;
 }
 
 /// Six falls between points; its winch takes in unstretched rope: 0.5 t^2 to 0.5 s, then 0.5 m/s.
-model::Model six_falls(double efficiency) {
-  model::Model m;
+machine::Model six_falls(double efficiency) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("block", {0, 0, -10}, 3000, "z"));
-  std::vector<model::Node> nodes{anchor("winch", {-10, 0, 0})};
+  std::vector<machine::Node> nodes{anchor("winch", {-10, 0, 0})};
   for (int i = 0; i < 6; ++i) {
     nodes.push_back(i % 2 == 0 ? over("head", {0, 0, 0}) : over("block", {0, 0, 0}, 0));
     nodes.back().law.efficiency = efficiency;
@@ -97,8 +97,8 @@ TEST(Transient, TackleOfSixFallsWithoutLoss) {
 }
 
 /// 50 segments with 500 kg in the middle, swinging.
-model::Model swing() {
-  model::Model m;
+machine::Model swing() {
+  machine::Model m;
   m.gravity = 9.81;
   const double EA = 1e7, leg = 50 * (1 + 2250 / EA), R = std::sqrt(leg * leg - 1600);
   m.bodies.push_back(body("load", {40, R * std::sin(M_PI / 3), -R * std::cos(M_PI / 3)}, 500, "xyz"));
@@ -123,7 +123,7 @@ TEST(Transient, SwingingLoadOnAChain) {
 /// The shock as the rope tightens again, in the segment at the fixed end: lasting for 10 us, it wants such steps.
 TEST(Transient, SwingingLoadTightensItsChain) {
   TransientOptions options = lasting(9, 1e-6);
-  options.method = taut::analysis::TimeMethod::verlet;
+  options.method = taut::solve::TimeMethod::verlet;
   options.step = 1e-5;
   const TransientResult r = transient(swing(), options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -133,7 +133,7 @@ TEST(Transient, SwingingLoadTightensItsChain) {
 }
 
 TEST(Transient, ChainComesToRestWhereTheStaticOneHangs) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.reevings.push_back(reeve("chain", {anchor("a", {0, 0, 0}), anchor("b", {80, 0, 0})}, 100, 9.81, 1e7));
   m.reevings[0].segments = 50;

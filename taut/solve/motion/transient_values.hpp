@@ -5,7 +5,7 @@
 #include "taut/solve/motion/transient_mechanism.hpp"
 #include "taut/solve/motion/transient_sag.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 
 /// A contact as it is at one time. Flows are unstretched rope along the path, m/s, without what the turning of the
 /// line's direction winds on or off.
@@ -57,7 +57,7 @@ struct FaceValues {
 };
 
 struct ActuatorValues {
-  model::ActuatorMode mode = model::ActuatorMode::extend;
+  machine::ActuatorMode mode = machine::ActuatorMode::extend;
   double hold = 0;                  ///< length of its spring: locked, or driven by a speed, m
   double length = 1, speed = 0;     ///< m, m/s
   double F = 0, F_l = 0, F_v = 0;   ///< N; derivatives by length and speed
@@ -101,8 +101,8 @@ struct Values {
   std::vector<FaceValues> faces;                ///< by contact of the model
   std::vector<ActuatorValues> actuators;        ///< by actuator of the model
   std::vector<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
-  std::vector<model::Drive> drum_drive, motor_drive;
-  const model::Drive& drive(const Spin& spin) const {
+  std::vector<machine::Drive> drum_drive, motor_drive;
+  const machine::Drive& drive(const Spin& spin) const {
     return spin.drum >= 0 ? drum_drive[at(spin.drum)] : motor_drive[at(spin.motor)];
   }
 };
@@ -304,4 +304,4 @@ struct BearingSlope {
 };
 BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Values& before, const Values& now);
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

@@ -4,7 +4,7 @@
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_step.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 Vector3 place_on(const Motion3& body, const Vector3& place) { return body.x + body.R * place; }
@@ -161,4 +161,4 @@ double stability_limit(const Mechanism& m, const Values& v) {
   return 2 / (std::sqrt(omega * omega + half * half) + half);
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

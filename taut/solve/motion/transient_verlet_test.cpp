@@ -11,11 +11,11 @@
 namespace taut_test::transient_verlet_test {
 namespace {
 
-using taut::analysis::Start;
-using taut::analysis::TimeMethod;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::Start;
+using taut::solve::TimeMethod;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 /// As long as they are stable, whatever they err; else by the tolerance.
 TransientOptions by_verlet(double duration, double tolerance = 1) {
@@ -28,7 +28,7 @@ TransientOptions by_verlet(double duration, double tolerance = 1) {
 /// Lines written down 1.6 of Verlet's own steps apart: a short step after each long one would excite what vibrates
 /// fastest.
 TEST(TransientVerlet, StepsAreEqualBetweenTheLinesWrittenDown) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 0;
   m.reevings = {reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {20.1, 0, 0})}, 20, 0, 1e7)};
   m.reevings[0].mass = 1;
@@ -47,11 +47,11 @@ TEST(TransientVerlet, StepsAreEqualBetweenTheLinesWrittenDown) {
 
 /// A load hoisted until a tenth of its rope is left: stiffer and stiffer, so that Verlet's first step is too long.
 TEST(TransientVerlet, StaysStableWhereBranchesGetShort) {
-  model::Model m;
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0.2, 0, -10}, 500, "z"));
   m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 10, 0, 5e6));
-  m.drums[0].drive = {model::DriveKind::speed, smooth_move(0, 0.5, 0, 0.5)};
+  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, 0.5, 0, 0.5)};
   TransientOptions options = by_verlet(18.2);
   options.output_step = 0.1;
   const TransientResult r = run_to_end(m, options);
@@ -67,9 +67,9 @@ TEST(TransientVerlet, StaysStableWhereBranchesGetShort) {
 
 /// A tackle with heavy sheaves, hoisted: they take the rope along by where they turn at the half step.
 TEST(TransientVerlet, SheavesWithInertiaGainNoEnergy) {
-  model::Model m = tackle(6, 0.97, 3000);
+  machine::Model m = tackle(6, 0.97, 3000);
   m.gravity = 9.81;
-  for (model::Node& node : m.reevings[0].nodes) node.inertia = node.radius > 0 ? 0.4 : 0;
+  for (machine::Node& node : m.reevings[0].nodes) node.inertia = node.radius > 0 ? 0.4 : 0;
   m.tensioners.push_back({0, true, smooth_move(0, -0.3, 0, 0.5)});
   TransientOptions options = by_verlet(1, 1e-3);
   options.output_step = 0.1;
@@ -84,8 +84,8 @@ TEST(TransientVerlet, SheavesWithInertiaGainNoEnergy) {
 }
 
 /// A body that falls 1 m into its rope: T = m g + sqrt((m g)^2 + 2 k m g 1 m).
-model::Model jerked(double damping_time = 0) {
-  model::Model m;
+machine::Model jerked(double damping_time = 0) {
+  machine::Model m;
   m.gravity = 9.81;
   m.bodies.push_back(body("load", {0, 0, -0.5}, 500, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", origin), anchor_on("load", 0)}, 1.5, 0, 5e6));
@@ -155,7 +155,7 @@ TEST(TransientVerlet, BeginsAnewWithShorterSteps) {
 }
 
 TEST(TransientVerlet, TheNextStepFollowsFromTheOrderOfTheError) {
-  using taut::analysis::dynamics::shorter_step;
+  using taut::solve::dynamics::shorter_step;
   TransientOptions options;
   options.duration = options.output_step = 1e9;
   EXPECT_DOUBLE_EQ(shorter_step(options, {}, {1, 16}), 0.8 / 4);

@@ -16,9 +16,9 @@ namespace taut_test::transient_witness {
 namespace {
 
 using std::numbers::pi;
-using taut::analysis::transient;
-using taut::analysis::TransientOptions;
-using taut::analysis::TransientResult;
+using taut::solve::transient;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
 
 constexpr double g = 9.81;
 
@@ -26,8 +26,8 @@ constexpr double g = 9.81;
 struct HeavyRope {
   double left = 60, right = 75, leg = 20, per_metre = 4, stiffness = 2e7;
 };
-model::Model heavy_rope(const HeavyRope& of, model::Node round, int segments) {
-  model::Model m;
+machine::Model heavy_rope(const HeavyRope& of, machine::Node round, int segments) {
+  machine::Model m;
   m.gravity = g;
   const double R = round.radius;
   m.bodies = {body("left", {-R, 0, -of.leg}, of.left, "z"), body("right", {R, 0, -of.leg}, of.right, "z")};
@@ -39,7 +39,7 @@ model::Model heavy_rope(const HeavyRope& of, model::Node round, int segments) {
 }
 
 /// How far the right mass has sunk after a second.
-double sunk(const model::Model& m) {
+double sunk(const machine::Model& m) {
   const TransientResult r = run_to_end(m, lasting(1, 1e-5));
   return m.bodies[1].position.z() - r.frames.back().bodies[1].position.z();
 }
@@ -48,7 +48,7 @@ double sunk(const model::Model& m) {
 TEST(TransientWitness, HeavyRopeRunsOverAFreeSheave) {
   const HeavyRope of;
   for (const int segments : {4, 8}) {
-    model::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1);
+    machine::Node wheel = sheave("wheel", {0, 0, 0}, 0.2, 1);
     wheel.inertia = 0.6;
     const double held = of.per_metre * of.leg / segments;
     const double mass = of.left + of.right + 2 * of.per_metre * of.leg - held + 0.6 / 0.04;
@@ -64,7 +64,7 @@ TEST(TransientWitness, HeavyRopeSlipsOverALockedSheave) {
   of.stiffness = 2e9;  // a soft rope sticks and slips while its legs find their stretch: 1 % at 2e7
   const double ratio = std::exp(0.1 * pi);
   for (const int segments : {4, 8}) {
-    model::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
+    machine::Node round = sheave("drum", {0, 0, 0}, 0.2, 1, 0);
     round.law.friction = 0.1;
     const double held = of.per_metre * of.leg / segments / 2;
     const auto a = [&](double, double x, double u) {
@@ -87,15 +87,15 @@ TEST(TransientWitness, TackleWithLossesHoistsAndLowers) {
     double sum = 0;
     for (int i = 1; i <= falls; ++i) sum += std::pow(loss, i);
     const double T0 = mass * g / sum;
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies.push_back(body("block", {0, 0, -10}, mass, "z"));
-    taut::analysis::DynamicState start;
+    taut::solve::DynamicState start;
     start.bodies.resize(1);
     start.bodies[0].position = {0, 0, -10};
     start.ropes.resize(1);
     double total = 0;
-    std::vector<model::Node> nodes{anchor("winch", {-10, 0, 0})};
+    std::vector<machine::Node> nodes{anchor("winch", {-10, 0, 0})};
     for (int i = 0; i <= falls; ++i) {
       start.ropes[0].length.push_back(10 / (1 + T0 * std::pow(loss, i) / EA));
       total += start.ropes[0].length.back();
@@ -106,7 +106,7 @@ TEST(TransientWitness, TackleWithLossesHoistsAndLowers) {
     nodes.push_back(anchor("becket", {0, 0, 0}));
     m.reevings.push_back(reeve("hoist", nodes, total, 0, EA));
     m.tensioners.push_back({0, true, {}});
-    m.tensioners[0].change.law = model::Moves{0, {{0, -speed, 1, false}}};
+    m.tensioners[0].change.law = machine::Moves{0, {{0, -speed, 1, false}}};
     TransientOptions options;
     options.duration = options.output_step = 0.1;
     options.tolerance = 1e-7;
@@ -145,11 +145,11 @@ TEST(TransientWitness, TackleWithLossesHoistsAndLowers) {
 /// rope that has mass the tensions contain m v^2, and so does the stretch.
 TEST(TransientWitness, BeltCreepsByItsStretch) {
   constexpr double R = 0.3, torque = 240, speed = 10, EA = 2e5;
-  model::Model m;
+  machine::Model m;
   m.gravity = g;
   for (const double side : {0.0, 1.0}) {
-    model::Node wheel = sheave(side > 0 ? "driven" : "drive", {5 * side, 0, 0}, R, 1);
-    wheel.kind = side > 0 ? model::NodeKind::contact : model::NodeKind::drive;
+    machine::Node wheel = sheave(side > 0 ? "driven" : "drive", {5 * side, 0, 0}, R, 1);
+    wheel.kind = side > 0 ? machine::NodeKind::contact : machine::NodeKind::drive;
     wheel.motor = static_cast<int>(side);
     wheel.law.friction = 0.5;
     wheel.inertia = 0.5;
@@ -160,8 +160,8 @@ TEST(TransientWitness, BeltCreepsByItsStretch) {
   m.reevings[0].value = (10 + 2 * pi * R) / (1 + 1500 / EA);
   m.reevings[0].damping_time = 5e-3;
   m.motors.resize(2);
-  m.motors[0].drive = {model::DriveKind::speed, smooth_move(0, speed, 0, 1)};
-  m.motors[1].drive = {model::DriveKind::torque, smooth_move(0, -torque, 1, 1)};
+  m.motors[0].drive = {machine::DriveKind::speed, smooth_move(0, speed, 0, 1)};
+  m.motors[1].drive = {machine::DriveKind::torque, smooth_move(0, -torque, 1, 1)};
   const TransientResult r = run_to_end(m, lasting(6, 1e-5));
   const auto& last = r.frames.back();
   const double T1 = last.contacts[0].T_in, T2 = last.contacts[0].T_out;
@@ -175,14 +175,14 @@ TEST(TransientWitness, BeltCreepsByItsStretch) {
 /// Two masses on a rope over two sheaves whose axes cross at right angles.
 TEST(TransientWitness, CrossedSheaves) {
   constexpr double R = 0.2, J = 0.4, light = 100, heavy = 130;
-  model::Model m;
+  machine::Model m;
   m.gravity = g;
-  model::Node first = sheave("first", {0, 0, 0}, R, 1), second = sheave("second", {3, 1, 0.5}, R, 1);
+  machine::Node first = sheave("first", {0, 0, 0}, R, 1), second = sheave("second", {3, 1, 0.5}, R, 1);
   first.inertia = second.inertia = J;
   second.axis = Vector3(-1, 0, 0);
   m.bodies = {body("light", {-R, 0, -10}, light, "z"), body("heavy", {3, 1 + R, -10}, heavy, "z")};
   m.reevings.push_back(reeve("rope", {anchor_on("light", 0), first, second, anchor_on("heavy", 1)}, 1, 0, 1e7));
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = light * g;
   m.reevings[0].damping_time = 5e-3;
   const TransientResult r = run_to_end(m, lasting(1, 1e-6));
@@ -200,16 +200,16 @@ TEST(TransientWitness, CrossedSheaves) {
 TEST(TransientWitness, SheaveOnABodyThatMovesAndTurns) {
   constexpr double R = 0.4, angle = 7, rise = 1.5, EA = 1e7;
   for (const bool held : {true, false}) {
-    model::Model m;
+    machine::Model m;
     m.gravity = g;
     m.bodies = {body("arm", {0, 0, 0}, 50, ""), body("a", {-R, 0, -8}, 100, "z"), body("b", {R, 0, -8}, 100, "z")};
     m.bodies[0].driven.push_back({Vector3::UnitZ(), Vector3::Zero(), smooth_move(0, rise, 0.2, 2)});
     m.bodies[0].driven.push_back({Vector3::Zero(), Vector3::UnitY(), smooth_move(0, angle, 0.2, 2)});
-    model::Node wheel = sheave("wheel", {0, 0, 0}, R, 1, held ? 0 : 1, 0);
+    machine::Node wheel = sheave("wheel", {0, 0, 0}, R, 1, held ? 0 : 1, 0);
     wheel.law.friction = 3;
     if (!held) wheel.inertia = 1e-3;  // turns on its axle: the body turns under it
     m.reevings.push_back(reeve("rope", {anchor_on("a", 1), wheel, anchor_on("b", 2)}, 1, 0, EA));
-    m.reevings[0].given = model::Given::tension_at_start;
+    m.reevings[0].given = machine::Given::tension_at_start;
     m.reevings[0].value = 100 * g;
     m.reevings[0].damping_time = 5e-3;
     const TransientResult r = run_to_end(m, lasting(4, 1e-5));
@@ -224,13 +224,13 @@ TEST(TransientWitness, SheaveOnABodyThatMovesAndTurns) {
 /// l phi'' + R phi'^2 + g sin(phi) = 0, l = l0 + R phi: a pendulum whose rope winds on and off a fixed drum.
 TEST(TransientWitness, PendulumOnADrum) {
   constexpr double R = 0.5, l0 = 6, phi0 = 0.8, EA = 1e9;
-  model::Model m;
+  machine::Model m;
   m.gravity = g;
   const Vector3 t(std::sin(phi0), 0, -std::cos(phi0)), n(std::cos(phi0), 0, std::sin(phi0));
   const double l = l0 + R * phi0;
   m.bodies.push_back(body("load", R * n + l * t, 300, "xz"));
   m.reevings.push_back(reeve("rope", {add_drum(m, "drum", origin, R), anchor_on("load", 0)}, 1, 0, EA));
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 300 * g * std::cos(phi0);
   m.reevings[0].damping_time = 1e-4;
   const TransientResult r = run_to_end(m, lasting(3, 1e-5));
@@ -244,7 +244,7 @@ TEST(TransientWitness, PendulumOnADrum) {
 
 /// A carriage falls into a slack skyline and rolls on it: on a rope without weight it never leaves the ellipse.
 TEST(TransientWitness, CarriageFallsIntoASlackRope) {
-  model::Model m;
+  machine::Model m;
   m.gravity = g;
   m.bodies.push_back(body("car", {60, 0, 26}, 800, "xz"));
   const Vector3 head(0, 0, 40), tail(200, 0, 20);

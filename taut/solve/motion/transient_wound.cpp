@@ -3,7 +3,7 @@
 
 #include "taut/solve/motion/transient_ledger.hpp"
 
-namespace taut::analysis::dynamics {
+namespace taut::solve::dynamics {
 namespace {
 
 Vector3 axis_of(const Line& line, const Values& v, std::size_t end) {
@@ -63,4 +63,4 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
   }
 }
 
-}  // namespace taut::analysis::dynamics
+}  // namespace taut::solve::dynamics

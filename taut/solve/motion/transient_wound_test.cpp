@@ -7,20 +7,20 @@
 
 /// What the ledger says of rope's weight that no tension carries, and of rope that turning lays on a round: in closed
 /// form. (Ropes that leave a round askew: transient_askew_test.)
-namespace taut::analysis::dynamics::transient_wound_test {
+namespace taut::solve::dynamics::transient_wound_test {
 
 using namespace taut_test;
 
 /// A slack rope hangs upright from a drum that lets out more of it: each metre falls to its middle, half of its 20 m;
 /// drawn in again it is lifted without a force.
 TEST(TransientWound, RopeLetIntoSlackFallsToItsMiddle) {
-  model::Model m;
-  const model::Node winch = add_drum(m, "winch", origin, 0.3);
-  m.drums[0].drive.kind = model::DriveKind::speed;
+  machine::Model m;
+  const machine::Node winch = add_drum(m, "winch", origin, 0.3);
+  m.drums[0].drive.kind = machine::DriveKind::speed;
   m.drums[0].drive.signal.law =
-      model::Moves{0, {{0.2, -0.5, 0.4, true}, {1.2, 0, 0.4, true}, {2, 0.5, 0.4, true}, {3, 0, 0.4, true}}};
+      machine::Moves{0, {{0.2, -0.5, 0.4, true}, {1.2, 0, 0.4, true}, {2, 0.5, 0.4, true}, {3, 0, 0.4, true}}};
   m.reevings.push_back(reeve("rope", {winch, anchor("eye", {0.3, 0, -20})}, 21, 40, 1e7));
-  m.observed.push_back({"slack", model::Quantity::dissipated, si::J, -1, -1, Vector3::Zero()});
+  m.observed.push_back({"slack", machine::Quantity::dissipated, si::J, -1, -1, Vector3::Zero()});
   const TransientResult r = run_to_end(m, lasting(3.6, 1e-7, 36));
   double most = 0;
   for (const TransientFrame& frame : r.frames) {
@@ -37,9 +37,9 @@ TEST(TransientWound, RopeLetIntoSlackFallsToItsMiddle) {
 /// Drawn tight by a drum that pulls with 300 N at its top, upright, while its lower end comes up by 4 m: T = 300/1.9,
 /// of w L/2 its ends bear 0.9 T; what is left of each metre's weight is lifted by nothing.
 TEST(TransientWound, WhatTheTensionDoesNotBearIsLiftedByNothing) {
-  model::Model m;
-  const model::Node winch = add_drum(m, "winch", origin, 0.3);
-  m.drums[0].drive.kind = model::DriveKind::pull;
+  machine::Model m;
+  const machine::Node winch = add_drum(m, "winch", origin, 0.3);
+  m.drums[0].drive.kind = machine::DriveKind::pull;
   m.drums[0].drive.signal.law = 300.0;
   m.bodies.push_back(body("eye", {0.3, 0, -20}, 0, ""));
   m.bodies[0].driven.push_back({Vector3::UnitZ(), Vector3::Zero(), smooth_move(0, 4, 0.1, 2)});
@@ -61,7 +61,7 @@ TEST(TransientWound, WhatTheTensionDoesNotBearIsLiftedByNothing) {
 /// came there, and comes off again: over whole swings nothing is lost.
 TEST(TransientWound, RopeLaidByASwingIsNotLost) {
   for (const double weight : {0.0, 30.0}) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("load", {4, 0, -6}, 900, "xz"));
     m.reevings.push_back(reeve("rope", {add_drum(m, "winch", origin, 0.5), anchor_on("load", 0)}, 7.15, weight, 2e6));
     const TransientResult r = run_to_end(m, lasting(5, 1e-7, 50));
@@ -77,4 +77,4 @@ TEST(TransientWound, RopeLaidByASwingIsNotLost) {
   }
 }
 
-}  // namespace taut::analysis::dynamics::transient_wound_test
+}  // namespace taut::solve::dynamics::transient_wound_test

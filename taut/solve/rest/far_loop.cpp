@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double longest = 10;  ///< times the way
 
 }  // namespace
 
-Outcome no_far_loop(const System& system, const Configuration& c, const Evaluation& e) {
-  for (const Layout::Rope& rope : system.layout.ropes) {
+Outcome no_far_loop(const mechanics::System& system, const mechanics::Configuration& c,
+                    const mechanics::Evaluation& e) {
+  for (const mechanics::Layout::Rope& rope : system.layout.ropes) {
     if (rope.row != system.layout.coordinate_row || rope.count == 0) continue;
     double length = 0, way = 0;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
@@ -25,4 +26,4 @@ Outcome no_far_loop(const System& system, const Configuration& c, const Evaluati
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

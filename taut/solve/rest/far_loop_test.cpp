@@ -9,15 +9,15 @@
 #include "test/support/machines.hpp"
 
 /// The bound of ten times the way, from both sides, and whose rope it speaks of: lengths set by hand.
-namespace taut::analysis::far_loop_test {
+namespace taut::solve::far_loop_test {
 
 /// A carriage on a skyline at x = 150 m by its mainline; each rope is as long as its chords times a factor.
-std::string told(std::optional<Prescribed> prescribed, double mainline, double skyline) {
-  const model::Model m = taut_test::with_carriage(true);
-  const model::State state = model::initial_state(m);
-  const Layout layout = analysis::layout(m, state, prescribed, taut_test::no_flow(m));
-  Configuration c = taut_test::configuration_of(layout, state);
-  Evaluation e;
+std::string told(std::optional<machine::Prescribed> prescribed, double mainline, double skyline) {
+  const machine::Model m = taut_test::with_carriage(true);
+  const machine::State state = machine::initial_state(m);
+  const mechanics::Layout layout = mechanics::layout(m, state, prescribed, taut_test::no_flow(m));
+  mechanics::Configuration c = taut_test::configuration_of(layout, state);
+  mechanics::Evaluation e;
   e.branches.resize(layout.links.size());
   for (std::size_t k = 0; k < layout.links.size(); ++k) {
     e.branches[k].chord = {30.0, -40.0, 10.0 * static_cast<double>(k)};
@@ -29,7 +29,7 @@ std::string told(std::optional<Prescribed> prescribed, double mainline, double s
 }
 
 TEST(FarLoop, TheRopeThatPutsTheCarriageMayBeTenTimesItsWay) {
-  const Prescribed at{0, 150};
+  const machine::Prescribed at{0, 150};
   EXPECT_EQ(told(at, 1, 1), "");
   EXPECT_EQ(told(at, 9.999, 1), "");
   const std::string message = told(at, 10.001, 1);
@@ -39,8 +39,8 @@ TEST(FarLoop, TheRopeThatPutsTheCarriageMayBeTenTimesItsWay) {
 }
 
 TEST(FarLoop, OfOtherRopesItSaysNothing) {
-  EXPECT_EQ(told(Prescribed{0, 150}, 1, 50), "");  // the length of the skyline is given
-  EXPECT_EQ(told(std::nullopt, 50, 50), "");       // both are
+  EXPECT_EQ(told(machine::Prescribed{0, 150}, 1, 50), "");  // the length of the skyline is given
+  EXPECT_EQ(told(std::nullopt, 50, 50), "");                // both are
 }
 
-}  // namespace taut::analysis::far_loop_test
+}  // namespace taut::solve::far_loop_test

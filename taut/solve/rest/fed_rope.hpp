@@ -4,7 +4,7 @@
 
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// An end of a rope at which its tension is given: the rope is fed in or taken out there until it has that tension, so
 /// that its length follows. Links first .. last (in the order of the path) take up what is fed in: up to the next
@@ -18,25 +18,28 @@ struct FedEnd {
 };
 
 /// All of them but those whose equation a prescribed coordinate takes.
-std::vector<FedEnd> fed_ends(const System& system);
+std::vector<FedEnd> fed_ends(const mechanics::System& system);
 
 /// The tensions at the two ends of a branch follow the rope fed into it by this many N/m, the places of its ends kept.
 /// Here at its start; at its end it has the same sign, since P differs there by the weight of rope over a fixed height.
-double tension_rate(const System& system, const Configuration& c, const Evaluation& e, int link);
+double tension_rate(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                    int link);
 
 /// A link of a fed rope that is a deep loop: more rope in it makes it tighter, since its own weight pulls. Between
 /// fixed ends the energy U(L) + P L of a rope held at the tension T (P = T + T^2/(2 EA)) has the second derivative
 /// -(1 + T/EA) dT/dL; where that is negative the rope runs out, or in, at the least push, so that this second root of
 /// the given tension is no answer. -1: none.
-int deep_link(const System& system, const std::vector<FedEnd>& fed, const Configuration& c, const Evaluation& e);
+int deep_link(const mechanics::System& system, const std::vector<FedEnd>& fed, const mechanics::Configuration& c,
+              const mechanics::Evaluation& e);
 
 /// The same of the rope whose length follows from where a carriage is put (its mainline). There a deep loop is no
 /// answer where the rope could also be taut, or where it would have to push: then the weight of the loop does. It is
 /// one where the pull that the carriage needs is less than a taut rope's weight gives. A link of it; -1: none.
-int deep_mainline_link(const System& system, const Configuration& c, const Evaluation& e);
+int deep_mainline_link(const mechanics::System& system, const mechanics::Configuration& c,
+                       const mechanics::Evaluation& e);
 
 /// Gives every link of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.
-void draw_fed_taut(const System& system, const std::vector<FedEnd>& fed, Configuration& c);
+void draw_fed_taut(const mechanics::System& system, const std::vector<FedEnd>& fed, mechanics::Configuration& c);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -14,30 +14,32 @@
 
 namespace fed_rope_test {
 
+namespace mechanics = taut::mechanics;
+
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 using taut::Status;
 
 constexpr double g = taut::standard_gravity;
 
-void give(model::Reeving& rope, double tension, bool at_end = false) {
-  rope.given = at_end ? model::Given::tension_at_end : model::Given::tension_at_start;
+void give(machine::Reeving& rope, double tension, bool at_end = false) {
+  rope.given = at_end ? machine::Given::tension_at_end : machine::Given::tension_at_start;
   rope.value = tension;
 }
 
-model::Model span(const Vector3& to, double tension, bool at_end) {
-  model::Model m;
+machine::Model span(const Vector3& to, double tension, bool at_end) {
+  machine::Model m;
   m.reevings.push_back(reeve("guy", {anchor("a", origin), anchor("b", to)}, 0, 40, 5e6));
   give(m.reevings[0], tension, at_end);
   return m;
 }
 
 /// A hook of 11 t on a sling, helped by a rope of 7.4 kN, straight from `top` or over a sheave from a winch.
-model::Model helped_hook(double z, bool sheaved, double efficiency = 1, bool swapped = false) {
-  model::Model m;
+machine::Model helped_hook(double z, bool sheaved, double efficiency = 1, bool swapped = false) {
+  machine::Model m;
   m.bodies.push_back(body("hook", {0, 0, z}, 11e3, "xz"));
   m.reevings.push_back(reeve("sling", {anchor("hang", {0, 0, 16}), anchor_on("hook", 0)}, 6.77, 0.98 * g, 12e6));
-  std::vector<model::Node> nodes{anchor("top", {0, 0, 14}), anchor_on("hook", 0)};
+  std::vector<machine::Node> nodes{anchor("top", {0, 0, 14}), anchor_on("hook", 0)};
   if (sheaved) {
     nodes[0] = over("head", {0, 0, 14});
     nodes[0].law.efficiency = efficiency;
@@ -50,8 +52,8 @@ model::Model helped_hook(double z, bool sheaved, double efficiency = 1, bool swa
 }
 
 /// A hook that hangs between two points by ropes of given tension and on a sling.
-model::Model two_fed_ropes(double x, double z) {
-  model::Model m;
+machine::Model two_fed_ropes(double x, double z) {
+  machine::Model m;
   m.bodies.push_back(body("hook", {x, 0, z}, 5e3, "xz"));
   m.reevings.push_back(reeve("sling", {anchor("hang", {0, 0, 20}), anchor_on("hook", 0)}, 12, 10, 12e6));
   m.reevings.push_back(reeve("left", {anchor("l", {-30, 0, 12}), anchor_on("hook", 0)}, 0, 8, 5e6));
@@ -65,12 +67,12 @@ TEST(FedRope, ASpanHasOneRootFromAnyLength) {
   for (const Vector3& to : {Vector3(30, 0, 0), Vector3(30, 5, -40), Vector3(2, 0, 60), Vector3(0, 0, -25)}) {
     for (const bool at_end : {false, true}) {
       for (const double T : {4e3, 40e3, 400e3}) {
-        const model::Model m = span(to, T, at_end);
+        const machine::Model m = span(to, T, at_end);
         const EquilibriumResult first = equilibrium(m);
         ASSERT_TRUE(first.outcome.ok()) << first.outcome.message;
         EXPECT_LT(first.ropes[0].unstretched, 1.3 * to.norm());
         for (const double times : {0.9, 0.99, 1.0, 1.01, 1.2, 2.0, 10.0, 40.0}) {
-          model::State start = model::initial_state(m);
+          machine::State start = machine::initial_state(m);
           start.branches[0][0].length = times * to.norm();
           const EquilibriumResult r = equilibrium(m, {}, start);
           ASSERT_TRUE(r.outcome.ok()) << times << ": " << r.outcome.message;
@@ -83,20 +85,20 @@ TEST(FedRope, ASpanHasOneRootFromAnyLength) {
 }
 
 TEST(FedRope, MoreRopeMakesADeepLoopTighter) {
-  const model::Model m = span({30, 0, -40}, 5e3, false);
-  const Layout l = layout(m, model::initial_state(m), {}, no_flow(m));
-  const System system{m, l, 0};
+  const machine::Model m = span({30, 0, -40}, 5e3, false);
+  const mechanics::Layout l = mechanics::layout(m, machine::initial_state(m), {}, no_flow(m));
+  const mechanics::System system{m, l, 0};
   ASSERT_EQ(fed_ends(system).size(), 1U);
   int deep = 0;
   for (double length = 49.9; length < 500; length *= 1.1) {
-    const auto at = [&](double L, Configuration& c, Evaluation& e) {
-      c = configuration_of(l, model::initial_state(m));
+    const auto at = [&](double L, mechanics::Configuration& c, mechanics::Evaluation& e) {
+      c = configuration_of(l, machine::initial_state(m));
       c.links[0].length = L;
-      EXPECT_FALSE(evaluate(system, c, e));
+      EXPECT_FALSE(mechanics::evaluate(system, c, e));
       return e.branches[0].T_from;
     };
-    Configuration c;
-    Evaluation e;
+    mechanics::Configuration c;
+    mechanics::Evaluation e;
     const double step = 1e-6 * length, less = at(length - step, c, e), more = at(length + step, c, e);
     at(length, c, e);
     const double rate = (more - less) / (2 * step);
@@ -132,7 +134,7 @@ TEST(FedRope, AHookHelpedByOneIsFoundFromAnyFirstGuess) {
       ASSERT_TRUE(first.outcome.ok()) << first.outcome.message;
       for (double z = 0; z <= 12; z += 0.75) {
         for (const bool swapped : {false, true}) {
-          model::Model m = helped_hook(z, sheaved, efficiency, swapped);
+          machine::Model m = helped_hook(z, sheaved, efficiency, swapped);
           if (swapped) m.reevings[1].haul = 1;
           const EquilibriumResult r = equilibrium(m, options);
           ASSERT_TRUE(r.outcome.ok()) << z << ": " << r.outcome.message;
@@ -162,7 +164,9 @@ TEST(FedRope, SeveralOfThem) {
 }
 
 TEST(FedRope, ASweepEndsAtTheLeastPull) {
-  const ModelAt at = [](double T) -> tl::expected<model::Model, taut::Outcome> { return span({30, 0, -40}, T, false); };
+  const ModelAt at = [](double T) -> tl::expected<machine::Model, taut::Outcome> {
+    return span({30, 0, -40}, T, false);
+  };
   SweepOptions options;
   options.from = 6000;
   options.to = 500;
@@ -177,10 +181,10 @@ TEST(FedRope, ASweepEndsAtTheLeastPull) {
 
 /// A carriage put at x by its mainline, from a first guess of the mainline's length, times its way, and of the height.
 EquilibriumResult put_at(double x, double times, double z) {
-  model::Model m = with_carriage(true);
+  machine::Model m = with_carriage(true);
   EquilibriumOptions options;
-  options.prescribed = taut::analysis::Prescribed{0, x};
-  model::State guess = model::initial_state(m);
+  options.prescribed = machine::Prescribed{0, x};
+  machine::State guess = machine::initial_state(m);
   guess.bodies[0].position = {x, 2, z};
   guess.branches[1][0] = {};
   guess.branches[1][0].length = times * (Vector3{300, 0, 82} - guess.bodies[0].position).norm();
@@ -206,8 +210,8 @@ TEST(FedRope, AMainlineIsTautFromAnyFirstGuess) {
 }
 
 TEST(FedRope, AConditionKeepsToIt) {
-  model::Model m = span({30, 0, -40}, 300, false);
-  m.reevings[0].given = model::Given::length;
+  machine::Model m = span({30, 0, -40}, 300, false);
+  m.reevings[0].given = machine::Given::length;
   m.reevings[0].value = 700;
   const Conditioned low = equilibrium_under(m, {.kind = Condition::Kind::tension_at_start, .reeving = 0, .value = 300});
   EXPECT_EQ(low.result.outcome.status, Status::infeasible);

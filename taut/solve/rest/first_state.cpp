@@ -6,19 +6,19 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double pull_of_weight = 0.2;  ///< a mainline's first tension, of the carriage's weight
 
 /// The prescribed place on the straight line between the carriage's neighbours; none where they are not fixed, or
 /// beside it.
-std::optional<Vector3> on_line(const model::Model& model, const model::Carriage& carriage,
-                               const Prescribed& prescribed) {
-  const model::Reeving& rope = model.reevings[at(carriage.reeving)];
+std::optional<Vector3> on_line(const machine::Model& model, const machine::Carriage& carriage,
+                               const machine::Prescribed& prescribed) {
+  const machine::Reeving& rope = model.reevings[at(carriage.reeving)];
   if (rope.closed || carriage.node < 1 || at(carriage.node) + 1 >= rope.nodes.size()) return std::nullopt;
-  const model::Node &before = rope.nodes[at(carriage.node - 1)], &after = rope.nodes[at(carriage.node + 1)];
-  if (before.at.body != model::ground || after.at.body != model::ground) return std::nullopt;
+  const machine::Node &before = rope.nodes[at(carriage.node - 1)], &after = rope.nodes[at(carriage.node + 1)];
+  if (before.at.body != machine::ground || after.at.body != machine::ground) return std::nullopt;
   const Vector3 &from = before.at.at, &to = after.at.at;
   const Vector3& along = prescribed.along;
   const double part = (prescribed.x - along.dot(from)) / along.dot(to - from);
@@ -27,34 +27,34 @@ std::optional<Vector3> on_line(const model::Model& model, const model::Carriage&
 }
 
 /// The body moved to `place` as far as it is free.
-void move_to(const Vector3& place, model::Body& body) {
+void move_to(const Vector3& place, machine::Body& body) {
   for (int i = 0; i < 3; ++i) {
     const bool free =
-        std::any_of(body.free.begin(), body.free.end(), [&](const model::Freedom& way) { return way.along[i] != 0; });
+        std::any_of(body.free.begin(), body.free.end(), [&](const machine::Freedom& way) { return way.along[i] != 0; });
     if (free) body.position[i] = place[i];
   }
 }
 
 }  // namespace
 
-model::State first_state(const model::Model& model, const EquilibriumOptions& options) {
-  if (!options.prescribed) return model::initial_state(model);
-  const model::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
-  const Prescribed& prescribed = *options.prescribed;
+machine::State first_state(const machine::Model& model, const EquilibriumOptions& options) {
+  if (!options.prescribed) return machine::initial_state(model);
+  const machine::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Prescribed& prescribed = *options.prescribed;
   const bool moves = prescribed.along.dot(model.bodies[at(carriage.body)].position) != prescribed.x;
   const auto place = moves ? on_line(model, carriage, prescribed) : std::nullopt;
-  if (!place && carriage.mainline < 0) return model::initial_state(model);
-  model::Model there = model;
+  if (!place && carriage.mainline < 0) return machine::initial_state(model);
+  machine::Model there = model;
   if (place) move_to(*place, there.bodies[at(carriage.body)]);
-  model::State state = model::initial_state(there);
+  machine::State state = machine::initial_state(there);
   if (carriage.mainline < 0) return state;
-  const model::Reeving& mainline = there.reevings[at(carriage.mainline)];
+  const machine::Reeving& mainline = there.reevings[at(carriage.mainline)];
   double weight = there.bodies[at(carriage.body)].mass * there.gravity;
-  for (const model::Load& load : there.loads) weight += load.at.body == carriage.body ? load.force.norm() : 0;
+  for (const machine::Load& load : there.loads) weight += load.at.body == carriage.body ? load.force.norm() : 0;
   auto& branches = state.branches[at(carriage.mainline)];
   for (std::size_t k = 0; k < branches.size(); ++k) {
     const double straight =
-        model::straight_length(state, mainline.nodes[k], mainline.nodes[(k + 1) % mainline.nodes.size()]);
+        machine::straight_length(state, mainline.nodes[k], mainline.nodes[(k + 1) % mainline.nodes.size()]);
     const double own = mainline.weight * straight, T = pull_of_weight * weight + 2 * own;
     const double sag = T > 0 ? own / T : 0;
     branches[k].length = straight * (1 + sag * sag / 24) / (1 + T / mainline.stiffness);
@@ -62,4 +62,4 @@ model::State first_state(const model::Model& model, const EquilibriumOptions& op
   return state;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

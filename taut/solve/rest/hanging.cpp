@@ -6,20 +6,20 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
-bool pitches(const System& s, int body) {
+bool pitches(const mechanics::System& s, int body) {
   const auto& free = s.model.bodies[at(body)].free;
   return std::any_of(free.begin(), free.end(), [](const auto& way) { return way.about != Vector3::Zero(); });
 }
 
 /// Upward force of the rope on the rollers of a carriage, N.
-double lift_of(const System& s, const Evaluation& e, const model::Carriage& car) {
+double lift_of(const mechanics::System& s, const mechanics::Evaluation& e, const machine::Carriage& car) {
   double up = 0;
-  for (const Layout::Turn& t : s.layout.turns) {
+  for (const mechanics::Layout::Turn& t : s.layout.turns) {
     if (t.reeving != car.reeving || t.node < car.node || t.node >= car.node + car.rollers) continue;
-    const Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+    const mechanics::Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
     if (!in.slack) up -= in.pull_to.z();
     if (!out.slack) up += out.pull_from.z();
   }
@@ -28,11 +28,11 @@ double lift_of(const System& s, const Evaluation& e, const model::Carriage& car)
 
 }  // namespace
 
-Hanging hanging(const System& s, const Configuration& c, const Evaluation& e) {
+Hanging hanging(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Hanging result;
-  for (const model::Carriage& car : s.model.carriages) {
-    const model::Node& node = s.model.reevings[at(car.reeving)].nodes[at(car.node)];
-    if (node.kind != model::NodeKind::contact) continue;
+  for (const machine::Carriage& car : s.model.carriages) {
+    const machine::Node& node = s.model.reevings[at(car.reeving)].nodes[at(car.node)];
+    if (node.kind != machine::NodeKind::contact) continue;
     if (pitches(s, car.body) && c.bodies[at(car.body)].orientation(2, 2) < 0) {
       result.outcome = infeasible(fmt::format(
           "carriage '{}' would turn over: the ropes that pull at it outweigh the load below its rollers; give "
@@ -52,4 +52,4 @@ Hanging hanging(const System& s, const Configuration& c, const Evaluation& e) {
   return result;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/mechanics/system.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 
 /// How the carriages hang in an answer.
 struct Hanging {
@@ -11,6 +11,6 @@ struct Hanging {
 
 /// Equations of equilibrium have answers that no carriage takes: hanging over with its load above its rollers, or
 /// pulled up from a rope that holds it down, from which it would lift off.
-Hanging hanging(const System& system, const Configuration& c, const Evaluation& e);
+Hanging hanging(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e);
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

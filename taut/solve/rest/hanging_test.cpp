@@ -7,28 +7,29 @@
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 
-namespace taut::analysis::hanging_test {
+namespace taut::solve::hanging_test {
 
 using namespace taut_test;
 
 /// A machine evaluated in a state.
 struct Evaluated {
-  Evaluated(const model::Model& m, const model::State& state, const std::optional<Prescribed>& prescribed = {})
+  Evaluated(const machine::Model& m, const machine::State& state,
+            const std::optional<machine::Prescribed>& prescribed = {})
       : model(m),
-        laid_out(layout(model, state, prescribed, no_flow(m))),
+        laid_out(mechanics::layout(model, state, prescribed, no_flow(m))),
         system{model, laid_out, 0},
         c(configuration_of(laid_out, state)) {
-    for (int i = 0; i < 4; ++i) EXPECT_FALSE(evaluate(system, c, e));
+    for (int i = 0; i < 4; ++i) EXPECT_FALSE(mechanics::evaluate(system, c, e));
   }
-  model::Model model;
-  Layout laid_out;
-  System system;
-  Configuration c;
-  Evaluation e;
+  machine::Model model;
+  mechanics::Layout laid_out;
+  mechanics::System system;
+  mechanics::Configuration c;
+  mechanics::Evaluation e;
 };
 
 TEST(Hanging, AnAnswerHangsBelowItsRope) {
-  const model::Model m = rollers(2, 0.8, 0.3, 1000);
+  const machine::Model m = rollers(2, 0.8, 0.3, 1000);
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const Evaluated at(m, r.state);
@@ -36,8 +37,8 @@ TEST(Hanging, AnAnswerHangsBelowItsRope) {
 }
 
 TEST(Hanging, TurnedOverItIsRefused) {
-  const model::Model m = rollers(2, 0.8, 0.3, 1000);
-  model::State over = equilibrium(m).state;
+  const machine::Model m = rollers(2, 0.8, 0.3, 1000);
+  machine::State over = equilibrium(m).state;
   over.bodies[0].orientation.col(0) *= -1;
   over.bodies[0].orientation.col(2) *= -1;  // half a turn about y
   const Evaluated at(m, over);
@@ -47,9 +48,9 @@ TEST(Hanging, TurnedOverItIsRefused) {
 }
 
 TEST(Hanging, APullUpwardsLiftsItOff) {
-  model::Model m = rollers(1, 0, 0, 100);
+  machine::Model m = rollers(1, 0, 0, 100);
   m.reevings[0].nodes[1].support = -Vector3::UnitZ();
-  model::State state = equilibrium(m).state;
+  machine::State state = equilibrium(m).state;
   state.bodies[0].position.z() += 30;  // as if something had drawn it up: the rope pulls it down
   const Evaluated at(m, state);
   const Hanging h = hanging(at.system, at.c, at.e);
@@ -58,18 +59,18 @@ TEST(Hanging, APullUpwardsLiftsItOff) {
 }
 
 TEST(FarLoop, AMainlineOfTenTimesItsWayIsNone) {
-  const model::Model m = with_carriage(true);
+  const machine::Model m = with_carriage(true);
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{0, 150};
   const EquilibriumResult r = equilibrium(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const Evaluated at(m, r.state, options.prescribed);
   EXPECT_TRUE(no_far_loop(at.system, at.c, at.e).ok());
-  model::State far = r.state;
+  machine::State far = r.state;
   far.branches[1][0] = {};
   far.branches[1][0].length = 20 * 155;
   const Evaluated loop(m, far, options.prescribed);
   EXPECT_EQ(no_far_loop(loop.system, loop.c, loop.e).status, Status::infeasible);
 }
 
-}  // namespace taut::analysis::hanging_test
+}  // namespace taut::solve::hanging_test

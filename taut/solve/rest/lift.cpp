@@ -6,28 +6,28 @@
 #include "taut/math/index.hpp"
 #include "taut/rope/span.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr int lift_halvings = 60;
 constexpr int most_releases = 3;
 constexpr double lift_rounding = 1e-9;  ///< of a tension or a length: neither lifts nor presses
 
-bool may_lift(const model::Node& node) {
-  return node.may_lift && node.support != Vector3::Zero() && node.kind == model::NodeKind::contact;
+bool may_lift(const machine::Node& node) {
+  return node.may_lift && node.support != Vector3::Zero() && node.kind == machine::NodeKind::contact;
 }
 
 /// The rope's force on a support in the direction away from it, N.
-double pull(const System& s, const Evaluation& e, const Layout::Turn& t) {
-  const Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+double pull(const mechanics::System& s, const mechanics::Evaluation& e, const mechanics::Layout::Turn& t) {
+  const mechanics::Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
   if (in.slack || out.slack) return 0;
   const Vector3& support = s.model.reevings[at(t.reeving)].nodes[at(t.node)].support;
   return (out.pull_from - in.pull_to).dot(support) - lift_rounding * (in.T_to + out.T_from);
 }
 
-void release(const Layout::Turn& t, const Layout::Link& before, model::State& state) {
+void release(const mechanics::Layout::Turn& t, const mechanics::Layout::Link& before, machine::State& state) {
   auto& branches = state.branches[at(t.reeving)];
-  model::BranchState& whole = branches[at(before.from)];
+  machine::BranchState& whole = branches[at(before.from)];
   whole = {whole.length + branches[at(t.node)].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
   branches[at(t.node)] = {};
   state.touched[at(t.reeving)][at(t.node)] = false;
@@ -52,27 +52,28 @@ Beside beside(const Vector3& support_point, const Vector3& support, const Vector
 }
 
 struct Return {
-  const Layout::Link* link = nullptr;
+  const mechanics::Layout::Link* link = nullptr;
   int node = 0;
   Beside where;
 };
 
 /// The lifted support that its rope lies deepest below.
-Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
+Return deepest(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Return worst;
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const Layout::Link& link = s.layout.links[k];
-    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const mechanics::Layout::Link& link = s.layout.links[k];
+    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
     const int nodes = static_cast<int>(rope.nodes.size());
     for (int n = (link.from + 1) % nodes; n != link.to; n = (n + 1) % nodes) {
-      const model::Node& node = rope.nodes[at(n)];
+      const machine::Node& node = rope.nodes[at(n)];
       if (!may_lift(node)) continue;
-      const Branch& b = e.branches[k];
-      const auto span = link.force >= 0 ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
-                                        : rope::solve_span(rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
+      const mechanics::Branch& b = e.branches[k];
+      const auto span = link.force >= 0
+                            ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
+                            : rope::solve_span(mechanics::rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
       if (!span) continue;
-      const Vector3 start = end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
-      const Vector3 top = end_at(node, c.bodies).centre + node.radius * node.support;
+      const Vector3 start = mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
+      const Vector3 top = mechanics::end_at(node, c.bodies).centre + node.radius * node.support;
       const Beside where = beside(top, node.support, start, *span);
       if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length)) worst = {&link, n, where};
     }
@@ -82,11 +83,11 @@ Return deepest(const System& s, const Configuration& c, const Evaluation& e) {
 
 }  // namespace
 
-bool change_touch(const System& s, const Configuration& c, const Evaluation& e, model::State& state,
-                  std::vector<std::vector<int>>& let_go) {
-  const Layout::Turn* lifts = nullptr;
+bool change_touch(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                  machine::State& state, std::vector<std::vector<int>>& let_go) {
+  const mechanics::Layout::Turn* lifts = nullptr;
   double most = 0;
-  for (const Layout::Turn& t : s.layout.turns) {
+  for (const mechanics::Layout::Turn& t : s.layout.turns) {
     if (!may_lift(s.model.reevings[at(t.reeving)].nodes[at(t.node)])) continue;
     if (let_go[at(t.reeving)][at(t.node)] >= most_releases) continue;
     const double force = pull(s, e, t);
@@ -110,4 +111,4 @@ bool change_touch(const System& s, const Configuration& c, const Evaluation& e, 
   return true;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -7,12 +7,12 @@
 namespace lift_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 /// A taut line whose middle support stands below the others' chord.
-model::Model low_middle(bool may_lift, double length) {
-  model::Model m;
-  model::Node middle = saddle("middle", {100, 0, -6}, 0.1);
+machine::Model low_middle(bool may_lift, double length) {
+  machine::Model m;
+  machine::Node middle = saddle("middle", {100, 0, -6}, 0.1);
   middle.may_lift = may_lift;
   m.reevings.push_back(reeve("skyline", {anchor("a", {0, 0, 0}), middle, anchor("b", {200, 0, 0})}, length, 15, 2e7));
   return m;
@@ -29,7 +29,7 @@ TEST(Lift, ReportedOrLetGo) {
   ASSERT_EQ(free.spans.size(), 1U);
   EXPECT_NEAR(free.spans[0].unstretched, 200.1, 1e-9);
   // as if the support were not there
-  model::Model without = low_middle(true, 200.1);
+  machine::Model without = low_middle(true, 200.1);
   without.reevings[0].nodes.erase(without.reevings[0].nodes.begin() + 1);
   EXPECT_NEAR(free.spans[0].T_from / equilibrium(without).spans[0].T_from, 1, 1e-9);
   EXPECT_LT(free.spans[0].sag, 6);  // it hangs above the support
@@ -52,7 +52,7 @@ TEST(Lift, ComesBackWhenTheRopeIsPaidOut) {
 }
 
 TEST(Lift, ARoundLetsGoToo) {
-  model::Model m = low_middle(true, 200.1);
+  machine::Model m = low_middle(true, 200.1);
   m.reevings[0].nodes[1].radius = 0.5;
   m.reevings[0].nodes[1].side = 1;  // along +x, over the top: right-handed about y
   const EquilibriumResult r = equilibrium(m);

@@ -10,7 +10,7 @@
 #include "taut/mechanics/stiff_branch.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double least_part = 1.0 / 1024;
@@ -26,17 +26,17 @@ constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths ma
 
 /// Calls `f` with each link and unknown of a force.
 template <class F>
-void for_each_force(const System& s, const F& f) {
+void for_each_force(const mechanics::System& s, const F& f) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const Layout::Link& link = s.layout.links[k];
+    const mechanics::Layout::Link& link = s.layout.links[k];
     if (link.force < 0) continue;
-    const int count = force_count(s.model.reevings[at(link.reeving)]);
+    const int count = mechanics::force_count(s.model.reevings[at(link.reeving)]);
     for (int i = 0; i < count; ++i) f(static_cast<int>(k), link.force + i);
   }
 }
 
 /// The largest change of a force among the unknowns, as a share of the largest force. A slack rope has none.
-double force_change(const System& s, const Evaluation& e, const Eigen::VectorXd& change) {
+double force_change(const mechanics::System& s, const mechanics::Evaluation& e, const Eigen::VectorXd& change) {
   double most = 0;
   for_each_force(s, [&](int link, int unknown) {
     if (!e.branches[at(link)].slack) most = std::max(most, std::abs(change[unknown]));
@@ -47,20 +47,20 @@ double force_change(const System& s, const Evaluation& e, const Eigen::VectorXd&
 /// The scaled linear system of one point.
 class Linear {
  public:
-  Linear(const System& system, Eigen::Index n) : columns_(n), rows_(n) {
+  Linear(const mechanics::System& system, Eigen::Index n) : columns_(n), rows_(n) {
     columns_.setConstant(system.layout.length);
     for (std::size_t i = 0; i < system.layout.dofs.size(); ++i) {
       if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
     }
-    for (const Layout::Rope& rope : system.layout.ropes) {
+    for (const mechanics::Layout::Rope& rope : system.layout.ropes) {
       if (rope.open_load >= 0) columns_[rope.open_load] = std::max(1.0, system.layout.heaviest);
     }
     if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
-    scale_beams(system, columns_);
+    mechanics::scale_beams(system, columns_);
   }
 
   /// Takes the forces that are unknowns in parts of what they are now.
-  void scale_forces(const System& s, const Configuration& c) {
+  void scale_forces(const mechanics::System& s, const mechanics::Configuration& c) {
     for_each_force(s, [&](int link, int unknown) {
       columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[at(link)].norm()});
     });
@@ -107,7 +107,7 @@ class Linear {
 };
 
 /// A branch whose force no row determines; -1: none.
-int undetermined_branch(const System& s, const Linear& linear) {
+int undetermined_branch(const mechanics::System& s, const Linear& linear) {
   const Eigen::VectorXd free = linear.free();
   int worst = -1;
   double most = least_free;
@@ -120,8 +120,8 @@ int undetermined_branch(const System& s, const Linear& linear) {
 }
 
 /// The part of a step that leaves a rope with weight a share of its pull.
-double longest_fall(const System& s, const Configuration& c, int k, const Eigen::VectorXd& step) {
-  const Layout::Link& link = s.layout.links[at(k)];
+double longest_fall(const mechanics::System& s, const mechanics::Configuration& c, int k, const Eigen::VectorXd& step) {
+  const mechanics::Layout::Link& link = s.layout.links[at(k)];
   if (link.force < 0 || s.model.reevings[at(link.reeving)].weight == 0) return 1;
   const Vector3& force = c.forces[at(k)];
   const double weight = s.model.reevings[at(link.reeving)].weight * c.links[at(k)].length;
@@ -130,7 +130,7 @@ double longest_fall(const System& s, const Configuration& c, int k, const Eigen:
 }
 
 /// The largest part of a step, at most 1, that keeps branches from vanishing and bodies from flying away.
-double longest_part(const System& s, const Configuration& c, const Eigen::VectorXd& step) {
+double longest_part(const mechanics::System& s, const mechanics::Configuration& c, const Eigen::VectorXd& step) {
   double part = 1;
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
@@ -148,8 +148,8 @@ double longest_part(const System& s, const Configuration& c, const Eigen::Vector
   return part;
 }
 
-bool settled(const System& s, const Evaluation& e, double tolerance, double ulps = 1) {
-  const Misfit m = misfit(s, e);
+bool settled(const mechanics::System& s, const mechanics::Evaluation& e, double tolerance, double ulps = 1) {
+  const mechanics::Misfit m = mechanics::misfit(s, e);
   // A machine whose forces are all within the rounding of its stiffest branch bears none: there is no balance to lose.
   const double of_lengths = rounding_strain * s.layout.stiffest;
   const double most = e.largest_force > of_lengths ? most_rounding * e.largest_force : ulps * of_lengths;
@@ -161,17 +161,18 @@ bool settled(const System& s, const Evaluation& e, double tolerance, double ulps
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
 /// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
 /// on the side of its fixed end have lost. A fed rope is paid out while its tension is above the given one.
-void add_drag(const System& s, const std::vector<FedEnd>& fed, double drag, double ropes, Eigen::MatrixXd& J) {
+void add_drag(const mechanics::System& s, const std::vector<FedEnd>& fed, double drag, double ropes,
+              Eigen::MatrixXd& J) {
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const auto k = static_cast<Eigen::Index>(i);
     J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
   }
-  for (const Layout::Turn& t : s.layout.turns) {
-    const model::Reeving& reeving = s.model.reevings[static_cast<std::size_t>(t.reeving)];
-    if (reeving.nodes[static_cast<std::size_t>(t.node)].kind != model::NodeKind::contact) continue;
-    const Layout::Rope& rope = s.layout.ropes[static_cast<std::size_t>(t.reeving)];
-    const bool fixed_at_end = reeving.given == model::Given::tension_at_start;
+  for (const mechanics::Layout::Turn& t : s.layout.turns) {
+    const machine::Reeving& reeving = s.model.reevings[static_cast<std::size_t>(t.reeving)];
+    if (reeving.nodes[static_cast<std::size_t>(t.node)].kind != machine::NodeKind::contact) continue;
+    const mechanics::Layout::Rope& rope = s.layout.ropes[static_cast<std::size_t>(t.reeving)];
+    const bool fixed_at_end = reeving.given == machine::Given::tension_at_start;
     const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
     for (int k = first; k < last; ++k) {
       J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
@@ -186,17 +187,18 @@ void add_drag(const System& s, const std::vector<FedEnd>& fed, double drag, doub
 
 /// A configuration that is tried, evaluated.
 struct Trial {
-  Configuration c;
-  Evaluation e;
+  mechanics::Configuration c;
+  mechanics::Evaluation e;
 };
 
 /// Halves a Newton step until a part of it brings the next step nearer and `fits`. False where no part does.
 template <class Fits>
-bool gains(const System& s, const Configuration& c, const Change& change, Linear& linear, double size, double tolerance,
-           Trial& tried, std::optional<NoBranch>& stopped, const Fits& fits) {
+bool gains(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Change& change,
+           Linear& linear, double size, double tolerance, Trial& tried, std::optional<mechanics::NoBranch>& stopped,
+           const Fits& fits) {
   for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
-    move(s, c, change, part, tried.c);
-    stopped = evaluate(s, tried.c, tried.e);
+    mechanics::move(s, c, change, part, tried.c);
+    stopped = mechanics::evaluate(s, tried.c, tried.e);
     if (stopped || !tried.e.residual.allFinite()) continue;
     const double next = linear.solve(tried.e.residual).norm();
     if (!(next <= (1 - part / 4) * size) && !settled(s, tried.e, tolerance)) continue;
@@ -207,26 +209,27 @@ bool gains(const System& s, const Configuration& c, const Change& change, Linear
 
 }  // namespace
 
-Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechanics::Evaluation& e, double tolerance,
+                 int most_steps) {
   Iteration it;
-  it.stopped = evaluate(s, c, e);
+  it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   const std::vector<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
-  std::vector<BranchColumns> columns;
+  std::vector<mechanics::BranchColumns> columns;
   Trial tried{c, {}};
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, tolerance)) {
       it.converged = true;
       return it;
     }
-    jacobian(s, c, e, J, columns);
+    mechanics::jacobian(s, c, e, J, columns);
     linear.factor(J);
     it.singular = linear.singular();
     const Eigen::VectorXd step = linear.solve(e.residual);
     if (!step.allFinite()) return it;
-    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
+    const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(step));
     it.deep = -1;
     const auto taut = [&] {
       it.deep = deep_link(s, fed, tried.c, tried.e);
@@ -244,23 +247,24 @@ Iteration newton(const System& s, Configuration& c, Evaluation& e, double tolera
   return it;
 }
 
-Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, double tolerance, int most_steps) {
+Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuration& c, mechanics::Evaluation& e,
+                             double tolerance, int most_steps) {
   Iteration it;
-  it.stopped = evaluate(s, c, e);
+  it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
-  std::vector<BranchColumns> columns;
+  std::vector<mechanics::BranchColumns> columns;
   Trial tried{c, {}};
   double before = HUGE_VAL;
   for (; it.steps < most_steps; ++it.steps) {
     linear.scale_forces(s, c);
-    jacobian(s, c, e, J, columns);
+    mechanics::jacobian(s, c, e, J, columns);
     linear.factor(J);
     it.singular = linear.singular();
     const Eigen::VectorXd step = linear.solve(e.residual);
     if (!step.allFinite()) return it;
-    const Change change = change_of(s, c, e, columns, linear.unscaled(step));
+    const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(step));
     const double open = force_change(s, e, change.step);
     const bool closed = settled(s, e, tolerance);
     const bool known = open <= tolerance || (open > before / 2 && open <= forces_settled);
@@ -281,32 +285,33 @@ Iteration newton_with_forces(const System& s, Configuration& c, Evaluation& e, d
   return it;
 }
 
-Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps, double most_growth, double ropes) {
+Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechanics::Evaluation& e, int most_steps,
+                double most_growth, double ropes) {
   Iteration it;
-  it.stopped = evaluate(s, c, e);
+  it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   const std::vector<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
-  std::vector<BranchColumns> columns;
-  Configuration tried = c;
-  Evaluation there;
+  std::vector<mechanics::BranchColumns> columns;
+  mechanics::Configuration tried = c;
+  mechanics::Evaluation there;
   double drag = e.largest_force / s.layout.length;
-  double now = misfit(s, e).force;
+  double now = mechanics::misfit(s, e).force;
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, 1e-4)) {
       it.converged = true;
       return it;
     }
-    jacobian(s, c, e, J, columns);
+    mechanics::jacobian(s, c, e, J, columns);
     add_drag(s, fed, drag, ropes, J);
     linear.factor(J);
-    const Change change = change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
+    const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
     if (!change.step.allFinite()) return it;
-    move(s, c, change, longest_part(s, c, change.step), tried);
-    it.stopped = evaluate(s, tried, there);
+    mechanics::move(s, c, change, longest_part(s, c, change.step), tried);
+    it.stopped = mechanics::evaluate(s, tried, there);
     const bool fails = it.stopped || !there.residual.allFinite();
-    const double then = fails ? 0 : misfit(s, there).force;
+    const double then = fails ? 0 : mechanics::misfit(s, there).force;
     it.deep = fails ? -1 : deep_link(s, fed, tried, there);
     if (fails || it.deep >= 0 || !(then <= most_growth * now)) {
       drag *= 8;
@@ -321,4 +326,4 @@ Iteration relax(const System& s, Configuration& c, Evaluation& e, int most_steps
   return it;
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -7,27 +7,27 @@
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 
-namespace taut::analysis::newton_test {
+namespace taut::solve::newton_test {
 
 using namespace taut_test;
 
 /// A machine at its equilibrium, laid out.
 struct Solved {
-  model::Model model;
+  machine::Model model;
   EquilibriumResult at;
-  Layout laid_out;
-  Configuration c;
+  mechanics::Layout laid_out;
+  mechanics::Configuration c;
 };
 
-Solved solved(const model::Model& m) {
+Solved solved(const machine::Model& m) {
   Solved s{m, equilibrium(m), {}, {}};
   EXPECT_TRUE(s.at.outcome.ok()) << s.at.outcome.message;
-  s.laid_out = layout(m, s.at.state, {}, no_flow(m));
+  s.laid_out = mechanics::layout(m, s.at.state, {}, no_flow(m));
   s.c = configuration_of(s.laid_out, s.at.state);
   return s;
 }
 
-double apart(const Configuration& a, const Configuration& b) {
+double apart(const mechanics::Configuration& a, const mechanics::Configuration& b) {
   double far = 0;
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     far = std::max(far, (a.bodies[i].position - b.bodies[i].position).norm());
@@ -39,38 +39,38 @@ double apart(const Configuration& a, const Configuration& b) {
 }
 
 TEST(Newton, ComesBackFromBesideTheAnswer) {
-  for (const model::Model& m : {with_carriage(true), tackle(4, 1, 3000), rollers(2, 0.8, 0.3, 1000)}) {
+  for (const machine::Model& m : {with_carriage(true), tackle(4, 1, 3000), rollers(2, 0.8, 0.3, 1000)}) {
     const Solved s = solved(m);
-    const System system{s.model, s.laid_out, 0};
-    Configuration c = s.c;
-    for (model::Pose& p : c.bodies) p.position += Vector3(0.02, 0, -0.05);
-    Evaluation e;
+    const mechanics::System system{s.model, s.laid_out, 0};
+    mechanics::Configuration c = s.c;
+    for (machine::Pose& p : c.bodies) p.position += Vector3(0.02, 0, -0.05);
+    mechanics::Evaluation e;
     const Iteration i = newton(system, c, e, 1e-10, 60);
     EXPECT_TRUE(i.converged);
     EXPECT_LE(i.steps, 12);
     EXPECT_LT(apart(c, s.c), 1e-6);
-    EXPECT_LT(misfit(system, e).force, 1e-9 * e.largest_force);
+    EXPECT_LT(mechanics::misfit(system, e).force, 1e-9 * e.largest_force);
   }
 }
 
 TEST(Newton, StandsStillAtTheAnswer) {
   const Solved s = solved(with_carriage(true));
-  const System system{s.model, s.laid_out, 0};
-  Configuration c = s.c;
-  Evaluation e;
+  const mechanics::System system{s.model, s.laid_out, 0};
+  mechanics::Configuration c = s.c;
+  mechanics::Evaluation e;
   const Iteration i = newton(system, c, e, 1e-9, 60);
   EXPECT_TRUE(i.converged);
   EXPECT_LE(i.steps, 2);
 }
 
 TEST(Newton, SaysWhatIsNotHeld) {
-  model::Model m = tackle(4, 1, 3000);
+  machine::Model m = tackle(4, 1, 3000);
   m.bodies.push_back(body("loose", {3, 0, 0}, 10, "z"));
-  const model::State state = model::initial_state(m);
-  const Layout l = layout(m, state, {}, no_flow(m));
-  const System system{m, l, 0};
-  Configuration c = configuration_of(l, state);
-  Evaluation e;
+  const machine::State state = machine::initial_state(m);
+  const mechanics::Layout l = mechanics::layout(m, state, {}, no_flow(m));
+  const mechanics::System system{m, l, 0};
+  mechanics::Configuration c = configuration_of(l, state);
+  mechanics::Evaluation e;
   const Iteration i = newton(system, c, e, 1e-10, 60);
   EXPECT_FALSE(i.converged);
   EXPECT_TRUE(i.singular);
@@ -78,15 +78,15 @@ TEST(Newton, SaysWhatIsNotHeld) {
 
 TEST(Relax, FallsToTheSameEquilibriumFromFarAway) {
   const Solved s = solved(tackle(4, 1, 3000));
-  const System system{s.model, s.laid_out, 0};
-  model::Model above = s.model;
+  const mechanics::System system{s.model, s.laid_out, 0};
+  machine::Model above = s.model;
   above.bodies[0].position.z() += 3;  // all falls slack
-  Configuration c = configuration_of(s.laid_out, model::initial_state(above));
-  Evaluation e;
+  mechanics::Configuration c = configuration_of(s.laid_out, machine::initial_state(above));
+  mechanics::Evaluation e;
   EXPECT_TRUE(relax(system, c, e, 400, 10, 0.01).converged);
-  EXPECT_LT(misfit(system, e).force, 1e-3 * e.largest_force);
+  EXPECT_LT(mechanics::misfit(system, e).force, 1e-3 * e.largest_force);
   EXPECT_TRUE(newton(system, c, e, 1e-10, 60).converged);
   EXPECT_LT(apart(c, s.c), 1e-6);
 }
 
-}  // namespace taut::analysis::newton_test
+}  // namespace taut::solve::newton_test

@@ -9,47 +9,47 @@
 #include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double past_by = 1e-9;  ///< of the machine's length: less is on the stop
 
 /// Whether a node is neither a carriage nor a load on the free rope.
-bool is_stop(const System& s, const model::Node& node) {
-  if (node.kind == model::NodeKind::load) return false;
+bool is_stop(const mechanics::System& s, const machine::Node& node) {
+  if (node.kind == machine::NodeKind::load) return false;
   return std::none_of(s.model.carriages.begin(), s.model.carriages.end(),
-                      [&](const model::Carriage& car) { return car.body == node.at.body; });
+                      [&](const machine::Carriage& car) { return car.body == node.at.body; });
 }
 
 /// The next node of a path in a direction that `fits`; null: none.
 template <class Fits>
-const model::Node* next(const model::Reeving& rope, int from, int step, const Fits& fits) {
+const machine::Node* next(const machine::Reeving& rope, int from, int step, const Fits& fits) {
   const int count = static_cast<int>(rope.nodes.size());
   for (int k = 1; k < count; ++k) {
     const int n = from + k * step;
     if (!rope.closed && (n < 0 || n >= count)) return nullptr;
-    const model::Node& node = rope.nodes[at((n + count) % count)];
+    const machine::Node& node = rope.nodes[at((n + count) % count)];
     if (fits(node)) return &node;
   }
   return nullptr;
 }
 
-double coordinate(const System& s, const std::vector<model::Pose>& bodies, const model::Node& node) {
-  return s.layout.coordinate_along.dot(end_at(node, bodies).centre);
+double coordinate(const mechanics::System& s, const std::vector<machine::Pose>& bodies, const machine::Node& node) {
+  return s.layout.coordinate_along.dot(mechanics::end_at(node, bodies).centre);
 }
 
 /// Of a carriage's nodes on a rope, from `first` to `last`.
-std::string past_on(const System& s, const Configuration& c, const model::Carriage& car, int reeving, int first,
-                    int last) {
-  const model::Reeving& rope = s.model.reevings[at(reeving)];
-  const auto stops = [&](const model::Node& node) { return is_stop(s, node); };
-  const auto elsewhere = [&](const model::Node& node) {
-    return node.at.body != car.body && node.kind != model::NodeKind::load;
+std::string past_on(const mechanics::System& s, const mechanics::Configuration& c, const machine::Carriage& car,
+                    int reeving, int first, int last) {
+  const machine::Reeving& rope = s.model.reevings[at(reeving)];
+  const auto stops = [&](const machine::Node& node) { return is_stop(s, node); };
+  const auto elsewhere = [&](const machine::Node& node) {
+    return node.at.body != car.body && node.kind != machine::NodeKind::load;
   };
   for (const int step : {-1, 1}) {
     const int own = step < 0 ? first : last;
-    const model::Node* stop = next(rope, own, step, stops);
-    const model::Node* other = next(rope, step < 0 ? last : first, -step, elsewhere);
+    const machine::Node* stop = next(rope, own, step, stops);
+    const machine::Node* other = next(rope, step < 0 ? last : first, -step, elsewhere);
     if (stop == nullptr || other == nullptr) continue;
     const double place = coordinate(s, c.bodies, rope.nodes[at(own)]), there = coordinate(s, c.bodies, *stop);
     const double before = coordinate(s, c.bodies, *other);
@@ -64,9 +64,9 @@ std::string past_on(const System& s, const Configuration& c, const model::Carria
 
 }  // namespace
 
-std::string past_stop(const System& s, const Configuration& c) {
+std::string past_stop(const mechanics::System& s, const mechanics::Configuration& c) {
   if (s.layout.coordinate_row < 0) return {};
-  for (const model::Carriage& car : s.model.carriages) {
+  for (const machine::Carriage& car : s.model.carriages) {
     std::string words = past_on(s, c, car, car.reeving, car.node, car.node + car.rollers - 1);
     if (words.empty() && car.grip_reeving >= 0)
       words = past_on(s, c, car, car.grip_reeving, car.grip_node, car.grip_node);
@@ -75,19 +75,20 @@ std::string past_stop(const System& s, const Configuration& c) {
   return {};
 }
 
-std::string section_past_stop(const System& s) {
+std::string section_past_stop(const mechanics::System& s) {
   if (s.layout.coordinate_row < 0) return {};
-  const auto starts = model::initial_state(s.model).bodies;
-  for (const model::Carriage& car : s.model.carriages) {
-    const model::Reeving& rope = s.model.reevings[at(car.reeving)];
-    const model::Node& clamp = rope.nodes[at(car.node)];
-    if (car.body == s.layout.coordinate_body || clamp.kind != model::NodeKind::clamp) continue;
+  const auto starts = machine::initial_state(s.model).bodies;
+  for (const machine::Carriage& car : s.model.carriages) {
+    const machine::Reeving& rope = s.model.reevings[at(car.reeving)];
+    const machine::Node& clamp = rope.nodes[at(car.node)];
+    if (car.body == s.layout.coordinate_body || clamp.kind != machine::NodeKind::clamp) continue;
     for (const int step : {-1, 1}) {
-      const model::Node* stop = next(rope, car.node, step, [&](const model::Node& node) { return is_stop(s, node); });
-      const model::Node* put = next(rope, car.node, -step, [](const model::Node&) { return true; });
+      const machine::Node* stop =
+          next(rope, car.node, step, [&](const machine::Node& node) { return is_stop(s, node); });
+      const machine::Node* put = next(rope, car.node, -step, [](const machine::Node&) { return true; });
       if (stop == nullptr || put == nullptr || put->at.body != s.layout.coordinate_body) continue;
       // the clamp of the one that is put somewhere follows from its place: only an end of the rope says a length
-      const double whole = rope.given == model::Given::length ? rope.value : 0;
+      const double whole = rope.given == machine::Given::length ? rope.value : 0;
       const bool at_start = put == &rope.nodes.front(), at_end = put == &rope.nodes.back() && whole > 0;
       if (rope.closed || (!at_start && !at_end)) continue;
       const double length = (at_start ? clamp.length_before : whole - clamp.length_before) * (1 + rope.thermal_strain);
@@ -102,4 +103,4 @@ std::string section_past_stop(const System& s) {
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

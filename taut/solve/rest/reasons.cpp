@@ -9,14 +9,14 @@
 #include "taut/math/index.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 constexpr double vanishing = 1e-2;  // of the longest span
 constexpr double wide_open = 1e-3;  // of a given tension
 
 /// "along x", "about (0, 0.6, 0.8)".
-std::string direction(const model::Freedom& way) {
+std::string direction(const machine::Freedom& way) {
   const bool turns = way.about != Vector3::Zero();
   const Vector3& d = turns ? way.about : way.along;
   const char* names = "xyz";
@@ -27,18 +27,18 @@ std::string direction(const model::Freedom& way) {
   return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", word, d.x(), d.y(), d.z());
 }
 
-std::string branch_words(const System& s, int link_index) {
-  const Layout::Link& link = s.layout.links[at(link_index)];
-  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+std::string branch_words(const mechanics::System& s, int link_index) {
+  const mechanics::Layout::Link& link = s.layout.links[at(link_index)];
+  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
   return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(link.from)].name,
                      rope.nodes[at(link.to)].name);
 }
 
-Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
-  const Layout::Link& link = s.layout.links[at(no.link)];
-  const model::Reeving& rope = s.model.reevings[at(link.reeving)];
-  const Vector3 chord =
-      end_at(rope.nodes[at(link.to)], c.bodies).centre - end_at(rope.nodes[at(link.from)], c.bodies).centre;
+Outcome no_branch(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::NoBranch& no) {
+  const mechanics::Layout::Link& link = s.layout.links[at(no.link)];
+  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const Vector3 chord = mechanics::end_at(rope.nodes[at(link.to)], c.bodies).centre -
+                        mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre;
   if (no.why == rope::NoCatenary::too_short) {
     return infeasible(fmt::format(
         "{} does not reach: {:.6g} m of a rope that does not stretch over {:.6g} m; give it more length or a stiffness",
@@ -47,9 +47,9 @@ Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
   const double radii = rope.nodes[at(link.to)].radius + rope.nodes[at(link.from)].radius;
   if (radii > 0 && chord.norm() <= radii) {
     for (const bool first : {false, true}) {
-      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
-                        &other = rope.nodes[at(first ? link.to : link.from)];
-      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      const machine::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                          &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == machine::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
       return infeasible(fmt::format(
           "body '{}' is drawn up to '{}': {} has no room there (the centres {:.3g} m apart, the radii add up "
           "to {:.3g} m); make it heavier, give the rope more length, or put it farther away",
@@ -65,10 +65,10 @@ Outcome no_branch(const System& s, const Configuration& c, const NoBranch& no) {
 }
 
 /// The ropes that carry nothing, as words; empty if none.
-std::string slack_ropes(const System& s, const Evaluation& e) {
+std::string slack_ropes(const mechanics::System& s, const mechanics::Evaluation& e) {
   std::string words;
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
-    const Layout::Rope& rope = s.layout.ropes[r];
+    const mechanics::Layout::Rope& rope = s.layout.ropes[r];
     bool slack = true;
     for (int k = rope.first; k < rope.first + rope.count; ++k) slack = slack && e.branches[at(k)].slack;
     if (slack) words += fmt::format("{}'{}'", words.empty() ? "" : ", ", s.model.reevings[r].name);
@@ -77,7 +77,7 @@ std::string slack_ropes(const System& s, const Evaluation& e) {
 }
 
 /// The freedom whose balance is worst, -1 without any.
-int worst_freedom(const System& s, const Evaluation& e) {
+int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
   int worst = -1;
   double most = -1;
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
@@ -92,9 +92,9 @@ int worst_freedom(const System& s, const Evaluation& e) {
 }
 
 /// The branch that all but vanished beside a body that rolls on the rope, -1 without one.
-int vanished(const System& s, const Configuration& c) {
-  for (const Layout::Turn& t : s.layout.turns) {
-    if (s.model.reevings[at(t.reeving)].nodes[at(t.node)].at.body == model::ground) continue;
+int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
+  for (const mechanics::Layout::Turn& t : s.layout.turns) {
+    if (s.model.reevings[at(t.reeving)].nodes[at(t.node)].at.body == machine::ground) continue;
     for (const int link : {t.before, t.after}) {
       if (c.links[at(link)].length < vanishing * s.layout.length) return link;
     }
@@ -103,15 +103,15 @@ int vanished(const System& s, const Configuration& c) {
 }
 
 /// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
-std::string drawn_up(const System& s, const Configuration& c) {
+std::string drawn_up(const mechanics::System& s, const mechanics::Configuration& c) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const Layout::Link& link = s.layout.links[k];
-    const model::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const mechanics::Layout::Link& link = s.layout.links[k];
+    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
     if (c.links[k].length >= vanishing * s.layout.length) continue;
     for (const bool first : {true, false}) {
-      const model::Node &own = rope.nodes[at(first ? link.from : link.to)],
-                        &other = rope.nodes[at(first ? link.to : link.from)];
-      if (own.at.body == model::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      const machine::Node &own = rope.nodes[at(first ? link.from : link.to)],
+                          &other = rope.nodes[at(first ? link.to : link.from)];
+      if (own.at.body == machine::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
       return fmt::format(
           "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
           "give the rope more length, or pull less",
@@ -122,17 +122,17 @@ std::string drawn_up(const System& s, const Configuration& c) {
 }
 
 /// A carriage that is put beyond the places that its rope runs between, in words; empty where it is not.
-std::string off_the_line(const System& s) {
+std::string off_the_line(const mechanics::System& s) {
   if (s.layout.coordinate_row < 0) return {};
-  for (const model::Carriage& car : s.model.carriages) {
+  for (const machine::Carriage& car : s.model.carriages) {
     if (car.body != s.layout.coordinate_body) continue;
-    const std::vector<model::Node>& nodes = s.model.reevings[at(car.reeving)].nodes;
-    const model::Node* ends[] = {nullptr, nullptr};  // the neighbours on the ground, by their x
+    const std::vector<machine::Node>& nodes = s.model.reevings[at(car.reeving)].nodes;
+    const machine::Node* ends[] = {nullptr, nullptr};  // the neighbours on the ground, by their x
     for (const int n : {car.node - 1, car.node + car.rollers}) {
-      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[at(n)].at.body != model::ground) return {};
+      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[at(n)].at.body != machine::ground) return {};
       ends[n < car.node ? 0 : 1] = &nodes[at(n)];
     }
-    const auto x_of = [&](const model::Node* n) { return s.layout.coordinate_along.dot(n->at.at); };
+    const auto x_of = [&](const machine::Node* n) { return s.layout.coordinate_along.dot(n->at.at); };
     if (x_of(ends[0]) > x_of(ends[1])) std::swap(ends[0], ends[1]);
     const double reach = std::max(ends[0]->radius, ends[1]->radius);
     if (s.coordinate >= x_of(ends[0]) - reach && s.coordinate <= x_of(ends[1]) + reach) return {};
@@ -145,16 +145,16 @@ std::string off_the_line(const System& s) {
 }
 
 /// Whether a rope that a body hangs on has its tension given.
-bool hangs_on_given_tension(const System& s, int body) {
-  return std::any_of(s.model.reevings.begin(), s.model.reevings.end(), [&](const model::Reeving& rope) {
-    return rope.given != model::Given::length &&
+bool hangs_on_given_tension(const mechanics::System& s, int body) {
+  return std::any_of(s.model.reevings.begin(), s.model.reevings.end(), [&](const machine::Reeving& rope) {
+    return rope.given != machine::Given::length &&
            std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& n) { return n.at.body == body; });
   });
 }
 
 }  // namespace
 
-int too_heavy(const System& s, const Evaluation& e, const Iteration& iteration) {
+int too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& iteration) {
   if (iteration.deep < 0) return -1;
   const int rope = s.layout.links[at(iteration.deep)].reeving;
   for (const FedEnd& end : fed_ends(s)) {
@@ -163,10 +163,10 @@ int too_heavy(const System& s, const Evaluation& e, const Iteration& iteration) 
   return -1;
 }
 
-Outcome too_heavy_outcome(const System& s, int reeving, double least) {
+Outcome too_heavy_outcome(const mechanics::System& s, int reeving, double least) {
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope != reeving) continue;
-    const model::Reeving& rope = s.model.reevings[at(reeving)];
+    const machine::Reeving& rope = s.model.reevings[at(reeving)];
     const std::string known = least > 0 ? fmt::format(" (at least {:.4g} N)", least) : std::string();
     return infeasible(fmt::format(
         "rope '{}' does not come down to {:.6g} N at '{}': its own weight pulls harder{}, and with more rope harder "
@@ -176,12 +176,13 @@ Outcome too_heavy_outcome(const System& s, int reeving, double least) {
   return {};
 }
 
-Outcome reason(const System& s, const Configuration& c, const Evaluation& e, const Iteration& iteration) {
+Outcome reason(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+               const Iteration& iteration) {
   if (const std::string why = off_the_line(s); !why.empty()) return infeasible(why);
   if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
   const int worst = worst_freedom(s, e);
   const std::string slack = slack_ropes(s, e);
-  const Misfit m = misfit(s, e);
+  const mechanics::Misfit m = mechanics::misfit(s, e);
   if (worst < 0) {
     if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
     return not_converged(
@@ -189,7 +190,7 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
                     "lengths and tensions possible on these paths?",
                     m.force, m.length));
   }
-  const Layout::Dof& dof = s.layout.dofs[at(worst)];
+  const mechanics::Layout::Dof& dof = s.layout.dofs[at(worst)];
   const std::string& body = s.model.bodies[at(dof.body)].name;
   const double open = e.residual[worst];
   const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
@@ -218,4 +219,4 @@ Outcome reason(const System& s, const Configuration& c, const Evaluation& e, con
                                    direction(dof.way), advice));
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -8,9 +8,9 @@
 namespace reasons_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
-void expect_reason(const model::Model& m, const std::string& words) {
+void expect_reason(const machine::Model& m, const std::string& words) {
   const EquilibriumResult r = equilibrium(m);
   ASSERT_FALSE(r.outcome.ok());
   EXPECT_NE(r.outcome.message.find(words), std::string::npos) << r.outcome.message;
@@ -18,8 +18,8 @@ void expect_reason(const model::Model& m, const std::string& words) {
 }
 
 /// A line whose counterweight hangs behind a sheave.
-model::Model with_counterweight(double mass) {
-  model::Model m;
+machine::Model with_counterweight(double mass) {
+  machine::Model m;
   m.bodies.push_back(body("counterweight", {-1, 0, -12}, mass, "z"));
   m.reevings.push_back(reeve(
       "track", {anchor_on("cw", 0), sheave("deflection", origin, 1, 1), anchor("end", {200, 0, 30})}, 220, 40, 50e6));
@@ -32,9 +32,9 @@ TEST(Reasons, ACounterweightTooLightIsDrawnUpToItsSheave) {
 }
 
 TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
-  model::Model m;
+  machine::Model m;
   m.reevings.push_back(reeve("guy", {anchor("top", {0, 0, 40}), anchor("foot", {30, 0, 0})}, 0, 40, 5e6));
-  m.reevings[0].given = model::Given::tension_at_start;
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 300;  // 40 m of height alone weigh 1600 N
   expect_reason(m, "rope 'guy' does not come down to 300 N at 'top'");
   m.reevings[0].value = 3000;
@@ -42,7 +42,7 @@ TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
 }
 
 TEST(Reasons, AHookTooLightForItsRopeIsDrawnUpToTheHead) {
-  model::Model m = tackle(4, 0.9, 0.1, 50);
+  machine::Model m = tackle(4, 0.9, 0.1, 50);
   EquilibriumOptions options;
   options.motion = Motion::hoist;
   const EquilibriumResult r = equilibrium(m, options);
@@ -52,10 +52,10 @@ TEST(Reasons, AHookTooLightForItsRopeIsDrawnUpToTheHead) {
 }
 
 TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
-  const model::Model m = rollers(1, 0, 0, 500);
+  const machine::Model m = rollers(1, 0, 0, 500);
   for (const double x : {-40.0, 300.0}) {
     EquilibriumOptions options;
-    options.prescribed = Prescribed{0, x};
+    options.prescribed = machine::Prescribed{0, x};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_EQ(r.outcome.status, taut::Status::infeasible) << r.outcome.message;
     EXPECT_NE(r.outcome.message.find("but its rope runs from x = 0 m ('head') to 150 m ('tail') there"),
@@ -65,8 +65,8 @@ TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
 }
 
 TEST(Reasons, APullThatDoesNotCarryTheLoadIsNamed) {
-  model::Model m = tackle(4, 1, 3000);
-  m.reevings[0].given = model::Given::tension_at_start;
+  machine::Model m = tackle(4, 1, 3000);
+  m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 5e3;  // of 7355 N
   expect_reason(m, "the tensions given do not balance its load");
 }

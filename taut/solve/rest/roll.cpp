@@ -9,7 +9,7 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 /// Places in the span, as parts of it: closer at its ends, where a slack rope's lowest point may be.
@@ -17,22 +17,22 @@ constexpr std::array<double, 17> places = {0.003, 0.01, 0.03, 0.07, 0.13, 0.2,  
                                            0.61,  0.71, 0.8,  0.87, 0.93, 0.97, 0.99, 0.997};
 constexpr int roll_halvings = 12;
 
-bool rolls_free(const model::Model& model, const model::Carriage& car) {
-  const model::Reeving& rides = model.reevings[at(car.reeving)];
+bool rolls_free(const machine::Model& model, const machine::Carriage& car) {
+  const machine::Reeving& rides = model.reevings[at(car.reeving)];
   if (car.mainline >= 0 || car.haulback >= 0 || car.grip_reeving >= 0) return false;
-  if (rides.nodes[at(car.node)].kind != model::NodeKind::contact) return false;
-  for (const model::Reeving& rope : model.reevings) {
-    for (const model::Node& node : rope.nodes) {
+  if (rides.nodes[at(car.node)].kind != machine::NodeKind::contact) return false;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
       // a rope fixed to it, or over a sheave on it, may hold it
-      const bool own = &rope == &rides && node.kind == model::NodeKind::contact;
+      const bool own = &rope == &rides && node.kind == machine::NodeKind::contact;
       if (node.at.body == car.body && !own) return false;
     }
   }
   return true;
 }
 
-std::string runs_to(const model::Model& model, const model::Carriage& car, const model::Node& first,
-                    const model::Node& last, const std::string& end) {
+std::string runs_to(const machine::Model& model, const machine::Carriage& car, const machine::Node& first,
+                    const machine::Node& last, const std::string& end) {
   return fmt::format(
       "nothing holds carriage '{}' on '{}', and nowhere between '{}' and '{}' does it stand by itself: it runs to {}; "
       "give "
@@ -42,28 +42,28 @@ std::string runs_to(const model::Model& model, const model::Carriage& car, const
 
 /// The neighbours of a carriage on its rope.
 struct Neighbours {
-  const model::Node *first, *last;
+  const machine::Node *first, *last;
 };
 
-Neighbours neighbours(const model::Model& model, const model::Carriage& car) {
-  const model::Reeving& rope = model.reevings[at(car.reeving)];
+Neighbours neighbours(const machine::Model& model, const machine::Carriage& car) {
+  const machine::Reeving& rope = model.reevings[at(car.reeving)];
   const std::size_t count = rope.nodes.size();
   return {&rope.nodes[(at(car.node) + count - 1) % count], &rope.nodes[at(car.node + car.rollers) % count]};
 }
 
 class Roll {
  public:
-  Roll(const model::Model& model, int carriage, EquilibriumOptions options)
+  Roll(const machine::Model& model, int carriage, EquilibriumOptions options)
       : model_(model), options_(std::move(options)), car_(model.carriages[at(carriage)]) {
     options_.band = false;
     options_.held = true;
-    options_.prescribed = Prescribed{carriage, 0};
+    options_.prescribed = machine::Prescribed{carriage, 0};
     const Neighbours beside = neighbours(model, car_);
     first_ = beside.first;
     last_ = beside.last;
-    const model::State start = model::initial_state(model);
-    from_ = model::in_ground(start, first_->at);
-    chord_ = model::in_ground(start, last_->at) - from_;
+    const machine::State start = machine::initial_state(model);
+    from_ = machine::in_ground(start, first_->at);
+    chord_ = machine::in_ground(start, last_->at) - from_;
     chord_.z() = 0;
     if (chord_.norm() > 0) options_.prescribed->along = chord_.normalized();
   }
@@ -104,7 +104,7 @@ class Roll {
   }
 
   /// The state near where the force changes its sign.
-  std::optional<model::State> halved(double low, double high) {
+  std::optional<machine::State> halved(double low, double high) {
     for (int i = 0; i < roll_halvings; ++i) {
       const double middle = (low + high) / 2;
       const double force = hold(middle);
@@ -114,17 +114,17 @@ class Roll {
     return near_;
   }
 
-  const model::Model& model_;
+  const machine::Model& model_;
   EquilibriumOptions options_;
-  const model::Carriage& car_;
-  const model::Node *first_ = nullptr, *last_ = nullptr;
+  const machine::Carriage& car_;
+  const machine::Node *first_ = nullptr, *last_ = nullptr;
   Vector3 from_ = Vector3::Zero(), chord_ = Vector3::Zero();
-  std::optional<model::State> near_;
+  std::optional<machine::State> near_;
 };
 
 }  // namespace
 
-std::optional<Rest> roll_to_rest(const model::Model& model, const EquilibriumOptions& options) {
+std::optional<Rest> roll_to_rest(const machine::Model& model, const EquilibriumOptions& options) {
   for (std::size_t i = 0; i < model.carriages.size(); ++i) {
     if (!rolls_free(model, model.carriages[i])) continue;
     const auto index = static_cast<int>(i);
@@ -133,12 +133,12 @@ std::optional<Rest> roll_to_rest(const model::Model& model, const EquilibriumOpt
   return std::nullopt;
 }
 
-std::string rolled_away(const model::Model& model, const model::State& state) {
-  for (const model::Carriage& car : model.carriages) {
+std::string rolled_away(const machine::Model& model, const machine::State& state) {
+  for (const machine::Carriage& car : model.carriages) {
     if (!rolls_free(model, car)) continue;
     const Neighbours beside = neighbours(model, car);
-    const Vector3 from = model::in_ground(state, beside.first->at);
-    Vector3 way = model::in_ground(state, beside.last->at) - from;
+    const Vector3 from = machine::in_ground(state, beside.first->at);
+    Vector3 way = machine::in_ground(state, beside.last->at) - from;
     way.z() = 0;
     const double passed = (state.bodies[at(car.body)].position - from).dot(way);
     if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) continue;
@@ -148,4 +148,4 @@ std::string rolled_away(const model::Model& model, const model::State& state) {
   return {};
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

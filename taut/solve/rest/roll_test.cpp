@@ -10,13 +10,13 @@
 namespace roll_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 constexpr double g = 9.80665;
 
 /// A free carriage on a span of this rise.
-model::Model free_carriage(double rise, double length, double mass) {
-  model::Model m;
+machine::Model free_carriage(double rise, double length, double mass) {
+  machine::Model m;
   m.bodies.push_back(body("car", {50, 0, 10}, mass, "xyz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 0}), over("car", origin, 0), anchor("tail", {100, 0, rise})}, length, 15, 2e7));
@@ -27,7 +27,7 @@ model::Model free_carriage(double rise, double length, double mass) {
 TEST(FreeRolling, StandsWhereTheBisectorIsUpright) {
   for (const double rise : {0.0, 10.0, 25.0, -25.0}) {
     for (const double excess : {1.02, 1.1, 1.3}) {
-      const model::Model m = free_carriage(rise, excess * std::hypot(100, rise), 2000);
+      const machine::Model m = free_carriage(rise, excess * std::hypot(100, rise), 2000);
       const EquilibriumResult r = equilibrium(m);
       if (!r.outcome.ok()) {
         // only where the rope has no lowest point within the span

@@ -11,18 +11,18 @@
 
 #include "taut/math/index.hpp"
 
-namespace taut::analysis {
+namespace taut::solve {
 namespace {
 
 using Sides = std::vector<std::vector<int>>;
 
 constexpr double hardly_bent = 1e-9;  ///< rad
 
-Sides sides_of(const model::Model& model) {
+Sides sides_of(const machine::Model& model) {
   Sides sides;
-  for (const model::Reeving& rope : model.reevings) {
+  for (const machine::Reeving& rope : model.reevings) {
     std::vector<int>& own = sides.emplace_back();
-    for (const model::Node& node : rope.nodes) own.push_back(node.side);
+    for (const machine::Node& node : rope.nodes) own.push_back(node.side);
   }
   return sides;
 }
@@ -49,15 +49,15 @@ double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
 }
 
 /// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
-double outside(const model::Model& model, const model::State& state, const ContactResult& contact,
+double outside(const machine::Model& model, const machine::State& state, const ContactResult& contact,
                const PassingRope& rope) {
-  const std::vector<model::Node>& nodes = model.reevings[at(contact.reeving)].nodes;
-  const model::Node& node = nodes[at(contact.node)];
-  const Vector3 centre = model::in_ground(state, node.at);
-  const Vector3 in = centre - model::in_ground(state, nodes[at(rope.before->from)].at);
-  const Vector3 out = model::in_ground(state, nodes[at(rope.after->to)].at) - centre;
+  const std::vector<machine::Node>& nodes = model.reevings[at(contact.reeving)].nodes;
+  const machine::Node& node = nodes[at(contact.node)];
+  const Vector3 centre = machine::in_ground(state, node.at);
+  const Vector3 in = centre - machine::in_ground(state, nodes[at(rope.before->from)].at);
+  const Vector3 out = machine::in_ground(state, nodes[at(rope.after->to)].at) - centre;
   Vector3 axis = node.side < 0 ? Vector3(-node.axis) : node.axis;
-  if (node.at.body != model::ground) axis = state.bodies[at(node.at.body)].orientation * axis;
+  if (node.at.body != machine::ground) axis = state.bodies[at(node.at.body)].orientation * axis;
   // the wrap of a rope without radii, with the sag that it has
   const double wrap = contact.wrap - 2 * std::numbers::pi * node.turns;
   const double bend = wrap - turn_about(axis, rope.before->end - rope.before->start, in) +
@@ -69,8 +69,8 @@ double outside(const model::Model& model, const model::State& state, const Conta
 }
 
 /// The state with the rope beside a sheave to be found anew.
-model::State turned_over(const model::Model& model, model::State state, const WrongSide& wrong) {
-  std::vector<model::BranchState>& branches = state.branches[at(wrong.reeving)];
+machine::State turned_over(const machine::Model& model, machine::State state, const WrongSide& wrong) {
+  std::vector<machine::BranchState>& branches = state.branches[at(wrong.reeving)];
   const std::vector<bool>& touched = state.touched[at(wrong.reeving)];
   const auto count = static_cast<int>(model.reevings[at(wrong.reeving)].nodes.size());
   int before = (wrong.node + count - 1) % count;
@@ -82,9 +82,9 @@ model::State turned_over(const model::Model& model, model::State state, const Wr
 }
 
 /// Not ok where a rope would have to be pressed towards a sheave from outside.
-Outcome presses_inwards(const model::Model& model, const EquilibriumResult& result) {
+Outcome presses_inwards(const machine::Model& model, const EquilibriumResult& result) {
   for (const ContactResult& c : result.contacts) {
-    const model::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    const machine::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
     if (!node.side_open || c.wrap >= -hardly_bent || c.force.norm() == 0) continue;
     return infeasible(
         fmt::format("rope '{}' finds no side of '{}': on both it would have to be pressed towards the sheave from "
@@ -96,16 +96,16 @@ Outcome presses_inwards(const model::Model& model, const EquilibriumResult& resu
 
 }  // namespace
 
-bool has_open_sides(const model::Model& model) {
-  return std::any_of(model.reevings.begin(), model.reevings.end(), [](const model::Reeving& rope) {
-    return std::any_of(rope.nodes.begin(), rope.nodes.end(), [](const model::Node& n) { return n.side_open; });
+bool has_open_sides(const machine::Model& model) {
+  return std::any_of(model.reevings.begin(), model.reevings.end(), [](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(), [](const machine::Node& n) { return n.side_open; });
   });
 }
 
-std::optional<WrongSide> wrong_side(const model::Model& model, const EquilibriumResult& result) {
+std::optional<WrongSide> wrong_side(const machine::Model& model, const EquilibriumResult& result) {
   std::optional<WrongSide> worst;
   for (const ContactResult& contact : result.contacts) {
-    const model::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    const machine::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
     if (!node.side_open || contact.state == ContactState::lifted) continue;
     const PassingRope rope = passing_rope(result, contact);
     if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
@@ -116,11 +116,11 @@ std::optional<WrongSide> wrong_side(const model::Model& model, const Equilibrium
 }
 
 EquilibriumResult on_inner_sides(
-    const model::Model& model, const std::optional<model::State>& start,
-    const std::function<EquilibriumResult(const model::Model&, const std::optional<model::State>&)>& solve) {
+    const machine::Model& model, const std::optional<machine::State>& start,
+    const std::function<EquilibriumResult(const machine::Model&, const std::optional<machine::State>&)>& solve) {
   if (!has_open_sides(model)) return solve(model, start);
-  model::Model sided = start ? model::with_sides(model, *start) : model;
-  std::optional<model::State> near = start;
+  machine::Model sided = start ? machine::with_sides(model, *start) : model;
+  std::optional<machine::State> near = start;
   std::vector<Sides> tried;
   std::optional<std::pair<EquilibriumResult, double>> best;
   int steps = 0;
@@ -142,4 +142,4 @@ EquilibriumResult on_inner_sides(
   return std::move(best->first);
 }
 
-}  // namespace taut::analysis
+}  // namespace taut::solve

@@ -9,13 +9,13 @@
 namespace sides_test {
 
 using namespace taut_test;
-using namespace taut::analysis;
+using namespace taut::solve;
 
 constexpr double g = taut::standard_gravity;
 
 EquilibriumOptions put_at(double x) {
   EquilibriumOptions options;
-  options.prescribed = Prescribed{0, x};
+  options.prescribed = machine::Prescribed{0, x};
   options.band = false;
   return options;
 }
@@ -35,7 +35,7 @@ TEST(Sides, FollowFromTheAnswerAndNotFromTheFirstGuess) {
 }
 
 TEST(Sides, AGivenOneStays) {
-  model::Model m = downhill(-6, -1);
+  machine::Model m = downhill(-6, -1);
   m.reevings[0].nodes[2].side_open = false;
   const EquilibriumResult r = equilibrium(m, put_at(61.76));
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
@@ -46,8 +46,8 @@ TEST(Sides, AGivenOneStays) {
 TEST(Sides, MirroredItIsTheOtherOne) {
   for (const double diameter : {0.3, 1.0, 4.0}) {
     const EquilibriumResult r = equilibrium(downhill(-6, 1, diameter), put_at(61.76));
-    model::Model mirrored = downhill(-6, 1, diameter);
-    for (model::Node& node : mirrored.reevings[0].nodes) node.at.at.x() *= -1;
+    machine::Model mirrored = downhill(-6, 1, diameter);
+    for (machine::Node& node : mirrored.reevings[0].nodes) node.at.at.x() *= -1;
     mirrored.bodies[0].position.x() *= -1;
     const EquilibriumResult other = equilibrium(mirrored, put_at(-61.76));
     ASSERT_TRUE(r.outcome.ok() && other.outcome.ok()) << r.outcome.message << other.outcome.message;
@@ -60,10 +60,10 @@ TEST(Sides, AMotionBeginsOnThem) {
   // the block comes to rest right of the line from head to end, although it is described left of it
   std::vector<double> tension;
   for (const double x : {-3.0, 3.0}) {
-    model::Model m;
+    machine::Model m;
     m.bodies.push_back(body("block", {x, 0, 2}, 300, "xz"));
-    std::vector<model::Node> nodes{anchor("head", {0, 0, 12}), sheave("block", origin, 0.2, x < 0 ? -1 : 1, 1, 0),
-                                   anchor("end", {8, 0, 12})};
+    std::vector<machine::Node> nodes{anchor("head", {0, 0, 12}), sheave("block", origin, 0.2, x < 0 ? -1 : 1, 1, 0),
+                                     anchor("end", {8, 0, 12})};
     nodes[1].side_open = true;
     m.reevings.push_back(reeve("hoist", nodes, 24, 0.5 * g, 4e6));
     const EquilibriumResult r = equilibrium(m);

@@ -1,6 +1,6 @@
 #include "taut/study/requests/analysis_requests.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
 constexpr double farthest = 1e6;
@@ -289,4 +289,4 @@ const Description& SweepRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

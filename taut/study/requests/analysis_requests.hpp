@@ -7,7 +7,7 @@
 #include "taut/study/requests/motion.hpp"
 
 /// What a deck may ask of a machine besides equilibria and load paths: the maps below `analyses`.
-namespace taut::app {
+namespace taut::study {
 
 /// Limits of one rope, or of the pull of one drum, by its name.
 struct RopeLimitRequest {
@@ -134,4 +134,4 @@ struct SweepRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -1,6 +1,6 @@
 #include "taut/study/requests/machine_analyses.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 const Description& EquilibriumRequest::describe() {
   static const Description d =
@@ -76,4 +76,4 @@ const Description& AnalysisRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -10,7 +10,7 @@
 #include "taut/study/requests/pretension_deck.hpp"
 #include "taut/study/requests/transient_deck.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 struct EquilibriumRequest {
   std::optional<std::string> name;  ///< of its tables, when a deck has several
@@ -53,4 +53,4 @@ struct AnalysisRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

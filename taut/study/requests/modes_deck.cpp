@@ -1,6 +1,6 @@
 #include "taut/study/requests/modes_deck.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 const Description& ModesRequest::describe() {
   using Start = TransientRequest::Start;
@@ -26,4 +26,4 @@ const Description& ModesRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -5,7 +5,7 @@
 #include "taut/calc/field.hpp"
 #include "taut/study/requests/transient_deck.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// Small vibrations of the machine about where its motion would begin.
 struct ModesRequest {
@@ -19,4 +19,4 @@ struct ModesRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

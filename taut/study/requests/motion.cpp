@@ -7,28 +7,28 @@
 
 #include "taut/base/suggest.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
-using analysis::Motion;
+using solve::Motion;
 
-const std::map<std::string, Motion> motions = {{"at_rest", Motion::at_rest},
-                                               {"hoist", Motion::hoist},
-                                               {"lower", Motion::lower},
-                                               {"in", Motion::in},
-                                               {"out", Motion::out}};
+const std::map<std::string, solve::Motion> motions = {{"at_rest", solve::Motion::at_rest},
+                                                      {"hoist", solve::Motion::hoist},
+                                                      {"lower", solve::Motion::lower},
+                                                      {"in", solve::Motion::in},
+                                                      {"out", solve::Motion::out}};
 const std::map<std::string, int> signs = {{"1", 1}, {"+1", 1}, {"+", 1}, {"-1", -1}, {"-", -1}, {"0", 0}};
 
 /// The flow through the contacts of one rope at a motion of the whole machine.
-int flow_of(Motion motion, const model::Reeving& rope) {
-  if (motion == Motion::at_rest) return 0;
-  return motion == Motion::hoist || motion == Motion::in ? rope.haul : -rope.haul;
+int flow_of(solve::Motion motion, const machine::Reeving& rope) {
+  if (motion == solve::Motion::at_rest) return 0;
+  return motion == solve::Motion::hoist || motion == solve::Motion::in ? rope.haul : -rope.haul;
 }
 
-std::vector<std::vector<int>> flow_of(Motion motion, const model::Model& model) {
+std::vector<std::vector<int>> flow_of(solve::Motion motion, const machine::Model& model) {
   std::vector<std::vector<int>> all;
   all.reserve(model.reevings.size());
-  for (const model::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
+  for (const machine::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
   return all;
 }
 
@@ -41,9 +41,9 @@ const Description& MotionRequest::describe() {
   return d;
 }
 
-analysis::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion, const model::Model& model,
-                                        const std::string& path, std::vector<Complaint>& complaints) {
-  analysis::EquilibriumOptions options;
+solve::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion, const machine::Model& model,
+                                     const std::string& path, std::vector<Complaint>& complaints) {
+  solve::EquilibriumOptions options;
   std::vector<std::string> senses;
   senses.reserve(motions.size());
   for (const auto& [name, sense] : motions) senses.push_back(name);
@@ -62,14 +62,14 @@ analysis::EquilibriumOptions options_of(const std::vector<MotionRequest>& motion
       options.motion = named->second;
       continue;
     }
-    if (options.flow.empty()) options.flow = flow_of(Motion::at_rest, model);
+    if (options.flow.empty()) options.flow = flow_of(solve::Motion::at_rest, model);
     bool found = false;
     std::vector<std::string> contacts;
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-      const model::Reeving& rope = model.reevings[r];
+      const machine::Reeving& rope = model.reevings[r];
       for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
-        const model::NodeKind kind = rope.nodes[n].kind;
-        if (kind != model::NodeKind::contact && kind != model::NodeKind::load) continue;
+        const machine::NodeKind kind = rope.nodes[n].kind;
+        if (kind != machine::NodeKind::contact && kind != machine::NodeKind::load) continue;
         contacts.push_back(rope.nodes[n].name);
         if (!one.name.empty() && rope.nodes[n].name != one.name && rope.name != one.name) continue;
         options.flow[r][n] = sign != signs.end() ? sign->second : flow_of(named->second, rope);
@@ -92,4 +92,4 @@ std::string words_of(const std::vector<MotionRequest>& motion) {
   return words.empty() ? "at rest" : words;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

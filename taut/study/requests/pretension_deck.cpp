@@ -1,6 +1,6 @@
 #include "taut/study/requests/pretension_deck.hpp"
 
-namespace taut::app {
+namespace taut::study {
 namespace {
 
 constexpr double pull_strongest = 1e12;
@@ -75,4 +75,4 @@ const Description& PretensionRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -7,7 +7,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/requests/analysis_requests.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// One rope tightened at one of its ends until something is reached.
 struct PullRequest {
@@ -23,7 +23,7 @@ struct PullRequest {
 /// Loads that act together after the ropes are up.
 struct LoadCaseRequest {
   std::string name;
-  std::vector<model::description::Load> loads;  ///< beside those of the machine
+  std::vector<machine::description::Load> loads;  ///< beside those of the machine
   static const Description& describe();
 };
 
@@ -49,4 +49,4 @@ struct PretensionRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

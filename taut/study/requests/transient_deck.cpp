@@ -1,6 +1,6 @@
 #include "taut/study/requests/transient_deck.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 const Description& HoistFactor::describe() {
   using enum Class;
@@ -81,4 +81,4 @@ const Description& TransientRequest::describe() {
   return d;
 }
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -5,7 +5,7 @@
 
 #include "taut/calc/field.hpp"
 
-namespace taut::app {
+namespace taut::study {
 
 /// The dynamic factor of hoisting after EN 13001-2, phi2 = phi2_min + beta2 v_h, against which a rope's is checked.
 struct HoistFactor {
@@ -49,4 +49,4 @@ struct TransientRequest {
   static const Description& describe();
 };
 
-}  // namespace taut::app
+}  // namespace taut::study

@@ -3,7 +3,7 @@
 
 #include "taut/machine/model.hpp"
 
-namespace taut::analysis {
+namespace taut::machine {
 
 /// Where a carriage is to be. What holds it follows from that: of a clamped carriage the place of its clamp, of one
 /// that is fixed to a running rope the place of that grip; else its mainline's length or given tension (its haulback's
@@ -17,4 +17,4 @@ struct Prescribed {
       std::nullopt;  ///< its height, m: the length or tension given of the rope it rides on follows
 };
 
-}  // namespace taut::analysis
+}  // namespace taut::machine
