@@ -19,7 +19,7 @@
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/machine_beams.hpp"

@@ -14,12 +14,26 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
 # The install must not lean on the source tree or the build tree.
+set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt ${CMAKE_CURRENT_LIST_DIR}/main.cpp DESTINATION ${work}/source)
+file(COPY ${root}/examples/cpp/ DESTINATION ${work}/source/programs)
+# The program that the guide shows is one of them.
+file(READ ${root}/docs/guide/cpp.md guide)
+string(REGEX MATCH "```cpp\n([^`]*)```" found "${guide}")
+file(WRITE ${work}/source/programs/guide.cpp "${CMAKE_MATCH_1}")
 run(${CMAKE_COMMAND} -S ${work}/source -B ${work}/build -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
-  -DCMAKE_PREFIX_PATH=${work}/prefix -DWANTED=${VERSION})
+  -DCMAKE_PREFIX_PATH=${work}/prefix -DWANTED=${VERSION} -DPUBLIC_HEADERS=${root}/cmake/public_headers.cmake)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/consumer)
 message("${out}")
 if(NOT out MATCHES "taut ${VERSION}")
   message(FATAL_ERROR "The consumer should name version ${VERSION}")
 endif()
+
+# Each program ends with 0 where its numbers are what they should be.
+file(GLOB programs ${work}/source/programs/*.cpp)
+foreach(file IN LISTS programs)
+  cmake_path(GET file STEM name)
+  run(${work}/build/programs/${name})
+  message("${name}: ${out}")
+endforeach()

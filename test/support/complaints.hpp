@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 /// For the tests of a machine's compilation.
 namespace taut_test {

@@ -3,34 +3,17 @@
 #include <utility>
 #include <vector>
 
-#include "taut/machine/description/machine.hpp"
+#include "taut/machine/builder.hpp"
 
 /// Machines as decks describe them, for the tests of their compilation.
 namespace taut::machine::described {
 
 using description::PathElement;
 
-inline PathElement anchor(const std::string& name) {
-  PathElement e;
-  e.anchor = name;
-  return e;
-}
-inline PathElement over(const std::string& name, int parts = 1, std::vector<std::string> between = {}) {
-  PathElement e;
-  e.over = name;
-  e.parts = parts;
-  e.between = std::move(between);
-  return e;
-}
-inline PathElement through(const std::string& name) {
-  PathElement e;
-  e.through = name;
-  return e;
-}
-inline PathElement drum(const std::string& name) {
-  PathElement e;
-  e.drum = name;
-  return e;
+/// Parallel falls whose second block the compiler finds itself.
+inline PathElement parts(int count, PathElement stop) {
+  stop.parts = count;
+  return stop;
 }
 
 inline description::Rope steel(const std::string& name) {
@@ -68,7 +51,7 @@ inline Machine line() {
   sky.length = 103;
   description::Reeving main;
   main.rope = "main";
-  main.path = {drum("winch"), anchor("car")};
+  main.path = {on_drum("winch"), anchor("car")};
   main.tension_at_start = 5e3;
   m.reevings = {sky, main};
   return m;

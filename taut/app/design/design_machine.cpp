@@ -12,7 +12,7 @@
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 namespace taut::app {
 namespace {

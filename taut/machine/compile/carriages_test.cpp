@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/machine/compile/dragged.hpp"
 
 namespace taut::machine::carriages_test {

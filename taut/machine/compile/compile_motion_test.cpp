@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/machine/state.hpp"
 #include "test/support/complaints.hpp"
 

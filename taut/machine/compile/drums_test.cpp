@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "test/support/complaints.hpp"
 
 namespace drums_test {

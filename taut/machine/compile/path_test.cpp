@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
@@ -49,7 +49,7 @@ TEST(Sides, TheBranchWithTheCarriageIsTheUpperOne) {
 TEST(Sides, ASmallBendTurnsATackleWhereNothingElseDoes) {
   for (const double lead : {0.15, -0.15}) {
     for (const double axis : {1.0, -1.0}) {
-      Machine m = tackle(4, {anchor("lead"), over("head", 4, {"head", "block"}), anchor("pin")});
+      Machine m = tackle(4, {anchor("lead"), falls(4, "head", "block"), anchor("pin")});
       m.points[0].at = {lead, 0, 0};
       m.points[1].at = {0, 0, 9.5};
       for (auto& sheave : m.sheaves) sheave.axis = {0, axis, 0};

@@ -56,7 +56,7 @@ TEST(Room, AnEndlessRopeComesBackToItsDriveFromElsewhere) {
 }
 
 TEST(Room, ATackleTellsAPairOnce) {
-  Machine m = tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")});
+  Machine m = tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")});
   m.bodies[0].at = m.sheaves[0].at;
   const std::string told = complaints_of(m);
   const std::string same = "are at the same place";

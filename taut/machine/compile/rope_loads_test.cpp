@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "test/support/complaints.hpp"
 
 namespace rope_loads_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "test/support/complaints.hpp"
 #include "test/support/described.hpp"
 
@@ -17,7 +17,7 @@ TEST(Names, NamesThatNothingHasAreToldWithoutLookingAtValues) {
   m.carriages[0].mainline = "mian";
   m.carriages[0].rides = "";  // missing: told when it was read
   m.reevings[0].path[2] = over("jak");
-  m.reevings[1].path[0] = drum("winsh");
+  m.reevings[1].path[0] = on_drum("winsh");
   m.loads.push_back({"cart", 100.0, {}});
   m.take_up.push_back({"slide", 100.0, {}});
   description::Guy guy;
@@ -38,7 +38,7 @@ TEST(Names, NamesThatNothingHasAreToldWithoutLookingAtValues) {
             "guys.g.to: there is no point or body 'tial'; did you mean 'tail'?\n"
             "loads[0].at: there is no body, carriage or point 'cart'; did you mean 'car'?\n"
             "take_up[0].body: there is no body or carriage 'slide'\n");
-  for (const Machine& good : {line(), tackle(4, {anchor("lead"), over("head", 4, {"head", "block"}), anchor("eye")})}) {
+  for (const Machine& good : {line(), tackle(4, {anchor("lead"), falls(4, "head", "block"), anchor("eye")})}) {
     EXPECT_EQ(taut_test::lines_of(unknown_names(good)), "");
   }
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 namespace taut::machine::body_on_test {
 

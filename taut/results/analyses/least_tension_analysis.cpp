@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "taut/checks/checked_parts.hpp"
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/study/least_tension.hpp"

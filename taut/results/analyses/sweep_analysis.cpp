@@ -7,7 +7,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"

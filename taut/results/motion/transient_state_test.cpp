@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 namespace taut::results::transient_state_test {
 

@@ -1,4 +1,4 @@
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,18 +50,18 @@ TEST(Compile, ARopeLiesHalfItsDiameterAboveTheDrum) {
 
 TEST(Compile, WritesTacklesOut) {
   const std::vector<std::pair<Machine, std::string>> rows = {
-      {tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")}),
+      {tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")}),
        "lead head block head block head block pin "},
-      {tackle(5, {anchor("lead"), over("head", 5, {"head", "block"}), anchor("eye")}),
+      {tackle(5, {anchor("lead"), falls(5, "head", "block"), anchor("eye")}),
        "lead head block head block head eye "},
-      {tackle(6, {anchor("lead"), over("head"), over("block", 6), anchor("pin")}),
+      {tackle(6, {anchor("lead"), over("head"), parts(6, over("block")), anchor("pin")}),
        "lead head block head block head block pin "},
-      {tackle(6, {anchor("lead"), over("head"), over("block", 6, {"block", "head"}), anchor("pin")}),
+      {tackle(6, {anchor("lead"), over("head"), falls(6, "block", "head"), anchor("pin")}),
        "lead head block head block head block pin "},
-      {tackle(4, {anchor("pin"), over("block", 4), over("head"), anchor("lead")}), "pin block head block head lead "},
-      {tackle(4, {anchor("pin"), over("block", 4, {"block", "head"}), anchor("lead")}),
+      {tackle(4, {anchor("pin"), parts(4, over("block")), over("head"), anchor("lead")}), "pin block head block head lead "},
+      {tackle(4, {anchor("pin"), falls(4, "block", "head"), anchor("lead")}),
        "pin block head block head lead "},
-      {tackle(2, {anchor("pin"), over("block", 2), anchor("lead")}), "pin block lead "},
+      {tackle(2, {anchor("pin"), parts(2, over("block")), anchor("lead")}), "pin block lead "},
   };
   for (const auto& [machine, names] : rows) {
     const auto model = compile(machine);
@@ -91,7 +91,7 @@ TEST(Compile, SidesFollowTheBendAndMirror) {
 }
 
 TEST(Compile, FreedomsGuidesLoadsAndTemperature) {
-  Machine m = tackle(6, {anchor("lead"), over("head", 6, {"head", "block"}), anchor("pin")});
+  Machine m = tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")});
   m.bodies[0].free = {"ry"};
   m.bodies[0].guide = Triple{0, 0, 2};
   m.loads = {{"eye", 100.0, {}}, {"hook", {}, Triple{1, 2, 3}}};
@@ -161,7 +161,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
       {[](Machine& m) { m.reevings[0].path[2] = anchor("head"); }, "reevings[0].path[2]: a rope is fixed at its ends"},
       {[](Machine& m) { m.reevings[0].path[2].parts = 4; }, "reevings[0].path[2].parts: no sheave is beside this one"},
       {[](Machine& m) {
-         m.reevings[0].path[2] = over("jack", 4, {"jack", "jack"});
+         m.reevings[0].path[2] = falls(4, "jack", "jack");
        },
        "path[2].between: two sheaves"},
       {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
@@ -210,7 +210,7 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
     row.spoil(m);
     EXPECT_NE(complaints_of(m).find(row.expected), std::string::npos) << row.expected << "\n" << complaints_of(m);
   }
-  Machine m = tackle(2, {anchor("pin"), over("block", 2), anchor("lead")});
+  Machine m = tackle(2, {anchor("pin"), parts(2, over("block")), anchor("lead")});
   m.bodies[0].free = {"rx", "ry"};
   EXPECT_NE(complaints_of(m).find("bodies.hook.free: one rotation or all three"), std::string::npos);
   m.bodies[0].free = {"x", "x"};

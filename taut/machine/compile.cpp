@@ -1,4 +1,4 @@
-#include "taut/machine/compile/compile.hpp"
+#include "taut/machine/compile.hpp"
 
 #include <fmt/format.h>
 
