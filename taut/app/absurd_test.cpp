@@ -52,13 +52,13 @@ TEST(Absurd, PartsThatNothingUses) {
       "  sheaves: {block: {at: [10 m, 0 m, 5 m], diameter: 400 mm}}\n"
       "  supports: {jack: {body: frame, at: [10 m, 0 m, 5 m], friction: 0.1}}\n"
       "  drums: {winch: {at: [0 m, 0 m, 1 m], core_diameter: 400 mm}}";
-  const std::string told = warned(deck_of(line));
+  const std::string reported = warned(deck_of(line));
   for (const char* part :
        {"sheave 'block' touches no rope", "support 'jack' touches no rope", "drum 'winch' has no rope",
         "point 'spare' is used by nothing", "rope 'hoist' is on no path", "body 'crate' is used by nothing"}) {
-    EXPECT_TRUE(has(told, part)) << part << "\n" << told;
+    EXPECT_TRUE(has(reported, part)) << part << "\n" << reported;
   }
-  EXPECT_FALSE(has(told, "'frame'")) << "the support stands on it\n" << told;
+  EXPECT_FALSE(has(reported, "'frame'")) << "the support stands on it\n" << reported;
 }
 
 TEST(Absurd, WhatIsObservedIsUsed) {
@@ -131,8 +131,9 @@ TEST(Absurd, ASagOfMoreThanHalfTheSpan) {
   Line line;
   line.tail = "[250 m, 0 m, 18 m]";
   line.length = "500 m";
-  const std::string told = warned(deck_of(line));
-  EXPECT_TRUE(has(told, "rope 'skyline' sags by 21") && has(told, "between 'head' and 'tail', 250 m apart")) << told;
+  const std::string reported = warned(deck_of(line));
+  EXPECT_TRUE(has(reported, "rope 'skyline' sags by 21") && has(reported, "between 'head' and 'tail', 250 m apart"))
+      << reported;
   line.length = "300 m";
   EXPECT_FALSE(has(warned(deck_of(line)), "sags")) << warned(deck_of(line));
 }

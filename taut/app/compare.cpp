@@ -317,9 +317,9 @@ Result compare(const Job& job) {
   tell_misses(rows, Display(), r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;
-    std::string told = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck
-    if (std::find(r.warnings.begin(), r.warnings.end(), told) == r.warnings.end())
-      r.warnings.push_back(std::move(told));
+    std::string reported = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck
+    if (std::find(r.warnings.begin(), r.warnings.end(), reported) == r.warnings.end())
+      r.warnings.push_back(std::move(reported));
   }
   for (const std::string& erratum : set.errata)
     r.assumptions.push_back(fmt::format("Erratum of the source: {}", erratum));

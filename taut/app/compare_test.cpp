@@ -85,15 +85,15 @@ TEST_F(Compare, WhatIsMissingFails) {
 }
 
 TEST_F(Compare, MistakesAreToldAtTheirPlace) {
-  const auto told = [&](const std::string& values) { return to_text(run(values).errors); };
-  EXPECT_NE(told("    - {what: a, deck: hung.yaml, value: T_max}\n").find("can't be read: No such file"),
+  const auto reported = [&](const std::string& values) { return to_text(run(values).errors); };
+  EXPECT_NE(reported("    - {what: a, deck: hung.yaml, value: T_max}\n").find("can't be read: No such file"),
             std::string::npos);
   EXPECT_NE(
-      told("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n").find("6:62: error: published: "),
+      reported("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n").find("6:62: error: published: "),
       std::string::npos)
-      << told("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n");
-  EXPECT_NE(told("    - {what: a, deck: hanging.yaml}\n").find("lacks 'value'"), std::string::npos);
-  EXPECT_NE(told("    - {what: a, deck: hanging.yaml, value: T_max, set: [machine.gravty=1]}\n").find("gravty"),
+      << reported("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n");
+  EXPECT_NE(reported("    - {what: a, deck: hanging.yaml}\n").find("lacks 'value'"), std::string::npos);
+  EXPECT_NE(reported("    - {what: a, deck: hanging.yaml, value: T_max, set: [machine.gravty=1]}\n").find("gravty"),
             std::string::npos);
   write("other.part.yaml", "taut: 1\nmethod: x\n");
   const auto job = taut::app::read_set((folder_ / "other.part.yaml").string());

@@ -201,7 +201,7 @@ TEST(DesignUnknowns, mistakes) {
   expect_mistake(design("unknowns: {cost: {" + weight + "}}"), "give it another name");
 }
 
-// No weight is enough: the nearest is told, in words and as exit code.
+// No weight is enough: the nearest is reported, in words and as exit code.
 TEST(DesignUnknowns, impossible_limits) {
   const Result r = run_text(
       saw(saw_rope, "1 t", "design: {unknowns: {w: {parameter: take_up.slide.weight, from: 1 kg, to: 30 kg}}}"));

@@ -124,7 +124,7 @@ TEST(MachineDrives, ACapstanHoistsTowardsTheEndThatIsHeld) {
   EXPECT_NEAR(cell(r, "drives", "power"), (500 * 9.80665 - 2500) * 0.4, 1e-3);
   std::string by_torque = capstan;
   by_torque.replace(by_torque.find("speed: 0.4 m/s"), 14, "torque: 750 N m");
-  EXPECT_NE(to_text(run_text(by_torque).errors).find("is told length and tension_at_end"), std::string::npos);
+  EXPECT_NE(to_text(run_text(by_torque).errors).find("has length and tension_at_end"), std::string::npos);
   by_torque.replace(by_torque.find(", tension_at_end: 2500 N"), 24, "");
   const Result driven = run_text(by_torque);
   EXPECT_NEAR(cell(driven, "drives", "T_out"), 500 * 9.80665 - 750 / 0.3, 1e-3);

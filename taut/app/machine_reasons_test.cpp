@@ -1,4 +1,4 @@
-// What a deck's author is told: mistakes all at once, answers that nobody meant.
+// What a deck's author reads: mistakes all at once, answers that nobody meant.
 #include <algorithm>
 
 #include "test/support/machine_decks.hpp"

@@ -66,15 +66,16 @@ TEST(Measures, StopAMotion) {
 }
 
 TEST(Measures, MistakesAreToldAtTheirPlace) {
-  const auto told = [](const std::string& measure) { return to_text(run_text(deck("    a: " + measure)).errors); };
-  EXPECT_NE(told("{of: hok.z}").find("machine.measures.a.of: 'hok' names no body"), std::string::npos);
-  EXPECT_NE(told("{of: hook.z, seen_from: arn}").find("there is no body 'arn'; did you mean 'arm'?"),
+  const auto reported = [](const std::string& measure) { return to_text(run_text(deck("    a: " + measure)).errors); };
+  EXPECT_NE(reported("{of: hok.z}").find("machine.measures.a.of: 'hok' names no body"), std::string::npos);
+  EXPECT_NE(reported("{of: hook.z, seen_from: arn}").find("there is no body 'arn'; did you mean 'arm'?"),
             std::string::npos);
-  EXPECT_NE(told("{of: hoist.T_max, seen_from: arm}").find("belongs to a place"), std::string::npos);
-  EXPECT_NE(told("{of: hook.z, offset: 1 kN}").find("machine.measures.a.offset"), std::string::npos);
-  EXPECT_NE(told("{of: hook.z, mean: {from: 2 s, to: 1 s}}").find("must not be below 'from'"), std::string::npos);
-  EXPECT_NE(told("{of: hook.z, mean: {from: 2 m, to: 3 m}}").find("machine.measures.a.mean.from"), std::string::npos);
-  EXPECT_NE(told("{of: hook.z, value: mean}").find("a mean needs 'mean'"), std::string::npos);
+  EXPECT_NE(reported("{of: hoist.T_max, seen_from: arm}").find("belongs to a place"), std::string::npos);
+  EXPECT_NE(reported("{of: hook.z, offset: 1 kN}").find("machine.measures.a.offset"), std::string::npos);
+  EXPECT_NE(reported("{of: hook.z, mean: {from: 2 s, to: 1 s}}").find("must not be below 'from'"), std::string::npos);
+  EXPECT_NE(reported("{of: hook.z, mean: {from: 2 m, to: 3 m}}").find("machine.measures.a.mean.from"),
+            std::string::npos);
+  EXPECT_NE(reported("{of: hook.z, value: mean}").find("a mean needs 'mean'"), std::string::npos);
   EXPECT_NE(to_text(run_text(deck("    a.b: {of: hook.z}")).errors).find("without blanks, dots and brackets"),
             std::string::npos);
   const taut::Result never = run_text(deck("    a: {of: hook.z, mean: {from: 2 s, to: 3 s}}"));

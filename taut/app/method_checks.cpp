@@ -169,8 +169,8 @@ void add_method_checks(const checks::ChecksRequest& request, const std::vector<r
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
       use.rope = checks::with_request(std::move(use.rope), one);
-      std::vector<Complaint> told_before;
-      checks::add_checks_of(one, use, checks::rope_rules(one, use.rope, {}, told_before), r);
+      std::vector<Complaint> reported_before;
+      checks::add_checks_of(one, use, checks::rope_rules(one, use.rope, {}, reported_before), r);
     }
   }
   checks::add_method_masts(request.masts, r);

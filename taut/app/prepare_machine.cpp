@@ -18,8 +18,8 @@
 #include "taut/io/deck/read.hpp"
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
-#include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/compile.hpp"
+#include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/machine_beams.hpp"
@@ -188,8 +188,8 @@ void solve(const machine::Model& model, results::EquilibriumRun& one) {
   one.model = one.prescribed
                   ? machine::with_carriage_at(model, one.prescribed->carriage, one.prescribed->x, one.prescribed->along)
                   : model;
-  std::vector<Complaint> told_before;
-  solve::EquilibriumOptions options = study::options_of(one.motion, one.model, {}, told_before);
+  std::vector<Complaint> reported_before;
+  solve::EquilibriumOptions options = study::options_of(one.motion, one.model, {}, reported_before);
   options.prescribed = one.prescribed;
   options.held = one.held;
   if (one.given) {
@@ -216,14 +216,14 @@ void solve(const machine::Model& model, results::LoadPathRun& one, study::Watch&
       one.parts.push_back(std::move(part));
       continue;
     }
-    std::vector<Complaint> told_before;
+    std::vector<Complaint> reported_before;
     study::LoadPathOptions options;
     options.carriage = one.carriage;
     options.from = way.x(place.first);
     options.to = way.x(place.last);
     options.steps = std::max(1, place.last - place.first);
     options.along = one.along;
-    options.equilibrium = study::options_of(one.motion, part.model, {}, told_before);
+    options.equilibrium = study::options_of(one.motion, part.model, {}, reported_before);
     options.equilibrium.band = false;
     options.equilibrium.held = one.held;
     options.condition = one.given;
@@ -340,8 +340,8 @@ Result compute(const MachineDeck& deck, results::MachineRun run, const std::func
   return r;
 }
 
-/// A deck whose mistakes are told already, with other numbers than it was read with. One of which a state is missing
-/// can't be judged: it is no choice.
+/// A deck whose mistakes are reported already, with other numbers than it was read with. One of which a state is
+/// missing can't be judged: it is no choice.
 Result compute_again(const MachineDeck& deck, bool checks_only, const std::function<bool(const Progress&)>& progress) {
   auto model = machine::compile(deck.machine);
   if (!model) {

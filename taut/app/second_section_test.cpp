@@ -54,7 +54,7 @@ analyses: [{{equilibrium: {{carriage: car, x: {} m}}}}]
                      x);
 }
 
-std::string told(const std::string& deck) {
+std::string reported(const std::string& deck) {
   const Result r = run(Job{deck, "deck.yaml", {}});
   return fmt::format("{}: {}{}{}", r.status == Status::ok ? "ok" : "no", r.message, to_text(r.errors),
                      r.missing.empty() ? std::string{} : r.missing.front().reason);
@@ -64,7 +64,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(SecondSection, NoPlaceOfItIsPastTheSheave) {
   const auto path = [](const char* to, int steps) {
-    return told(two_sections(
+    return reported(two_sections(
         "200 m", fmt::format("load_path: {{carriage: first, from: 30 m, to: {}, steps: {}, motion: in}}", to, steps)));
   };
   EXPECT_TRUE(has(path("190 m", 8), "ok"));
@@ -76,14 +76,14 @@ TEST(SecondSection, ACarriageOutsideItsRopeIsRefusedByName) {
   for (const char* analysis :
        {"equilibrium: {carriage: first, x: 100 m, z: 10 m}", "equilibrium: {carriage: first, x: 100 m}",
         "load_path: {carriage: first, from: 20 m, to: 40 m, steps: 2}"}) {
-    const std::string words = told(two_sections("-200 m", analysis));
+    const std::string words = reported(two_sections("-200 m", analysis));
     EXPECT_TRUE(has(words, "no: ") && has(words, "'first'") && has(words, "'winch'")) << words;
   }
 }
 
 TEST(SecondSection, ACarriagePastTheNextSheaveIsRefusedByName) {
-  EXPECT_TRUE(has(told(running_skyline(199)), "ok")) << told(running_skyline(199));
-  const std::string words = told(running_skyline(201));
+  EXPECT_TRUE(has(reported(running_skyline(199)), "ok")) << reported(running_skyline(199));
+  const std::string words = reported(running_skyline(201));
   EXPECT_TRUE(has(words, "'car'") && has(words, "'tail_block'")) << words;
 }
 
@@ -113,8 +113,8 @@ analyses: [{{equilibrium: {{motion: in, carriage: car, x: {} m}}}}]
 )",
                        guide, x);
   };
-  EXPECT_TRUE(has(told(haul("[190 m, 0 m, 62 m]", 300)), "ok")) << told(haul("[190 m, 0 m, 62 m]", 300));
-  const std::string words = told(haul("[0 m, 0 m, 10 m]", 300));
+  EXPECT_TRUE(has(reported(haul("[190 m, 0 m, 62 m]", 300)), "ok")) << reported(haul("[190 m, 0 m, 62 m]", 300));
+  const std::string words = reported(haul("[0 m, 0 m, 10 m]", 300));
   EXPECT_TRUE(has(words, "no: ") && has(words, "'drive'") && has(words, "'guide'") && has(words, "0 m apart")) << words;
 }
 

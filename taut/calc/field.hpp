@@ -86,7 +86,7 @@ struct Field {
   std::function<Slot(void*)> slot;
 };
 
-/// A key that a deck may come to have and that taut does not compute yet: told as such, never read.
+/// A key that a deck may come to have and that taut does not compute yet: reported as such, never read.
 struct LaterKey {
   std::string key;
   std::string words;  ///< what it waits for, "contacts come with the dynamics"

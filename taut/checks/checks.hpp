@@ -25,7 +25,7 @@ void finish_checks(const ChecksRequest& request, Result& r);
 // Ropes of a machine: rope_checks.cpp.
 void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints);
-/// All that is to be told of one rope: checks, and what was left out.
+/// All that is to be reported of one rope: checks, and what was left out.
 void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
 /// `uses`: by reeving, over all states that are load cases.
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,

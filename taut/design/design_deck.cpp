@@ -108,7 +108,7 @@ const Description& DesignRequest::describe() {
                  "checks that do not bind the design, by name; they stand in its result all the same")
           .field(&R::refine, "refine",
                  "moves the unknowns on between the places of their grid, to the least or the most reserve")
-          .field(&R::runner_ups, "runner_ups", "", si::one, "choices told on either side of the answer")
+          .field(&R::runner_ups, "runner_ups", "", si::one, "choices listed on either side of the answer")
           .at_least(0)
           .at_most(100)
           .field(&R::most_trials, "most_trials", "", si::one, "after so many choices the search ends")

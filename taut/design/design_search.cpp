@@ -77,7 +77,7 @@ class Searching {
     return cost;
   }
 
-  /// Told before each calculation, and from inside long ones.
+  /// Called before each calculation, and from inside long ones.
   bool go_on() {
     if (found_.ended || !task_.progress) return !found_.ended;
     const double here = static_cast<double>(tried_here_) / most_here_;

@@ -15,7 +15,7 @@ namespace {
 using catalogue::RopeRow;
 using design::SizingCandidate;
 
-constexpr double nearly_active = 0.9;  // utilisation of checks that are told as active
+constexpr double nearly_active = 0.9;  // utilisation of checks that are reported as active
 
 Unit cost_unit(Seek seek) {
   switch (seek) {

@@ -15,7 +15,7 @@ struct SizingTrial {
   std::string governs;     ///< its name, or why there is no equilibrium
   double measured = 0;     ///< what it costs, where only the trial tells
   bool ended = false;      ///< the search is to end; nothing else counts then
-  bool skipped = false;    ///< known to fail without a trial: does not count as one, and is not told
+  bool skipped = false;    ///< known to fail without a trial: does not count as one, and is not reported
 };
 
 struct SizingOptions {

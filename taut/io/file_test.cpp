@@ -113,9 +113,9 @@ TEST_F(File, MessagesTellNothingOfNamedFiles) {
     write("part", text);
     const Diagnostics mistakes = including("part", "taut: 1\n");
     ASSERT_FALSE(mistakes.empty()) << text;
-    const std::string told = to_text(mistakes);
-    EXPECT_EQ(told.find("hidden"), std::string::npos) << told;
-    EXPECT_NE(told.find("part"), std::string::npos) << told;
+    const std::string reported = to_text(mistakes);
+    EXPECT_EQ(reported.find("hidden"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("part"), std::string::npos) << reported;
   }
 }
 

@@ -156,11 +156,11 @@ TEST_F(Folder, FollowsALinkToAFolder) {
 
 TEST_F(Folder, RefusesWhatCannotBeReplacedAsAWhole) {
   const auto refused = [&](const fs::path& folder, const std::string& why) {
-    const std::string told = put(folder, {{"a", "1"}});
-    EXPECT_NE(told.find(why), std::string::npos) << told;
+    const std::string reported = put(folder, {{"a", "1"}});
+    EXPECT_NE(reported.find(why), std::string::npos) << reported;
     const auto before = check_replaceable(folder.string());
     ASSERT_FALSE(before);
-    EXPECT_EQ(before.error(), told);
+    EXPECT_EQ(before.error(), reported);
   };
   write(top_ / "file", "x");
   refused(top_ / "file", "it is a file");

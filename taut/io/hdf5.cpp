@@ -29,7 +29,7 @@ class Handle {
   Close close_;
 };
 
-/// HDF5 prints its errors unless told not to.
+/// HDF5 prints its errors unless asked not to.
 class Silence {
  public:
   Silence() {

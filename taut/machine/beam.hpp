@@ -14,7 +14,7 @@ enum class BeamHold { clamped, hinged };
 /// A piece of a beam between two bodies (or the ground): no force acts between but its own weight.
 struct BeamPiece {
   structure::RodPiece rod;
-  int told_every = 1;  ///< steps of `rod` from one told section to the next; divides their number
+  int section_every = 1;  ///< steps of `rod` from one reported section to the next; divides their number
   Place start, end;
   BeamHold start_hold = BeamHold::clamped, end_hold = BeamHold::clamped;
   /// The section as built, in the frames of the body at its start, of the one at its end, and of the body on which the

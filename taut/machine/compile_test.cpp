@@ -52,15 +52,14 @@ TEST(Compile, WritesTacklesOut) {
   const std::vector<std::pair<Machine, std::string>> rows = {
       {tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")}),
        "lead head block head block head block pin "},
-      {tackle(5, {anchor("lead"), falls(5, "head", "block"), anchor("eye")}),
-       "lead head block head block head eye "},
+      {tackle(5, {anchor("lead"), falls(5, "head", "block"), anchor("eye")}), "lead head block head block head eye "},
       {tackle(6, {anchor("lead"), over("head"), parts(6, over("block")), anchor("pin")}),
        "lead head block head block head block pin "},
       {tackle(6, {anchor("lead"), over("head"), falls(6, "block", "head"), anchor("pin")}),
        "lead head block head block head block pin "},
-      {tackle(4, {anchor("pin"), parts(4, over("block")), over("head"), anchor("lead")}), "pin block head block head lead "},
-      {tackle(4, {anchor("pin"), falls(4, "block", "head"), anchor("lead")}),
+      {tackle(4, {anchor("pin"), parts(4, over("block")), over("head"), anchor("lead")}),
        "pin block head block head lead "},
+      {tackle(4, {anchor("pin"), falls(4, "block", "head"), anchor("lead")}), "pin block head block head lead "},
       {tackle(2, {anchor("pin"), parts(2, over("block")), anchor("lead")}), "pin block lead "},
   };
   for (const auto& [machine, names] : rows) {
@@ -152,18 +151,15 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        "reevings[0].path[2].over: 'head' is a point; here a sheave or support is named"},
       {[](Machine& m) { m.reevings[0].rope = "skylin"; }, "reevings[0].rope: there is no rope 'skylin'; did you mean"},
       {[](Machine& m) { m.reevings[0].length = {}; }, "reevings[0]: needs one of length"},
-      {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: is told length and tension_at_end"},
+      {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: has length and tension_at_end"},
       {[](Machine& m) {
          m.drums[0].drive = description::Drive{{}, {}, "4 kN", description::Brake::open};
        },
-       "reevings[1]: is told tension_at_start and the pull of its first drum"},
+       "reevings[1]: has tension_at_start and the pull of its first drum"},
       {[](Machine& m) { m.reevings[0].path.pop_back(); }, "reevings[0].path[2]: a rope's first and last"},
       {[](Machine& m) { m.reevings[0].path[2] = anchor("head"); }, "reevings[0].path[2]: a rope is fixed at its ends"},
       {[](Machine& m) { m.reevings[0].path[2].parts = 4; }, "reevings[0].path[2].parts: no sheave is beside this one"},
-      {[](Machine& m) {
-         m.reevings[0].path[2] = falls(4, "jack", "jack");
-       },
-       "path[2].between: two sheaves"},
+      {[](Machine& m) { m.reevings[0].path[2] = falls(4, "jack", "jack"); }, "path[2].between: two sheaves"},
       {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
        "carriages.car: the path of the rope it rides on goes past"},
       {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0]: runs over a sheave with a motor: needs two of"},

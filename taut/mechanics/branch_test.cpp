@@ -55,7 +55,7 @@ TEST(Branch, FoundColdBetweenRoundsOfAnySize) {
     if (!b) continue;
     ++found;
     const double size = (c.to.centre - c.from.centre).norm();
-    // the end of the rope, by the forces told, where the tangent points are
+    // the end of the rope, by the given forces, where the tangent points are
     const rope::ExactEnd end = rope::exact_end(b->span.rope, b->span.force);
     const Vector3 chord = static_cast<double>(end.x) * b->span.along + static_cast<double>(end.z) * up();
     EXPECT_LT((c.from.centre + b->offset_from + chord - c.to.centre - b->offset_to).norm(), 1e-10 * size) << seed;

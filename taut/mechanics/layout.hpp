@@ -61,7 +61,7 @@ struct Layout {
   double heaviest = 0;                          ///< largest weight or load, N: a scale
   double length = 0;                            ///< longest span, m: a scale
   double stiffest = 0;                          ///< largest finite EA of a rope, N
-  double loose = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
+  double slack_stiffness = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
 };
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.

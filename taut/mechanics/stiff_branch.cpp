@@ -87,7 +87,7 @@ void pull_straight(const rope::CatenaryRope& rope, double T, Branch& b) {
 }
 
 double stretching(const System& s, const machine::Reeving& rope, double T) {
-  return T > 0 ? rope.stiffness : std::min(rope.stiffness, s.layout.loose);
+  return T > 0 ? rope.stiffness : std::min(rope.stiffness, s.layout.slack_stiffness);
 }
 
 }  // namespace
@@ -197,8 +197,8 @@ void add_stiff_columns(const System& s, int link, const Configuration& c, const 
   rope_at(s, link).weight > 0 ? add_heavy(s, link, c, b, ends, columns, J) : add_line(s, link, c, b, ends, columns, J);
 }
 
-Layout with_forces(Layout layout, const machine::Model& model, double limit, double loose) {
-  layout.loose = loose;
+Layout with_forces(Layout layout, const machine::Model& model, double limit, double slack_stiffness) {
+  layout.slack_stiffness = slack_stiffness;
   layout.stiffest = 0;
   for (Layout::Link& link : layout.links) {
     const machine::Reeving& rope = model.reevings[at(link.reeving)];

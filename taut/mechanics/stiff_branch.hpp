@@ -28,8 +28,8 @@ void add_stiff_columns(const System& system, int link, const Configuration& c, c
                        const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J);
 
 /// The layout with the forces of all branches of ropes stiffer than `limit` (N) among its unknowns. A slack rope
-/// without weight and stiffer than `loose` (N) shares its slack among its branches as one of this EA.
-Layout with_forces(Layout layout, const machine::Model& model, double limit, double loose);
+/// without weight and stiffer than `slack_stiffness` (N) shares its slack among its branches as one of this EA.
+Layout with_forces(Layout layout, const machine::Model& model, double limit, double slack_stiffness);
 
 /// The configuration for it, with the forces that an evaluation by lengths found.
 Configuration with_forces(const System& system, Configuration c, const Evaluation& e);

@@ -52,7 +52,7 @@ double energy_of(const rope::CatenaryRope& rope, const Vector3& from, const Vect
   return rope.weight * rope.length * z + rope::elastic_energy(rope, s->force);
 }
 
-/// A body askew, heavy beside its origin, with a load at its rim, between heavy ropes, one of them doubled.
+/// An inclined body, heavy beside its origin, with a load at its rim, between heavy ropes, one of them doubled.
 TEST(System, BalancesAreTheSlopeOfTheEnergy) {
   machine::Model m;
   machine::Body b = body("body", {4, 1, 5}, 300, "xyzXYZ");

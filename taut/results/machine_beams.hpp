@@ -9,8 +9,8 @@
 /// What a machine's elastic beams add to its result.
 namespace taut::results {
 
-/// Whether a body is told of in tables: sections within beams are not, their free tops are.
-bool told(const machine::Body& body);
+/// Whether a body is listed in tables: sections within beams are not, their free tops are.
+bool is_listed(const machine::Body& body);
 
 /// Of each equilibrium: `beams` (forces, stress and deflection along each beam) and `beam_ends` (largest values,
 /// reactions of what a beam stands on, critical axial force).

@@ -132,8 +132,8 @@ TEST(MachineBeams, StressAboveTheYieldIsACheckThatFails) {
 }
 
 TEST(MachineBeams, MistakesAreToldAtTheirPlace) {
-  const auto mistake = [](const std::string& set, const std::string& told) {
-    expect_mistake(run_text(guyed, {set}), told);
+  const auto mistake = [](const std::string& set, const std::string& reported) {
+    expect_mistake(run_text(guyed, {set}), reported);
   };
   mistake("machine.beams.mast.section=CHS 219.1x88", "no section");
   mistake("machine.beams.mast.steel=S356", "S355");

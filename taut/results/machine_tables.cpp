@@ -115,7 +115,7 @@ Table bodies(const machine::Model& m, const solve::EquilibriumResult& e) {
            {"Rz", si::N}},
           {}};
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
-    if (m.bodies[i].of_rope || !told(m.bodies[i])) continue;
+    if (m.bodies[i].of_rope || !is_listed(m.bodies[i])) continue;
     const auto& [position, orientation] = e.state.bodies[i];
     const Vector3 turn = fixed_angles(orientation);
     const Vector3& hold = e.reactions[i];

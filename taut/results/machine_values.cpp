@@ -15,7 +15,7 @@ void add_places(const MachineRun& run, Result& r) {
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
-    if (body.free.empty() || body.of_rope || !told(body)) continue;
+    if (body.free.empty() || body.of_rope || !is_listed(body)) continue;
     const Vector3& p = first->result.state.bodies[i].position;
     const auto add = [&](const char* axis, double value) {
       const std::string name = fmt::format("{}.{}", body.name, axis);

@@ -214,7 +214,7 @@ TEST(PutUp, AHeldTensionIsSaidAndWarnedOfWhereNothingHoldsIt) {
 TEST(PutUp, RefusesWhatCanNotBePutUp) {
   const auto deck = [](const std::string& install) { return put_up_deck(install, at_rest); };
   expect_mistake(run_text(deck("{tension: 35 kN, with: [cra]}")), "did you mean 'car'?");
-  expect_mistake(run_text(deck("{tension: 35 kN}, length: 380 m")), "is told length and install; give one of them");
+  expect_mistake(run_text(deck("{tension: 35 kN}, length: 380 m")), "has length and install; give one of them");
   expect_mistake(run_text(deck("{at: end}")), "lacks 'tension'");
   expect_mistake(run_text(replaced(deck("{tension: 35 kN, with: [logs]}"), "{at: car, mass: 0 kg}",
                                    "{name: logs, at: car, mass: 9 kg}")),

@@ -91,7 +91,7 @@ TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
   EXPECT_NEAR(value_of(all, "hoist.dynamic_safety_factor"), 160.0 / 97, 1e-12);
 }
 
-// What is asked for and can't be answered is told.
+// What is asked for and can't be answered is reported.
 TEST(RopeCheck, what_no_rule_and_no_drum_answers) {
   RopeRules rules;
   rules.runs = true;
@@ -99,21 +99,21 @@ TEST(RopeCheck, what_no_rule_and_no_drum_answers) {
   rules.layers = Limit{3, "grooved", "user"};
   rules.rated_pull = 50e3;
   RopeUse use = hoist_rope();
-  const auto told = [&](const std::string& words) {
+  const auto reported = [&](const std::string& words) {
     const RopeChecks all = check_rope(use, rules);
     return std::count_if(all.left_out.begin(), all.left_out.end(),
                          [&](const std::string& one) { return one.find(words) != std::string::npos; });
   };
   use.drums.clear();
-  EXPECT_EQ(told("D/d"), 0) << "nobody asked for it";
+  EXPECT_EQ(reported("D/d"), 0) << "nobody asked for it";
   EXPECT_EQ(check_rope(use, rules).remarks.size(), 1U);
-  EXPECT_EQ(told("it ends on no drum"), 3);
+  EXPECT_EQ(reported("it ends on no drum"), 3);
   use.drums = {{"winch", 40e3, 0.01, {}, {}, {}}};
-  EXPECT_EQ(told("'face_width'"), 2);  // the fleet angle is known
+  EXPECT_EQ(reported("'face_width'"), 2);  // the fleet angle is known
   use.drums[0].layers = 2;
-  EXPECT_EQ(told("'face_width'"), 0);
+  EXPECT_EQ(reported("'face_width'"), 0);
   rules.sheave_ratios = {{18, "ladder", "user"}};
-  EXPECT_EQ(told("D/d"), 0);
+  EXPECT_EQ(reported("D/d"), 0);
 }
 
 // phi2 as recalled decides nothing in silence; the peak of a motion has no part of it.

@@ -11,7 +11,7 @@
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 
-/// What is told of a beam in a state set by hand, against the formulas of a cantilever; and each verdict on one.
+/// What is reported of a beam in a state set by hand, against the formulas of a cantilever; and each verdict on one.
 namespace taut::solve::beam_tables_test {
 
 constexpr double h = 9;
@@ -94,11 +94,11 @@ TEST(BeamTables, ForcesOnItsEndsAddUpToItsWeight) {
 /// The message about a beam; empty: it stays.
 std::string verdict(SetByHand& one, double* factor = nullptr) {
   std::vector<BeamResult> results = beam_results(one.system(), one.c);
-  const Outcome told = check_beams(one.system(), one.c, results);
-  EXPECT_EQ(beams_stay(one.system(), one.c).message, told.message);
-  EXPECT_EQ(told.ok(), told.message.empty());
+  const Outcome reported = check_beams(one.system(), one.c, results);
+  EXPECT_EQ(beams_stay(one.system(), one.c).message, reported.message);
+  EXPECT_EQ(reported.ok(), reported.message.empty());
   if (factor) *factor = results.at(0).critical_factor;
-  return told.message;
+  return reported.message;
 }
 
 TEST(BeamTables, ABeamBucklesAtEulersLoadAndNotBefore) {

@@ -6,8 +6,8 @@
 
 namespace taut::solve {
 
-/// What a driven sheave does, docs/theory/drives.md. Forces of all copies together where a torque or a power is told;
-/// tensions of one.
+/// What a driven sheave does, docs/theory/drives.md. Forces of all copies together where a torque or a power is
+/// reported; tensions of one.
 struct DriveResult {
   int reeving = 0, node = 0;
   double T_in = 0, T_out = 0;  ///< N, by the order of the path, centrifugal tension contained

@@ -144,7 +144,7 @@ void accept_lifted(const mechanics::System& system, Solved& s) {
 Iteration come_to_rest(const mechanics::System& system, const machine::State& state,
                        const mechanics::Configuration& start, const EquilibriumOptions& options, Solved& s) {
   constexpr double any = std::numeric_limits<double>::infinity();
-  Iteration it, told;
+  Iteration it, reported;
   std::optional<Solved> ends;
   struct Way {
     double growth, ropes;
@@ -160,13 +160,13 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
     }
     s.outcome = it.converged ? stays(system, s.c, s.e).outcome : Outcome();
     if (it.converged && s.outcome.ok()) return it;
-    if (ends && (told.converged || !it.converged)) continue;
+    if (ends && (reported.converged || !it.converged)) continue;
     ends = s;
-    told = it;
+    reported = it;
   }
   ends->steps = s.steps;
   s = *std::move(ends);
-  return told;
+  return reported;
 }
 
 /// A search for the taut root of a given tension begins on its side.
@@ -406,7 +406,7 @@ void roll(const machine::Model& model, const EquilibriumOptions& options, const 
 struct WithoutMainline {
   std::string why;                          ///< empty for other reasons
   std::optional<machine::State> near = {};  ///< the machine with its mainline straight under the force of the hold
-  bool loose = false;                       ///< that force is none
+  bool no_force = false;                    ///< that force is none
 };
 
 /// The branches of a mainline put into a state of the machine without it, straight under a tension.
@@ -514,7 +514,7 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
     const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why};
     if (found.near) {
       EquilibriumOptions near = options;
-      if (found.loose) near.tolerance = std::max(options.tolerance, no_force);
+      if (found.no_force) near.tolerance = std::max(options.tolerance, no_force);
       machine::State state = *found.near;
       Solved taut = solve_touching(model, state, near, flow);
       if (taut.outcome.ok() && !(deep && deep_mainline_link({model, taut.layout, 0}, taut.c, taut.e) >= 0)) {

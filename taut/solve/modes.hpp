@@ -22,7 +22,7 @@ struct ModesOptions {
 /// with them.
 enum class Sheaves { stuck, released };
 
-/// frequency: |lambda|/2 pi; a mode that does not swing has two real lambdas, each told by itself.
+/// frequency: |lambda|/2 pi; a mode that does not swing has two real lambdas, each reported by itself.
 enum class ModeKind {
   swings,
   creeps,   ///< damped so strongly that it only comes back

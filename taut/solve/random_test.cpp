@@ -91,10 +91,10 @@ RC_GTEST_PROP(RandomMachines, AResultCloses, (unsigned seed)) {
   }
 }
 
-/// A carriage that nothing holds stands somewhere, or the reason says where it runs to: hardly any is told as
+/// A carriage that nothing holds stands somewhere, or the reason says where it runs to: hardly any is reported as
 /// not found.
 TEST(RandomMachines, AFreeCarriageStandsOrRunsToAnEnd) {
-  int lines = 0, told = 0, unknown = 0;
+  int lines = 0, reported = 0, unknown = 0;
   for (unsigned seed = 0; lines < 600; ++seed) {
     const Line line = random_line(seed);
     if (line.model.bodies.empty() || line.options.prescribed) continue;
@@ -102,10 +102,10 @@ TEST(RandomMachines, AFreeCarriageStandsOrRunsToAnEnd) {
     const EquilibriumResult r = equilibrium(line.model, line.options);
     if (r.outcome.ok()) continue;
     const bool runs = r.outcome.message.find("it runs to the end at") != std::string::npos;
-    ++(runs ? told : unknown);
+    ++(runs ? reported : unknown);
   }
   EXPECT_LE(unknown, 1);
-  EXPECT_GT(told, 20);
+  EXPECT_GT(reported, 20);
 }
 
 /// Without what may be impossible (a carriage that rolls away or is pushed) there is an answer, and it is found: all

@@ -41,7 +41,7 @@ SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c
   return r;
 }
 
-/// How far the end of a branch, at the force told, is from where it should be, m.
+/// How far the end of a branch, at the given force, is from where it should be, m.
 double open_end(const mechanics::Branch& b) {
   if (b.span.rope.weight == 0) return b.closure;
   const rope::ExactEnd end = rope::exact_end(b.span.rope, b.span.force);

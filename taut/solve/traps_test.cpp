@@ -12,7 +12,7 @@ namespace traps_test {
 using namespace taut_test;
 using namespace taut::solve;
 
-/// A loaded line of two spans, its ends and its middle support at the heights told.
+/// A loaded line of two spans, its ends and its middle support at the given heights.
 machine::Model line(double start, double middle, double end) {
   machine::Model m;
   m.bodies.push_back(body("car", {60, 0, (start + middle) / 2 - 4}, 1500, "xyz"));

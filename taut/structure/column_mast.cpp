@@ -15,8 +15,8 @@ namespace {
 using catalogue::SectionRow;
 
 constexpr int parts_of_taper = 8;
-constexpr double least_slice = 1e-3;    // of the height
-constexpr std::size_t told_every = 12;  // of the 96 steps of a column's piece
+constexpr double least_slice = 1e-3;       // of the height
+constexpr std::size_t section_every = 12;  // of the 96 steps of a column's piece
 
 enum class Plane { y, z };
 
@@ -153,9 +153,9 @@ double most_bent(const std::vector<ColumnPoint>& points) {
 }
 
 /// Indices that become stations: of each slice its ends, some between, and where it is bent most either way.
-std::vector<std::size_t> told_points(const std::vector<ColumnPoint>& y, const std::vector<ColumnPoint>& z,
-                                     std::size_t of_slice) {
-  std::vector<std::size_t> told;
+std::vector<std::size_t> reported_points(const std::vector<ColumnPoint>& y, const std::vector<ColumnPoint>& z,
+                                         std::size_t of_slice) {
+  std::vector<std::size_t> reported;
   for (std::size_t first = 0; first < y.size(); first += of_slice) {
     std::size_t most_y = first, most_z = first;
     for (std::size_t i = first; i < first + of_slice; ++i) {
@@ -164,10 +164,10 @@ std::vector<std::size_t> told_points(const std::vector<ColumnPoint>& y, const st
     }
     for (std::size_t i = first; i < first + of_slice; ++i) {
       const bool end = i + 1 == first + of_slice;
-      if (end || (i - first) % told_every == 0 || i == most_y || i == most_z) told.push_back(i);
+      if (end || (i - first) % section_every == 0 || i == most_y || i == most_z) reported.push_back(i);
     }
   }
-  return told;
+  return reported;
 }
 
 /// In the direction of the imperfection that bends it more.
@@ -250,7 +250,7 @@ class Combination {
                                       leans == Plane::y ? "in the plane of the strong axis" : "across it")
                         : c_.words;
     const std::size_t of_slice = y.size() / slices_.size();
-    for (const std::size_t i : told_points(y, z, of_slice)) {
+    for (const std::size_t i : reported_points(y, z, of_slice)) {
       const std::size_t slice = i / of_slice;
       // just above a slice's lower end, just below its upper one
       const double inside = i % of_slice == 0 ? 1e-6 * height() : -1e-6 * height();

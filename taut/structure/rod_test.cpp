@@ -60,13 +60,13 @@ TEST(Rod, RatesAreTheDifferences) {
                                                      : sine_vector(ends[1].axes * ends[0].axes.transpose());
       difference << ends[1].place - ends[0].place, turn, ends[1].force - ends[0].force, ends[1].moment - ends[0].moment;
       difference /= 2 * h;
-      const Eigen::Matrix<double, 12, 1> told = rates.col(column);
+      const Eigen::Matrix<double, 12, 1> reported = rates.col(column);
       for (int block = 0; block < 4; ++block) {
         const double scale =
             1e-12 + rates.middleRows<3>(Eigen::Index{3} * block).cwiseAbs().maxCoeff() * (column < 6 ? 1 : 1e-4);
-        EXPECT_LT((told - difference).segment<3>(Eigen::Index{3} * block).norm(), 3e-7 * scale)
+        EXPECT_LT((reported - difference).segment<3>(Eigen::Index{3} * block).norm(), 3e-7 * scale)
             << "column " << column << " block " << block << "\n"
-            << told.transpose() << "\n"
+            << reported.transpose() << "\n"
             << difference.transpose();
       }
     }

@@ -38,7 +38,7 @@ study::LoadPathOptions path_over(const Way& way, const WayPart& part);
 /// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
 Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints);
 
-/// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, told once.
+/// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, reported once.
 void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints);
 
 }  // namespace taut::study

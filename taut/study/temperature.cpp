@@ -39,9 +39,10 @@ void set_temperature(machine::Model& model, const machine::Machine& machine, dou
 void require_references(const machine::Machine& machine, const std::string& path, std::vector<Complaint>& complaints) {
   for (const auto& rope : machine.ropes) {
     if (reference_of(machine, rope)) continue;
-    complaints.push_back({path, fmt::format("the length of rope '{}' holds at no temperature that is told: give the "
-                                            "machine a 'temperature' or the rope a 'reference_temperature'",
-                                            rope.name)});
+    complaints.push_back(
+        {path, fmt::format("the length of rope '{}' holds at no temperature that is reported: give the "
+                           "machine a 'temperature' or the rope a 'reference_temperature'",
+                           rope.name)});
   }
 }
 

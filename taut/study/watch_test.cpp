@@ -36,12 +36,12 @@ std::string words_of(const Cell& cell) {
   return std::get<std::string>(cell);
 }
 
-Result run_until(const std::string& analysis, std::size_t last, std::vector<Progress>& told) {
+Result run_until(const std::string& analysis, std::size_t last, std::vector<Progress>& reported) {
   app::Job job;
   job.text = skyline_deck("  - " + analysis);
-  job.progress = [&told, last](const Progress& p) {
-    told.push_back(p);
-    return told.size() < last;
+  job.progress = [&reported, last](const Progress& p) {
+    reported.push_back(p);
+    return reported.size() < last;
   };
   return app::run(job);
 }
@@ -49,28 +49,28 @@ Result run_until(const std::string& analysis, std::size_t last, std::vector<Prog
 TEST(Watch, TellsEveryStateOfALongAnalysis) {
   for (const Asked& one : asked()) {
     SCOPED_TRACE(one.what);
-    std::vector<Progress> told;
-    const Result r = run_until(one.analysis, 1000, told);
+    std::vector<Progress> reported;
+    const Result r = run_until(one.analysis, 1000, reported);
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     EXPECT_FALSE(r.interrupted);
-    ASSERT_GE(told.size(), one.states);
-    ASSERT_LE(told.size(), one.times * one.states);
-    for (std::size_t i = 0; i < told.size(); ++i) {
-      EXPECT_EQ(told[i].what, one.what);
-      EXPECT_NEAR(told[i].done, static_cast<double>(i) / static_cast<double>(one.times * one.states), 1e-12);
-      EXPECT_FALSE(told[i].words.empty());
+    ASSERT_GE(reported.size(), one.states);
+    ASSERT_LE(reported.size(), one.times * one.states);
+    for (std::size_t i = 0; i < reported.size(); ++i) {
+      EXPECT_EQ(reported[i].what, one.what);
+      EXPECT_NEAR(reported[i].done, static_cast<double>(i) / static_cast<double>(one.times * one.states), 1e-12);
+      EXPECT_FALSE(reported[i].words.empty());
     }
   }
 }
 
 TEST(Watch, OfACycleTheFinishedPhasesStay) {
   const Asked& cycle = *std::find_if(asked().begin(), asked().end(), [](const Asked& one) { return one.times > 1; });
-  std::vector<Progress> told;
-  const Result whole = run_until(cycle.analysis, 1000, told);
-  const std::size_t all = told.size();
+  std::vector<Progress> reported;
+  const Result whole = run_until(cycle.analysis, 1000, reported);
+  const std::size_t all = reported.size();
   for (const std::size_t left : {std::size_t{1}, std::size_t{11}}) {
-    told.clear();
-    const Result r = run_until(cycle.analysis, all - left + 1, told);
+    reported.clear();
+    const Result r = run_until(cycle.analysis, all - left + 1, reported);
     EXPECT_EQ(exit_code(r), 130);
     const Table& positions = table_of(r, "cycle");
     EXPECT_EQ(positions.rows.size(), 10U) << "of the second phase nothing: its senses were not known yet";
@@ -87,12 +87,13 @@ TEST(Watch, WhatWasComputedBeforeStays) {
   for (const Asked& one : asked()) {
     SCOPED_TRACE(one.what);
     for (const std::size_t last : {std::size_t{1}, std::size_t{5}, one.states}) {
-      std::vector<Progress> told;
-      const Result r = run_until(one.analysis, last, told);
+      std::vector<Progress> reported;
+      const Result r = run_until(one.analysis, last, reported);
       EXPECT_TRUE(r.interrupted);
       EXPECT_EQ(exit_code(r), 130);
-      EXPECT_EQ(told.size(), last) << "asked no more";
-      EXPECT_NE(r.message.find(one.what + ": interrupted before " + told.back().words), std::string::npos) << r.message;
+      EXPECT_EQ(reported.size(), last) << "asked no more";
+      EXPECT_NE(r.message.find(one.what + ": interrupted before " + reported.back().words), std::string::npos)
+          << r.message;
       const Table* t = r.find_table(one.table);
       if (last == 1) {
         EXPECT_TRUE(t == nullptr || t->rows.empty());
@@ -113,10 +114,10 @@ TEST(Watch, WhatWasComputedBeforeStays) {
 }
 
 TEST(Watch, NothingIsBegunBehindAnInterruption) {
-  std::vector<Progress> told;
-  const Result r = run_until(asked()[0].analysis + "\n  - " + asked()[1].analysis, 3, told);
+  std::vector<Progress> reported;
+  const Result r = run_until(asked()[0].analysis + "\n  - " + asked()[1].analysis, 3, reported);
   EXPECT_EQ(r.find_table("payload"), nullptr);
-  EXPECT_EQ(told.size(), 3U);
+  EXPECT_EQ(reported.size(), 3U);
 }
 
 }  // namespace taut::study::watch_test

@@ -110,7 +110,7 @@ input: {cutting_force: 4 kN, friction: 0.35, wrap: 180 deg, rope_mass: 0.6 kg/m,
 TEST(RopeSawMotion, MistakesAreTold) {
   Saw k;
   k.analyses = in_time;
-  const auto told = [&](const std::string& set) {
+  const auto reported = [&](const std::string& set) {
     taut::app::Job job;
     job.text = R"(taut: 1
 machine:
@@ -125,10 +125,10 @@ analyses: [transient: {duration: 0.1 s}]
     job.set = {set};
     return to_text(taut::app::run(job).errors);
   };
-  EXPECT_EQ(told("machine.ropes.saw.damping_time=1 ms"), "");
-  EXPECT_EQ(told("machine.reevings[0].segments=4"), "");
-  EXPECT_NE(told("machine.rope_loads[0].signal=3 m/s").find("signal"), std::string::npos);
-  EXPECT_NE(told("machine.rope_loads[0].signal=cuting").find("cuting"), std::string::npos);
+  EXPECT_EQ(reported("machine.ropes.saw.damping_time=1 ms"), "");
+  EXPECT_EQ(reported("machine.reevings[0].segments=4"), "");
+  EXPECT_NE(reported("machine.rope_loads[0].signal=3 m/s").find("signal"), std::string::npos);
+  EXPECT_NE(reported("machine.rope_loads[0].signal=cuting").find("cuting"), std::string::npos);
 }
 
 }  // namespace rope_saw_motion_test

@@ -1,4 +1,4 @@
-// Any text as a deck: it is read, or told what is wrong, and never throws, leaks or takes long.
+// Any text as a deck: it is read, or reported what is wrong, and never throws, leaks or takes long.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -278,8 +278,8 @@ class Laws(unittest.TestCase):
     def test_what_does_not_happen_is_told(self):
         deck = HANGING.replace("HOOK", "150 kg").replace(
             "LOADS", "  events: [{at: 3 s, break: hoist}, {when: hook.z > 11 m, stop: true}]")
-        told = self.run_deck(deck)
-        self.assertEqual(told["warnings"],
+        reported = self.run_deck(deck)
+        self.assertEqual(reported["warnings"],
                          ["transient: 'break hoist' at 3 s does not happen: the motion ends at 1 s"])
         begun = self.run_deck(deck.replace("hook.z > 11 m", "hook.z > 1 m"))
         self.assertEqual(begun["rows"][-1]["t"], 0)

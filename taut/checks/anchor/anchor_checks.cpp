@@ -163,15 +163,15 @@ void check_fastening(const AnchorStates& s, Result& r) {
 }  // namespace
 
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
-  bool told = false;
+  bool reported = false;
   for (const AnchorStates& s : anchors) {
     if (s.force == 0) {
       r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
       r.warnings.push_back(r.unmade.back());
       continue;
     }
-    if (!told) r.assumptions.emplace_back(fastening);
-    told = true;
+    if (!reported) r.assumptions.emplace_back(fastening);
+    reported = true;
     add_anchor_row(s, r);
     check_holding(s, r);
     check_fastening(s, r);

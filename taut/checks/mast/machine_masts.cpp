@@ -113,8 +113,8 @@ class MachineMast {
     for (std::size_t i = 0; i < mast.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck, beams_of(request)[i]);
       lengths_.push_back(model.beams[mast.beams[i]].length);
-      std::vector<Complaint> told_before;
-      report_.materials.push_back(*mast_material(request, *beam.section, steel_of(request, beam), {}, told_before));
+      std::vector<Complaint> reported_before;
+      report_.materials.push_back(*mast_material(request, *beam.section, steel_of(request, beam), {}, reported_before));
     }
   }
 

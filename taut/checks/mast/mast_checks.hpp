@@ -33,7 +33,7 @@ std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const
 
 std::optional<structure::Curve> curve_of(const MastCheckRequest& request);
 
-/// What is to be told of a mast.
+/// What is to be reported of a mast.
 struct MastReport {
   std::string name;
   structure::LoadedMast loaded;

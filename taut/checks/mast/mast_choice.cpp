@@ -11,7 +11,7 @@ namespace {
 
 using catalogue::SectionShape;
 
-constexpr std::size_t told_of_each_shape = 3;
+constexpr std::size_t said_of_each_shape = 3;
 
 std::vector<SectionShape> shapes_of(const SectionChoice& choice) {
   if (choice.shape) return {*choice.shape};
@@ -76,7 +76,7 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
   for (const SectionShape shape : shapes_of(*request.choose)) {
     catalogue::SectionFilter filter = filter_of(*request.choose);
     filter.shape = shape;
-    const auto found = structure::size_mast(catalogue::sections_by_mass(filter), report.in_section, told_of_each_shape);
+    const auto found = structure::size_mast(catalogue::sections_by_mass(filter), report.in_section, said_of_each_shape);
     for (const auto& one : found.passing) table_in(r).rows.push_back(sized_row(report.name, one, height));
     if (!found.passing.empty() && (!best || found.passing[0].section.mass_per_length < best->section.mass_per_length)) {
       best = found.passing[0];

@@ -178,9 +178,10 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   MastReport report;
   report.name = request.name;
   ColumnMast column = own_column(request, loads);
-  std::vector<Complaint> told_before;
+  std::vector<Complaint> reported_before;
   for (const MastPieceRequest& given : pieces_of(request)) {
-    if (auto p = piece_of(request, given, {}, told_before, report.materials)) column.pieces.push_back(*std::move(p));
+    if (auto p = piece_of(request, given, {}, reported_before, report.materials))
+      column.pieces.push_back(*std::move(p));
   }
   structure::ColumnMastResult solved = column_mast(column);
   report.refused = solved.refused;

@@ -105,8 +105,8 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
-      std::vector<Complaint> told_before;
-      add_checks_of(one, use, rope_rules(one, use.rope, {}, told_before), r);
+      std::vector<Complaint> reported_before;
+      add_checks_of(one, use, rope_rules(one, use.rope, {}, reported_before), r);
     }
   }
 }

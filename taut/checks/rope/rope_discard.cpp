@@ -89,12 +89,12 @@ void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Resu
   add_wires(request, use, t);
   add_diameter(use, t);
   for (const RuleRow& row : catalogue::rules_of("discard")) {
-    if (row.low) continue;  // told above
+    if (row.low) continue;  // reported above
     t.rows.push_back({row.item, not_told, not_told, not_told, row.text, trust_words(row)});
   }
   if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
     r.warnings.push_back(fmt::format(
-        "{}: broken wires and lost diameter are told in numbers where 'construction' and 'diameter' are known",
+        "{}: broken wires and lost diameter are reported in numbers where 'construction' and 'diameter' are known",
         use.name));
   }
   r.tables.push_back(std::move(t));

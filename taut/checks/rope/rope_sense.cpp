@@ -143,14 +143,14 @@ void RopeSenses::take(const machine::Model& m, const Running& of, const study::L
 
 std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses) {
   std::string words, signs;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const RopeSense& s : senses) {
     if (!all_against(s)) continue;
     const bool whole_rope = std::all_of(senses.begin(), senses.end(), [&](const RopeSense& other) {
       return other.rope != s.rope || (all_against(other) && other.declared == s.declared);
     });
     const std::string name = whole_rope ? s.rope : s.contact;
-    if (!told.insert(name).second) continue;
+    if (!reported.insert(name).second) continue;
     words += fmt::format(
         "{}{}", words.empty() ? "" : "; ",
         whole_rope ? fmt::format("{} runs {:.4g} m against its motion", s.rope, s.against)

@@ -41,7 +41,7 @@ class RopeUses {
   bool shown_ = false;
   std::vector<rope::RopeUse> uses_;                // without bends
   std::vector<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
-  std::vector<Vector3> axes_;  // of the first round of each rope: the senses of the others are told by it
+  std::vector<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
 };
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck

@@ -1,4 +1,4 @@
-// Bad decks: each is told with file:line:column, none throws.
+// Bad decks: each is reported with file:line:column, none throws.
 #include "taut/io/deck/bad_decks_test.hpp"
 
 #include <gtest/gtest.h>

@@ -91,7 +91,7 @@ Node read_input(const Node& root, bool has_method, Diagnostics& mistakes) {
   empty.kind = Node::Kind::map;
   empty.spot = e != nullptr ? e->key_spot : root.spot;
   if (e == nullptr) {
-    // with a method the fields that it needs are told one by one
+    // with a method the fields that it needs are reported one by one
     if (!has_method) add(mistakes, root.spot, "the deck lacks 'input', the data of the method");
     return empty;
   }
@@ -169,7 +169,7 @@ std::optional<Deck> read_deck(std::string_view text, const std::string& name, co
   resolve_includes(*document, mistakes);
   for (const std::string& one : set) override_value(*document, one, deck_keys, mistakes);
   resolve_parameters(*document, mistakes);
-  // a deck that is not even a map has told its one mistake
+  // a deck that is not even a map has reported its one mistake
   if (document->root.kind != Node::Kind::map) {
     read_deck(*document, methods, mistakes);
     return std::nullopt;

@@ -19,16 +19,16 @@ namespace fs = std::filesystem;
 const std::vector<std::string> methods = {"mast_section", "closed_loop"};
 const std::string good = "taut: 1\nmethod: closed_loop\ninput:\n  span: 1 m\n  rope: {diameter: 2 mm}\n";
 
-struct Told {
+struct Reading {
   std::optional<Deck> deck;
   Sample sample;
   std::string text;
   std::size_t mistakes = 0;
 };
 
-Told read_all(const std::string& text, const std::vector<std::string>& set = {},
-              const std::string& name = "deck.yaml") {
-  Told t;
+Reading read_all(const std::string& text, const std::vector<std::string>& set = {},
+                 const std::string& name = "deck.yaml") {
+  Reading t;
   Diagnostics mistakes;
   t.deck = read_deck(text, name, set, methods, mistakes);
   if (t.deck) read(t.deck->input, Sample::describe(), &t.sample, t.deck->method, mistakes);
@@ -38,7 +38,7 @@ Told read_all(const std::string& text, const std::vector<std::string>& set = {},
 }
 
 TEST(Deck, ReadsItsHead) {
-  const Told t = read_all("title: A loop\ndisplay: {force: kgf}\n" + good);
+  const Reading t = read_all("title: A loop\ndisplay: {force: kgf}\n" + good);
   ASSERT_TRUE(t.deck && t.mistakes == 0) << t.text;
   EXPECT_EQ(t.deck->title, "A loop");
   EXPECT_EQ(t.deck->method, "closed_loop");
@@ -47,7 +47,7 @@ TEST(Deck, ReadsItsHead) {
 }
 
 TEST(Deck, AMachineComesWithItsAnalyses) {
-  const Told t = read_all("taut: 1\nmachine: {gravity: 1}\nanalyses: []\n");
+  const Reading t = read_all("taut: 1\nmachine: {gravity: 1}\nanalyses: []\n");
   ASSERT_TRUE(t.deck);
   EXPECT_TRUE(t.deck->is_machine);
   ASSERT_EQ(t.deck->input.entries.size(), 2U);
@@ -83,13 +83,13 @@ TEST(Deck, TellsWhatIsWrongAroundTheInput) {
       {"hello", "this is a text"},
   };
   for (const auto& [text, expected] : rows) {
-    const Told t = read_all(text);
+    const Reading t = read_all(text);
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
   }
 }
 
 TEST(Override, PutsValuesOverThoseOfTheDeck) {
-  const Told t = read_all(
+  const Reading t = read_all(
       good + "  cases: [{name: a}, {name: b}]\n",
       {"input.span=200 m", "input.cases[1].falls=6", "input.cases.0.falls=8", "input.second_rope.diameter=3 mm",
        "input.positions=[1 m, 2 m]", "input.cases[2].name=c", "input.note=a=b", "title=T"});
@@ -176,13 +176,13 @@ TEST(Override, TellsMistakesInItsOwnText) {
       {"inputs.span=1 m", "--set:1:1: error: 'inputs' is not a key of a deck; did you mean 'input'?"},
   };
   for (const auto& [set, expected] : rows) {
-    const Told t = read_all(good, {set});
+    const Reading t = read_all(good, {set});
     EXPECT_NE(t.text.find(expected), std::string::npos) << set << "\n-> " << t.text;
   }
   std::string deep = "a";
   for (int i = 0; i < 100; ++i) deep += ".a";
   EXPECT_NE(read_all(good, {deep + "=1"}).text.find("nested deeper than 64"), std::string::npos);
-  const Told t = read_all(good + "  cases: [{name: a}]\n", {"input.cases[2].falls=1"});
+  const Reading t = read_all(good + "  cases: [{name: a}]\n", {"input.cases[2].falls=1"});
   EXPECT_NE(t.text.find("--set:1:12: error: the list has 1 entries, the first is [0]"), std::string::npos) << t.text;
 }
 
@@ -199,7 +199,7 @@ class Include : public testing::Test {
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
-  Told run(const std::string& text) { return read_all(text, {}, (folder_ / "deck.yaml").string()); }
+  Reading run(const std::string& text) { return read_all(text, {}, (folder_ / "deck.yaml").string()); }
 
   fs::path folder_;
 };
@@ -208,7 +208,7 @@ TEST_F(Include, TheIncludingDeckWins) {
   write("parts/base.part.yaml",
         "taut: 1\nmethod: mast_section\ninput:\n  span: 7 m\n  friction: 0.2\n  rope: {diameter: 9 mm, strength: 5 "
         "kN}\n");
-  const Told t =
+  const Reading t =
       run("include: parts/base.part.yaml\nmethod: closed_loop\ninput:\n  span: 1 m\n  rope: {diameter: 2 mm}\n");
   ASSERT_EQ(t.mistakes, 0U) << t.text;
   EXPECT_EQ(t.deck->method, "closed_loop");
@@ -222,7 +222,7 @@ TEST_F(Include, ALaterOneWinsOverAnEarlierOneAndEachLooksBesideItself) {
   write("a.yaml", "taut: 1\ninput: {span: 1 m, friction: 0.3}\n");
   write("parts/b.yaml", "include: c.yaml\ninput: {span: 2 m}\n");
   write("parts/c.yaml", "method: closed_loop\ninput: {span: 3 m, rope: {diameter: 4 mm}}\n");
-  const Told t = run("include: [a.yaml, parts/b.yaml]\n");
+  const Reading t = run("include: [a.yaml, parts/b.yaml]\n");
   ASSERT_EQ(t.mistakes, 0U) << t.text;
   EXPECT_DOUBLE_EQ(t.sample.span, 2);
   EXPECT_DOUBLE_EQ(t.sample.friction, 0.3);
@@ -233,7 +233,7 @@ TEST_F(Include, AKeyWithAPlusAddsToTheListBelow) {
   write("a.yaml", "taut: 1\nmethod: closed_loop\ninput:\n  span: 1 m\n  positions: [1 m]\n  rope: {diameter: 4 mm}\n");
   write("b.yaml", "include: a.yaml\ninput: {positions+: [2 m, 3 m]}\n");
   write("c.yaml", "input: {positions+: [4 m], cases+: [{name: one}]}\n");
-  const Told t = run("include: [b.yaml, c.yaml]\ninput: {cases+: [{name: two}]}\n");
+  const Reading t = run("include: [b.yaml, c.yaml]\ninput: {cases+: [{name: two}]}\n");
   ASSERT_EQ(t.mistakes, 0U) << t.text;
   EXPECT_EQ(t.sample.positions, (std::vector<double>{1, 2, 3, 4}));
   ASSERT_EQ(t.sample.cases.size(), 2U);
@@ -243,7 +243,7 @@ TEST_F(Include, AKeyWithAPlusAddsToTheListBelow) {
 
 TEST_F(Include, ValuesKeepTheirOwnFileInMessages) {
   write("a.yaml", "taut: 1\ninput:\n  span: 1\n  spam: 2\n  spam: 3\n");
-  const Told t = run("include: a.yaml\nmethod: closed_loop\ninput: {rope: {diameter: 1}}\n");
+  const Reading t = run("include: a.yaml\nmethod: closed_loop\ninput: {rope: {diameter: 1}}\n");
   EXPECT_NE(t.text.find("a.yaml:3:9: error: span: a length needs"), std::string::npos) << t.text;
   EXPECT_NE(t.text.find("a.yaml:5:3: error: the key '...' stands here a second time"), std::string::npos) << t.text;
   EXPECT_NE(t.text.find("deck.yaml:3:26: error: diameter"), std::string::npos) << t.text;
@@ -273,7 +273,7 @@ TEST_F(Include, TellsWhatCanNotBeIncluded) {
       {"include: [a.yaml, [b.yaml]]", "is expected, not a list"},
   };
   for (const auto& [text, expected] : rows) {
-    const Told t = run(fmt::format("{}\n{}", text, good));
+    const Reading t = run(fmt::format("{}\n{}", text, good));
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
   }
 }

@@ -126,7 +126,7 @@ class Builder : public YAML::EventHandler {
     Node node;
     std::optional<Entry> entry;  ///< map: the entry whose key was read and whose value comes next
     bool block = false;          ///< written by indentation, not in brackets
-    bool drop = false;           ///< that entry is a mistake already told
+    bool drop = false;           ///< that entry is a mistake already reported
     std::unordered_set<std::string> keys;
   };
 
@@ -287,7 +287,7 @@ class Builder : public YAML::EventHandler {
 };
 
 /// What to say of a mistake that the scanner met at `offset`: it may have begun long before, with a bracket or a quote
-/// that is not closed; what was told of the text behind that is not meant.
+/// that is not closed; what was reported of the text behind that is not meant.
 Stop scanner_stop(Document& document, std::string_view text, std::size_t offset, const std::string& message,
                   const Builder& builder) {
   if (message == YAML::ErrorMsg::EOF_IN_SCALAR)

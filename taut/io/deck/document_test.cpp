@@ -8,7 +8,7 @@
 
 namespace taut::io::document_test {
 
-std::string told(const std::string& text) {
+std::string reported(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
   return to_text(d ? d->mistakes : d.error());
 }
@@ -105,7 +105,7 @@ TEST(Document, TellsWhatIsNotADeck) {
        "UTF-16"},
   };
   for (const auto& [text, expected] : rows) {
-    EXPECT_NE(told(text).find(expected), std::string::npos) << text << "\n-> " << told(text);
+    EXPECT_NE(reported(text).find(expected), std::string::npos) << text << "\n-> " << reported(text);
   }
 }
 
@@ -127,24 +127,25 @@ TEST(Document, TellsWhereWhatIsNotClosedWasOpened) {
       {"a: {b: 1,\n    c: [2,\n  3]}\nd: e: f\n", "deck.yaml:4:5: error: a ':' can't stand"},
   };
   for (const auto& [text, expected] : rows) {
-    EXPECT_NE(told(text).find(expected), std::string::npos) << text << "\n-> " << told(text);
+    EXPECT_NE(reported(text).find(expected), std::string::npos) << text << "\n-> " << reported(text);
   }
-  // what the text behind the open bracket seems to do wrong is not told besides
-  const std::string one = told("a: {b: 1\nc: 2\nc: 3\nd: e: f\n");
+  // what the text behind the open bracket seems to do wrong is not reported besides
+  const std::string one = reported("a: {b: 1\nc: 2\nc: 3\nd: e: f\n");
   EXPECT_EQ(one.find("a second time"), std::string::npos) << one;
 }
 
 TEST(Document, RefusesDeepNestingAndAllowsWhatIsBelow) {
   const auto nested = [](std::size_t depth) { return "a: " + std::string(depth, '[') + "1" + std::string(depth, ']'); };
-  EXPECT_EQ(told(nested(63)), "");
-  EXPECT_NE(told(nested(64)).find("nested deeper than 64"), std::string::npos);
+  EXPECT_EQ(reported(nested(63)), "");
+  EXPECT_NE(reported(nested(64)).find("nested deeper than 64"), std::string::npos);
   std::string block;
   for (std::size_t i = 0; i < 70; ++i) block += std::string(i, ' ') + "a:\n";
-  EXPECT_NE(told(block).find("deck.yaml:65:65: error: nested deeper than 64"), std::string::npos) << told(block);
+  EXPECT_NE(reported(block).find("deck.yaml:65:65: error: nested deeper than 64"), std::string::npos)
+      << reported(block);
 }
 
 TEST(Document, RefusesAHugeTextUnread) {
-  EXPECT_NE(told(std::string(17'000'000, 'a')).find("deck.yaml:1:1: error: larger than 16 MB"), std::string::npos);
+  EXPECT_NE(reported(std::string(17'000'000, 'a')).find("deck.yaml:1:1: error: larger than 16 MB"), std::string::npos);
 }
 
 /// Texts that make scanners slow or hungry, grown to 16 MB.

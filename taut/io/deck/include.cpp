@@ -160,7 +160,7 @@ Node merge(Node under, const Node& over) {
     mine.value = merge(std::move(mine.value), e.value);
     mine.key_spot = e.key_spot;
   }
-  // what is missing in the whole is told in the deck that the user runs
+  // what is missing in the whole is reported in the deck that the user runs
   under.spot = over.spot;
   return under;
 }

@@ -112,14 +112,14 @@ TEST(Expression, AValueIsWrittenSoThatItIsReadBackExactly) {
   EXPECT_EQ(to_text(*value_of("sqrt(1 m)")), "");
 }
 
-struct Told {
+struct Reading {
   Sample sample;
   std::string text;
   std::size_t mistakes = 0;
 };
 
-Told run(const std::string& text, const std::vector<std::string>& set = {}, const std::string& name = "deck.yaml") {
-  Told t;
+Reading run(const std::string& text, const std::vector<std::string>& set = {}, const std::string& name = "deck.yaml") {
+  Reading t;
   Diagnostics mistakes;
   const auto deck = read_deck(text, name, set, {"sample"}, mistakes);
   if (deck) read(deck->input, Sample::describe(), &t.sample, "sample", mistakes);
@@ -138,7 +138,7 @@ TEST(Parameters, AreUsedAnywhereInAnyOrder) {
                            "  friction: = mu\n  sheaves: = n\n  stiffness: = stiff\n"
                            "  rope: {diameter: = d, construction: = kind}\n"
                            "  cases:\n    - {name: a, angle: '= atan2(1 m, near)', falls: = 2 * k}\n";
-  const Told t = run(deck);
+  const Reading t = run(deck);
   ASSERT_EQ(t.mistakes, 0U) << t.text;
   EXPECT_DOUBLE_EQ(t.sample.span, 7);
   EXPECT_EQ(t.sample.positions, (std::vector<double>{3, 1, 7}));
@@ -149,7 +149,7 @@ TEST(Parameters, AreUsedAnywhereInAnyOrder) {
   EXPECT_EQ(t.sample.rope.construction, "6x19");
   EXPECT_DOUBLE_EQ(t.sample.cases.at(0).angle, std::atan2(1.0, 3.0));
   EXPECT_EQ(t.sample.cases.at(0).falls, 4);
-  const Told other = run(deck, {"parameters.near=4 m", "input.friction== mu / 2"});
+  const Reading other = run(deck, {"parameters.near=4 m", "input.friction== mu / 2"});
   ASSERT_EQ(other.mistakes, 0U) << other.text;
   EXPECT_DOUBLE_EQ(other.sample.span, 9);
   EXPECT_DOUBLE_EQ(other.sample.friction, 0.1);
@@ -174,12 +174,12 @@ TEST(Parameters, MistakesAreToldOnceAtTheirPlace) {
        "deck.yaml:3:24: error: parameters: nothing in the deck uses 'fur'; did you mean 'far'?"},
   };
   for (const auto& [text, expected] : rows) {
-    const Told t = run(head + text);
+    const Reading t = run(head + text);
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
   }
-  const Told once = run(head + "parameters: {far: = a, a: = b, b: = c + 1 m}\n" + input);
+  const Reading once = run(head + "parameters: {far: = a, a: = b, b: = c + 1 m}\n" + input);
   EXPECT_NE(once.text.find("deck.yaml:3:37: error: there is no parameter 'c'"), std::string::npos) << once.text;
-  const Told set = run(head + "parameters: {far: 1 m}\n" + input, {"parameters.fur=2 m"});
+  const Reading set = run(head + "parameters: {far: 1 m}\n" + input, {"parameters.fur=2 m"});
   EXPECT_NE(set.text.find("nothing in the deck uses 'fur'; did you mean 'far'?"), std::string::npos) << set.text;
   std::string chain = head + "parameters:\n  far: = p0\n";
   for (int i = 0; i < 200; ++i) chain += fmt::format("  p{}: = p{}\n", i, i + 1);
@@ -194,11 +194,11 @@ TEST(Parameters, OfAnIncludedDeckAreOverridden) {
   std::ofstream(folder / "base.part.yaml") << "taut: 1\nmethod: sample\nparameters: {near: 3 m, spare: 1 m, d: 9 mm}\n"
                                               "input: {span: = 2 * near, rope: {diameter: = d + hole}}\n";
   const std::string deck = (folder / "deck.yaml").string();
-  const Told good = run("include: base.part.yaml\nparameters: {near: 5 m, hole: 1 mm}\n", {}, deck);
+  const Reading good = run("include: base.part.yaml\nparameters: {near: 5 m, hole: 1 mm}\n", {}, deck);
   ASSERT_EQ(good.mistakes, 0U) << good.text;
   EXPECT_DOUBLE_EQ(good.sample.span, 10);
   EXPECT_DOUBLE_EQ(good.sample.rope.diameter, 0.01);
-  const Told bad = run("include: base.part.yaml\nparameters: {nera: 5 m}\n", {}, deck);
+  const Reading bad = run("include: base.part.yaml\nparameters: {nera: 5 m}\n", {}, deck);
   EXPECT_NE(bad.text.find("base.part.yaml:4:50: error: there is no parameter '...'"), std::string::npos) << bad.text;
   EXPECT_NE(bad.text.find("deck.yaml:2:14: error: parameters: nothing in the deck uses 'nera'; did you mean 'near'?"),
             std::string::npos)

@@ -123,7 +123,7 @@ class FieldReader {
   }
 
   bool is_scalar(const Node& n, std::string_view expected) const {
-    // an expression that is still there has no value, which has been told (parameters.hpp)
+    // an expression that is still there has no value, which has been reported (parameters.hpp)
     if (n.kind == Node::Kind::scalar) return n.text.empty() || n.text.front() != '=';
     if (n.kind == Node::Kind::null) {
       wrong(n.spot, fmt::format("there is no value; {} is expected", expected));
@@ -203,8 +203,8 @@ class FieldReader {
     return std::nullopt;
   }
 
-  /// The node of a record; when its key has no value, an empty map at the key, so that what is missing is told; when
-  /// it stands for one field of the record, a map of that.
+  /// The node of a record; when its key has no value, an empty map at the key, so that what is missing is reported;
+  /// when it stands for one field of the record, a map of that.
   Node in_record(const Node& n) const {
     const bool short_form = !f_.shorthand.empty() && n.kind != Node::Kind::map && n.kind != Node::Kind::null;
     if (n.kind != Node::Kind::null && !short_form) return n;
@@ -292,7 +292,7 @@ void note_exclusive_keys(const Node& map, const Description& d, std::string_view
     const bool waits = std::any_of(map.entries.begin(), map.entries.end(), [&](const Entry& e) {
       return std::any_of(d.later.begin(), d.later.end(), [&](const LaterKey& key) { return key.key == e.key; });
     });
-    // a key that is told as not computed yet may be the one
+    // a key that is reported as not computed yet may be the one
     if (!waits) add(mistakes, map.spot, fmt::format("{} needs one of {}", what, fmt::join(group, ", ")));
   }
 }

@@ -12,24 +12,24 @@
 
 namespace taut::io::read_test {
 
-struct Told {
+struct Reading {
   bool good = false;
   Sample sample;
   std::string text;
 };
 
-Told read_sample(const std::string& text) {
+Reading read_sample(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
   if (!d) return {false, {}, to_text(d.error())};
-  Told told;
+  Reading reported;
   Diagnostics mistakes = d->mistakes;
-  told.good = read(d->root, Sample::describe(), &told.sample, "sample", mistakes);
-  told.text = to_text(mistakes);
-  return told;
+  reported.good = read(d->root, Sample::describe(), &reported.sample, "sample", mistakes);
+  reported.text = to_text(mistakes);
+  return reported;
 }
 
 TEST(Read, FillsEveryKindOfField) {
-  const Told t = read_sample(
+  const Reading t = read_sample(
       "span: 0.2 km\n"
       "positions: [1 m, \"50 cm\"]\n"
       "friction: 12 %\n"
@@ -61,7 +61,7 @@ TEST(Read, FillsEveryKindOfField) {
 }
 
 TEST(Read, KeepsDefaultsAndMakesAListOfOne) {
-  const Told t = read_sample("span: 1 m\nrope: {diameter: 1 mm}\n");
+  const Reading t = read_sample("span: 1 m\nrope: {diameter: 1 mm}\n");
   ASSERT_TRUE(t.good) << t.text;
   EXPECT_DOUBLE_EQ(t.sample.friction, 0.1);
   EXPECT_EQ(t.sample.positions, std::vector<double>{1.0});
@@ -119,30 +119,30 @@ TEST(Read, TellsEachMistakeAtItsPlaceWithWhatToDo) {
       {"cases: [{name: a}, {angle: 1 deg}]", "deck.yaml:1:20: error: cases[1] lacks 'name'"},
   };
   for (const auto& [text, expected] : rows) {
-    const Told t = read_sample(text);
+    const Reading t = read_sample(text);
     EXPECT_FALSE(t.good) << text;
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
   }
 }
 
-struct ToldMachine {
+struct ReadMachine {
   bool good = false;
   SampleMachine machine;
   std::string text;
 };
 
-ToldMachine read_machine(const std::string& text) {
+ReadMachine read_machine(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
   if (!d) return {false, {}, to_text(d.error())};
-  ToldMachine told;
+  ReadMachine reported;
   Diagnostics mistakes = d->mistakes;
-  told.good = read(d->root, SampleMachine::describe(), &told.machine, "machine", mistakes);
-  told.text = to_text(mistakes);
-  return told;
+  reported.good = read(d->root, SampleMachine::describe(), &reported.machine, "machine", mistakes);
+  reported.text = to_text(mistakes);
+  return reported;
 }
 
 TEST(Read, NamedStructsVectorsAndShortForms) {
-  const ToldMachine t = read_machine(
+  const ReadMachine t = read_machine(
       "pins:\n"
       "  head: [1 m, -2 m, 50 cm]\n"
       "  boom.top: {at: [0 m, 0 m, 1 km], colour: blue, free: [x, z]}\n"
@@ -161,7 +161,7 @@ TEST(Read, NamedStructsVectorsAndShortForms) {
   ASSERT_EQ(t.machine.motion.size(), 1U);
   EXPECT_EQ(t.machine.motion[0].name, "");
   EXPECT_EQ(t.machine.motion[0].sense, "out");
-  const ToldMachine each = read_machine("motion: {head: in, foot: {sense: out}}\n");
+  const ReadMachine each = read_machine("motion: {head: in, foot: {sense: out}}\n");
   ASSERT_TRUE(each.good) << each.text;
   EXPECT_EQ(each.machine.motion[1].name, "foot");
   EXPECT_EQ(each.machine.motion[1].sense, "out");
@@ -189,7 +189,7 @@ TEST(Read, TellsMistakesOfNamesVectorsAndShortForms) {
       {"motion: [out]", "motion: a map of names is expected"},
   };
   for (const auto& [text, expected] : rows) {
-    const ToldMachine t = read_machine(text);
+    const ReadMachine t = read_machine(text);
     EXPECT_FALSE(t.good) << text;
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
     EXPECT_EQ(t.text.find("error:"), t.text.rfind("error:")) << text << "\n-> " << t.text;

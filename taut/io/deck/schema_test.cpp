@@ -185,10 +185,10 @@ TEST_F(SchemaScript, RefusesEachOfThese) {
     decks.push_back(fmt::format("{}{}{}", head, wrong, input));
   }
   EXPECT_FALSE(accepts(decks));
-  const std::string told = log();
+  const std::string reported = log();
   for (std::size_t i = 0; i < decks.size(); ++i) {
     EXPECT_FALSE(reads(decks[i])) << decks[i];
-    EXPECT_NE(told.find(fmt::format("/{}.yaml: ", i)), std::string::npos) << decks[i];
+    EXPECT_NE(reported.find(fmt::format("/{}.yaml: ", i)), std::string::npos) << decks[i];
   }
 }
 

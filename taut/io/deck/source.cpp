@@ -154,7 +154,7 @@ void add(Diagnostics& all, Diagnostic d) {
 }
 
 void add(Diagnostics& all, const Spot& spot, std::string message) {
-  // finding the line takes time: not for what is not told
+  // finding the line takes time: not for what is not reported
   if (!enough(all)) add(all, at(spot, std::move(message)));
 }
 

@@ -11,7 +11,7 @@ namespace taut::io {
 
 /// Decks above this many bytes are refused unread.
 inline constexpr std::size_t largest_deck = std::size_t{16} * 1024 * 1024;
-/// So many mistakes are told, and then how to see more.
+/// So many mistakes are reported, and then how to see more.
 inline constexpr std::size_t most_mistakes = 100;
 
 /// What the reading of one deck has read besides the deck itself, in that order. Shared by all sources of that reading.
@@ -52,7 +52,7 @@ Diagnostic at(const Spot& spot, std::string message);
 void add(Diagnostics& all, Diagnostic d);
 void add(Diagnostics& all, const Spot& spot, std::string message);
 
-/// No further mistake would be told: the reading of a hopeless deck may end.
+/// No further mistake would be reported: the reading of a hopeless deck may end.
 inline bool enough(const Diagnostics& all) { return all.size() >= most_mistakes; }
 
 /// Finds what no YAML text may hold: more than largest_deck bytes, NUL and other control characters, UTF-16, invalid

@@ -121,8 +121,8 @@ void add_beam(Model& model, const StraightBeam& b) {
     BeamPiece piece;
     piece.rod = {b.section, axis.bow, b.order, from * length, end * length, 1};
     const double elements = std::ceil(b.elements * (end - from) - 1e-9);
-    piece.told_every = static_cast<int>(std::max(2.0, std::ceil(least_steps * (end - from) / elements)));
-    piece.rod.steps = piece.told_every * static_cast<int>(elements);
+    piece.section_every = static_cast<int>(std::max(2.0, std::ceil(least_steps * (end - from) / elements)));
+    piece.rod.steps = piece.section_every * static_cast<int>(elements);
     piece.start = start;
     piece.start_axes = in_body(model, start.body, section.axes);
     piece.reference = b.from.body;

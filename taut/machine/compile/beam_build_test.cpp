@@ -50,7 +50,7 @@ TEST(BeamBuild, WithoutForcesItPassesThroughItsBodies) {
   std::size_t step = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const BeamPiece& piece = m.beams[0].pieces[k];
-    EXPECT_EQ(piece.rod.steps % piece.told_every, 0);
+    EXPECT_EQ(piece.rod.steps % piece.section_every, 0);
     step += static_cast<std::size_t>(piece.rod.steps);
     EXPECT_LT((all[step].place - m.bodies[k].position).norm(), 1e-6);
     EXPECT_LT((all[step].axes - piece.end_axes).norm(), 1e-6);
@@ -99,7 +99,7 @@ TEST(BeamBuild, AxesStandSquare) {
   }
 }
 
-/// On a body that stands askew: places and axes are those of its frame.
+/// On a body that stands inclined: places and axes are those of its frame.
 TEST(BeamBuild, OnABodyItsFrameCounts) {
   const Matrix3 turn = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   const Vector3 shift(3, -1, 2);

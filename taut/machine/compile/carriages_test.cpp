@@ -170,9 +170,10 @@ TEST(Carriages, TellsMistakesAtTheirPath) {
     one.spoil(m);
     const auto model = compile(m);
     ASSERT_FALSE(model) << one.path;
-    const bool told =
+    const bool reported =
         std::any_of(model.error().begin(), model.error().end(), [&](const Complaint& c) { return c.path == one.path; });
-    EXPECT_TRUE(told) << one.path << ", not " << model.error().front().path << ": " << model.error().front().message;
+    EXPECT_TRUE(reported) << one.path << ", not " << model.error().front().path << ": "
+                          << model.error().front().message;
   }
 }
 

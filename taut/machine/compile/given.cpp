@@ -91,13 +91,13 @@ void set_given(const Machine& machine, const Model& model, const description::Re
   const bool takes_two = !given.closed && motor != nullptr && !gives_torque(*motor);
   if (takes_two && (said.size() != 2 || said[0].what == said[1].what)) {
     complaints.push_back({path, fmt::format("runs over a sheave with a motor: needs two of length, tension_at_start, "
-                                            "tension_at_end, or the motor's 'torque'; it is told {}",
+                                            "tension_at_end, or the motor's 'torque'; it has {}",
                                             words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")))});
   } else if (said.empty() && !given.closed) {
     complaints.push_back(
         {path, "needs one of length, install, tension_at_start, tension_at_end (or a drum with a pull or a torque)"});
   } else if (said.size() > 1 && !takes_two) {
-    complaints.push_back({path, fmt::format("is told {}; give one of them", fmt::join(words, " and "))});
+    complaints.push_back({path, fmt::format("has {}; give one of them", fmt::join(words, " and "))});
   }
   if (!said.empty()) {
     reeving.given = said[0].what;

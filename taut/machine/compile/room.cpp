@@ -11,14 +11,14 @@
 namespace taut::machine {
 namespace {
 
-/// Neighbours told of, whichever way round: a tackle runs between two sheaves many times.
+/// Neighbours reported, whichever way round: a tackle runs between two sheaves many times.
 class Pairs {
  public:
-  bool is_new(const std::string& a, const std::string& b) { return told_.insert(std::minmax(a, b)).second; }
-  bool empty() const { return told_.empty(); }
+  bool is_new(const std::string& a, const std::string& b) { return reported_.insert(std::minmax(a, b)).second; }
+  bool empty() const { return reported_.empty(); }
 
  private:
-  std::set<std::pair<std::string, std::string>> told_;
+  std::set<std::pair<std::string, std::string>> reported_;
 };
 
 const Body* body_under(const Model& model, const Node& node) {
@@ -77,24 +77,24 @@ std::string no_room(const Model& model, const Node& from, const Node& to) {
 
 bool check_apart(const std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed,
                  const std::string& path, std::vector<Complaint>& complaints) {
-  Pairs told;
+  Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < places.size(); ++k) {
     const std::size_t before = k == 0 ? places.size() - 1 : k - 1;
     const std::string &from = stops[before].node.name, &to = stops[k].node.name;
-    if ((places[k] - places[before]).norm() > 0 || !told.is_new(from, to)) continue;
+    if ((places[k] - places[before]).norm() > 0 || !reported.is_new(from, to)) continue;
     complaints.push_back({path, fmt::format("'{}' and '{}' are at the same place", from, to)});
   }
-  return told.empty();
+  return reported.empty();
 }
 
 void check_room(const Model& model, const std::vector<Stop>& stops, bool closed, const std::string& path,
                 std::vector<Complaint>& complaints) {
-  Pairs told;
+  Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < stops.size(); ++k) {
     const Node &from = stops[k == 0 ? stops.size() - 1 : k - 1].node, &to = stops[k].node;
     if (!keep_apart(model, from, to)) continue;
     std::string why = no_room(model, from, to);
-    if (!why.empty() && told.is_new(from.name, to.name)) complaints.push_back({path, std::move(why)});
+    if (!why.empty() && reported.is_new(from.name, to.name)) complaints.push_back({path, std::move(why)});
   }
 }
 

@@ -58,20 +58,20 @@ TEST(Room, AnEndlessRopeComesBackToItsDriveFromElsewhere) {
 TEST(Room, ATackleTellsAPairOnce) {
   Machine m = tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")});
   m.bodies[0].at = m.sheaves[0].at;
-  const std::string told = complaints_of(m);
+  const std::string reported = complaints_of(m);
   const std::string same = "are at the same place";
-  EXPECT_NE(told.find(same), std::string::npos) << told;
-  EXPECT_EQ(told.find(same), told.rfind(same)) << told;
+  EXPECT_NE(reported.find(same), std::string::npos) << reported;
+  EXPECT_EQ(reported.find(same), reported.rfind(same)) << reported;
 }
 
 TEST(Room, CirclesInsideEachOther) {
   Machine m = loop();
   m.sheaves[2].at = {0.1, 0, 1};  // radii 0.2 m and 0.35 m, turned the same way
-  const std::string told = complaints_of(m);
-  EXPECT_NE(told.find("reevings[0].path: no rope runs from 'tail' to 'drive': their axes are 0.1 m apart"),
+  const std::string reported = complaints_of(m);
+  EXPECT_NE(reported.find("reevings[0].path: no rope runs from 'tail' to 'drive': their axes are 0.1 m apart"),
             std::string::npos)
-      << told;
-  EXPECT_NE(told.find("differ by 0.15 m"), std::string::npos) << told;
+      << reported;
+  EXPECT_NE(reported.find("differ by 0.15 m"), std::string::npos) << reported;
   m.sheaves[2].at = {0.16, 0, 1};
   EXPECT_EQ(complaints_of(m), "") << "tangent outside";
   // crossed, the circles may not touch
@@ -99,8 +99,8 @@ TEST(Room, SidesCountAboutOneAxis) {
 
 TEST(Room, AnEndInsideASheave) {
   EXPECT_EQ(complaints_of(line_over({-9, 0, 0}, {0, 0, 3}, {9, 0, 0})), "");
-  const std::string told = complaints_of(line_over({-0.1, 0, 3}, {0, 0, 3}, {9, 0, 0}));
-  EXPECT_NE(told.find("reevings[0].path: 'a' lies inside 's': 0.1 m from its axis"), std::string::npos) << told;
+  const std::string reported = complaints_of(line_over({-0.1, 0, 3}, {0, 0, 3}, {9, 0, 0}));
+  EXPECT_NE(reported.find("reevings[0].path: 'a' lies inside 's': 0.1 m from its axis"), std::string::npos) << reported;
   // beside the sheave, but within its circle as the rope sees it
   EXPECT_NE(complaints_of(line_over({-9, 0, 0}, {0, 0, 3}, {0.1, 2, 3})).find("'b' lies inside 's'"),
             std::string::npos);

@@ -58,7 +58,7 @@ const Description& Beam::describe() {
               &Beam::strong, "strong", "", si::one,
               "direction towards which its strong axis resists bending; without it upwards for a lying beam, x for an "
               "upright one")
-          .field(&Beam::elements, "elements", "n", si::one, "told sections along it, less one")
+          .field(&Beam::elements, "elements", "n", si::one, "reported sections along it, less one")
           .at_least(1)
           .at_most(256)
           .choice(&Beam::base, "base", {{"clamped", BeamBase::clamped}, {"hinge", BeamBase::hinge}},

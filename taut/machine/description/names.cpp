@@ -69,7 +69,7 @@ class KnownNames {
     for (std::size_t i = 0; i < all.size(); ++i) look(all[i], fmt::format("{}[{}]", list, i));
   }
 
-  /// An empty name is one that is missing, which was told when it was read.
+  /// An empty name is one that is missing, which was reported when it was read.
   void look(const std::string& name, const char* kind, const std::vector<std::string>& all, const std::string& path) {
     if (name.empty() || std::find(all.begin(), all.end(), name) != all.end()) return;
     complaints_.push_back({path, fmt::format("there is no {} '{}'{}", kind, name, did_you_mean(name, all))});

@@ -15,7 +15,7 @@ TEST(Names, NamesThatNothingHasAreToldWithoutLookingAtValues) {
   m.ropes[0].mass = {};
   m.points[1].at = m.points[0].at;  // as if it had not been read
   m.carriages[0].mainline = "mian";
-  m.carriages[0].rides = "";  // missing: told when it was read
+  m.carriages[0].rides = "";  // missing: reported when it was read
   m.reevings[0].path[2] = over("jak");
   m.reevings[1].path[0] = on_drum("winsh");
   m.loads.push_back({"cart", 100.0, {}});

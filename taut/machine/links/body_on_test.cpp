@@ -50,26 +50,27 @@ TEST(BodyOn, PlacesAxesAndGuidesAreCarriedOver) {
 }
 
 TEST(BodyOn, MistakesAreToldAtTheirPlace) {
-  const auto told = [](const Machine& m) {
+  const auto reported = [](const Machine& m) {
     const auto compiled = compile(m);
     return compiled ? std::string() : compiled.error().front().path + ": " + compiled.error().front().message;
   };
   Machine m = boom();
   m.bodies[1].on = "bass";
-  EXPECT_EQ(told(m), "bodies.section.on: there is no body 'bass'; did you mean 'base'?");
+  EXPECT_EQ(reported(m), "bodies.section.on: there is no body 'bass'; did you mean 'base'?");
   m = boom();
   m.bodies[1].on = "tip";
-  EXPECT_NE(told(m).find("in a circle"), std::string::npos) << told(m);
+  EXPECT_NE(reported(m).find("in a circle"), std::string::npos) << reported(m);
   m = boom();
   m.bodies[0].on = "tip";
-  EXPECT_NE(told(m).find("bodies.tip.on: the bodies stand on each other in a circle"), std::string::npos) << told(m);
+  EXPECT_NE(reported(m).find("bodies.tip.on: the bodies stand on each other in a circle"), std::string::npos)
+      << reported(m);
   m = boom();
   m.bodies[2].on = "far";
-  EXPECT_NE(told(m).find("there is no body 'far'"), std::string::npos) << told(m);
+  EXPECT_NE(reported(m).find("there is no body 'far'"), std::string::npos) << reported(m);
   m = boom();
   m.bodies[1].guide.reset();
   m.bodies[1].motion.emplace().x = "1 m";
-  EXPECT_EQ(told(m), "bodies.section.on: a driven body has its place in the ground frame");
+  EXPECT_EQ(reported(m), "bodies.section.on: a driven body has its place in the ground frame");
 }
 
 }  // namespace taut::machine::body_on_test

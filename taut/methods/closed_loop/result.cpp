@@ -130,7 +130,7 @@ void add_comparisons(const Input& in, const Output& o, Result& r) {
   const double exact_peak = std::isfinite(o.T_lA_exact) ? peaks_of(o).return_rope.tension : none;
   if (in.carriage == Carriage::two_section) {
     add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, o.P_b_printed, o.P_b,
-                    "corrected: sections told apart, forces resolved on their own chords", o.P_b_exact));
+                    "corrected: sections distinguished, forces resolved on their own chords", o.P_b_exact));
     add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, o.delta_f_printed, o.delta_f,
                     "corrected: the same system", o.delta_f_exact));
   }

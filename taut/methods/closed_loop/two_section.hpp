@@ -57,7 +57,7 @@ struct TwoSection {
 /// f_2 = f_1 + delta_f. Empty when they have no solution with delta_f > 0.
 std::optional<TwoSection> solve_as_printed(const Case<double>& c, const SectionRule& rule, double P, double K);
 
-/// The corrected system: sections told apart, S resolved on the chord of its own thread, horizontal forces equated,
+/// The corrected system: sections distinguished, S resolved on the chord of its own thread, horizontal forces equated,
 /// sags from the chord AB, the carriage's weight at section 1. Writes P_b, T_b, T_n, T_up, T_lA of `p`. Infeasible: no
 /// solution with delta_f > 0, or P_b <= 0.
 template <class T>

@@ -22,7 +22,7 @@ struct Style {
   std::string_view colour;
   std::string_view dashes;
 };
-/// Told apart by colour on a screen and by dashes on grey paper.
+/// Distinguished by colour on a screen and by dashes on grey paper.
 constexpr std::array<Style, 6> styles{{{"#1d5fa6", ""},
                                        {"#d9730d", "8 3"},
                                        {"#0f8577", "2 2.5"},

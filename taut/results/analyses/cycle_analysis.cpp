@@ -97,9 +97,9 @@ std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run
     if (watch.ended()) break;
     Stretch& one = all.emplace_back(Stretch{phase.way.x(part.first), part.support != nullptr, part.model, {}});
     if (part.support != nullptr) continue;
-    std::vector<Complaint> told_before;
+    std::vector<Complaint> reported_before;
     study::LoadPathOptions options = study::path_over(phase.way, part);
-    options.equilibrium = study::options_of(motion, part.model, {}, told_before);
+    options.equilibrium = study::options_of(motion, part.model, {}, reported_before);
     options.equilibrium.band = false;
     options.equilibrium.held = run.held;
     options.go_on = [&watch](double x) { return watch.go_on_at(x); };

@@ -209,8 +209,8 @@ class Combination {
  private:
   solve::EquilibriumOptions options_for(const std::vector<study::MotionRequest>& motion,
                                         const machine::Model& model) const {
-    std::vector<Complaint> told_before;
-    solve::EquilibriumOptions options = study::options_of(motion, model, {}, told_before);
+    std::vector<Complaint> reported_before;
+    solve::EquilibriumOptions options = study::options_of(motion, model, {}, reported_before);
     options.band = false;
     options.held = run_.held;
     return options;

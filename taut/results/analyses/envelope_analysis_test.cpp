@@ -68,7 +68,7 @@ TEST(EnvelopeAnalysis, IsTheLeastAndLargestOfSingleRuns) {
   EXPECT_EQ(value_of(r, "envelope_states"), 40);
   EXPECT_NEAR(value_of(r, "skyline.T_max_envelope"), skyline.most, 1e-6 * skyline.most);
   EXPECT_NEAR(value_of(r, "T_max") / std::max(skyline.most, value_of(r, "mainline.T_max_envelope")), 1, 1e-9);
-  // of each rope, not only of the one that is pulled most; so for what else is told of all states
+  // of each rope, not only of the one that is pulled most; so for what else is reported of all states
   EXPECT_NEAR(check_of(r, "mainline.T_max").value, value_of(r, "mainline.T_max_envelope"), 1e-6);
   EXPECT_NEAR(check_of(r, "skyline.T_max").value, value_of(r, "skyline.T_max_envelope"), 1e-6);
 }

@@ -32,7 +32,7 @@ struct Row {
   study::Installation at;
 };
 
-/// The free span with the longest chord: sags are told of it when the deck names none.
+/// The free span with the longest chord: sags refer to it when the deck names none.
 int longest_span(const study::EmptyLine& line) {
   const machine::State state = machine::initial_state(line.model);
   const auto& nodes = line.model.reevings[at(line.reeving)].nodes;

@@ -196,9 +196,9 @@ Answers solve(const machine::Model& model, const PayloadRun& run, study::Watch& 
       all.positions.push_back(std::move(on));
       continue;
     }
-    std::vector<Complaint> told_before;
+    std::vector<Complaint> reported_before;
     study::LoadPathOptions options = study::path_over(run.way, part);
-    options.equilibrium = study::options_of(run.motion, part.model, {}, told_before);
+    options.equilibrium = study::options_of(run.motion, part.model, {}, reported_before);
     options.equilibrium.held = run.held;
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = study::payload_path(part.model, run.limits, options);

@@ -40,8 +40,8 @@ void resolve_until(const study::PullRequest& request, const std::string& path, P
     p.complaints.push_back({path, "'until' needs 'moves': by how much"});
     return;
   }
-  std::vector<Complaint> told_before;
-  const machine::Links links(p.machine, told_before);
+  std::vector<Complaint> reported_before;
+  const machine::Links links(p.machine, reported_before);
   const auto until = machine::observable(*request.until, p.model, links, path + ".until", p.complaints);
   if (!until) return;
   const auto moves = parse_quantity(*request.moves, until->unit);
@@ -90,13 +90,13 @@ void add_pull_tensions(const study::PullEnd& end, std::vector<Cell>& row) {
 }
 
 /// What the table tells besides tensions: measures, and what the deck itself observes.
-std::vector<std::size_t> told_beside(const PretensionRun& run, const machine::Model& m,
-                                     const study::PretensionResult& result, const std::vector<Column>& told) {
+std::vector<std::size_t> reported_beside(const PretensionRun& run, const machine::Model& m,
+                                         const study::PretensionResult& result, const std::vector<Column>& reported) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; result.slowly && k < m.observed.size(); ++k) {
     const machine::Observable& o = m.observed[k];
     const bool measure = o.taken != machine::description::Taken::automatic;
-    const bool known = std::any_of(told.begin(), told.end(), [&](const Column& c) { return c.name == o.name; });
+    const bool known = std::any_of(reported.begin(), reported.end(), [&](const Column& c) { return c.name == o.name; });
     if ((measure || run.observes) && !known) all.push_back(k);
   }
   return all;
@@ -108,7 +108,7 @@ Table tensioning_table(const PretensionRun& run, const machine::Model& m, const 
   t.title = "Ropes pulled tight in turn: what each pull has taken out of its rope, and all tensions as it ends";
   t.columns = {{"step", si::one}, {"pulled", si::one}, {"taken_out", si::m}, {"taken_out_in_all", si::m}};
   for (const Column& column : tension_columns(m)) t.columns.push_back(column);
-  const std::vector<std::size_t> observed = told_beside(run, m, result, t.columns);
+  const std::vector<std::size_t> observed = reported_beside(run, m, result, t.columns);
   for (const std::size_t k : observed) t.columns.push_back({m.observed[k].name, m.observed[k].unit});
   const auto add = [&](double step, const std::string& name, const study::PullEnd& end) {
     std::vector<Cell> row = {step, name, end.taken, end.taken_in_all};

@@ -6,8 +6,8 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
-#include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/compile.hpp"
+#include "taut/machine/compile/carriage_span.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
@@ -277,7 +277,7 @@ Analysis prepare_sweep(const study::SweepRequest& request, const std::string& pa
   resolve_values(request, path, p, *run);
   run->prescribed = prescribed_of(request.carriage, request.x, request.along, path, p);
   return [run](MachineRun& machine, Result& r) {
-    std::vector<Complaint> told_before;
+    std::vector<Complaint> reported_before;
     machine::Model base = machine.model;
     if (run->prescribed)
       base = machine::with_carriage_at(base, run->prescribed->carriage, run->prescribed->x, run->prescribed->along);
@@ -285,7 +285,7 @@ Analysis prepare_sweep(const study::SweepRequest& request, const std::string& pa
     options.from = run->from;
     options.to = run->to;
     options.steps = run->steps;
-    options.equilibrium = study::options_of(run->motion, base, {}, told_before);
+    options.equilibrium = study::options_of(run->motion, base, {}, reported_before);
     options.equilibrium.prescribed = run->prescribed;
     options.equilibrium.held = run->held;
     const auto at = [&](double value) { return model_at(*run, base, value); };

@@ -152,14 +152,14 @@ std::vector<std::pair<double, std::string>> main_events(const TransientRun& run)
   static const std::vector<std::string> main = {"break",    "stop",  "drive", "brake",   "actuator",
                                                 "lift_off", "slack", "taut",  "contact", "apart"};
   std::vector<std::pair<double, std::string>> all;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   const std::set<std::string> gripping = gripping_places(run.model);
   for (const auto& e : run.result.events) {
     const bool grips = (e.what == "slip" || e.what == "stick") && gripping.contains(e.where);
     if (!grips && std::find(main.begin(), main.end(), e.what) == main.end()) continue;
     // "brake of winch set" says what it is itself
     std::string words = e.where.starts_with(e.what) ? e.where : fmt::format("{} {}", e.what, e.where);
-    if (!told.insert(words).second || all.size() >= most_events) continue;
+    if (!reported.insert(words).second || all.size() >= most_events) continue;
     all.emplace_back(e.t, std::move(words));
   }
   return all;

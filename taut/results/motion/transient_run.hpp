@@ -38,8 +38,8 @@ solve::Branches branches_of(study::TransientRequest::Branches branches);
 void solve(TransientRun& run, const std::function<bool(const Progress&)>& progress,
            checks::CheckedParts* checked = nullptr);
 
-/// The share of what is turned over that the energy ledger may leave open: the tolerance. Where the deck gives none and
-/// the steps do not follow each error (a given step, Verlet): a thousandth.
+/// The share of the energy exchanged that the energy ledger may leave open: the tolerance. Where the deck gives none
+/// and the steps do not follow each error (a given step, Verlet): a thousandth.
 double energy_tolerance(const TransientRun& run);
 
 /// "transient, stop": for messages.

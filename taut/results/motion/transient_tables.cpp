@@ -104,8 +104,8 @@ void add_energy(const TransientRun& run, Result& r) {
     if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
   };
   add_if_any("weight of slack ropes", &solve::EnergyLedger::slack, 1e-5);
-  add_if_any("flanges, where ropes leave rounds askew", &solve::EnergyLedger::askew, 1e-5);
-  add_if_any("numerical, where ropes snatch", &solve::EnergyLedger::numerical, 0);
+  add_if_any("flanges, where ropes leave rounds out of their plane", &solve::EnergyLedger::askew, 1e-5);
+  add_if_any("numerical, where ropes go taut at once", &solve::EnergyLedger::numerical, 0);
   add("residual", &solve::EnergyLedger::residual);
   r.tables.push_back(std::move(t));
   const std::string share = "energy_residual" + run.ending;
@@ -262,7 +262,7 @@ std::string scheme_words(const TransientRun& run) {
   }
 }
 
-/// Events that did not happen while the motion lasted: one with a time is told as a warning.
+/// Events that did not happen while the motion lasted: one with a time is reported as a warning.
 void add_missed_events(const TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   if (!result.outcome.ok() || result.interrupted) return;

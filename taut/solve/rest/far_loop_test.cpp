@@ -12,7 +12,7 @@
 namespace taut::solve::far_loop_test {
 
 /// A carriage on a skyline at x = 150 m by its mainline; each rope is as long as its chords times a factor.
-std::string told(std::optional<machine::Prescribed> prescribed, double mainline, double skyline) {
+std::string reported(std::optional<machine::Prescribed> prescribed, double mainline, double skyline) {
   const machine::Model m = taut_test::with_carriage(true);
   const machine::State state = machine::initial_state(m);
   const mechanics::Layout layout = mechanics::layout(m, state, prescribed, taut_test::no_flow(m));
@@ -30,17 +30,17 @@ std::string told(std::optional<machine::Prescribed> prescribed, double mainline,
 
 TEST(FarLoop, TheRopeThatPutsTheCarriageMayBeTenTimesItsWay) {
   const machine::Prescribed at{0, 150};
-  EXPECT_EQ(told(at, 1, 1), "");
-  EXPECT_EQ(told(at, 9.999, 1), "");
-  const std::string message = told(at, 10.001, 1);
+  EXPECT_EQ(reported(at, 1, 1), "");
+  EXPECT_EQ(reported(at, 9.999, 1), "");
+  const std::string message = reported(at, 10.001, 1);
   EXPECT_NE(message.find("'mainline'"), std::string::npos) << message;
   // its one branch is the fifth: 10.001 times the length of (30, -40, 40)
   EXPECT_NE(message.find(fmt::format("{:.4g} m", 10.001 * std::hypot(50, 40))), std::string::npos) << message;
 }
 
 TEST(FarLoop, OfOtherRopesItSaysNothing) {
-  EXPECT_EQ(told(machine::Prescribed{0, 150}, 1, 50), "");  // the length of the skyline is given
-  EXPECT_EQ(told(std::nullopt, 50, 50), "");                // both are
+  EXPECT_EQ(reported(machine::Prescribed{0, 150}, 1, 50), "");  // the length of the skyline is given
+  EXPECT_EQ(reported(std::nullopt, 50, 50), "");                // both are
 }
 
 }  // namespace taut::solve::far_loop_test

@@ -6,7 +6,7 @@ namespace taut::solve {
 /// How the carriages hang in an answer.
 struct Hanging {
   Outcome outcome;      ///< not ok: one hangs upside down, or its rope would have to press it down; named
-  bool lifted = false;  ///< the latter: an answer only where there is no other, and told by its rollers' state
+  bool lifted = false;  ///< the latter: an answer only where there is no other, and reported by its rollers' state
 };
 
 /// Equations of equilibrium have answers that no carriage takes: hanging over with its load above its rollers, or

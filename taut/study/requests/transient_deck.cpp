@@ -46,7 +46,7 @@ const Description& TransientRequest::describe() {
           .at_most(3.2e7)
           .field(&TransientRequest::tolerance, "tolerance", "", si::one,
                  "largest error of the steps, relative to the largest tension, the size of the machine and the "
-                 "energy turned over; default 1e-6, with verlet or a given step 1e-3")
+                 "energy exchanged; default 1e-6, with verlet or a given step 1e-3")
           .at_least(1e-12)
           .at_most(0.1)
           .field(&TransientRequest::step, "step", "dt", si::s, "this step throughout, without control of the error")

@@ -85,7 +85,7 @@ void add_pads(Drawing& d, const Frame& turn, double along, double height, double
   d.shapes.emplace_back(turn.force(turn(along, side * height / 2), 0, N, std::move(label), Role::force, true));
 }
 
-/// Ropes and pads, the boom laid level and stretched across so that they can be told apart.
+/// Ropes and pads, the boom laid level and stretched across so that they can be distinguished.
 Drawing ropes(const Sliding& q, const SlidingPoint& g) {
   Drawing d;
   d.name = "ropes";

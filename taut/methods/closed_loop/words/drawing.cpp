@@ -132,10 +132,10 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   d.title = "The loop in its span";
   d.vertical_scale = stretch_of(v);
   d.legend = {{Role::rope, "return rope"}, {Role::second_rope, "traction rope"}};
-  const bool told = in.branch_distance > 0;
-  const double c = told ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
+  const bool reported = in.branch_distance > 0;
+  const double c = reported ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
   const double alpha = std::atan(v.m);
-  const bool normal = in.branch_offset == BranchOffset::normal && told;
+  const bool normal = in.branch_offset == BranchOffset::normal && reported;
   const Frame k = frame_of(v, normal ? c * std::cos(alpha) : c, normal ? c * std::sin(alpha) : 0);
   add_ground(d, v, k);
   add_rope(d, k.A_u, k.U, v.w_b, out.H_3, Role::rope);
@@ -154,7 +154,7 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   d.caption = fmt::format(
       "Return rope (upper branch and back to the carriage) and traction rope (carriage to A) as parabolas of the "
       "closed-form tier.{}",
-      told ? "" : " The branches are drawn apart to tell them from each other.");
+      reported ? "" : " The branches are drawn apart to distinguish them.");
   return d;
 }
 
