@@ -75,11 +75,11 @@ class Textbook {
       const Vector3 c = chord(k, z);
       const double L = c.norm() * rope_length() / chords;
       const double lambda = std::sqrt(3 * ((L * L - c.z() * c.z()) / (c.x() * c.x()) - 1));
-      u[at(3 * k)] = weight * c.x() / (2 * lambda);
-      u[at(3 * k + 1)] = weight / 2 * (c.z() / std::tanh(lambda) - L);
-      u[at(3 * k + 2)] = L;
+      u[as_size(3 * k)] = weight * c.x() / (2 * lambda);
+      u[as_size(3 * k + 1)] = weight / 2 * (c.z() / std::tanh(lambda) - L);
+      u[as_size(3 * k + 2)] = L;
     }
-    u[at(unknowns - 2)] = z;
+    u[as_size(unknowns - 2)] = z;
     return u;
   }
 
@@ -92,7 +92,7 @@ class Textbook {
       bool better = false;
       for (double part = 1; part > 1e-6 && !better; part /= 2) {
         Vector tried = u;
-        for (int k = 0; k < unknowns; ++k) tried[at(k)] += part * step[at(k)];
+        for (int k = 0; k < unknowns; ++k) tried[as_size(k)] += part * step[as_size(k)];
         const Vector there = residual(tried);
         if (!(misfit(there) < misfit(r))) continue;
         u = tried;
@@ -105,12 +105,12 @@ class Textbook {
   }
 
   double head_tension(const Vector& u) const {
-    const std::size_t k = at(3 * (branches - 1));
+    const std::size_t k = as_size(3 * (branches - 1));
     return std::hypot(u[k], u[k + 1] + weight * u[k + 2]);
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static std::size_t as_size(int i) { return static_cast<std::size_t>(i); }
 
   Vector3 node(int i, double z) const {
     return i <= loaded_ ? support(i) : i == loaded_ + 1 ? Vector3(x_, 0, z) : support(i - 1);
@@ -126,31 +126,31 @@ class Textbook {
   /// Lengths by the line's, forces by the load.
   Vector residual(const Vector& u) const {
     Vector r{};
-    const double z = u[at(unknowns - 2)], hold = u[at(unknowns - 1)];
+    const double z = u[as_size(unknowns - 2)], hold = u[as_size(unknowns - 1)];
     double total = 0, before = 0;
     int row = 0;
     double in_x = 0, in_z = 0;
     for (int k = 0; k < branches; ++k) {
-      const double H = u[at(3 * k)], V = u[at(3 * k + 1)], L = u[at(3 * k + 2)], V1 = V + weight * L;
+      const double H = u[as_size(3 * k)], V = u[as_size(3 * k + 1)], L = u[as_size(3 * k + 2)], V1 = V + weight * L;
       const double T0 = std::hypot(H, V), T1 = std::hypot(H, V1);
       const Vector3 c = chord(k, z);
-      r[at(row++)] = (H * L / stiffness + H / weight * (std::asinh(V1 / H) - std::asinh(V / H)) - c.x()) / 100;
-      r[at(row++)] = ((V * L + weight * L * L / 2) / stiffness + (T1 - T0) / weight - c.z()) / 100;
-      if (k > 0) r[at(row++)] = (T0 - before) / 20e3;
+      r[as_size(row++)] = (H * L / stiffness + H / weight * (std::asinh(V1 / H) - std::asinh(V / H)) - c.x()) / 100;
+      r[as_size(row++)] = ((V * L + weight * L * L / 2) / stiffness + (T1 - T0) / weight - c.z()) / 100;
+      if (k > 0) r[as_size(row++)] = (T0 - before) / 20e3;
       if (k == loaded_ + 1) {
         double t_x = in_x / before + H / T0, t_z = in_z / before + V / T0;
         const double size = std::hypot(t_x, t_z);
         t_x /= size;
         t_z /= size;
-        r[at(row++)] = (H - in_x + hold * t_x) / 20e3;
-        r[at(row++)] = (V - in_z - mass * gravity + hold * t_z) / 20e3;
+        r[as_size(row++)] = (H - in_x + hold * t_x) / 20e3;
+        r[as_size(row++)] = (V - in_z - mass * gravity + hold * t_z) / 20e3;
       }
       before = T1;
       in_x = H;
       in_z = V1;
       total += L;
     }
-    r[at(row)] = (total - rope_length()) / 100;
+    r[as_size(row)] = (total - rope_length()) / 100;
     return r;
   }
 
@@ -158,29 +158,29 @@ class Textbook {
     std::array<Vector, unknowns> a{};
     for (int j = 0; j < unknowns; ++j) {
       Vector moved = u;
-      const double h = 1e-7 * std::max(1.0, std::abs(u[at(j)]));
-      moved[at(j)] += h;
+      const double h = 1e-7 * std::max(1.0, std::abs(u[as_size(j)]));
+      moved[as_size(j)] += h;
       const Vector there = residual(moved);
-      for (int i = 0; i < unknowns; ++i) a[at(i)][at(j)] = (there[at(i)] - r[at(i)]) / h;
+      for (int i = 0; i < unknowns; ++i) a[as_size(i)][as_size(j)] = (there[as_size(i)] - r[as_size(i)]) / h;
     }
     Vector b;
-    for (int i = 0; i < unknowns; ++i) b[at(i)] = -r[at(i)];
+    for (int i = 0; i < unknowns; ++i) b[as_size(i)] = -r[as_size(i)];
     for (int p = 0; p < unknowns; ++p) {
       int best = p;
       for (int i = p + 1; i < unknowns; ++i) {
-        if (std::abs(a[at(i)][at(p)]) > std::abs(a[at(best)][at(p)])) best = i;
+        if (std::abs(a[as_size(i)][as_size(p)]) > std::abs(a[as_size(best)][as_size(p)])) best = i;
       }
-      std::swap(a[at(p)], a[at(best)]);
-      std::swap(b[at(p)], b[at(best)]);
+      std::swap(a[as_size(p)], a[as_size(best)]);
+      std::swap(b[as_size(p)], b[as_size(best)]);
       for (int i = p + 1; i < unknowns; ++i) {
-        const double f = a[at(i)][at(p)] / a[at(p)][at(p)];
-        for (int j = p; j < unknowns; ++j) a[at(i)][at(j)] -= f * a[at(p)][at(j)];
-        b[at(i)] -= f * b[at(p)];
+        const double f = a[as_size(i)][as_size(p)] / a[as_size(p)][as_size(p)];
+        for (int j = p; j < unknowns; ++j) a[as_size(i)][as_size(j)] -= f * a[as_size(p)][as_size(j)];
+        b[as_size(i)] -= f * b[as_size(p)];
       }
     }
     for (int i = unknowns - 1; i >= 0; --i) {
-      for (int j = i + 1; j < unknowns; ++j) b[at(i)] -= a[at(i)][at(j)] * b[at(j)];
-      b[at(i)] /= a[at(i)][at(i)];
+      for (int j = i + 1; j < unknowns; ++j) b[as_size(i)] -= a[as_size(i)][as_size(j)] * b[as_size(j)];
+      b[as_size(i)] /= a[as_size(i)][as_size(i)];
     }
     return b;
   }

@@ -6,7 +6,6 @@ set(public_headers
   taut/base/version.hpp
   taut/calc/sheet.hpp                 # an own method: formulas that record themselves
   taut/units/parse.hpp
-  taut/units/display.hpp
   taut/catalogue/section.hpp
   taut/rope/span.hpp                  # one elastic catenary
   taut/rope/contact.hpp               # the law of a rope on a round

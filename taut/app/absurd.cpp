@@ -57,7 +57,7 @@ using NodePlaces = std::vector<const machine::Node*>;
 
 bool rests(const machine::Model& model, const machine::Node& node) {
   if (node.at.body == machine::ground) return true;
-  const machine::Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
+  const machine::Body& body = model.bodies[node.at.body];
   return body.free.empty() && body.driven.empty();
 }
 
@@ -81,8 +81,7 @@ rope::Round round_of(const machine::State& state, const machine::Node& node) {
   const Vector3 centre = machine::in_ground(state, node.at);
   if (node.radius == 0) return rope::point(centre);
   const bool moves = node.at.body != machine::ground;
-  const Vector3 axis =
-      moves ? Vector3(state.bodies[static_cast<std::size_t>(node.at.body)].orientation * node.axis) : node.axis;
+  const Vector3 axis = moves ? Vector3(state.bodies[node.at.body].orientation * node.axis) : node.axis;
   return rope::sheave(centre, axis, node.radius, node.side);
 }
 
@@ -162,9 +161,8 @@ void note(DeepSag& worst, double sag, double span, const machine::Reeving& rope,
 
 void note_spans(const results::Answer& answer, DeepSag& worst) {
   for (const solve::SpanResult& span : answer.result->spans) {
-    const machine::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(span.reeving)];
-    note(worst, span.sag, span.chord, rope, rope.nodes[static_cast<std::size_t>(span.from)],
-         rope.nodes[static_cast<std::size_t>(span.to)], answer.words);
+    const machine::Reeving& rope = answer.model->reevings[span.reeving];
+    note(worst, span.sag, span.chord, rope, rope.nodes[span.from], rope.nodes[span.to], answer.words);
   }
 }
 
@@ -172,13 +170,13 @@ void note_spans(const results::Answer& answer, DeepSag& worst) {
 void note_carriages(const results::Answer& answer, DeepSag& worst) {
   const machine::State& state = answer.result->state;
   for (const machine::Carriage& car : answer.model->carriages) {
-    const machine::Reeving& rope = answer.model->reevings[static_cast<std::size_t>(car.reeving)];
+    const machine::Reeving& rope = answer.model->reevings[car.reeving];
     const int count = static_cast<int>(rope.nodes.size());
     const auto next = [&](int step) -> const machine::Node* {
       for (int k = 1; k < count; ++k) {
         const int n = car.node + k * step;
         if (!rope.closed && (n < 0 || n >= count)) return nullptr;
-        const machine::Node& node = rope.nodes[static_cast<std::size_t>((n + count) % count)];
+        const machine::Node& node = rope.nodes[(n + count) % count];
         if (!on_carriage(*answer.model, node)) return rests(*answer.model, node) ? &node : nullptr;
       }
       return nullptr;
@@ -186,7 +184,7 @@ void note_carriages(const results::Answer& answer, DeepSag& worst) {
     const machine::Node *before = next(-1), *after = next(1);
     if (before == nullptr || after == nullptr) continue;
     const Vector3 from = machine::in_ground(state, before->at), chord = machine::in_ground(state, after->at) - from;
-    const Vector3 place = state.bodies[static_cast<std::size_t>(car.body)].position - from;
+    const Vector3 place = state.bodies[car.body].position - from;
     const double level = chord.head<2>().norm();
     if (!(level > 0)) continue;
     const double part = place.head<2>().dot(chord.head<2>()) / (level * level);

@@ -100,16 +100,16 @@ void write_ropes(Sheet<Num>& s, const results::Answer& state) {
   const solve::EquilibriumResult& e = *state.result;
   const auto worst =
       std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
-  const solve::SpanResult& span = e.spans[static_cast<std::size_t>(worst->span)];
-  const machine::Reeving& rope = state.model->reevings[static_cast<std::size_t>(span.reeving)];
-  const auto name = [&](int n) { return rope.nodes[static_cast<std::size_t>(n)].name; };
+  const solve::SpanResult& span = e.spans[worst->span];
+  const machine::Reeving& rope = state.model->reevings[span.reeving];
+  const auto name = [&](int n) { return rope.nodes[n].name; };
   s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
                         name(span.to), state.words));
   write_span(s, rope, span);
   std::set<std::string> written;
   for (const auto& c : e.contacts) {
-    const machine::Reeving& own = state.model->reevings[static_cast<std::size_t>(c.reeving)];
-    const machine::Node& node = own.nodes[static_cast<std::size_t>(c.node)];
+    const machine::Reeving& own = state.model->reevings[c.reeving];
+    const machine::Node& node = own.nodes[c.node];
     if (!at_limit(node, c) || !written.insert(node.name).second) continue;
     if (written.size() == 1) s.section(fmt::format("Losses where a rope runs over something ({})", state.words));
     write_contact(s, node, c);

@@ -78,7 +78,7 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
   }
   for (const solve::ContactResult& c : state.contacts) {
     const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
-    const machine::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    const machine::Place& place = model.reevings[c.reeving].nodes[c.node].at;
     all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, machine::in_ground(state.state, place), c.force});
   }
   return all;
@@ -93,16 +93,16 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   all.analysis = std::move(analysis);
   all.moves = true;
   for (const auto& b : f.branches) {
-    const std::size_t rope = at(b.reeving);
+    const std::size_t rope = as_size(b.reeving);
     const bool heavy = rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
     add_branch(b, model.reevings[rope], heavy, all.branches);
   }
   for (const auto& c : f.contacts) {
     const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
-    const machine::Place& place = model.reevings[at(c.reeving)].nodes[at(c.node)].at;
+    const machine::Place& place = model.reevings[c.reeving].nodes[c.node].at;
     Vector3 middle = place.at;
     if (place.body != machine::ground) {
-      const auto& body = f.bodies[at(place.body)];
+      const auto& body = f.bodies[place.body];
       middle = body.position + body.orientation * place.at;
     }
     all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, middle, c.force});

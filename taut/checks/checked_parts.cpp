@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "taut/math/index.hpp"
-
 namespace taut::checks {
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
@@ -71,7 +69,7 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
   still.ropes.resize(model.reevings.size());
   for (solve::RopeExtreme& rope : still.ropes) rope.T.min = std::numeric_limits<double>::infinity();
   for (const solve::TransientFrame::Branch& branch : rest.branches) {
-    solve::RopeExtreme& rope = still.ropes[at(branch.reeving)];
+    solve::RopeExtreme& rope = still.ropes[branch.reeving];
     rope.T_static = rope.T.max = std::max({rope.T.max, branch.T_from, branch.T_to});
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
   }

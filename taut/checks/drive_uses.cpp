@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
 #include "taut/solve/drives.hpp"
 
 namespace taut::checks {
@@ -18,7 +17,7 @@ constexpr double least_slip = 0.01;
 /// A signal is no limit: it changes.
 bool is_limit(const machine::Model& m, const machine::Reeving& r) {
   const int motor = r.nodes.front().motor;
-  if (motor < 0 || !m.motors[at(motor)].drive.signal.name.empty()) return false;
+  if (motor < 0 || !m.motors[motor].drive.signal.name.empty()) return false;
   const bool open = std::any_of(r.nodes.begin(), r.nodes.end(), [](const machine::Node& n) {
     return n.kind == machine::NodeKind::load && n.load.open;
   });
@@ -26,7 +25,7 @@ bool is_limit(const machine::Model& m, const machine::Reeving& r) {
 }
 
 void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made) {
-  const machine::Node& own = m.reevings[at(d.reeving)].nodes[at(d.node)];
+  const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
   if (std::isfinite(own.law.friction)) {
     made.push_back(make_check(own.name + ".grip", d.ratio, Sense::at_most, d.limit, si::one,
                               d.centrifugal > 0
@@ -34,14 +33,14 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
                                   : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
                               "derived"));
   }
-  if (!is_limit(m, m.reevings[at(d.reeving)])) return;
-  const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[at(d.reeving)].copies;
+  if (!is_limit(m, m.reevings[d.reeving])) return;
+  const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[d.reeving].copies;
   made.push_back(make_check(own.name + ".torque", std::abs(d.torque), Sense::at_most, most, si::N_m,
                             "the motor's torque", "user"));
 }
 
 void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
-  const machine::Drum& drum = m.drums[at(d.drum)];
+  const machine::Drum& drum = m.drums[d.drum];
   const std::string& name = drum.name;
   if (drum.drive.kind == machine::DriveKind::torque && drum.drive.signal.name.empty()) {
     const double most = machine::at(drum.drive.signal, 0).value;
@@ -81,7 +80,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
 void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first,
                      const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
   for (std::size_t c = 0; c < slips.size(); ++c) {
-    const machine::Node& node = m.reevings[at(first.contacts[c].reeving)].nodes[at(first.contacts[c].node)];
+    const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
     if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
     slips_[node.name] = {share, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,

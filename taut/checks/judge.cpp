@@ -23,14 +23,14 @@ using solve::ContactState;
 
 /// "skyline between head and car".
 std::string between(const machine::Model& m, const solve::SpanResult& span) {
-  const machine::Reeving& rope = m.reevings[at(span.reeving)];
-  return fmt::format("{} between {} and {}", rope.name, rope.nodes[at(span.from)].name, rope.nodes[at(span.to)].name);
+  const machine::Reeving& rope = m.reevings[span.reeving];
+  return fmt::format("{} between {} and {}", rope.name, rope.nodes[span.from].name, rope.nodes[span.to].name);
 }
 
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
 std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving) {
   if (m.reevings[reeving].closed) return {};
-  const auto own = [&](const auto& s) { return at(s.reeving) == reeving; };
+  const auto own = [&](const auto& s) { return as_size(s.reeving) == reeving; };
   const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
   const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
   if (first == e.spans.end()) return {};
@@ -42,14 +42,14 @@ std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e
 
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
 std::string beside_its_span(const machine::Model& m, const solve::EquilibriumResult& e, const machine::Carriage& car) {
-  const auto& nodes = m.reevings[at(car.reeving)].nodes;
+  const auto& nodes = m.reevings[car.reeving].nodes;
   const auto n = static_cast<std::size_t>(car.node);
   const std::size_t after = n + static_cast<std::size_t>(car.rollers);
   if (n == 0 || after >= nodes.size()) return {};
   const Vector3 before = machine::in_ground(e.state, nodes[n - 1].at);
   Vector3 way = machine::in_ground(e.state, nodes[after].at) - before;
   way.z() = 0;
-  const Vector3& place = e.state.bodies[at(car.body)].position;
+  const Vector3& place = e.state.bodies[car.body].position;
   const double passed = (place - before).dot(way);
   if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
   return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
@@ -100,13 +100,13 @@ void Judge::take_height(const std::string& part, const std::string& words, doubl
 void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
-    const Vector3& p = e.state.bodies[at(car.body)].position;
+    const Vector3& p = e.state.bodies[car.body].position;
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, words, carriages_);
   }
   for (const solve::SpanResult& span : e.spans) {
     const study::RopeClearance own = study::rope_clearance(m, span);
-    const std::string& rope = m.reevings[at(span.reeving)].name;
+    const std::string& rope = m.reevings[span.reeving].name;
     take_height(rope, between(m, span), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
 }
@@ -127,7 +127,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
 
 void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (const solve::ContactResult& c : e.contacts) {
-    const machine::Node& node = m.reevings[at(c.reeving)].nodes[at(c.node)];
+    const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
     if (c.state == solve::ContactState::lifted) {
       warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
@@ -162,7 +162,7 @@ void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& 
   for (const solve::SpanResult& s : e.spans) {
     if (!s.slack) continue;
     const std::string name = between(m, s);
-    warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[at(s.reeving)].name));
+    warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[s.reeving].name));
   }
 }
 
@@ -256,7 +256,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   if (broken_) return;
   const solve::TransientFrame& frame = so_far.frames.back();
   for (const machine::Carriage& car : m.carriages) {
-    const Vector3& p = frame.bodies[at(car.body)].position;
+    const Vector3& p = frame.bodies[car.body].position;
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x,
                 fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
@@ -274,11 +274,11 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
       places.push_back(piece.end);
     }
     if (!bears) continue;
-    const machine::Reeving& rope = m.reevings[at(first.reeving)];
-    const auto moves = [&](int node) { return rope.nodes[at(node)].at.body != machine::ground; };
+    const machine::Reeving& rope = m.reevings[first.reeving];
+    const auto moves = [&](int node) { return rope.nodes[node].at.body != machine::ground; };
     const study::RopeClearance own = study::rope_clearance(m, places, moves(first.from), moves(first.to));
     const std::string part =
-        fmt::format("{} between {} and {}", rope.name, rope.nodes[at(first.from)].name, rope.nodes[at(first.to)].name);
+        fmt::format("{} between {} and {}", rope.name, rope.nodes[first.from].name, rope.nodes[first.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
   }
 }

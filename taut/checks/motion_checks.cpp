@@ -23,7 +23,7 @@ std::string place_of_sheave(const machine::Machine& machine, const std::string& 
 
 /// Whether anything on a body has mass: itself, what hangs on it, half of the ropes that it holds.
 bool has_mass(const machine::Model& model, int index, bool rope_mass) {
-  const machine::Body& body = model.bodies[static_cast<std::size_t>(index)];
+  const machine::Body& body = model.bodies[index];
   if (body.mass > 0 || body.counterweight > 0) return true;
   const bool hangs = std::any_of(model.loads.begin(), model.loads.end(),
                                  [&](const machine::Load& load) { return load.at.body == index && load.mass > 0; });
@@ -100,12 +100,12 @@ void check_radii(const machine::Machine& machine, const machine::Model& model, s
     });
   };
   for (int i = 0; i < static_cast<int>(model.drums.size()); ++i) {
-    const machine::Drum& drum = model.drums[static_cast<std::size_t>(i)];
+    const machine::Drum& drum = model.drums[i];
     if (!is_point(&machine::Node::drum, i) || !(turns_it(drum.drive) || turned_later(i, false))) continue;
     complaints.push_back({"machine.drums." + drum.name, "turns: a motion needs its 'core_diameter'"});
   }
   for (int i = 0; i < static_cast<int>(model.motors.size()); ++i) {
-    const machine::Motor& motor = model.motors[static_cast<std::size_t>(i)];
+    const machine::Motor& motor = model.motors[i];
     if (!is_point(&machine::Node::motor, i) || !(turns_it(motor.drive) || turned_later(i, true))) continue;
     complaints.push_back({place_of_sheave(machine, motor.name), "is driven: a motion needs its 'diameter'"});
   }

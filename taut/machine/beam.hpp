@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/place.hpp"
 #include "taut/structure/rod.hpp"
 
@@ -27,7 +28,7 @@ struct BeamPiece {
 struct Beam {
   std::string name;
   double length = 0;  ///< of its axis as built, m
-  std::vector<BeamPiece> pieces;
+  Array<BeamPiece> pieces;
 };
 
 /// What is unknown of a piece.

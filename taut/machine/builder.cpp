@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/machine/compile.hpp"
 
@@ -122,7 +123,7 @@ Builder& Builder::carriage(const std::string& name, double mass, const std::stri
   return *this;
 }
 
-Builder& Builder::reeve(const std::string& rope, std::vector<description::PathElement> path, const Known& known) {
+Builder& Builder::reeve(const std::string& rope, Array<description::PathElement> path, const Known& known) {
   description::Reeving& reeving = machine_.reevings.emplace_back();
   reeving.rope = rope;
   reeving.path = std::move(path);
@@ -166,7 +167,7 @@ Builder& Builder::drive(const std::string& drum, const std::string& speed) {
   return *this;
 }
 
-Builder& Builder::ground(std::vector<double> x, std::vector<double> z) {
+Builder& Builder::ground(Array<double> x, Array<double> z) {
   description::Terrain terrain;
   terrain.x = std::move(x);
   terrain.z = std::move(z);

@@ -4,6 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
@@ -66,7 +67,7 @@ class Builder {
   Builder& carriage(const std::string& name, double mass, const std::string& rides,
                     const std::optional<std::string>& mainline = std::nullopt);
   /// A rope on its path, two stops at least. The reeving has the rope's name.
-  Builder& reeve(const std::string& rope, std::vector<description::PathElement> path, const Known& known);
+  Builder& reeve(const std::string& rope, Array<description::PathElement> path, const Known& known);
   /// A mass that hangs on a point, body or carriage, kg.
   Builder& load(const std::string& at, double mass);
   /// A dead force on it, N.
@@ -78,7 +79,7 @@ class Builder {
   /// takes rope in.
   Builder& drive(const std::string& drum, const std::string& speed);
   /// Heights of the ground at x, m, at least two, x growing.
-  Builder& ground(std::vector<double> x, std::vector<double> z);
+  Builder& ground(Array<double> x, Array<double> z);
 
   /// The description, for all that has no function here; taut/machine/description/machine.hpp says what there is.
   Machine& description() { return machine_; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/compile/carriages.hpp"
@@ -31,7 +32,7 @@ Vector3 axis_of(const std::string& letter) {
 }
 
 template <class Named>
-std::string hint_for(const std::vector<Named>& all, const std::string& name) {
+std::string hint_for(const Array<Named>& all, const std::string& name) {
   std::vector<std::string> names;
   names.reserve(all.size());
   for (const Named& one : all) names.push_back(one.name);
@@ -85,7 +86,7 @@ class Compiler {
 
   Vector3 start_of(const Place& place) const {
     if (place.body == ground) return place.at;
-    const Body& body = model_.bodies[static_cast<std::size_t>(place.body)];
+    const Body& body = model_.bodies[place.body];
     return body.position + body.orientation * place.at;
   }
 
@@ -121,7 +122,7 @@ class Compiler {
 
   void check_held() {
     for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
-      const bool held = std::any_of(stops_.begin(), stops_.end(), [&](const std::vector<Stop>& stops) {
+      const bool held = std::any_of(stops_.begin(), stops_.end(), [&](const Array<Stop>& stops) {
         return std::any_of(stops.begin(), stops.end(),
                            [&](const Stop& stop) { return stop.node.at.body == static_cast<int>(i); });
       });
@@ -150,7 +151,7 @@ class Compiler {
 
   const RopeData* rope(const std::string& name, const std::string& path) {
     const int i = index_of(ropes_, name);
-    if (i >= 0) return &ropes_[static_cast<std::size_t>(i)];
+    if (i >= 0) return &ropes_[i];
     complain(path, fmt::format("there is no rope '{}'{}", name, hint_for(ropes_, name)));
     return nullptr;
   }
@@ -183,7 +184,7 @@ class Compiler {
 
   void add_guy(const description::Guy& given) {
     const std::string path = fmt::format("guys.{}", given.name);
-    const std::vector<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
+    const Array<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
     Reeving reeving;
     reeving.name = given.name;
     if (const RopeData* data = rope(given.rope, path + ".rope")) set_rope(reeving, *data, machine_.gravity);
@@ -194,7 +195,7 @@ class Compiler {
     } else {
       reeving.value = given.length.value_or(0);
     }
-    std::vector<Stop> stops;
+    Array<Stop> stops;
     for (const auto& [key, name] : {std::pair{"from", given.from}, std::pair{"to", given.to}}) {
       const Target* t = links_.find(name, ends, fmt::format("{}.{}", path, key), complaints_);
       if (t == nullptr) continue;
@@ -219,8 +220,8 @@ class Compiler {
 
   void finish_nodes() {
     for (std::size_t r = 0; r < stops_.size(); ++r) {
-      std::vector<Stop>& stops = stops_[r];
-      std::vector<Vector3> places;
+      Array<Stop>& stops = stops_[r];
+      Array<Vector3> places;
       places.reserve(stops.size());
       for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
       const bool is_guy = r >= machine_.reevings.size();
@@ -236,15 +237,15 @@ class Compiler {
     }
   }
 
-  static void set_straight(const std::vector<Vector3>& places, Reeving& reeving) {
+  static void set_straight(const Array<Vector3>& places, Reeving& reeving) {
     reeving.value = 0;
     for (std::size_t k = 1; k < places.size(); ++k) reeving.value += (places[k] - places[k - 1]).norm();
   }
 
   /// Clamps without a length stand at their share of the way, of an endless rope all the way round.
-  static void set_clamps(std::vector<Stop>& stops, const std::vector<Vector3>& places, const Reeving& reeving) {
+  static void set_clamps(Array<Stop>& stops, const Array<Vector3>& places, const Reeving& reeving) {
     double total = 0;
-    std::vector<double> way = {0};
+    Array<double> way = {0};
     for (std::size_t k = 1; k < places.size(); ++k) way.push_back(total += (places[k] - places[k - 1]).norm());
     if (reeving.closed && places.size() > 1) total += (places.front() - places.back()).norm();
     const double length = reeving.given == Given::length ? reeving.value : total;
@@ -301,7 +302,7 @@ class Compiler {
       put_up.tension = given->tension;
       put_up.at_end = given->at == description::BaseTensionAt::end;
       const std::string path = fmt::format("reevings[{}].install.with", i);
-      std::vector<int> loads;
+      Array<int> loads;
       for (const std::string& name : given->with) {
         const auto load = std::find_if(machine_.loads.begin(), machine_.loads.end(),
                                        [&](const auto& one) { return one.name == name; });
@@ -312,11 +313,10 @@ class Compiler {
         }
       }
       for (const int load : put_up.loads) {
-        const int body = model_.loads[static_cast<std::size_t>(load)].at.body;
+        const int body = model_.loads[load].at.body;
         if (std::find(put_up.bodies.begin(), put_up.bodies.end(), body) != put_up.bodies.end()) continue;
         complain(path, fmt::format("the load '{}' hangs on '{}': name that too",
-                                   *machine_.loads[static_cast<std::size_t>(load)].name,
-                                   model_.bodies[static_cast<std::size_t>(body)].name));
+                                   *machine_.loads[static_cast<std::size_t>(load)].name, model_.bodies[body].name));
       }
     }
   }
@@ -332,7 +332,7 @@ class Compiler {
       const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
       model_.loads.push_back({t->place, pull * along.normalized(), 0});
       if (!given.weight || t->place.body == ground) continue;
-      Body& body = model_.bodies[static_cast<std::size_t>(t->place.body)];
+      Body& body = model_.bodies[t->place.body];
       if (body.free.size() != 1) continue;
       const double share = along.normalized().dot(body.free.front().along);
       body.counterweight += *given.weight * share * share;
@@ -342,9 +342,9 @@ class Compiler {
   const Machine& machine_;
   std::vector<Complaint> complaints_;
   Links links_;
-  std::vector<RopeData> ropes_;
-  std::vector<RopeData> rope_of_reeving_;
-  std::vector<std::vector<Stop>> stops_;
+  Array<RopeData> ropes_;
+  Array<RopeData> rope_of_reeving_;
+  Array<Array<Stop>> stops_;
   Model model_;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/base/gravity.hpp"
 #include "taut/machine/beam.hpp"
 #include "taut/machine/motion.hpp"
@@ -29,12 +30,12 @@ struct Body {
   std::string name;
   Vector3 position = Vector3::Zero();         ///< of its origin at the start, m; kept along what is not free
   Matrix3 orientation = Matrix3::Identity();  ///< body to ground at the start
-  std::vector<Freedom> free;                  ///< none: fixed
+  Array<Freedom> free;                        ///< none: fixed
   bool of_rope = false;                       ///< a point of a rope where a load acts: no body of the deck
   double mass = 0;                            ///< kg, >= 0; its weight acts at `centre`
   Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
-  std::vector<DrivenWay> driven;              ///< what signals give; `position` and `orientation` are those at t = 0
+  Array<DrivenWay> driven;                    ///< what signals give; `position` and `orientation` are those at t = 0
   double counterweight = 0;  ///< kg: the inertia of take-up weights along its one way; their pull is among the loads
   int beam = -1;             ///< a section of this beam, not a body of its own; -1: none
 };
@@ -118,16 +119,16 @@ enum class Given {
 struct PutUp {
   double tension = 0;  ///< N
   bool at_end = false;
-  std::vector<int> bodies;
-  std::vector<int> loads;
+  Array<int> bodies;
+  Array<int> loads;
 };
 
 /// One rope on its path, in the order of which "in" and "out" speak. Parallel parts are already written out: a tackle
 /// of n falls is n branches with a contact at each turn.
 struct Reeving {
   std::string name;
-  std::vector<Node> nodes;  ///< open: first and last are anchors, none between; closed: the first is the drive, then
-                            ///< contacts and clamps, and the rope runs from the last back to the first
+  Array<Node> nodes;  ///< open: first and last are anchors, none between; closed: the first is the drive, then
+                      ///< contacts and clamps, and the rope runs from the last back to the first
   bool closed = false;
   Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
@@ -177,27 +178,27 @@ struct OffLine {
 
 struct Model {
   double gravity = standard_gravity;  ///< m/s^2, along -z
-  std::vector<Body> bodies;
-  std::vector<Load> loads;
-  std::vector<Reeving> reevings;
-  std::vector<Carriage> carriages;
-  std::vector<GroundPoint> terrain;
+  Array<Body> bodies;
+  Array<Load> loads;
+  Array<Reeving> reevings;
+  Array<Carriage> carriages;
+  Array<GroundPoint> terrain;
   Vector3 terrain_from = Vector3::Zero();    ///< where the terrain's x is 0, m
   Vector3 terrain_along = Vector3::UnitX();  ///< horizontal unit vector
   OffLine terrain_off_line;                  ///< of a survey
   // of a machine in motion
-  std::vector<Signal> signals;
-  std::vector<Drum> drums;
-  std::vector<Motor> motors;
-  std::vector<Face> faces;
-  std::vector<FaceContact> contacts;
-  std::vector<Actuator> actuators;
-  std::vector<Tensioner> tensioners;
-  std::vector<Event> events;
-  std::vector<Observable> observed;
-  std::vector<Observable> measures;      ///< by their names; each is observed too
-  std::vector<Observable> mean_windows;  ///< quantities that say where means are taken
-  std::vector<Beam> beams;
+  Array<Signal> signals;
+  Array<Drum> drums;
+  Array<Motor> motors;
+  Array<Face> faces;
+  Array<FaceContact> contacts;
+  Array<Actuator> actuators;
+  Array<Tensioner> tensioners;
+  Array<Event> events;
+  Array<Observable> observed;
+  Array<Observable> measures;      ///< by their names; each is observed too
+  Array<Observable> mean_windows;  ///< quantities that say where means are taken
+  Array<Beam> beams;
 };
 
 /// The terrain's x of a place, m.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::machine {
@@ -90,8 +91,8 @@ double integral(const Signal& signal, double from, double to) {
   return sum + integral_of_piece(signal, last, to);
 }
 
-std::vector<double> breakpoints(const Signal& signal) {
-  std::vector<double> times;
+Array<double> breakpoints(const Signal& signal) {
+  Array<double> times;
   if (const auto* law = std::get_if<Moves>(&signal.law)) {
     for (const Move& move : law->moves) {
       times.push_back(move.at);
@@ -104,11 +105,11 @@ std::vector<double> breakpoints(const Signal& signal) {
   return times;
 }
 
-Curve smooth_curve(std::vector<double> t, std::vector<double> value) {
+Curve smooth_curve(Array<double> t, Array<double> value) {
   expects(t.size() >= 2 && t.size() == value.size(), "a curve goes through two points or more");
   const std::size_t last = t.size() - 1;
   // m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (d[i-1]/h[i-1] + d[i]/h[i]); m = 0 at both ends
-  std::vector<double> slopes(last + 1, 0.0), upper(last + 1, 0.0);
+  Array<double> slopes(last + 1, 0.0), upper(last + 1, 0.0);
   for (std::size_t i = 1; i < last; ++i) {
     const double before = 1 / (t[i] - t[i - 1]), after = 1 / (t[i + 1] - t[i]);
     const double right = 3 * ((value[i] - value[i - 1]) * before * before + (value[i + 1] - value[i]) * after * after);

@@ -3,6 +3,7 @@
 #include <variant>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/units/unit.hpp"
 
 namespace taut::machine {
@@ -27,15 +28,15 @@ struct Move {
 /// Changes one after the other, none beginning before the last has ended.
 struct Moves {
   double from = 0;  ///< before the first
-  std::vector<Move> moves;
+  Array<Move> moves;
 };
 
 /// Values at growing times, the first and the last one held before and after. Linear between them; with `slopes` (at
 /// each time) the cubic that has them.
 struct Curve {
-  std::vector<double> t;
-  std::vector<double> value;
-  std::vector<double> slopes;
+  Array<double> t;
+  Array<double> value;
+  Array<double> slopes;
 };
 
 /// mean + amplitude sin(omega t + phase)
@@ -60,10 +61,10 @@ SignalValue at(const Signal& signal, double t);
 double integral(const Signal& signal, double from, double to);
 
 /// The times at which the value or a derivative jumps, growing: where an integrator has to end a step.
-std::vector<double> breakpoints(const Signal& signal);
+Array<double> breakpoints(const Signal& signal);
 
 /// A curve through the points with continuous second derivative, at rest at both ends (clamped cubic spline), as it
 /// stands still before and after. `t` grows, at least two points.
-Curve smooth_curve(std::vector<double> t, std::vector<double> value);
+Curve smooth_curve(Array<double> t, Array<double> value);
 
 }  // namespace taut::machine

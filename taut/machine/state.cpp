@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/tangent.hpp"
 
@@ -21,8 +22,7 @@ rope::Round round_at(const State& state, const Node& node) {
   const Vector3 centre = in_ground(state, node.at);
   if (node.radius == 0) return rope::point(centre);
   const bool moves = node.at.body != ground;
-  const Matrix3 turned =
-      moves ? state.bodies[static_cast<std::size_t>(node.at.body)].orientation : Matrix3(Matrix3::Identity());
+  const Matrix3 turned = moves ? state.bodies[node.at.body].orientation : Matrix3(Matrix3::Identity());
   return rope::sheave(centre, turned * node.axis, node.radius, node.side);
 }
 
@@ -49,7 +49,7 @@ double without_sag(const Reeving& reeving, const rope::TangentLine& line, double
 }
 
 /// The tension at which they add up to `total`; the logarithm of the tension halved.
-double common_tension(const Reeving& reeving, const std::vector<rope::TangentLine>& lines, double total) {
+double common_tension(const Reeving& reeving, const Array<rope::TangentLine>& lines, double total) {
   double longest = 0;
   for (const rope::TangentLine& line : lines) longest = std::max(longest, line.length);
   const double weight = reeving.weight * longest;
@@ -68,7 +68,7 @@ double common_tension(const Reeving& reeving, const std::vector<rope::TangentLin
 
 Model with_sides(Model model, const State& state) {
   for (std::size_t r = 0; r < std::min(model.reevings.size(), state.sides.size()); ++r) {
-    std::vector<Node>& nodes = model.reevings[r].nodes;
+    Array<Node>& nodes = model.reevings[r].nodes;
     if (state.sides[r].size() != nodes.size()) continue;
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].side = state.sides[r][k];
   }
@@ -90,7 +90,7 @@ State initial_state(const Model& model) {
     expects(reeving.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
     state.touched.emplace_back(reeving.nodes.size(), true);
     const auto count = static_cast<std::size_t>(branch_count(reeving));
-    std::vector<rope::TangentLine> lines;
+    Array<rope::TangentLine> lines;
     double straight = 0, arcs = 0;
     for (std::size_t k = 0; k < count; ++k) {
       lines.push_back(line_between(state, reeving.nodes[k], reeving.nodes[(k + 1) % reeving.nodes.size()]));
@@ -104,7 +104,7 @@ State initial_state(const Model& model) {
     }
     const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
     const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;
-    std::vector<BranchState> branches(count);
+    Array<BranchState> branches(count);
     const bool given_tension = reeving.given == Given::tension_at_start || reeving.given == Given::tension_at_end;
     if (reeving.given == Given::length && reeving.weight > 0 && left > 0) {
       const double T = common_tension(reeving, lines, left);
@@ -119,12 +119,11 @@ State initial_state(const Model& model) {
     state.branches.push_back(std::move(branches));
   }
   for (const Beam& beam : model.beams) {
-    std::vector<PieceState>& pieces = state.beams.emplace_back();
+    Array<PieceState>& pieces = state.beams.emplace_back();
     for (const BeamPiece& piece : beam.pieces) {
       PieceState& s = pieces.emplace_back();
       const bool moves = piece.start.body != ground;
-      s.axes = moves ? Matrix3(state.bodies[static_cast<std::size_t>(piece.start.body)].orientation * piece.start_axes)
-                     : piece.start_axes;
+      s.axes = moves ? Matrix3(state.bodies[piece.start.body].orientation * piece.start_axes) : piece.start_axes;
     }
   }
   return state;

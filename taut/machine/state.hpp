@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/math/vector.hpp"
 #include "taut/rope/catenary.hpp"
@@ -24,11 +25,11 @@ struct BranchState {
 
 /// Where a machine is: a value, to be copied, kept and started from.
 struct State {
-  std::vector<Pose> bodies;                         ///< as in the model
-  std::vector<std::vector<BranchState>> branches;   ///< [reeving][branch], branch k from node k on
-  std::vector<std::vector<bool>> touched;           ///< [reeving][node]: false where the rope has lifted off
-  std::vector<std::vector<PieceState>> beams = {};  ///< [beam][piece]
-  std::vector<std::vector<int>> sides = {};         ///< [reeving][node], Node::side as found; empty: as in the model
+  Array<Pose> bodies;                   ///< as in the model
+  Array<Array<BranchState>> branches;   ///< [reeving][branch], branch k from node k on
+  Array<Array<bool>> touched;           ///< [reeving][node]: false where the rope has lifted off
+  Array<Array<PieceState>> beams = {};  ///< [beam][piece]
+  Array<Array<int>> sides = {};         ///< [reeving][node], Node::side as found; empty: as in the model
 };
 
 /// The model with the sides of its sheaves as they are in a state of it.

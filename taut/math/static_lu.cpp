@@ -3,66 +3,67 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut {
 namespace {
 
-void add_sorted(std::vector<int>& set, int value) {
+void add_sorted(Array<int>& set, int value) {
   const auto place = std::lower_bound(set.begin(), set.end(), value);
   if (place == set.end() || *place != value) set.insert(place, value);
 }
 
 }  // namespace
 
-StaticLu::StaticLu(int size, const std::vector<std::vector<int>>& cliques) : size_(size) {
-  std::vector<std::vector<int>> neighbours(at(size));
+StaticLu::StaticLu(int size, const Array<Array<int>>& cliques) : size_(size) {
+  Array<Array<int>> neighbours(as_size(size));
   for (const auto& clique : cliques) {
     for (const int i : clique) {
       for (const int j : clique) {
-        if (i != j) add_sorted(neighbours[at(i)], j);
+        if (i != j) add_sorted(neighbours[i], j);
       }
     }
   }
   order(neighbours);
   // beside each pivot its row, then its column: what an operation reads lies side by side
   int count = 0;
-  places_.resize(at(size));
+  places_.resize(as_size(size));
   for (int k = 0; k < size; ++k) {
-    const int p = order_[at(k)];
-    const int beside = static_cast<int>(upper_[at(k)].size());
-    places_[at(p)].emplace_back(p, count);
+    const int p = order_[k];
+    const int beside = static_cast<int>(upper_[k].size());
+    places_[p].emplace_back(p, count);
     for (int i = 0; i < beside; ++i) {
-      const int u = upper_[at(k)][at(i)];
-      places_[at(p)].emplace_back(u, count + 1 + i);
-      places_[at(u)].emplace_back(p, count + 1 + beside + i);
+      const int u = upper_[k][i];
+      places_[p].emplace_back(u, count + 1 + i);
+      places_[u].emplace_back(p, count + 1 + beside + i);
     }
     count += 1 + 2 * beside;
   }
   for (auto& row : places_) std::sort(row.begin(), row.end());
-  values_.assign(at(count), 0.0);
+  values_.assign(as_size(count), 0.0);
   list_operations();
 }
 
 /// Least degree first; of equals the one that rested longest, so that the ends of chains are worked on in turn and
 /// no operation waits for the one before. Elimination joins the neighbours.
-void StaticLu::order(std::vector<std::vector<int>>& neighbours) {
-  std::vector<bool> gone(at(size_), false);
-  std::vector<int> touched(at(size_), -1);
-  const auto rank = [&](int i) { return std::pair{neighbours[at(i)].size(), touched[at(i)]}; };
+void StaticLu::order(Array<Array<int>>& neighbours) {
+  Array<bool> gone(as_size(size_), false);
+  Array<int> touched(as_size(size_), -1);
+  const auto rank = [&](int i) { return std::pair{neighbours[i].size(), touched[i]}; };
   for (int k = 0; k < size_; ++k) {
     int best = -1;
     for (int i = 0; i < size_; ++i) {
-      if (gone[at(i)]) continue;
+      if (gone[i]) continue;
       if (best < 0 || rank(i) < rank(best)) best = i;
     }
-    gone[at(best)] = true;
+    gone[best] = true;
     order_.push_back(best);
-    upper_.push_back(neighbours[at(best)]);
+    upper_.push_back(neighbours[best]);
     for (const int i : upper_.back()) {
-      auto& of = neighbours[at(i)];
-      touched[at(i)] = k;
+      auto& of = neighbours[i];
+      touched[i] = k;
       of.erase(std::lower_bound(of.begin(), of.end(), best));
       for (const int j : upper_.back()) {
         if (i != j) add_sorted(of, j);
@@ -72,32 +73,33 @@ void StaticLu::order(std::vector<std::vector<int>>& neighbours) {
 }
 
 void StaticLu::list_operations() {
-  std::vector<int> rank(at(size_), 0);
-  for (int k = 0; k < size_; ++k) rank[at(order_[at(k)])] = k;
+  Array<int> rank(as_size(size_), 0);
+  for (int k = 0; k < size_; ++k) rank[order_[k]] = k;
   for (int k = 0; k < size_; ++k) {
-    const int p = order_[at(k)];
-    const auto& row = upper_[at(k)];
+    const int p = order_[k];
+    const auto& row = upper_[k];
     pivots_.push_back({place(p, p), static_cast<int>(unknowns_.size()), static_cast<int>(row.size()),
                        static_cast<int>(targets_.size())});
-    for (const int u : row) unknowns_.push_back(rank[at(u)]);
+    for (const int u : row) unknowns_.push_back(rank[u]);
     for (const int i : row) {
       for (const int j : row) targets_.push_back(place(i, j));
     }
   }
-  ordered_.assign(at(size_), 0.0);
+  ordered_.assign(as_size(size_), 0.0);
 }
 
 int StaticLu::place(int row, int column) const {
-  const auto& of = places_[at(row)];
+  const auto& of = places_[row];
   const auto found = std::lower_bound(of.begin(), of.end(), std::pair{column, -1});
   expects(found != of.end() && found->first == column, "an entry of the pattern");
   return found->second;
 }
 
-std::vector<double> StaticLu::dense() const {
-  std::vector<double> full(at(size_) * at(size_), 0.0);
+Array<double> StaticLu::dense() const {
+  Array<double> full(as_size(size_) * as_size(size_), 0.0);
   for (int row = 0; row < size_; ++row) {
-    for (const auto& [column, place] : places_[at(row)]) full[at(row) * at(size_) + at(column)] = values_[at(place)];
+    for (const auto& [column, place] : places_[row])
+      full[as_size(row) * as_size(size_) + as_size(column)] = values_[place];
   }
   return full;
 }
@@ -130,11 +132,11 @@ bool StaticLu::factor() {
   return true;
 }
 
-void StaticLu::solve(std::vector<double>& x) {
+void StaticLu::solve(Array<double>& x) {
   const double* const v = values_.data();
   double* const y = ordered_.data();
   const std::size_t n = pivots_.size();
-  for (std::size_t k = 0; k < n; ++k) y[k] = x[at(order_[k])];
+  for (std::size_t k = 0; k < n; ++k) y[k] = x[order_[k]];
   for (std::size_t k = 0; k < n; ++k) {
     const Pivot& pivot = pivots_[k];
     const double value = y[k];
@@ -149,7 +151,7 @@ void StaticLu::solve(std::vector<double>& x) {
     const int* const unknown = unknowns_.data() + pivot.first;
     for (int i = 0; i < pivot.count; ++i) value -= right[i] * y[unknown[i]];
     y[k] = value * v[pivot.diagonal];
-    x[at(order_[k])] = y[k];
+    x[order_[k]] = y[k];
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "taut/base/array.hpp"
+
 namespace taut {
 
 /// Gauss elimination for one sparse pattern and many matrices: ordering, fill and the list of all operations are found
@@ -10,42 +12,42 @@ class StaticLu {
  public:
   StaticLu() = default;
   /// `cliques`: sets of unknowns that all depend on each other (those of one element). Every diagonal entry is there.
-  StaticLu(int size, const std::vector<std::vector<int>>& cliques);
+  StaticLu(int size, const Array<Array<int>>& cliques);
 
   int size() const { return size_; }
   /// Where the entry of a row and a column lies in `values`; both have to be in one clique.
   int place(int row, int column) const;
   void set_zero();
-  std::vector<double>& values() { return held_ ? spare_ : values_; }
-  const std::vector<double>& values() const { return values_; }
+  Array<double>& values() { return held_ ? spare_ : values_; }
+  const Array<double>& values() const { return values_; }
   /// What is in `values` as a full matrix, row by row.
-  std::vector<double> dense() const;
+  Array<double> dense() const;
 
   /// While held, `values` gives a spare array that nobody reads: the factors stay for more right sides.
   void hold(bool factors);
   /// Factors what is in `values`, in place. False where a pivot is zero or not finite.
   bool factor();
   /// Solves for one right side, in place.
-  void solve(std::vector<double>& x);
+  void solve(Array<double>& x);
 
  private:
   struct Pivot {
     int diagonal = 0, first = 0, count = 0, operations = 0;
   };
-  void order(std::vector<std::vector<int>>& neighbours);
+  void order(Array<Array<int>>& neighbours);
   void list_operations();
 
   int size_ = 0;
-  std::vector<int> order_;                                // unknown eliminated at each step
-  std::vector<std::vector<int>> upper_;                   // by step: unknowns that remain beside it
-  std::vector<std::vector<std::pair<int, int>>> places_;  // by row: column and place, sorted
-  std::vector<Pivot> pivots_;
-  std::vector<int> unknowns_;  // of the pivots' rows, one after the other, by their step of elimination
-  std::vector<int> targets_;   // of each product, row by row
-  std::vector<double> values_;
-  std::vector<double> spare_;
+  Array<int> order_;                          // unknown eliminated at each step
+  Array<Array<int>> upper_;                   // by step: unknowns that remain beside it
+  Array<Array<std::pair<int, int>>> places_;  // by row: column and place, sorted
+  Array<Pivot> pivots_;
+  Array<int> unknowns_;  // of the pivots' rows, one after the other, by their step of elimination
+  Array<int> targets_;   // of each product, row by row
+  Array<double> values_;
+  Array<double> spare_;
   bool held_ = false;
-  std::vector<double> ordered_;  // of the right side, by step
+  Array<double> ordered_;  // of the right side, by step
 };
 
 }  // namespace taut

@@ -16,7 +16,7 @@ TEST(StaticLu, SolvesWhatADenseEliminationSolves) {
   std::uniform_real_distribution<double> value(-1, 1);
   for (int round = 0; round < 50; ++round) {
     const int n = 1 + static_cast<int>(random() % 30);
-    std::vector<std::vector<int>> cliques;
+    taut::Array<taut::Array<int>> cliques;
     for (int c = 0; c < n; ++c) {
       std::vector<int> clique;
       clique.reserve(4);
@@ -40,7 +40,7 @@ TEST(StaticLu, SolvesWhatADenseEliminationSolves) {
       lu.values()[static_cast<std::size_t>(lu.place(i, i))] += 5;
       dense(i, i) += 5;
     }
-    std::vector<double> x(static_cast<std::size_t>(n));
+    taut::Array<double> x(static_cast<std::size_t>(n));
     for (double& one : x) one = value(random);
     const Eigen::VectorXd right = Eigen::Map<Eigen::VectorXd>(x.data(), n);
     ASSERT_TRUE(lu.factor());

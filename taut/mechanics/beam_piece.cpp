@@ -14,7 +14,7 @@ using structure::BeamOrder;
 using structure::RodState;
 
 Matrix3 turn_of(const Configuration& c, int body) {
-  return body == machine::ground ? Matrix3(Matrix3::Identity()) : c.bodies[at(body)].orientation;
+  return body == machine::ground ? Matrix3(Matrix3::Identity()) : c.bodies[body].orientation;
 }
 
 /// From a body's origin to a place on it.
@@ -23,7 +23,7 @@ Vector3 arm_of(const Configuration& c, const machine::Place& place) {
 }
 
 Vector3 in_ground(const Configuration& c, const machine::Place& place) {
-  return place.body == machine::ground ? place.at : Vector3(c.bodies[at(place.body)].position + arm_of(c, place));
+  return place.body == machine::ground ? place.at : Vector3(c.bodies[place.body].position + arm_of(c, place));
 }
 
 /// A hinged start: the rotation of the section against what it stands on, the axis about which it may not turn, and the
@@ -85,8 +85,8 @@ void add_force(const System& s, const Configuration& c, const machine::Place& pl
                const Vector3& moment, double factor, Eigen::VectorXd& residual) {
   if (place.body == machine::ground) return;
   const Vector3 all = arm_of(c, place).cross(force) + moment;
-  for (int i = s.layout.first_dof[at(place.body)]; i < s.layout.first_dof[at(place.body) + 1]; ++i) {
-    const machine::Freedom& way = s.layout.dofs[at(i)].way;
+  for (int i = s.layout.first_dof[place.body]; i < s.layout.first_dof[as_size(place.body) + 1]; ++i) {
+    const machine::Freedom& way = s.layout.dofs[i].way;
     residual[i] += factor * (force.dot(way.along) + all.dot(way.about));
   }
 }
@@ -136,8 +136,8 @@ class PieceRates {
 
   void add_body(int body, bool start, bool end, bool reference) {
     if (body == machine::ground) return;
-    for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
-      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
+    for (int i = s_.layout.first_dof[body]; i < s_.layout.first_dof[as_size(body) + 1]; ++i) {
+      const machine::Freedom& way = s_.layout.dofs[i].way;
       Input in;
       if (start) {
         in.start = way.along + way.about.cross(arm_of(c_, piece_.start));
@@ -221,8 +221,8 @@ class PieceRates {
     if (place.body == machine::ground) return;
     const Vector3 arm = arm_of(c_, place);
     const Vector3 all = turn.cross(arm).cross(F) + arm.cross(dF) + dM;
-    for (int i = s_.layout.first_dof[at(place.body)]; i < s_.layout.first_dof[at(place.body) + 1]; ++i) {
-      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
+    for (int i = s_.layout.first_dof[place.body]; i < s_.layout.first_dof[as_size(place.body) + 1]; ++i) {
+      const machine::Freedom& way = s_.layout.dofs[i].way;
       J_(i, column) += factor * (dF.dot(way.along) + all.dot(way.about));
     }
   }
@@ -242,7 +242,7 @@ class PieceRates {
 }  // namespace
 
 const machine::BeamPiece& piece_of(const System& s, const Layout::Piece& p) {
-  return s.model.beams[at(p.beam)].pieces[at(p.piece)];
+  return s.model.beams[p.beam].pieces[p.piece];
 }
 
 structure::RodState piece_start(const System& s, const Configuration& c, std::size_t index) {

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/mechanics/rope_load.hpp"
@@ -17,7 +18,7 @@ struct Assembly {
   const Configuration& c;
   const Evaluation& e;
   Eigen::MatrixXd& J;
-  std::vector<Columns>& columns;
+  Array<Columns>& columns;
 };
 
 /// `ends` gets how the way from centre to centre follows each column.
@@ -26,42 +27,42 @@ void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r
   const Layout& layout = a.system.layout;
   const int body = start ? columns.from_body : columns.to_body;
   if (body == machine::ground) return;
-  const Vector3 arm = end.centre - a.c.bodies[at(body)].position;
-  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
-    const machine::Freedom& way = layout.dofs[at(i)].way;
+  const Vector3 arm = end.centre - a.c.bodies[body].position;
+  for (int i = layout.first_dof[body]; i < layout.first_dof[as_size(body) + 1]; ++i) {
+    const machine::Freedom& way = layout.dofs[i].way;
     const int k = columns.count++;
-    columns.unknown[at(k)] = i;
+    columns.unknown[as_size(k)] = i;
     const Vector3 turn = way.about.cross(arm);
     const Vector3 shift = offset_change(end, start ? b.leaves : b.arrives, way.about.cross(end.axis));
     const Vector3 X = (start ? -1 : 1) * (way.along + turn + shift);
-    ends[at(k)] = X;
-    columns.pull_from[at(k)] = r.pull_from_X * X;
-    columns.pull_to[at(k)] = r.pull_to_X * X;
-    columns.length[at(k)] = r.length_X.dot(X);
-    columns.leaves[at(k)] = r.leaves_X * X;
-    columns.arrives[at(k)] = r.arrives_X * X;
-    columns.arm_from[at(k)] = r.offset_from_X * X;
-    columns.arm_to[at(k)] = r.offset_to_X * X;
-    (start ? columns.arm_from : columns.arm_to)[at(k)] += turn + shift;
+    ends[as_size(k)] = X;
+    columns.pull_from[as_size(k)] = r.pull_from_X * X;
+    columns.pull_to[as_size(k)] = r.pull_to_X * X;
+    columns.length[as_size(k)] = r.length_X.dot(X);
+    columns.leaves[as_size(k)] = r.leaves_X * X;
+    columns.arrives[as_size(k)] = r.arrives_X * X;
+    columns.arm_from[as_size(k)] = r.offset_from_X * X;
+    columns.arm_to[as_size(k)] = r.offset_to_X * X;
+    (start ? columns.arm_from : columns.arm_to)[as_size(k)] += turn + shift;
   }
 }
 
 void fill_columns(const Assembly& a, int link_index, Columns& columns) {
-  const Layout::Link& link = a.system.layout.links[at(link_index)];
-  const machine::Reeving& rope = a.system.model.reevings[at(link.reeving)];
-  const machine::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+  const Layout::Link& link = a.system.layout.links[link_index];
+  const machine::Reeving& rope = a.system.model.reevings[link.reeving];
+  const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
-  const Branch& b = a.e.branches[at(link_index)];
+  const Branch& b = a.e.branches[link_index];
   const bool stiff = link.force >= 0;
   const BranchRates r = stiff ? stiff_rates(a.system, link_index, a.c, b)
-                              : rates(rope_of(rope, a.c.links[at(link_index)].length), start, end, b);
+                              : rates(rope_of(rope, a.c.links[link_index].length), start, end, b);
   BranchWays ends;
   columns.count = 0;
   columns.from_body = from.at.body;
   columns.to_body = to.at.body;
   add_columns_of_end(a, b, r, start, true, columns, ends);
   add_columns_of_end(a, b, r, end, false, columns, ends);
-  const std::size_t k = at(columns.count++);
+  const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = link.unknown;
   columns.length[k] = r.length_u;
   columns.pull_from[k] = r.pull_from_u;
@@ -78,10 +79,10 @@ void add_force_rows(Assembly& a, int body, const Vector3& F, const Vector3& arm,
                     double factor) {
   if (body == machine::ground) return;
   const Layout& layout = a.system.layout;
-  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
-    const machine::Freedom& way = layout.dofs[at(i)].way;
+  for (int i = layout.first_dof[body]; i < layout.first_dof[as_size(body) + 1]; ++i) {
+    const machine::Freedom& way = layout.dofs[i].way;
     const bool turns = way.about != Vector3::Zero();
-    for (std::size_t k = 0; k < at(columns.count); ++k) {
+    for (std::size_t k = 0; k < as_size(columns.count); ++k) {
       const Vector3& dF = start ? columns.pull_from[k] : columns.pull_to[k];
       double value = dF.dot(way.along);
       if (turns) {
@@ -98,11 +99,11 @@ void add_ropes(Assembly& a) {
     const Branch& b = a.e.branches[k];
     if (b.slack) continue;
     const Layout::Link& link = a.system.layout.links[k];
-    const machine::Reeving& rope = a.system.model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = a.system.model.reevings[link.reeving];
     const Columns& columns = a.columns[k];
     const auto arm = [&](int node, int body, const Vector3& offset) -> Vector3 {
       if (body == machine::ground) return Vector3::Zero();
-      return end_at(rope.nodes[at(node)], a.c.bodies).centre + offset - a.c.bodies[at(body)].position;
+      return end_at(rope.nodes[node], a.c.bodies).centre + offset - a.c.bodies[body].position;
     };
     add_force_rows(a, columns.from_body, b.pull_from, arm(link.from, columns.from_body, b.offset_from), columns, true,
                    rope.copies);
@@ -114,11 +115,11 @@ void add_ropes(Assembly& a) {
 /// A dead force turns with nothing; its arm does.
 void add_dead_force(Assembly& a, int body, const Vector3& arm, const Vector3& F) {
   const Layout& layout = a.system.layout;
-  for (int i = layout.first_dof[at(body)]; i < layout.first_dof[at(body) + 1]; ++i) {
-    const Vector3& row = layout.dofs[at(i)].way.about;
+  for (int i = layout.first_dof[body]; i < layout.first_dof[as_size(body) + 1]; ++i) {
+    const Vector3& row = layout.dofs[i].way.about;
     if (row == Vector3::Zero()) continue;
-    for (int j = layout.first_dof[at(body)]; j < layout.first_dof[at(body) + 1]; ++j) {
-      a.J(i, j) += row.dot(layout.dofs[at(j)].way.about.cross(arm).cross(F));
+    for (int j = layout.first_dof[body]; j < layout.first_dof[as_size(body) + 1]; ++j) {
+      a.J(i, j) += row.dot(layout.dofs[j].way.about.cross(arm).cross(F));
     }
   }
 }
@@ -131,54 +132,54 @@ void add_dead_forces(Assembly& a) {
   }
   for (const machine::Load& load : model.loads) {
     if (load.at.body == machine::ground) continue;
-    add_dead_force(a, load.at.body, a.c.bodies[at(load.at.body)].orientation * load.at.at, load.force);
+    add_dead_force(a, load.at.body, a.c.bodies[load.at.body].orientation * load.at.at, load.force);
   }
 }
 
 /// Adds the derivative of factor_in T_in + factor_out T_out + factor_wrap wrap at a turn to a row.
 void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_out, double factor_wrap) {
-  const Layout::Turn& t = a.system.layout.turns[at(turn)];
-  const Bend& bend = a.e.bends[at(turn)];
-  const Columns &in = a.columns[at(t.before)], &out = a.columns[at(t.after)];
-  const Vector3 &d_in = a.e.branches[at(t.before)].arrives, &d_out = a.e.branches[at(t.after)].leaves;
-  for (std::size_t k = 0; k < at(in.count); ++k) {
+  const Layout::Turn& t = a.system.layout.turns[turn];
+  const Bend& bend = a.e.bends[turn];
+  const Columns &in = a.columns[t.before], &out = a.columns[t.after];
+  const Vector3 &d_in = a.e.branches[t.before].arrives, &d_out = a.e.branches[t.after].leaves;
+  for (std::size_t k = 0; k < as_size(in.count); ++k) {
     a.J(row, in.unknown[k]) += factor_in * d_in.dot(in.pull_to[k]) + factor_wrap * bend.by_in.dot(in.arrives[k]);
   }
-  for (std::size_t k = 0; k < at(out.count); ++k) {
+  for (std::size_t k = 0; k < as_size(out.count); ++k) {
     a.J(row, out.unknown[k]) += factor_out * d_out.dot(out.pull_from[k]) + factor_wrap * bend.by_out.dot(out.leaves[k]);
   }
 }
 
 void add_arc(Assembly& a, int turn, int row) {
-  const Layout::Turn& t = a.system.layout.turns[at(turn)];
-  const machine::Reeving& rope = a.system.model.reevings[at(t.reeving)];
-  const double radius = rope.nodes[at(t.node)].radius;
+  const Layout::Turn& t = a.system.layout.turns[turn];
+  const machine::Reeving& rope = a.system.model.reevings[t.reeving];
+  const double radius = rope.nodes[t.node].radius;
   if (radius == 0) return;
   const ArcLength length = arc(a.system, a.e, turn);
   add_turn(a, turn, row, length.by_in, length.by_out, length.by_wrap);
 }
 
 void add_contact(Assembly& a, int turn) {
-  const Layout::Turn& t = a.system.layout.turns[at(turn)];
-  const machine::Node& node = a.system.model.reevings[at(t.reeving)].nodes[at(t.node)];
-  const Loss lost = loss(node.law, a.e.bends[at(turn)].wrap);
+  const Layout::Turn& t = a.system.layout.turns[turn];
+  const machine::Node& node = a.system.model.reevings[t.reeving].nodes[t.node];
+  const Loss lost = loss(node.law, a.e.bends[turn].wrap);
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;
-  const double T_in = a.e.branches[at(t.before)].T_to, T_out = a.e.branches[at(t.after)].T_from;
+  const double T_in = a.e.branches[t.before].T_to, T_out = a.e.branches[t.after].T_from;
   add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_wrap);
 }
 
 /// The free length of a branch in a row.
 void add_length(Assembly& a, int link, int row) {
-  const Columns& columns = a.columns[at(link)];
-  for (std::size_t k = 0; k < at(columns.count); ++k) a.J(row, columns.unknown[k]) += columns.length[k];
+  const Columns& columns = a.columns[link];
+  for (std::size_t k = 0; k < as_size(columns.count); ++k) a.J(row, columns.unknown[k]) += columns.length[k];
 }
 
 /// The end tension of a rope as a row.
 void add_tension(Assembly& a, int link, bool start, int row) {
-  const Columns& columns = a.columns[at(link)];
-  const Branch& b = a.e.branches[at(link)];
-  for (std::size_t k = 0; k < at(columns.count); ++k) {
+  const Columns& columns = a.columns[link];
+  const Branch& b = a.e.branches[link];
+  for (std::size_t k = 0; k < as_size(columns.count); ++k) {
     a.J(row, columns.unknown[k]) += start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]);
   }
 }
@@ -209,9 +210,9 @@ void add_laws(Assembly& a) {
     const machine::Reeving& reeving = a.system.model.reevings[r];
     const int last = rope.first_turn + rope.turn_count;
     for (int t = rope.first_turn; t < last; ++t) {
-      const Layout::Turn& turn = layout.turns[at(t)];
+      const Layout::Turn& turn = layout.turns[t];
       if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
-      const machine::NodeKind kind = reeving.nodes[at(turn.node)].kind;
+      const machine::NodeKind kind = reeving.nodes[turn.node].kind;
       if (kind == machine::NodeKind::contact) add_contact(a, t);
       if (kind != machine::NodeKind::clamp) continue;
       for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
@@ -220,8 +221,8 @@ void add_laws(Assembly& a) {
     if (rope.row != layout.coordinate_row && rope.row != layout.height_row) {
       add_given(a, rope, reeving.given, rope.row);
     }
-    if (rope.drive < 0 || layout.turns[at(rope.drive)].row < 0) continue;
-    add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, layout.turns[at(rope.drive)].row);
+    if (rope.drive < 0 || layout.turns[rope.drive].row < 0) continue;
+    add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, layout.turns[rope.drive].row);
   }
 }
 
@@ -229,31 +230,31 @@ void add_coordinate(Assembly& a) {
   const Layout& layout = a.system.layout;
   if (layout.coordinate_row < 0) return;
   const int body = layout.coordinate_body;
-  const int first = layout.first_dof[at(body)], last = layout.first_dof[at(body) + 1];
+  const int first = layout.first_dof[body], last = layout.first_dof[as_size(body) + 1];
   for (int i = first; i < last; ++i)
-    a.J(layout.coordinate_row, i) = layout.dofs[at(i)].way.along.dot(layout.coordinate_along);
+    a.J(layout.coordinate_row, i) = layout.dofs[i].way.along.dot(layout.coordinate_along);
   if (layout.height_row >= 0) {
-    for (int i = first; i < last; ++i) a.J(layout.height_row, i) = layout.dofs[at(i)].way.along.z();
+    for (int i = first; i < last; ++i) a.J(layout.height_row, i) = layout.dofs[i].way.along.z();
   }
   if (layout.hold < 0) return;
-  const std::size_t before = at(layout.turns[at(layout.hold_turn)].before);
-  const std::size_t after = at(layout.turns[at(layout.hold_last)].after);
+  const std::size_t before = as_size(layout.turns[layout.hold_turn].before);
+  const std::size_t after = as_size(layout.turns[layout.hold_last].after);
   const Columns &in = a.columns[before], &out = a.columns[after];
   const Vector3 along = track(a.system, a.e);
   const double size = (a.e.branches[before].arrives + a.e.branches[after].leaves).norm();
-  const Vector3 arm = hold_place(a.system, a.c) - a.c.bodies[at(body)].position;
+  const Vector3 arm = hold_place(a.system, a.c) - a.c.bodies[body].position;
   const auto add = [&](int unknown, const Vector3& d, const Vector3& darm) {
     const Vector3 turn = a.c.hold / size * (d - along * along.dot(d));
     for (int i = first; i < last; ++i) {
-      const machine::Freedom& way = layout.dofs[at(i)].way;
+      const machine::Freedom& way = layout.dofs[i].way;
       a.J(i, unknown) += turn.dot(way.along) + way.about.dot(arm.cross(turn) + a.c.hold * darm.cross(along));
     }
   };
-  for (std::size_t k = 0; k < at(in.count); ++k) add(in.unknown[k], in.arrives[k], Vector3::Zero());
-  for (std::size_t k = 0; k < at(out.count); ++k) add(out.unknown[k], out.leaves[k], Vector3::Zero());
-  for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[at(j)].way.about.cross(arm));
+  for (std::size_t k = 0; k < as_size(in.count); ++k) add(in.unknown[k], in.arrives[k], Vector3::Zero());
+  for (std::size_t k = 0; k < as_size(out.count); ++k) add(out.unknown[k], out.leaves[k], Vector3::Zero());
+  for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[j].way.about.cross(arm));
   for (int i = first; i < last; ++i) {
-    const machine::Freedom& way = layout.dofs[at(i)].way;
+    const machine::Freedom& way = layout.dofs[i].way;
     a.J(i, layout.hold) = along.dot(way.along) + way.about.dot(arm.cross(along));
   }
 }
@@ -261,11 +262,11 @@ void add_coordinate(Assembly& a) {
 }  // namespace
 
 void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
-              std::vector<BranchColumns>& columns) {
+              Array<BranchColumns>& columns) {
   J.setZero(system.layout.size, system.layout.size);
   columns.resize(system.layout.links.size());
   Assembly a{system, c, e, J, columns};
-  for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[at(k)]);
+  for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[k]);
   add_ropes(a);
   add_dead_forces(a);
   add_laws(a);

@@ -21,7 +21,7 @@ void settle(const mechanics::System& system, mechanics::Configuration& c, mechan
 /// Worst difference between the derivatives and central differences, by the largest number of the row.
 double worst_derivative(const machine::Model& m, std::optional<machine::Prescribed> prescribed, double step) {
   machine::State state = machine::initial_state(m);
-  std::vector<std::vector<int>> flow;
+  taut::Array<taut::Array<int>> flow;
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 1);
   const mechanics::Layout layout = mechanics::layout(m, state, prescribed, flow);
@@ -44,7 +44,7 @@ double worst_derivative(const machine::Model& m, std::optional<machine::Prescrib
   mechanics::Evaluation e;
   settle(system, c, e);
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  taut::Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(system, c, e, J, columns);
   double worst = 0;
   for (Eigen::Index j = 0; j < layout.size; ++j) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
@@ -29,12 +30,11 @@ int sense_of(const machine::Reeving& rope, const machine::RopeLoad& load, int fl
 /// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
 bool has_row(const machine::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
 
-void add_rope(Layout& l, const machine::Reeving& rope, int index, const std::vector<bool>& touched,
-              const std::vector<int>& flow) {
+void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bool>& touched, const Array<int>& flow) {
   check(rope);
-  std::vector<int> nodes;
+  Array<int> nodes;
   for (int k = 0; k < count(rope.nodes.size()); ++k) {
-    if (touched[at(k)]) nodes.push_back(k);
+    if (touched[k]) nodes.push_back(k);
   }
   const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
   Layout::Rope r;
@@ -42,23 +42,23 @@ void add_rope(Layout& l, const machine::Reeving& rope, int index, const std::vec
   r.count = links;
   r.first_turn = count(l.turns.size());
   for (int k = 0; k < links; ++k) {
-    l.links.push_back({index, nodes[at(k)], nodes[at((k + 1) % count(nodes.size()))], l.size + k});
+    l.links.push_back({index, nodes[k], nodes[(k + 1) % count(nodes.size())], l.size + k});
   }
   int row = l.size;
   const auto is_open = [](const machine::Node& node) { return node.kind == NodeKind::load && node.load.open; };
   if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + links;
   for (int k = rope.closed ? 0 : 1; k < links; ++k) {
-    const int node = nodes[at(k)];
-    const NodeKind kind = rope.nodes[at(node)].kind;
+    const int node = nodes[k];
+    const NodeKind kind = rope.nodes[node].kind;
     expects(kind != NodeKind::anchor && (!rope.closed || (kind == NodeKind::drive) == (k == 0)),
             "anchors stand at the ends of a rope, its drive at the start of a closed one");
     const int before = k > 0 ? r.first + k - 1 : r.first + links - 1;
     const bool drives = kind == NodeKind::drive;
-    int runs = flow.empty() || drives ? 0 : flow[at(node)];
-    if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[at(node)].load, runs);
+    int runs = flow.empty() || drives ? 0 : flow[node];
+    if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[node].load, runs);
     if (drives) r.drive = count(l.turns.size());
     l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs,
-                       flow.empty() ? 0 : flow[at(node)]});
+                       flow.empty() ? 0 : flow[node]});
   }
   r.turn_count = count(l.turns.size()) - r.first_turn;
   r.row = row;
@@ -75,28 +75,28 @@ int turn_at(const Layout& l, int reeving, int node) {
 
 /// The rope whose length or tension follows from a carriage's place; -1: none.
 int gives_way(const machine::Model& model, const machine::Carriage& carriage) {
-  const auto by_length = [&](int rope) { return model.reevings.at(at(rope)).given == machine::Given::length; };
+  const auto by_length = [&](int rope) { return model.reevings.at(as_size(rope)).given == machine::Given::length; };
   const bool both = carriage.mainline >= 0 && carriage.haulback >= 0;
   if (both && !by_length(carriage.mainline) && by_length(carriage.haulback)) return carriage.haulback;
   return carriage.mainline >= 0 ? carriage.mainline : carriage.haulback;
 }
 
 void prescribe(Layout& l, const machine::Model& model, const machine::Prescribed& prescribed) {
-  const machine::Carriage& carriage = model.carriages.at(at(prescribed.carriage));
+  const machine::Carriage& carriage = model.carriages.at(as_size(prescribed.carriage));
   const int turn = turn_at(l, carriage.reeving, carriage.node);
   const int rope = gives_way(model, carriage);
   l.coordinate_body = carriage.body;
   l.coordinate_along = prescribed.along;
   if (prescribed.z) {
-    l.height_row = l.ropes.at(at(carriage.reeving)).row;
+    l.height_row = l.ropes.at(as_size(carriage.reeving)).row;
     l.height = *prescribed.z;
   }
-  if (model.reevings[at(carriage.reeving)].nodes[at(carriage.node)].kind == NodeKind::clamp) {
-    l.coordinate_row = l.turns[at(turn)].row;
+  if (model.reevings[carriage.reeving].nodes[carriage.node].kind == NodeKind::clamp) {
+    l.coordinate_row = l.turns[turn].row;
   } else if (carriage.grip_reeving >= 0) {
-    l.coordinate_row = l.turns[at(turn_at(l, carriage.grip_reeving, carriage.grip_node))].row;
+    l.coordinate_row = l.turns[turn_at(l, carriage.grip_reeving, carriage.grip_node)].row;
   } else if (rope >= 0) {
-    l.coordinate_row = l.ropes.at(at(rope)).row;
+    l.coordinate_row = l.ropes.at(as_size(rope)).row;
   } else {
     l.hold_turn = turn;
     l.hold_last = turn_at(l, carriage.reeving, carriage.node + carriage.rollers - 1);
@@ -114,9 +114,9 @@ void measure(Layout& l, const machine::Model& model, const machine::State& state
     }
   }
   for (const Layout::Link& link : l.links) {
-    const machine::Reeving& rope = model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = model.reevings[link.reeving];
     const Vector3 chord =
-        machine::in_ground(state, rope.nodes[at(link.to)].at) - machine::in_ground(state, rope.nodes[at(link.from)].at);
+        machine::in_ground(state, rope.nodes[link.to].at) - machine::in_ground(state, rope.nodes[link.from].at);
     l.length = std::max(l.length, chord.norm());
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
     if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
@@ -141,16 +141,16 @@ void add_beams(Layout& l, const machine::Model& model) {
 }  // namespace
 
 Layout layout(const machine::Model& model, const machine::State& state,
-              const std::optional<machine::Prescribed>& prescribed, const std::vector<std::vector<int>>& flow) {
+              const std::optional<machine::Prescribed>& prescribed, const Array<Array<int>>& flow) {
   Layout l;
   for (int b = 0; b < count(model.bodies.size()); ++b) {
     l.first_dof.push_back(count(l.dofs.size()));
-    for (const machine::Freedom& way : model.bodies[at(b)].free) l.dofs.push_back({b, way});
+    for (const machine::Freedom& way : model.bodies[b].free) l.dofs.push_back({b, way});
   }
   l.first_dof.push_back(count(l.dofs.size()));
   l.size = count(l.dofs.size());
   for (int r = 0; r < count(model.reevings.size()); ++r) {
-    add_rope(l, model.reevings[at(r)], r, state.touched[at(r)], flow.empty() ? std::vector<int>{} : flow[at(r)]);
+    add_rope(l, model.reevings[r], r, state.touched[r], flow.empty() ? Array<int>{} : flow[r]);
   }
   if (prescribed) prescribe(l, model, *prescribed);
   add_beams(l, model);

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/machine/prescribed.hpp"
 #include "taut/machine/state.hpp"
@@ -44,12 +45,12 @@ struct Layout {
     int count() const { return hinged ? 7 : 6; }
   };
 
-  std::vector<Dof> dofs;       ///< unknown and row i
-  std::vector<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
-  std::vector<Link> links;
-  std::vector<Turn> turns;
-  std::vector<Rope> ropes;
-  std::vector<Piece> pieces;  ///< the last unknowns and rows
+  Array<Dof> dofs;       ///< unknown and row i
+  Array<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
+  Array<Link> links;
+  Array<Turn> turns;
+  Array<Rope> ropes;
+  Array<Piece> pieces;  ///< the last unknowns and rows
   int size = 0;
   int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
   int coordinate_body = machine::ground;
@@ -66,6 +67,6 @@ struct Layout {
 
 /// `touched` as in the state; `flow` [reeving][node], +1, -1 or 0.
 Layout layout(const machine::Model& model, const machine::State& state,
-              const std::optional<machine::Prescribed>& prescribed, const std::vector<std::vector<int>>& flow);
+              const std::optional<machine::Prescribed>& prescribed, const Array<Array<int>>& flow);
 
 }  // namespace taut::mechanics

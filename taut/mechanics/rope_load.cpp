@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::mechanics {
@@ -16,17 +17,17 @@ struct LoadedSpan {
 };
 
 LoadedSpan span_of(const System& s, int turn) {
-  const std::vector<Layout::Turn>& turns = s.layout.turns;
-  const Layout::Rope& rope = s.layout.ropes[at(turns[at(turn)].reeving)];
+  const Array<Layout::Turn>& turns = s.layout.turns;
+  const Layout::Rope& rope = s.layout.ropes[turns[turn].reeving];
   int first = turn, last = turn;
-  while (first > rope.first_turn && is_load(s, turns[at(first - 1)])) --first;
-  while (last + 1 < rope.first_turn + rope.turn_count && is_load(s, turns[at(last + 1)])) ++last;
-  return {turns[at(first)].before, turns[at(last)].after};
+  while (first > rope.first_turn && is_load(s, turns[first - 1])) --first;
+  while (last + 1 < rope.first_turn + rope.turn_count && is_load(s, turns[last + 1])) ++last;
+  return {turns[first].before, turns[last].after};
 }
 
 double length_between(const Configuration& c, int first, int last) {
   double length = 0;
-  for (int k = first; k <= last; ++k) length += c.links[at(k)].length;
+  for (int k = first; k <= last; ++k) length += c.links[k].length;
   return length;
 }
 
@@ -37,24 +38,24 @@ struct Along {
 };
 
 Along along(const Layout::Turn& t, const Evaluation& e) {
-  const Vector3 sum = e.branches[at(t.before)].arrives + e.branches[at(t.after)].leaves;
+  const Vector3 sum = e.branches[t.before].arrives + e.branches[t.after].leaves;
   const double size = sum.norm();
   return {size > 0 ? Vector3(sum / size) : Vector3(Vector3::UnitX()), std::max(size, 1e-3)};
 }
 
 /// Rows of a load's point: its three translations.
-int first_row(const System& s, const Layout::Turn& t) { return s.layout.first_dof[at(node_of(s, t).at.body)]; }
+int first_row(const System& s, const Layout::Turn& t) { return s.layout.first_dof[node_of(s, t).at.body]; }
 
 int row_count(const System& s, const Layout::Turn& t) {
-  return s.layout.first_dof[at(node_of(s, t).at.body) + 1] - first_row(s, t);
+  return s.layout.first_dof[as_size(node_of(s, t).at.body) + 1] - first_row(s, t);
 }
 
 }  // namespace
 
 double rope_load(const System& s, const Configuration& c, const Evaluation&, int turn) {
-  const Layout::Turn& t = s.layout.turns[at(turn)];
+  const Layout::Turn& t = s.layout.turns[turn];
   const machine::RopeLoad& load = node_of(s, t).load;
-  double force = load.open ? c.open_loads[at(t.reeving)] : load.force;
+  double force = load.open ? c.open_loads[t.reeving] : load.force;
   if (load.rate != 0) {
     const auto [first, last] = span_of(s, turn);
     force += load.rate * load.part * length_between(c, first, last);
@@ -64,12 +65,12 @@ double rope_load(const System& s, const Configuration& c, const Evaluation&, int
 
 void add_rope_loads(const System& s, const Configuration& c, Evaluation& e) {
   for (int i = 0; i < static_cast<int>(s.layout.turns.size()); ++i) {
-    const Layout::Turn& t = s.layout.turns[at(i)];
+    const Layout::Turn& t = s.layout.turns[i];
     if (!is_load(s, t)) continue;
-    const double force = s.model.reevings[at(t.reeving)].copies * rope_load(s, c, e, i);
+    const double force = s.model.reevings[t.reeving].copies * rope_load(s, c, e, i);
     const Vector3 d = along(t, e).d;
     for (int k = 0; k < row_count(s, t); ++k) {
-      e.residual[first_row(s, t) + k] += force * d.dot(s.layout.dofs[at(first_row(s, t) + k)].way.along);
+      e.residual[first_row(s, t) + k] += force * d.dot(s.layout.dofs[first_row(s, t) + k].way.along);
     }
     e.largest_force = std::max(e.largest_force, std::abs(force));
     const auto [first, last] = span_of(s, i);
@@ -77,41 +78,41 @@ void add_rope_loads(const System& s, const Configuration& c, Evaluation& e) {
   }
 }
 
-void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e,
-                    const std::vector<BranchColumns>& columns, Eigen::MatrixXd& J) {
+void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
+                    Eigen::MatrixXd& J) {
   for (int turn = 0; turn < static_cast<int>(s.layout.turns.size()); ++turn) {
-    const Layout::Turn& t = s.layout.turns[at(turn)];
+    const Layout::Turn& t = s.layout.turns[turn];
     if (!is_load(s, t)) continue;
     const machine::RopeLoad& load = node_of(s, t).load;
     const auto [first, last] = span_of(s, turn);
     for (int k = first; k <= last; ++k) {
-      const BranchColumns& free = columns[at(k)];
-      for (std::size_t i = 0; i < at(free.count); ++i) {
+      const BranchColumns& free = columns[k];
+      for (std::size_t i = 0; i < as_size(free.count); ++i) {
         J(t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - load.share) * free.length[i];
       }
     }
     const Along way = along(t, e);
-    const double copies = s.model.reevings[at(t.reeving)].copies;
+    const double copies = s.model.reevings[t.reeving].copies;
     const double force = copies * rope_load(s, c, e, turn);
     const auto add = [&](int unknown, const Vector3& by) {
       for (int k = 0; k < row_count(s, t); ++k) {
         const int row = first_row(s, t) + k;
-        J(row, unknown) += by.dot(s.layout.dofs[at(row)].way.along);
+        J(row, unknown) += by.dot(s.layout.dofs[row].way.along);
       }
     };
     const auto turned = [&](const Vector3& change) -> Vector3 {
       return force / way.size * (change - way.d * way.d.dot(change));
     };
-    const BranchColumns &in = columns[at(t.before)], &out = columns[at(t.after)];
-    for (std::size_t k = 0; k < at(in.count); ++k) add(in.unknown[k], turned(in.arrives[k]));
-    for (std::size_t k = 0; k < at(out.count); ++k) add(out.unknown[k], turned(out.leaves[k]));
+    const BranchColumns &in = columns[t.before], &out = columns[t.after];
+    for (std::size_t k = 0; k < as_size(in.count); ++k) add(in.unknown[k], turned(in.arrives[k]));
+    for (std::size_t k = 0; k < as_size(out.count); ++k) add(out.unknown[k], turned(out.leaves[k]));
     for (int k = first; k <= last && load.rate != 0; ++k) {
-      const BranchColumns& free = columns[at(k)];
-      for (std::size_t i = 0; i < at(free.count); ++i) {
+      const BranchColumns& free = columns[k];
+      for (std::size_t i = 0; i < as_size(free.count); ++i) {
         add(free.unknown[i], copies * t.flow * load.rate * load.part * free.length[i] * way.d);
       }
     }
-    if (load.open) add(s.layout.ropes[at(t.reeving)].open_load, copies * t.flow * way.d);
+    if (load.open) add(s.layout.ropes[t.reeving].open_load, copies * t.flow * way.d);
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::mechanics {
@@ -15,6 +16,6 @@ void add_rope_loads(const System& system, const Configuration& c, Evaluation& e)
 
 /// The derivatives of both.
 void add_rope_loads(const System& system, const Configuration& c, const Evaluation& e,
-                    const std::vector<BranchColumns>& columns, Eigen::MatrixXd& J);
+                    const Array<BranchColumns>& columns, Eigen::MatrixXd& J);
 
 }  // namespace taut::mechanics

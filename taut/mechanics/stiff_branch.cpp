@@ -11,18 +11,16 @@ namespace {
 
 constexpr double least_level = 1e-12;  ///< of the force: a rope in a vertical line has the limits of one beside it
 
-const machine::Reeving& rope_at(const System& s, int link) {
-  return s.model.reevings[at(s.layout.links[at(link)].reeving)];
-}
+const machine::Reeving& rope_at(const System& s, int link) { return s.model.reevings[s.layout.links[link].reeving]; }
 
 struct LinkEnds {
   BranchEnd from, to;
 };
 
 LinkEnds ends_of(const System& s, int link, const Configuration& c) {
-  const Layout::Link& l = s.layout.links[at(link)];
+  const Layout::Link& l = s.layout.links[link];
   const machine::Reeving& rope = rope_at(s, link);
-  return {end_at(rope.nodes[at(l.from)], c.bodies), end_at(rope.nodes[at(l.to)], c.bodies)};
+  return {end_at(rope.nodes[l.from], c.bodies), end_at(rope.nodes[l.to], c.bodies)};
 }
 
 /// A line between the same ends with the same length: its strain is its tension.
@@ -97,9 +95,9 @@ int force_count(const machine::Reeving& rope) { return rope.weight > 0 ? 3 : 1; 
 std::optional<Branch> stiff_branch(const System& s, int link, const Configuration& c, Eigen::VectorXd& residual) {
   const machine::Reeving& reeving = rope_at(s, link);
   const LinkEnds ends = ends_of(s, link, c);
-  const int row = s.layout.links[at(link)].force;
-  const Vector3& F = c.forces[at(link)];
-  const rope::CatenaryRope rope = rope_of(reeving, c.links[at(link)].length);
+  const int row = s.layout.links[link].force;
+  const Vector3& F = c.forces[link];
+  const rope::CatenaryRope rope = rope_of(reeving, c.links[link].length);
   if (!(rope.length > 0) || !F.allFinite()) return std::nullopt;
   if (rope.weight > 0) {
     Branch b = heavy_branch(rope, ends, F);
@@ -108,7 +106,7 @@ std::optional<Branch> stiff_branch(const System& s, int link, const Configuratio
     b.closure = b.span.closure = open.norm();
     return b;
   }
-  const auto line = solve_branch(unit_line(rope.length), ends.from, ends.to, c.links[at(link)]);
+  const auto line = solve_branch(unit_line(rope.length), ends.from, ends.to, c.links[link]);
   if (!line) return std::nullopt;
   Branch b = *line;
   residual[row] = s.layout.length * (line->T_from - F.x() / stretching(s, reeving, F.x()));
@@ -139,7 +137,7 @@ namespace {
 
 void add_heavy(const System& s, int link, const Configuration& c, const Branch& b, const BranchWays& ends,
                BranchColumns& columns, Eigen::MatrixXd& J) {
-  const int row = s.layout.links[at(link)].force;
+  const int row = s.layout.links[link].force;
   const LinkEnds l = ends_of(s, link, c);
   const rope::CatenaryRope& rope = b.span.rope;
   const rope::EndPosition p = rope::end_position(rope, b.span.force);
@@ -154,13 +152,13 @@ void add_heavy(const System& s, int link, const Configuration& c, const Branch& 
   const Matrix3 from = tangent_offset_rate(l.from, b.leaves) * leaves;
   const Matrix3 to = tangent_offset_rate(l.to, b.arrives) * arrives;
   // the columns of the ends' bodies, then the length
-  const std::size_t own = at(columns.count - 1);
+  const std::size_t own = as_size(columns.count - 1);
   for (std::size_t i = 0; i < own; ++i) J.block<3, 1>(row, columns.unknown[i]) -= ends[i];
   J.block<3, 1>(row, columns.unknown[own]) +=
       by_length.dx_dlength * along + by_length.dz_dlength * up() + columns.arm_from[own] - columns.arm_to[own];
   J.block<3, 3>(row, row) += compliance + from - to;
   for (int i = 0; i < 3; ++i) {
-    const std::size_t k = at(columns.count++);
+    const std::size_t k = as_size(columns.count++);
     columns.unknown[k] = row + i;
     columns.length[k] = 0;
     columns.pull_from[k] = columns.pull_to[k] = Vector3::Unit(i);
@@ -173,17 +171,17 @@ void add_heavy(const System& s, int link, const Configuration& c, const Branch& 
 
 void add_line(const System& s, int link, const Configuration& c, const Branch& b, const BranchWays& ends,
               BranchColumns& columns, Eigen::MatrixXd& J) {
-  const int row = s.layout.links[at(link)].force;
+  const int row = s.layout.links[link].force;
   const LinkEnds l = ends_of(s, link, c);
   const BranchRates strain = rates(unit_line(b.length), l.from, l.to, b);
   const double scale = s.layout.length;
-  const std::size_t own = at(columns.count - 1);
+  const std::size_t own = as_size(columns.count - 1);
   for (std::size_t i = 0; i < own; ++i) {
     J(row, columns.unknown[i]) += scale * b.leaves.dot(strain.pull_from_X * ends[i]);
   }
   J(row, columns.unknown[own]) += scale * b.leaves.dot(strain.pull_from_u);
   J(row, row) -= scale / stretching(s, rope_at(s, link), b.T_from);
-  const std::size_t k = at(columns.count++);
+  const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = row;
   columns.length[k] = 0;
   columns.pull_from[k] = columns.pull_to[k] = b.leaves;
@@ -201,7 +199,7 @@ Layout with_forces(Layout layout, const machine::Model& model, double limit, dou
   layout.slack_stiffness = slack_stiffness;
   layout.stiffest = 0;
   for (Layout::Link& link : layout.links) {
-    const machine::Reeving& rope = model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = model.reevings[link.reeving];
     if (!(rope.stiffness > limit)) {
       layout.stiffest = std::max(layout.stiffest, rope.stiffness);
       continue;

@@ -18,7 +18,7 @@ using namespace taut_test;
 /// number of the row.
 double worst_rate(const machine::Model& m) {
   const machine::State state = machine::initial_state(m);
-  std::vector<std::vector<int>> flow;
+  taut::Array<taut::Array<int>> flow;
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 1);
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
@@ -37,7 +37,7 @@ double worst_rate(const machine::Model& m) {
   c = mechanics::with_forces(system, c, e);
   EXPECT_FALSE(mechanics::evaluate(system, c, e));
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  taut::Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(system, c, e, J, columns);
   Eigen::VectorXd size = Eigen::VectorXd::Ones(layout.size);
   size.tail(layout.size - by_length.size).setConstant(e.largest_force);
@@ -74,7 +74,7 @@ TEST(StiffBranch, RatesMatchDifferences) {
 TEST(StiffBranch, EvaluatesToTheSameBalanceAsByLengths) {
   const machine::Model m = with_carriage(true);
   const machine::State state = machine::initial_state(m);
-  const std::vector<std::vector<int>> flow{{0, 0, 0, 0, 0}, {0, 0}};
+  const taut::Array<taut::Array<int>> flow{{0, 0, 0, 0, 0}, {0, 0}};
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
   mechanics::Configuration c;
   c.bodies = state.bodies;

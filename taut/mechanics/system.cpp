@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/mechanics/rope_load.hpp"
@@ -12,15 +13,15 @@
 namespace taut::mechanics {
 namespace {
 
-const machine::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[at(reeving)]; }
+const machine::Reeving& reeving_of(const System& s, int reeving) { return s.model.reevings[reeving]; }
 
 /// Adds a force that acts at `place` to the balance of the freedoms of a body.
 void add_force(const System& s, const Configuration& c, int body, const Vector3& place, const Vector3& force,
                Eigen::VectorXd& residual) {
   if (body == machine::ground) return;
-  const Vector3 arm = place - c.bodies[at(body)].position;
-  for (int i = s.layout.first_dof[at(body)]; i < s.layout.first_dof[at(body) + 1]; ++i) {
-    const machine::Freedom& way = s.layout.dofs[at(i)].way;
+  const Vector3 arm = place - c.bodies[body].position;
+  for (int i = s.layout.first_dof[body]; i < s.layout.first_dof[as_size(body) + 1]; ++i) {
+    const machine::Freedom& way = s.layout.dofs[i].way;
     residual[i] += force.dot(way.along) + way.about.dot(arm.cross(force));
   }
 }
@@ -35,7 +36,7 @@ void add_dead_forces(const System& s, const Configuration& c, Eigen::VectorXd& r
   }
   for (const machine::Load& load : s.model.loads) {
     if (load.at.body == machine::ground) continue;
-    const machine::Pose& pose = c.bodies[at(load.at.body)];
+    const machine::Pose& pose = c.bodies[load.at.body];
     add_force(s, c, load.at.body, pose.position + pose.orientation * load.at.at, load.force, residual);
   }
 }
@@ -46,7 +47,7 @@ void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
     if (b.slack) continue;
     const Layout::Link& link = s.layout.links[k];
     const machine::Reeving& rope = reeving_of(s, link.reeving);
-    const machine::Node &from = rope.nodes[at(link.from)], &to = rope.nodes[at(link.to)];
+    const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
     e.largest_force = std::max({e.largest_force, rope.copies * std::abs(b.T_from), rope.copies * std::abs(b.T_to)});
     add_force(s, c, from.at.body, end_at(from, c.bodies).centre + b.offset_from, rope.copies * b.pull_from, e.residual);
     add_force(s, c, to.at.body, end_at(to, c.bodies).centre + b.offset_to, -rope.copies * b.pull_to, e.residual);
@@ -55,8 +56,8 @@ void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
 
 /// What the tensions beside a drive are off its torque, N.
 double drop_misfit(const System& s, const Evaluation& e, int turn) {
-  const Layout::Turn& t = s.layout.turns[at(turn)];
-  return e.branches[at(t.before)].T_to - e.branches[at(t.after)].T_from - node_of(s, t).tension_drop.value_or(0);
+  const Layout::Turn& t = s.layout.turns[turn];
+  return e.branches[t.before].T_to - e.branches[t.after].T_from - node_of(s, t).tension_drop.value_or(0);
 }
 
 /// Whether the row of a turn is a length.
@@ -70,39 +71,39 @@ bool is_length(const System& s, const Layout::Turn& t) {
 /// Laws of the contacts, places of the clamps, given quantities.
 void add_laws(const System& s, const Configuration& c, Evaluation& e) {
   for (const Layout::Rope& rope : s.layout.ropes) {
-    const machine::Reeving& reeving = reeving_of(s, s.layout.links[at(rope.first)].reeving);
+    const machine::Reeving& reeving = reeving_of(s, s.layout.links[rope.first].reeving);
     double length = 0;
     int link = rope.first;
     for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
-      const Layout::Turn& turn = s.layout.turns[at(t)];
-      for (; link < turn.after; ++link) length += c.links[at(link)].length;
+      const Layout::Turn& turn = s.layout.turns[t];
+      for (; link < turn.after; ++link) length += c.links[link].length;
       const machine::Node& node = node_of(s, turn);
-      const double T_in = e.branches[at(turn.before)].T_to, T_out = e.branches[at(turn.after)].T_from;
+      const double T_in = e.branches[turn.before].T_to, T_out = e.branches[turn.after].T_from;
       if (node.kind == machine::NodeKind::clamp) {
         e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
       } else if (node.kind == machine::NodeKind::contact) {
-        const double g = s.losses * turn.flow * loss(node.law, e.bends[at(t)].wrap).log;
+        const double g = s.losses * turn.flow * loss(node.law, e.bends[t].wrap).log;
         e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t).length;
     }
-    for (; link < rope.first + rope.count; ++link) length += c.links[at(link)].length;
+    for (; link < rope.first + rope.count; ++link) length += c.links[link].length;
     const auto open = [&](machine::Given given, double value) {
       switch (given) {
         case machine::Given::length:
           return length - value * (1 + reeving.thermal_strain);
         case machine::Given::tension_at_start:
-          return e.branches[at(rope.first)].T_from - value;
+          return e.branches[rope.first].T_from - value;
         case machine::Given::tension_at_end:
-          return e.branches[at(rope.first + rope.count - 1)].T_to - value;
+          return e.branches[rope.first + rope.count - 1].T_to - value;
         case machine::Given::torque:
           break;
       }
       return drop_misfit(s, e, rope.drive);
     };
     e.residual[rope.row] = open(reeving.given, reeving.value);
-    if (rope.drive < 0 || s.layout.turns[at(rope.drive)].row < 0) continue;
-    e.residual[s.layout.turns[at(rope.drive)].row] =
+    if (rope.drive < 0 || s.layout.turns[rope.drive].row < 0) continue;
+    e.residual[s.layout.turns[rope.drive].row] =
         reeving.also ? open(reeving.also->first, reeving.also->second) : drop_misfit(s, e, rope.drive);
   }
 }
@@ -111,8 +112,8 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
 void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
   if (s.layout.coordinate_row < 0) return;
   const int body = s.layout.coordinate_body;
-  e.residual[s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[at(body)].position) - s.coordinate;
-  if (s.layout.height_row >= 0) e.residual[s.layout.height_row] = c.bodies[at(body)].position.z() - s.layout.height;
+  e.residual[s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[body].position) - s.coordinate;
+  if (s.layout.height_row >= 0) e.residual[s.layout.height_row] = c.bodies[body].position.z() - s.layout.height;
   if (s.layout.hold < 0) return;
   add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
@@ -127,17 +128,17 @@ void keep_shape(const machine::Reeving& rope, const Branch& branch, machine::Bra
 }  // namespace
 
 const machine::Node& node_of(const System& s, const Layout::Turn& t) {
-  return s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+  return s.model.reevings[t.reeving].nodes[t.node];
 }
 
 rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length) {
   return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};
 }
 
-BranchEnd end_at(const machine::Node& node, const std::vector<machine::Pose>& bodies) {
+BranchEnd end_at(const machine::Node& node, const Array<machine::Pose>& bodies) {
   BranchEnd end{node.at.at, node.axis, node.side < 0 ? -node.radius : node.radius};
   if (node.at.body != machine::ground) {
-    const machine::Pose& pose = bodies[at(node.at.body)];
+    const machine::Pose& pose = bodies[node.at.body];
     end.centre = pose.position + pose.orientation * node.at.at;
     end.axis = pose.orientation * node.axis;
   }
@@ -145,26 +146,26 @@ BranchEnd end_at(const machine::Node& node, const std::vector<machine::Pose>& bo
 }
 
 ArcLength arc(const System& s, const Evaluation& e, int turn) {
-  const Layout::Turn& t = s.layout.turns[at(turn)];
+  const Layout::Turn& t = s.layout.turns[turn];
   const machine::Node& node = node_of(s, t);
   const bool runs = s.losses > 0 || node.kind == machine::NodeKind::drive;
   return arc_length({.radius = node.radius,
-                     .wrap = e.bends[at(turn)].wrap,
-                     .T_in = e.branches[at(t.before)].T_to,
-                     .T_out = e.branches[at(t.after)].T_from,
+                     .wrap = e.bends[turn].wrap,
+                     .T_in = e.branches[t.before].T_to,
+                     .T_out = e.branches[t.after].T_from,
                      .stiffness = reeving_of(s, t.reeving).stiffness,
                      .friction = node.law.friction,
                      .flow = runs ? t.runs : 0});
 }
 
 Vector3 track(const System& s, const Evaluation& e) {
-  const int before = s.layout.turns[at(s.layout.hold_turn)].before;
-  const int after = s.layout.turns[at(s.layout.hold_last)].after;
-  return (e.branches[at(before)].arrives + e.branches[at(after)].leaves).normalized();
+  const int before = s.layout.turns[s.layout.hold_turn].before;
+  const int after = s.layout.turns[s.layout.hold_last].after;
+  return (e.branches[before].arrives + e.branches[after].leaves).normalized();
 }
 
 Vector3 hold_place(const System& s, const Configuration& c) {
-  const auto place = [&](int turn) { return end_at(node_of(s, s.layout.turns[at(turn)]), c.bodies).centre; };
+  const auto place = [&](int turn) { return end_at(node_of(s, s.layout.turns[turn]), c.bodies).centre; };
   return (place(s.layout.hold_turn) + place(s.layout.hold_last)) / 2;
 }
 
@@ -184,8 +185,8 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
       c.links[k].force = stiff->span.force;
       continue;
     }
-    auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[at(link.from)], c.bodies),
-                               end_at(rope.nodes[at(link.to)], c.bodies), c.links[k]);
+    auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[link.from], c.bodies),
+                               end_at(rope.nodes[link.to], c.bodies), c.links[k]);
     if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
     e.branches[k] = *branch;
     keep_shape(rope, *branch, c.links[k]);
@@ -193,8 +194,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const Layout::Turn& turn = s.layout.turns[t];
     const machine::Node& node = node_of(s, turn);
-    e.bends[t] =
-        bend(node, end_at(node, c.bodies), e.branches[at(turn.before)].arrives, e.branches[at(turn.after)].leaves);
+    e.bends[t] = bend(node, end_at(node, c.bodies), e.branches[turn.before].arrives, e.branches[turn.after].leaves);
   }
   add_dead_forces(s, c, e.residual);
   add_ropes(s, c, e);
@@ -205,16 +205,16 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   return std::nullopt;
 }
 
-Change change_of(const System& system, const Configuration& c, const Evaluation& e,
-                 const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step) {
-  Change change{step, std::vector<rope::CatenaryForce>(columns.size())};
+Change change_of(const System& system, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
+                 const Eigen::VectorXd& step) {
+  Change change{step, Array<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (!c.links[k].force || system.layout.links[k].force >= 0) continue;
     Vector3 pull = Vector3::Zero();
     double length = 0;
     for (int i = 0; i < columns[k].count; ++i) {
-      pull += columns[k].pull_from[at(i)] * step[columns[k].unknown[at(i)]];
-      length += columns[k].length[at(i)] * step[columns[k].unknown[at(i)]];
+      pull += columns[k].pull_from[as_size(i)] * step[columns[k].unknown[as_size(i)]];
+      length += columns[k].length[as_size(i)] * step[columns[k].unknown[as_size(i)]];
     }
     const rope::Span& span = e.branches[k].span;
     const double half = span.rope.weight * length / 2;
@@ -228,7 +228,7 @@ void move(const System& s, const Configuration& c, const Change& change, double 
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const Layout::Dof& dof = s.layout.dofs[i];
     const double by = part * change.step[static_cast<Eigen::Index>(i)];
-    machine::Pose& pose = moved.bodies[at(dof.body)];
+    machine::Pose& pose = moved.bodies[dof.body];
     pose.position += by * dof.way.along;
     if (dof.way.about == Vector3::Zero()) continue;
     pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/mechanics/arc_length.hpp"
 #include "taut/mechanics/bend.hpp"
 #include "taut/mechanics/branch.hpp"
@@ -12,21 +13,21 @@ namespace taut::mechanics {
 
 /// The unknowns' values.
 struct Configuration {
-  std::vector<machine::Pose> bodies;
-  std::vector<machine::BranchState> links;       ///< by Layout::links
-  double hold = 0;                               ///< N along the track
-  std::vector<machine::PieceState> pieces = {};  ///< by Layout::pieces
-  std::vector<double> open_loads = {};           ///< by reeving, N, of those that have one
+  Array<machine::Pose> bodies;
+  Array<machine::BranchState> links;       ///< by Layout::links
+  double hold = 0;                         ///< N along the track
+  Array<machine::PieceState> pieces = {};  ///< by Layout::pieces
+  Array<double> open_loads = {};           ///< by reeving, N, of those that have one
   /// By Layout::links, of those whose force is an unknown: in the middle, of a rope without weight its tension as x, N.
-  std::vector<Vector3> forces = {};
+  Array<Vector3> forces = {};
 };
 
 /// Everything that follows from a configuration, and how far it is from equilibrium.
 struct Evaluation {
-  std::vector<Branch> branches;  ///< by Layout::links
-  std::vector<Bend> bends;       ///< by Layout::turns
-  Eigen::VectorXd residual;      ///< N, N m, m
-  double largest_force = 0;      ///< N, a scale
+  Array<Branch> branches;    ///< by Layout::links
+  Array<Bend> bends;         ///< by Layout::turns
+  Eigen::VectorXd residual;  ///< N, N m, m
+  double largest_force = 0;  ///< N, a scale
 };
 
 /// Which branch has no solution, and why.
@@ -62,16 +63,16 @@ struct BranchColumns {
 /// d(residual)/d(unknowns), exact, by way of the branches' columns. Rotations: by a small turn about the freedom's
 /// axis.
 void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
-              std::vector<BranchColumns>& columns);
+              Array<BranchColumns>& columns);
 
 /// A step of the unknowns, and what it does to the force of each branch in its plane to first order: a start for the
 /// next evaluation.
 struct Change {
   Eigen::VectorXd step;
-  std::vector<rope::CatenaryForce> force;
+  Array<rope::CatenaryForce> force;
 };
-Change change_of(const System& system, const Configuration& c, const Evaluation& e,
-                 const std::vector<BranchColumns>& columns, const Eigen::VectorXd& step);
+Change change_of(const System& system, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
+                 const Eigen::VectorXd& step);
 
 /// `c` moved by `part` of the change.
 void move(const System& system, const Configuration& c, const Change& change, double part, Configuration& moved);
@@ -91,7 +92,7 @@ const machine::Node& node_of(const System& system, const Layout::Turn& turn);
 rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length);
 
 /// The end of a branch in the ground frame.
-BranchEnd end_at(const machine::Node& node, const std::vector<machine::Pose>& bodies);
+BranchEnd end_at(const machine::Node& node, const Array<machine::Pose>& bodies);
 
 /// Length of the arc at a turn, unstretched, with its derivatives.
 ArcLength arc(const System& system, const Evaluation& e, int turn);

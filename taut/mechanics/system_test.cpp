@@ -24,7 +24,7 @@ struct Laid {
   explicit Laid(machine::Model of, int flow = 0, const std::optional<machine::Prescribed>& prescribed = {})
       : m(std::move(of)) {
     const machine::State state = machine::initial_state(m);
-    std::vector<std::vector<int>> flows = no_flow(m);
+    taut::Array<taut::Array<int>> flows = no_flow(m);
     for (auto& rope : flows) rope.assign(rope.size(), flow);
     layout = mechanics::layout(m, state, prescribed, flows);
     c = configuration_of(layout, state);

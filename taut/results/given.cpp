@@ -14,12 +14,12 @@ using Kind = solve::Condition::Kind;
 /// The free span of a rope with the longest chord, where the deck names none.
 int longest_span(const machine::Model& m, int reeving) {
   const machine::State state = machine::initial_state(m);
-  const auto& nodes = m.reevings[at(reeving)].nodes;
+  const auto& nodes = m.reevings[reeving].nodes;
   int longest = 0;
   double most = -1;
-  for (int k = 0; k < machine::branch_count(m.reevings[at(reeving)]); ++k) {
-    const auto& next = nodes[at(k + 1) % nodes.size()];
-    const double chord = (machine::in_ground(state, next.at) - machine::in_ground(state, nodes[at(k)].at)).norm();
+  for (int k = 0; k < machine::branch_count(m.reevings[reeving]); ++k) {
+    const auto& next = nodes[as_size(k + 1) % nodes.size()];
+    const double chord = (machine::in_ground(state, next.at) - machine::in_ground(state, nodes[k].at)).norm();
     if (chord <= most) continue;
     most = chord;
     longest = k;
@@ -39,13 +39,13 @@ class Resolver {
     const bool known = c.reeving >= 0 && std::all_of(c.of.begin(), c.of.end(), [](int r) { return r >= 0; });
     if (!known) return {};
     c.at_end = request_.at == study::RopeEnd::end;
-    if (carriage_ >= 0 && p_.model.carriages[at(carriage_)].mainline == c.reeving) {
+    if (carriage_ >= 0 && p_.model.carriages[carriage_].mainline == c.reeving) {
       complain("reeving",
                fmt::format("the place of '{}' decides the length of its mainline; name the rope it rides on, "
                            "or another, and the mainline with 'of'",
-                           p_.model.carriages[at(carriage_)].name));
+                           p_.model.carriages[carriage_].name));
     }
-    if (p_.model.reevings[at(c.reeving)].given == machine::Given::torque && !request_.loop_length) {
+    if (p_.model.reevings[c.reeving].given == machine::Given::torque && !request_.loop_length) {
       complain("reeving", "its rope is given by a torque already");
     }
     if (request_.winch_pull) pull(c);
@@ -70,7 +70,7 @@ class Resolver {
     if (c.of.size() > 1) complain("of", "a winch pulls one rope");
     const bool own = c.of.empty() || (c.of.size() == 1 && c.of.front() == c.reeving);
     const int pulled = own ? c.reeving : c.of.front();
-    if (p_.model.reevings[at(pulled)].closed) complain("winch_pull", "an endless rope has no end for a winch");
+    if (p_.model.reevings[pulled].closed) complain("winch_pull", "an endless rope has no end for a winch");
     c.kind = !own ? Kind::tension_of : c.at_end ? Kind::tension_at_end : Kind::tension_at_start;
   }
 
@@ -87,7 +87,7 @@ class Resolver {
     c.value = *request_.sag;
     c.kind = carriage_ >= 0 && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
     if (c.kind == Kind::sag_at_carriage) return;
-    const int spans = machine::branch_count(p_.model.reevings[at(c.reeving)]);
+    const int spans = machine::branch_count(p_.model.reevings[c.reeving]);
     c.span = request_.span ? *request_.span - 1 : longest_span(p_.model, c.reeving);
     if (c.span >= spans) complain("span", fmt::format("'{}' has {} free spans", request_.reeving, spans));
   }
@@ -96,8 +96,8 @@ class Resolver {
     c.kind = Kind::free_running;
     if (!request_.free_running) return complain("free_running", "false says nothing: give one of the modes");
     if (carriage_ < 0) return complain("free_running", "needs 'carriage' and 'x': where it is to stand");
-    const machine::Carriage& car = p_.model.carriages[at(carriage_)];
-    const bool clamped = p_.model.reevings[at(car.reeving)].nodes[at(car.node)].kind == machine::NodeKind::clamp;
+    const machine::Carriage& car = p_.model.carriages[carriage_];
+    const bool clamped = p_.model.reevings[car.reeving].nodes[car.node].kind == machine::NodeKind::clamp;
     if (car.mainline >= 0 || clamped) {
       complain("free_running", fmt::format("'{}' is {}", car.name, clamped ? "clamped" : "held by its mainline"));
     }

@@ -37,7 +37,7 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
     if (!one.result.outcome.ok()) continue;
     for (const solve::BeamResult& b : one.result.beams) {
       Curve c;
-      c.label = one.model.beams[static_cast<std::size_t>(b.beam)].name;
+      c.label = one.model.beams[b.beam].name;
       if (run.equilibria.size() > 1) c.label += ", " + one.words;
       c.dashed = dashed;
       for (const solve::BeamPoint& p : b.points) {

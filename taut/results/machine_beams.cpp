@@ -19,9 +19,7 @@ using solve::EquilibriumResult;
 
 constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
 
-const std::string& name_of(const machine::Model& m, const solve::BeamResult& b) {
-  return m.beams[static_cast<std::size_t>(b.beam)].name;
-}
+const std::string& name_of(const machine::Model& m, const solve::BeamResult& b) { return m.beams[b.beam].name; }
 
 double critical_force(const solve::BeamResult& b) {
   return std::isfinite(b.critical_factor) && b.compression > 0 ? b.critical_factor * b.compression : none;

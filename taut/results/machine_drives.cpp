@@ -13,10 +13,8 @@ namespace {
 /// Above, friction on a wet, oily or sap-covered rope is doubtful (mine hoists 0.20 to 0.25, ropeways 0.22 to 0.30).
 constexpr double doubtful_friction = 0.4;
 
-const machine::Reeving& rope(const machine::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
-const machine::Node& node(const machine::Model& m, int r, int n) {
-  return rope(m, r).nodes[static_cast<std::size_t>(n)];
-}
+const machine::Reeving& rope(const machine::Model& m, int i) { return m.reevings[i]; }
+const machine::Node& node(const machine::Model& m, int r, int n) { return rope(m, r).nodes[n]; }
 
 Table rope_loads(const machine::Model& m, const solve::EquilibriumResult& e) {
   Table t{"rope_loads",
@@ -87,7 +85,7 @@ Table drums(const machine::Model& m, const std::vector<solve::DrumResult>& all) 
            {"power", si::W}},
           {}};
   for (const auto& d : all) {
-    const machine::Drum& drum = m.drums[static_cast<std::size_t>(d.drum)];
+    const machine::Drum& drum = m.drums[d.drum];
     const double power = d.speed ? rope(m, d.reeving).copies * d.pull * *d.speed : none;
     t.rows.push_back({drum.name, rope(m, d.reeving).name, static_cast<double>(d.layer), d.radius,
                       d.wraps.value_or(none), d.length.value_or(none), d.capacity.value_or(none), d.pull, d.torque,
@@ -117,7 +115,7 @@ void add_drive_tables(const EquilibriumRun& one, const std::function<void(Table)
 void add_drum_columns(const machine::Model& m, std::vector<Column>& columns) {
   for (const machine::Reeving& one : m.reevings) {
     for (const machine::Node& end : {one.nodes.front(), one.nodes.back()}) {
-      if (end.drum < 0 || !m.drums[static_cast<std::size_t>(end.drum)].length_on_drum) continue;
+      if (end.drum < 0 || !m.drums[end.drum].length_on_drum) continue;
       columns.push_back({end.name + ".length", si::m});
       columns.push_back({end.name + ".layer", si::one});
       columns.push_back({end.name + ".torque", si::N_m});

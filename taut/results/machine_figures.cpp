@@ -73,25 +73,24 @@ struct Held {
 std::map<std::string, Held> held_of(const machine::Model& m, const solve::EquilibriumResult& e) {
   std::map<std::string, Held> all;
   const auto add = [&](int reeving, int n, const Vector3& force) {
-    const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
-    const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    const machine::Reeving& rope = m.reevings[reeving];
+    const machine::Node& node = rope.nodes[n];
     Held& h = all[node.name];
     h.at = machine::in_ground(e.state, node.at);
     h.radius = std::max(h.radius, node.radius);
     h.force += force * rope.copies;
-    h.moves = node.at.body != machine::ground && !m.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+    h.moves = node.at.body != machine::ground && !m.bodies[node.at.body].free.empty();
   };
   const auto is_anchor = [&](int reeving, int n) {
-    return m.reevings[static_cast<std::size_t>(reeving)].nodes[static_cast<std::size_t>(n)].kind ==
-           machine::NodeKind::anchor;
+    return m.reevings[reeving].nodes[n].kind == machine::NodeKind::anchor;
   };
   for (const auto& s : e.spans) {
     if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
     if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, pull_on_end(s));
   }
   for (const auto& c : e.contacts) {
-    const auto& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
-    if (rope.nodes[static_cast<std::size_t>(c.node)].kind != machine::NodeKind::load) add(c.reeving, c.node, c.force);
+    const auto& rope = m.reevings[c.reeving];
+    if (rope.nodes[c.node].kind != machine::NodeKind::load) add(c.reeving, c.node, c.force);
   }
   return all;
 }
@@ -127,7 +126,7 @@ void draw_bodies(Drawing& d, const machine::Model& m, const solve::EquilibriumRe
     for (const machine::Node& node : rope.nodes) {
       if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
       if (!drawn.insert({node.at.body, node.name}).second) continue;
-      const Vector3& origin = e.state.bodies[static_cast<std::size_t>(node.at.body)].position;
+      const Vector3& origin = e.state.bodies[node.at.body].position;
       Polyline line;
       line.role = Role::structure;
       line.points = {view.point(origin), view.point(machine::in_ground(e.state, node.at))};
@@ -167,7 +166,7 @@ void draw_rope_loads(Drawing& d, const solve::EquilibriumResult& e, const machin
   for (std::size_t i = 0; i < e.rope_loads.size();) {
     const auto load_of = [&](std::size_t k) -> const machine::Node& {
       const auto& one = e.rope_loads[k];
-      return m.reevings[static_cast<std::size_t>(one.reeving)].nodes[static_cast<std::size_t>(one.node)];
+      return m.reevings[one.reeving].nodes[one.node];
     };
     const std::string name = load_of(i).name.substr(0, load_of(i).name.find('['));
     Vector3 force = Vector3::Zero(), place = Vector3::Zero();

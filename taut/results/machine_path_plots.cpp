@@ -30,12 +30,12 @@ const solve::ContactResult* contact_at(const solve::EquilibriumResult& e, int re
 
 /// One rope's tension over its way, arcs counted. `marks`: where each node stands, or nullptr.
 Curve along(const machine::Model& m, const solve::EquilibriumResult& e, int reeving, std::vector<Mark>* marks) {
-  const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(reeving)];
+  const machine::Reeving& rope = m.reevings[reeving];
   Curve curve;
   curve.label = rope.name;
   double way = 0;
   const auto name = [&](int n) {
-    const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+    const machine::Node& node = rope.nodes[n];
     if (marks != nullptr && node.kind != machine::NodeKind::load) marks->push_back({way, 0, node.name, false});
   };
   for (const solve::SpanResult& s : e.spans) {
@@ -52,7 +52,7 @@ Curve along(const machine::Model& m, const solve::EquilibriumResult& e, int reev
     }
     way += s.stretched;
     const auto* c = contact_at(e, reeving, s.to);
-    if (c != nullptr) way += std::max(0.0, c->wrap) * rope.nodes[static_cast<std::size_t>(s.to)].radius;
+    if (c != nullptr) way += std::max(0.0, c->wrap) * rope.nodes[s.to].radius;
     if (!rope.closed || s.to != 0) {
       name(s.to);
     } else if (c != nullptr) {

@@ -14,7 +14,7 @@ constexpr int scene_points_per_span = 32;
 std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 SceneLine line_of(const machine::Model& m, const solve::SpanResult& s) {
-  const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(s.reeving)];
+  const machine::Reeving& rope = m.reevings[s.reeving];
   SceneLine line{fmt::format("{}[{}]", rope.name, s.from + 1), s.reeving == 0 ? Role::rope : Role::second_rope, {}, {}};
   std::vector<std::array<double, 3>> points;
   std::vector<double> tension;

@@ -17,10 +17,8 @@ namespace {
 using solve::ContactState;
 using solve::EquilibriumResult;
 
-const machine::Reeving& reeving_at(const machine::Model& m, int i) { return m.reevings[static_cast<std::size_t>(i)]; }
-const std::string& node_name(const machine::Model& m, int r, int n) {
-  return reeving_at(m, r).nodes[static_cast<std::size_t>(n)].name;
-}
+const machine::Reeving& reeving_at(const machine::Model& m, int i) { return m.reevings[i]; }
+const std::string& node_name(const machine::Model& m, int r, int n) { return reeving_at(m, r).nodes[n].name; }
 
 void add_band(std::vector<Column>& columns, std::initializer_list<const char*> names) {
   for (const char* name : names) {
@@ -83,7 +81,7 @@ Table sheaves(const machine::Model& m, const solve::EquilibriumResult& e) {
           {}};
   if (e.band) add_band(t.columns, {"T_in", "T_out"});
   for (const auto& c : e.contacts) {
-    if (reeving_at(m, c.reeving).nodes[static_cast<std::size_t>(c.node)].kind == machine::NodeKind::load) continue;
+    if (reeving_at(m, c.reeving).nodes[c.node].kind == machine::NodeKind::load) continue;
     std::vector<Cell> row = {node_name(m, c.reeving, c.node),
                              c.T_in,
                              c.T_out,
@@ -131,7 +129,7 @@ Table anchors(const machine::Model& m, const solve::EquilibriumResult& e) {
           {{"name", si::one}, {"rope", si::one}, {"T", si::N}, {"Fx", si::N}, {"Fy", si::N}, {"Fz", si::N}},
           {}};
   const auto add = [&](const solve::SpanResult& s, int n, double T, const Vector3& f) {
-    if (reeving_at(m, s.reeving).nodes[static_cast<std::size_t>(n)].kind != machine::NodeKind::anchor) return;
+    if (reeving_at(m, s.reeving).nodes[n].kind != machine::NodeKind::anchor) return;
     t.rows.push_back({node_name(m, s.reeving, n), reeving_at(m, s.reeving).name, T, f.x(), f.y(), f.z()});
   };
   for (const auto& s : e.spans) {
@@ -143,7 +141,7 @@ Table anchors(const machine::Model& m, const solve::EquilibriumResult& e) {
 
 /// Where a rope's largest tension is.
 std::string place_of(const machine::Model& m, const solve::EquilibriumResult& e, const solve::RopeResult& r) {
-  const auto& s = e.spans[static_cast<std::size_t>(r.span)];
+  const auto& s = e.spans[r.span];
   return node_name(m, s.reeving, r.at_end ? s.to : s.from);
 }
 
@@ -177,8 +175,8 @@ struct Turn {
   bool fixed = false;  ///< an end of the rope
   bool load = false;   ///< a force on it
 };
-std::vector<Turn> turns_of(const machine::Reeving& r) {
-  std::vector<Turn> all;
+Array<Turn> turns_of(const machine::Reeving& r) {
+  Array<Turn> all;
   for (const machine::Node& node : r.nodes) {
     const auto same = [&](const Turn& other) { return !other.fixed && other.name == node.name; };
     all.push_back({node.name, std::count_if(all.begin(), all.end(), same), node.kind == machine::NodeKind::anchor,
@@ -190,10 +188,10 @@ std::vector<Turn> turns_of(const machine::Reeving& r) {
 /// The contact of that name and turn; nullptr where the rope does not touch it.
 const solve::ContactResult* contact(const machine::Model& m, const solve::EquilibriumResult& e, int reeving,
                                     const Turn& turn) {
-  const std::vector<Turn> turns = turns_of(reeving_at(m, reeving));
+  const Array<Turn> turns = turns_of(reeving_at(m, reeving));
   for (const auto& c : e.contacts) {
     if (c.reeving != reeving) continue;
-    const Turn& own = turns[static_cast<std::size_t>(c.node)];
+    const Turn& own = turns[c.node];
     if (own.name == turn.name && own.nth == turn.nth) return &c;
   }
   return nullptr;
@@ -245,7 +243,7 @@ std::vector<Cell> load_path_row(const machine::Model& all, const machine::Model&
     const auto own = [&](const auto& s) { return s.reeving == i; };
     const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
     const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
-    const auto& rope = e.ropes[static_cast<std::size_t>(i)];
+    const auto& rope = e.ropes[i];
     row.insert(row.end(), {first->T_from, last->T_to, rope.T_max, rope.unstretched});
   }
   for (int i = 0; i < count; ++i) {

@@ -51,8 +51,7 @@ void add_ends(const MachineRun& run, Result& r) {
                             T,
                             si::N,
                             name,
-                            fmt::format("tension of {} at {} ({})", rope.name,
-                                        rope.nodes[static_cast<std::size_t>(n)].name, one.words),
+                            fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[n].name, one.words),
                             {}});
       };
       add("T_start", first->from, first->T_from);

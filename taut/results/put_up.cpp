@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "taut/checks/checked_parts.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::results {
 namespace {
@@ -36,7 +35,7 @@ bool has_take_up(const machine::Machine& machine, const std::string& body) {
 bool can_hold(const machine::Machine& machine, const machine::Model& model, const machine::Node& end) {
   if (end.drum >= 0) return true;
   if (end.at.body == machine::ground) return false;
-  const machine::Body& body = model.bodies[at(end.at.body)];
+  const machine::Body& body = model.bodies[end.at.body];
   return !body.free.empty() || has_take_up(machine, body.name);
 }
 
@@ -48,9 +47,9 @@ Outcome put_up_lines(machine::Model& model, std::vector<study::PutUpLine>& lines
 }
 
 std::string put_up_words(const machine::Model& model, const study::PutUpLine& line) {
-  const machine::Reeving& rope = model.reevings[at(line.reeving)];
+  const machine::Reeving& rope = model.reevings[line.reeving];
   std::vector<std::string> with;
-  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[at(body)].name);
+  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[body].name);
   return with.empty() ? fmt::format("{} as put up, empty", rope.name)
                       : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
 }
@@ -71,7 +70,7 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
        {"stretched", si::m}},
       {}};
   for (const study::PutUpLine& one : lines) {
-    const std::string& name = model.reevings[at(one.reeving)].name;
+    const std::string& name = model.reevings[one.reeving].name;
     const std::string words = put_up_words(model, one);
     t.rows.push_back(
         {name, words, one.at.T_start, one.at.T_end, one.at.H, one.at.unstretched, one.at.cut, one.at.stretched});
@@ -92,8 +91,7 @@ void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine
                  checks::CheckedParts& checked) {
   for (const study::PutUpLine& one : lines) {
     if (!one.at.outcome.ok()) continue;
-    checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[at(one.reeving)].name,
-                       put_up_words(model, one));
+    checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[one.reeving].name, put_up_words(model, one));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 
@@ -25,7 +26,7 @@ struct BeamPoint {
 /// A beam in its state. Forces and moments on the beam by what it begins on, at its start.
 struct BeamResult {
   int beam = 0;
-  std::vector<BeamPoint> points;  ///< from its start to its end; two where something is fixed to it
+  Array<BeamPoint> points;  ///< from its start to its end; two where something is fixed to it
   Vector3 base_force = Vector3::Zero(), base_moment = Vector3::Zero();
   std::size_t most_bent = 0, most_pressed = 0, most_stressed = 0;  ///< points of largest M, |N|, stress
   double top_displacement = 0;                                     ///< size of the last point's deflection, m

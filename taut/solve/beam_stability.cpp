@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/definite.hpp"
@@ -24,7 +25,7 @@ constexpr double hardly_any = 1e-9;  ///< a factor
 constexpr int every = -1;            ///< beam
 
 /// How a cross-section moves: its displacement and turn by each coordinate that moves it.
-using SectionMotion = std::vector<std::pair<int, Vector6>>;
+using SectionMotion = Array<std::pair<int, Vector6>>;
 
 /// A straight element: its stiffness without force, and what a unit of its factor adds.
 struct Element {
@@ -97,7 +98,7 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
 class StiffnessAssembly {
  public:
   StiffnessAssembly(const mechanics::System& s, const mechanics::Configuration& c, const Eigen::MatrixXd& rest,
-                    std::vector<int> coordinates)
+                    Array<int> coordinates)
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
@@ -128,7 +129,7 @@ class StiffnessAssembly {
       for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, -1, (rest_(i, j) + rest_(j, i)) / 2, 0});
     }
     for (const Element& e : elements_) {
-      std::vector<std::pair<int, Vector12>> all;
+      Array<std::pair<int, Vector12>> all;
       for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
       for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
       for (const auto& [i, a] : all) {
@@ -154,18 +155,18 @@ class StiffnessAssembly {
   SectionMotion body_motion(int body, const Vector3& arm) const {
     SectionMotion m;
     if (body == machine::ground) return m;
-    for (int i = s_.layout.first_dof[at(body)]; i < s_.layout.first_dof[at(body) + 1]; ++i) {
-      if (coordinates_[at(i)] < 0) continue;
-      const machine::Freedom& way = s_.layout.dofs[at(i)].way;
+    for (int i = s_.layout.first_dof[body]; i < s_.layout.first_dof[as_size(body) + 1]; ++i) {
+      if (coordinates_[i] < 0) continue;
+      const machine::Freedom& way = s_.layout.dofs[i].way;
       Vector6 v;
       v << way.along + way.about.cross(arm), way.about;
-      m.emplace_back(-1 - coordinates_[at(i)], v);
+      m.emplace_back(-1 - coordinates_[i], v);
     }
     return m;
   }
 
   /// A joint: the body's displacement, turns of its own about `own`, the body's turn about the rest.
-  SectionMotion joint(SectionMotion body, const std::vector<Vector3>& own) {
+  SectionMotion joint(SectionMotion body, const Array<Vector3>& own) {
     for (auto& [i, v] : body) {
       for (const Vector3& axis : own) v.tail<3>() -= axis * axis.dot(v.tail<3>());
     }
@@ -185,14 +186,14 @@ class StiffnessAssembly {
 
   Vector3 arm_of(const machine::Place& place) const {
     return place.body == machine::ground ? Vector3(Vector3::Zero())
-                                         : Vector3(c_.bodies[at(place.body)].orientation * place.at);
+                                         : Vector3(c_.bodies[place.body].orientation * place.at);
   }
 
   void add_piece(std::size_t k) {
     const mechanics::Layout::Piece& p = s_.layout.pieces[k];
-    const machine::Beam& beam = s_.model.beams[at(p.beam)];
-    const machine::BeamPiece& piece = beam.pieces[at(p.piece)];
-    std::vector<structure::RodState> all = {mechanics::piece_start(s_, c_, k)};
+    const machine::Beam& beam = s_.model.beams[p.beam];
+    const machine::BeamPiece& piece = beam.pieces[p.piece];
+    Array<structure::RodState> all = {mechanics::piece_start(s_, c_, k)};
     structure::RodPiece rod = piece.rod;
     const double share = (rod.to - rod.from) / beam.length;
     const int count = std::max(2, static_cast<int>(std::ceil(elements * share)));
@@ -215,7 +216,7 @@ class StiffnessAssembly {
           e.to = joint(e.to, {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
         }
       }
-      fill_matrices(e, piece.rod.section, all[at((i - 1) * each)], all[at(i * each)]);
+      fill_matrices(e, piece.rod.section, all[(i - 1) * each], all[i * each]);
       from = e.to;
       elements_.push_back(std::move(e));
     }
@@ -230,10 +231,10 @@ class StiffnessAssembly {
   const mechanics::System& s_;
   const mechanics::Configuration& c_;
   const Eigen::MatrixXd& rest_;
-  std::vector<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
-  std::vector<Element> elements_;
-  std::vector<Arm> arms_;
-  std::vector<Term> terms_;
+  Array<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
+  Array<Element> elements_;
+  Array<Arm> arms_;
+  Array<Term> terms_;
   int inner_ = 0;
 };
 
@@ -266,8 +267,8 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
   if (bare.hold >= 0) {
     --bare.size;  // the last one before the beams
     double most = 0;
-    for (int i = bare.first_dof[at(bare.coordinate_body)]; i < bare.first_dof[at(bare.coordinate_body) + 1]; ++i) {
-      const double along = std::abs(bare.dofs[at(i)].way.along.dot(bare.coordinate_along));
+    for (int i = bare.first_dof[bare.coordinate_body]; i < bare.first_dof[as_size(bare.coordinate_body) + 1]; ++i) {
+      const double along = std::abs(bare.dofs[i].way.along.dot(bare.coordinate_along));
       if (along > most) most = along, kept = i;
     }
   }
@@ -286,14 +287,14 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   mechanics::Evaluation e;
   if (mechanics::evaluate(rest, now, e)) return std::nullopt;
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(rest, now, e, J, columns);
-  std::vector<int> coordinates(s.layout.dofs.size(), -1), order, left;
+  Array<int> coordinates(s.layout.dofs.size(), -1), order, left;
   for (int i = 0; i < bare.size; ++i) {
     if (i >= static_cast<int>(coordinates.size())) {
       order.push_back(i);
     } else if (i != kept) {
-      coordinates[at(i)] = static_cast<int>(left.size());
+      coordinates[i] = static_cast<int>(left.size());
       left.push_back(i);
     }
   }

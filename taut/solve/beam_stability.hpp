@@ -2,13 +2,14 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
 
 struct BeamStability {
-  bool stable = true;           ///< the machine's tangent stiffness is positive (neutral ways not counted)
-  std::vector<double> factors;  ///< by beam: see BeamResult::critical_factor; 0: not stable without its forces either
+  bool stable = true;     ///< the machine's tangent stiffness is positive (neutral ways not counted)
+  Array<double> factors;  ///< by beam: see BeamResult::critical_factor; 0: not stable without its forces either
 };
 
 /// Tangent stiffness of the machine around an equilibrium: ropes and dead forces as in the Jacobian, the unknowns that

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/beam_stability.hpp"
@@ -55,18 +56,17 @@ void fill_points(const mechanics::System& s, const mechanics::Configuration& c, 
     if (piece.rod.from == 0) {
       const bool moves = piece.reference != machine::ground;
       built.place = start.place;
-      built.axes =
-          moves ? Matrix3(c.bodies[at(piece.reference)].orientation * piece.reference_axes) : piece.reference_axes;
+      built.axes = moves ? Matrix3(c.bodies[piece.reference].orientation * piece.reference_axes) : piece.reference_axes;
       first = direction(piece.rod, start);
       first_built = built.axes.col(2);
       r.base_force = -start.force;
       r.base_moment = -start.moment;
     }
-    std::vector<RodState> all = {start}, all_built = {built};
+    Array<RodState> all = {start}, all_built = {built};
     along(piece.rod, start, &all);
     along(bare, built, &all_built);
     const double step = (piece.rod.to - piece.rod.from) / piece.rod.steps;
-    for (std::size_t i = 0; i < all.size(); i += at(piece.section_every)) {
+    for (std::size_t i = 0; i < all.size(); i += as_size(piece.section_every)) {
       r.points.push_back(point_of(piece.rod, all[i], all_built[i], piece.rod.from + static_cast<double>(i) * step));
       const double turn =
           angle_between(first, direction(piece.rod, all[i])) - angle_between(first_built, all_built[i].axes.col(2));
@@ -90,8 +90,8 @@ void fill_worst(const Vector3& chord, BeamResult& r) {
 
 }  // namespace
 
-std::vector<BeamResult> beam_results(const mechanics::System& s, const mechanics::Configuration& c) {
-  std::vector<BeamResult> all;
+Array<BeamResult> beam_results(const mechanics::System& s, const mechanics::Configuration& c) {
+  Array<BeamResult> all;
   for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
     BeamResult& r = all.emplace_back();
     r.beam = b;
@@ -99,8 +99,8 @@ std::vector<BeamResult> beam_results(const mechanics::System& s, const mechanics
     const Vector3 start = r.points.front().place, end = r.points.back().place;
     const Vector3 built = end - r.points.back().deflection - start;
     fill_worst(built.normalized(), r);
-    const int top = s.model.beams[at(b)].pieces.back().end.body;
-    if (top != machine::ground && s.model.bodies[at(top)].beam == b) r.lean = angle_between(built, end - start);
+    const int top = s.model.beams[b].pieces.back().end.body;
+    if (top != machine::ground && s.model.bodies[top].beam == b) r.lean = angle_between(built, end - start);
   }
   return all;
 }
@@ -118,10 +118,9 @@ void act_beams(const mechanics::System& s, const mechanics::Configuration& c,
 
 namespace {
 
-Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, bool factors,
-              std::vector<BeamResult>& results) {
+Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, bool factors, Array<BeamResult>& results) {
   if (results.empty()) return {};
-  const auto name = [&](const BeamResult& r) { return s.model.beams[at(r.beam)].name; };
+  const auto name = [&](const BeamResult& r) { return s.model.beams[r.beam].name; };
   for (const BeamResult& r : results) {
     if (r.bend <= most_bend) continue;
     return infeasible(
@@ -138,7 +137,7 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
   }
   const std::optional<BeamStability> stability = beam_stability(s, c, factors);
   if (!stability || (stability->stable && !factors)) return {};
-  for (BeamResult& r : results) r.critical_factor = stability->factors[at(r.beam)];
+  for (BeamResult& r : results) r.critical_factor = stability->factors[r.beam];
   if (stability->stable) return {};
   const auto worst = std::min_element(results.begin(), results.end(), [](const BeamResult& a, const BeamResult& b) {
     return a.critical_factor < b.critical_factor;
@@ -157,12 +156,12 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
 
 }  // namespace
 
-Outcome check_beams(const mechanics::System& s, const mechanics::Configuration& c, std::vector<BeamResult>& results) {
+Outcome check_beams(const mechanics::System& s, const mechanics::Configuration& c, Array<BeamResult>& results) {
   return judge(s, c, true, results);
 }
 
 Outcome beams_stay(const mechanics::System& s, const mechanics::Configuration& c) {
-  std::vector<BeamResult> results = beam_results(s, c);
+  Array<BeamResult> results = beam_results(s, c);
   return judge(s, c, false, results);
 }
 

@@ -93,7 +93,7 @@ TEST(BeamTables, ForcesOnItsEndsAddUpToItsWeight) {
 
 /// The message about a beam; empty: it stays.
 std::string verdict(SetByHand& one, double* factor = nullptr) {
-  std::vector<BeamResult> results = beam_results(one.system(), one.c);
+  taut::Array<BeamResult> results = beam_results(one.system(), one.c);
   const Outcome reported = check_beams(one.system(), one.c, results);
   EXPECT_EQ(beams_stay(one.system(), one.c).message, reported.message);
   EXPECT_EQ(reported.ok(), reported.message.empty());

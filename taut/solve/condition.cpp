@@ -43,14 +43,14 @@ class ConditionSearch {
       : condition_(condition),
         options_(std::move(options)),
         near_(start),
-        first_(model.reevings[at(condition.reeving)].value) {
+        first_(model.reevings[condition.reeving].value) {
     best.model = model;
   }
 
   /// NaN where there is no equilibrium.
   double operator()(double u) {
     machine::Model varied = best.model;
-    machine::Reeving& rope = varied.reevings[at(condition_.reeving)];
+    machine::Reeving& rope = varied.reevings[condition_.reeving];
     rope.value = rope.given == machine::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
     EquilibriumResult r = equilibrium(varied, options_, near_);
     if (!r.outcome.ok()) {
@@ -85,7 +85,7 @@ class ConditionSearch {
         return end_tension(r, condition_.of.front(), condition_.at_end) - condition_.value;
       case Kind::length_of: {
         double length = -condition_.value;
-        for (const int rope : condition_.of) length += r.ropes[at(rope)].unstretched;
+        for (const int rope : condition_.of) length += r.ropes[rope].unstretched;
         return length;
       }
       default:
@@ -141,18 +141,18 @@ double sag_at_middle(const SpanResult& span) {
 }
 
 double sag_of_carriage(const machine::Model& model, const EquilibriumResult& r, int carriage) {
-  const machine::Carriage& car = model.carriages.at(at(carriage));
+  const machine::Carriage& car = model.carriages.at(as_size(carriage));
   const SpanResult *before = nullptr, *after = nullptr;
   // a carriage of several rollers has spans of its own between them
-  const auto& nodes = model.reevings[at(car.reeving)].nodes;
-  const auto rides = [&](int node) { return nodes[at(node)].at.body == car.body; };
+  const auto& nodes = model.reevings[car.reeving].nodes;
+  const auto rides = [&](int node) { return nodes[node].at.body == car.body; };
   for (const SpanResult& s : r.spans) {
     if (s.reeving != car.reeving || rides(s.from) == rides(s.to)) continue;
     if (rides(s.to) && s.to <= car.node) before = &s;
     if (rides(s.from) && s.from >= car.node && after == nullptr) after = &s;
   }
   expects(before != nullptr && after != nullptr, "a carriage rides on its rope");
-  const Vector3& place = r.state.bodies[at(car.body)].position;
+  const Vector3& place = r.state.bodies[car.body].position;
   const Vector3 chord = after->end - before->start;
   const double way = chord.x() * chord.x() + chord.y() * chord.y();
   const Vector3 from = place - before->start;
@@ -162,12 +162,12 @@ double sag_of_carriage(const machine::Model& model, const EquilibriumResult& r, 
 
 Conditioned equilibrium_under(const machine::Model& model, const Condition& condition,
                               const EquilibriumOptions& options, const std::optional<machine::State>& start) {
-  expects(condition.reeving >= 0 && at(condition.reeving) < model.reevings.size(), "a rope of the model");
+  expects(condition.reeving >= 0 && as_size(condition.reeving) < model.reevings.size(), "a rope of the model");
   const bool by_carriage = condition.kind == Kind::sag_at_carriage || condition.kind == Kind::free_running;
   expects(!by_carriage || options.prescribed, "a condition at a carriage needs its place");
   if (direct(condition.kind)) {
     Conditioned done{model, {}};
-    machine::Reeving& rope = done.model.reevings[at(condition.reeving)];
+    machine::Reeving& rope = done.model.reevings[condition.reeving];
     rope.given = condition.kind == Kind::length             ? machine::Given::length
                  : condition.kind == Kind::tension_at_start ? machine::Given::tension_at_start
                                                             : machine::Given::tension_at_end;
@@ -180,13 +180,13 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   plain.held = true;
   plain.tolerance = std::min(options.tolerance, search_tolerance);
   ConditionSearch search(model, condition, plain, start);
-  const std::string& name = model.reevings[at(condition.reeving)].name;
+  const std::string& name = model.reevings[condition.reeving].name;
   const double at_zero = search(0);
   if (std::isnan(at_zero)) {
     search.best.result.outcome = search.failed;
     return search.best;
   }
-  const bool by_length = model.reevings[at(condition.reeving)].given == machine::Given::length;
+  const bool by_length = model.reevings[condition.reeving].given == machine::Given::length;
   // more sag, or rope in a loop: more length, less tension
   const bool more = (at_zero < 0) != (condition.kind == Kind::tension_of);
   const double way = more == by_length ? 1 : -1;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::solve {
@@ -26,8 +27,8 @@ struct Condition {
   double value = 0;
   int span = 0;  ///< of sag_of_span: index among the free spans of this rope
   // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
-  std::vector<int> of = {};  ///< of tension_of and length_of: reevings
-  bool at_end = false;       ///< of tension_of: at the end of its path, else at its start
+  Array<int> of = {};   ///< of tension_of and length_of: reevings
+  bool at_end = false;  ///< of tension_of: at the end of its path, else at its start
 };
 
 /// A machine that meets a condition.

@@ -3,6 +3,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::solve {
@@ -28,8 +29,8 @@ enum class SweepEnd {
 };
 
 struct Sweep {
-  std::vector<SweepPoint> points;  ///< values with an equilibrium, in order; of a sweep that ends early the last one is
-                                   ///< at `end`, the last value found to have one
+  Array<SweepPoint> points;  ///< values with an equilibrium, in order; of a sweep that ends early the last one is
+                             ///< at `end`, the last value found to have one
   SweepEnd end = SweepEnd::reached;
   double value = 0;  ///< where it ends
   Outcome outcome;   ///< beyond that; ok when reached

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+
 namespace taut::solve {
 namespace {
 
@@ -18,7 +20,7 @@ SkylineMatrix::SkylineMatrix(int size)
 void SkylineMatrix::add(int row, int column, double value) {
   if (value == 0) return;
   values_(row, column) += value;
-  int& first = first_[static_cast<std::size_t>(row)];
+  int& first = first_[row];
   first = std::min(first, column);
 }
 
@@ -34,10 +36,10 @@ bool SkylineMatrix::definite() const {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> L(n, n);  // the rest is never read
   Eigen::VectorXd pivot(n);
   for (int i = 0; i < n; ++i) {
-    const int from = std::min(first_[static_cast<std::size_t>(i)], i);
+    const int from = std::min(first_[i], i);
     double rest = values_(i, i) * scale[i] * scale[i];
     for (int j = from; j < i; ++j) {
-      const int both = std::max(from, std::min(first_[static_cast<std::size_t>(j)], j));
+      const int both = std::max(from, std::min(first_[j], j));
       double u = values_(i, j) * scale[i] * scale[j];
       for (int k = both; k < j; ++k) u -= L(i, k) * pivot[k] * L(j, k);
       if (pivot[j] == 0) {
@@ -54,12 +56,12 @@ bool SkylineMatrix::definite() const {
   return true;
 }
 
-std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const std::vector<int>& order, int count) {
+std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const Array<int>& order, int count) {
   const auto n = static_cast<Eigen::Index>(order.size());
   Eigen::MatrixXd A(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
-      A(i, j) = matrix(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(j)]);
+      A(i, j) = matrix(order[i], order[j]);
     }
   }
   for (Eigen::Index i = 0; i < count; ++i) {

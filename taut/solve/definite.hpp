@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
+
 namespace taut::solve {
 
 /// A symmetric matrix, its lower half by rows, whose rows are empty up to some column: elements along a beam.
@@ -16,11 +18,11 @@ class SkylineMatrix {
 
  private:
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values_;
-  std::vector<int> first_;  ///< column with something in it, by row
+  Array<int> first_;  ///< column with something in it, by row
 };
 
 /// Eliminates the first `count` of the unknowns in `order`, with the rows of the same numbers, from a matrix; what is
 /// left, in the order given. Empty where they are undetermined.
-std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const std::vector<int>& order, int count);
+std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const Array<int>& order, int count);
 
 }  // namespace taut::solve

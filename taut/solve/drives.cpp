@@ -5,15 +5,15 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
-#include "taut/math/index.hpp"
 #include "taut/rope/contact.hpp"
 #include "taut/solve/running.hpp"
 
 namespace taut::solve {
 namespace {
 
-int sense_of(const std::vector<int>& flow) {
+int sense_of(const Array<int>& flow) {
   const auto moves = std::find_if(flow.begin(), flow.end(), [](int f) { return f != 0; });
   return moves == flow.end() ? 0 : *moves;
 }
@@ -48,7 +48,7 @@ void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResul
     if (c.reeving != d.reeving || c.state == ContactState::lifted) continue;
     const double grows = sense * (c.T_out - c.T_in);
     const double power = rope.copies * u * grows * (1 + (c.T_in + c.T_out) / (2 * rope.stiffness));
-    switch (rope.nodes[at(c.node)].kind) {
+    switch (rope.nodes[c.node].kind) {
       case machine::NodeKind::load:
         *d.power_loads += power;
         break;
@@ -70,12 +70,12 @@ void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResul
 
 }  // namespace
 
-std::vector<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
-  std::vector<DriveResult> all;
+Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
+  Array<DriveResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
-    const machine::Reeving& rope = model.reevings[at(r)];
+    const machine::Reeving& rope = model.reevings[r];
     for (int n = 0; n < static_cast<int>(rope.nodes.size()); ++n) {
-      const machine::Node& node = rope.nodes[at(n)];
+      const machine::Node& node = rope.nodes[n];
       const ContactResult* c = node.kind == machine::NodeKind::drive ? contact_at(result, r, n) : nullptr;
       if (c == nullptr) continue;
       DriveResult d;
@@ -84,10 +84,10 @@ std::vector<DriveResult> drives(const machine::Model& model, const EquilibriumRe
       d.T_in = c->T_in;
       d.T_out = c->T_out;
       d.wrap = c->wrap;
-      d.centrifugal = centrifugal(rope, result.flow[at(r)]);
+      d.centrifugal = centrifugal(rope, result.flow[r]);
       d.torque = rope.copies * node.radius * (d.T_in - d.T_out);
-      fill_grip(node, rope, node.motor < 0 ? std::nullopt : model.motors[at(node.motor)].working_arc, d);
-      const int sense = sense_of(result.flow[at(r)]);
+      fill_grip(node, rope, node.motor < 0 ? std::nullopt : model.motors[node.motor].working_arc, d);
+      const int sense = sense_of(result.flow[r]);
       if (rope.speed > 0 && sense != 0) {
         d.speed = sense * rope.speed;
         d.power = rope.copies * (d.T_in - d.T_out) * *d.speed;
@@ -125,26 +125,26 @@ void fill_layers(const machine::Drum& drum, const machine::Reeving& rope, double
 
 }  // namespace
 
-std::vector<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result) {
-  std::vector<DrumResult> all;
+Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result) {
+  Array<DrumResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
-    const machine::Reeving& rope = model.reevings[at(r)];
+    const machine::Reeving& rope = model.reevings[r];
     const auto own = [&](const SpanResult& s) { return s.reeving == r; };
     const auto first = std::find_if(result.spans.begin(), result.spans.end(), own);
     const auto last = std::find_if(result.spans.rbegin(), result.spans.rend(), own);
     for (const bool at_end : {false, true}) {
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       if (node.drum < 0) continue;
-      const machine::Drum& drum = model.drums[at(node.drum)];
+      const machine::Drum& drum = model.drums[node.drum];
       DrumResult d;
       d.drum = node.drum;
       d.reeving = r;
       d.pull = at_end ? last->T_to : first->T_from;
       d.layer = drum.layer;
       d.radius = node.radius;
-      fill_layers(drum, rope, result.ropes[at(r)].unstretched, d);
+      fill_layers(drum, rope, result.ropes[r].unstretched, d);
       d.torque = rope.copies * d.pull * d.radius;
-      const int sense = sense_of(result.flow[at(r)]);
+      const int sense = sense_of(result.flow[r]);
       if (drum.drive.kind == machine::DriveKind::speed && rope.speed > 0 && sense != 0) {
         d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
       }

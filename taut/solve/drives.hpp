@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::solve {
@@ -28,7 +29,7 @@ struct DriveResult {
 };
 
 /// Of every motor of the model.
-std::vector<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);
+Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);
 
 /// What lies on a drum, and what it pulls.
 struct DrumResult {
@@ -47,6 +48,6 @@ struct DrumResult {
 
 /// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
 /// where an answer has another free length, the rest is on the drum.
-std::vector<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
+Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
 
 }  // namespace taut::solve

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
@@ -29,7 +30,7 @@
 namespace taut::solve {
 namespace {
 
-using Flow = std::vector<std::vector<int>>;
+using Flow = Array<Array<int>>;
 
 constexpr int relaxing_steps = 400;
 constexpr int parts_of_losses = 16;
@@ -43,7 +44,7 @@ constexpr double pull_precision = 1e-4;
 
 /// The weight of a body and of the loads on it, N.
 double weight_on(const machine::Model& model, int body) {
-  double weight = model.bodies[at(body)].mass * model.gravity;
+  double weight = model.bodies[body].mass * model.gravity;
   for (const machine::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
   return weight;
 }
@@ -63,32 +64,30 @@ mechanics::Configuration configuration_of(const mechanics::Layout& layout, const
   mechanics::Configuration c;
   c.bodies = state.bodies;
   c.open_loads.assign(layout.ropes.size(), 0);
-  for (const mechanics::Layout::Link& link : layout.links)
-    c.links.push_back(state.branches[at(link.reeving)][at(link.from)]);
+  for (const mechanics::Layout::Link& link : layout.links) c.links.push_back(state.branches[link.reeving][link.from]);
   for (const mechanics::Layout::Piece& p : layout.pieces)
-    c.pieces.push_back(state.beams.at(at(p.beam)).at(at(p.piece)));
+    c.pieces.push_back(state.beams.at(as_size(p.beam)).at(as_size(p.piece)));
   return c;
 }
 
 void keep(const mechanics::Layout& layout, const mechanics::Configuration& c, machine::State& state) {
   state.bodies = c.bodies;
   for (std::size_t k = 0; k < layout.links.size(); ++k) {
-    state.branches[at(layout.links[k].reeving)][at(layout.links[k].from)] = c.links[k];
+    state.branches[layout.links[k].reeving][layout.links[k].from] = c.links[k];
   }
   for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
-    state.beams.at(at(layout.pieces[k].beam)).at(at(layout.pieces[k].piece)) = c.pieces[k];
+    state.beams.at(as_size(layout.pieces[k].beam)).at(as_size(layout.pieces[k].piece)) = c.pieces[k];
   }
 }
 
 /// Gives a branch a little less than its straight length. False where it does not stretch.
 bool draw_taut(const mechanics::System& system, const machine::State& state, int link_index,
                mechanics::Configuration& c) {
-  const mechanics::Layout::Link& link = system.layout.links[at(link_index)];
-  const machine::Reeving& rope = system.model.reevings[at(link.reeving)];
+  const mechanics::Layout::Link& link = system.layout.links[link_index];
+  const machine::Reeving& rope = system.model.reevings[link.reeving];
   if (std::isinf(rope.stiffness)) return false;
-  c.links[at(link_index)] = {};
-  c.links[at(link_index)].length =
-      drawn_taut * machine::straight_length(state, rope.nodes[at(link.from)], rope.nodes[at(link.to)]);
+  c.links[link_index] = {};
+  c.links[link_index].length = drawn_taut * machine::straight_length(state, rope.nodes[link.from], rope.nodes[link.to]);
   return true;
 }
 
@@ -171,7 +170,7 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
 
 /// A search for the taut root of a given tension begins on its side.
 void leave_deep_loops(const mechanics::System& system, mechanics::Configuration& c) {
-  const std::vector<FedEnd> fed = fed_ends(system);
+  const Array<FedEnd> fed = fed_ends(system);
   if (fed.empty()) return;
   mechanics::Configuration now = c;
   mechanics::Evaluation e;
@@ -200,7 +199,7 @@ Iteration find(const mechanics::System& system, const machine::State& state, con
     unstable = s;
     if (found.rope) {
       // which way a rope runs off is a matter of chance
-      const std::vector<rope::CatenaryForce> no_change(s.c.links.size());
+      const Array<rope::CatenaryForce> no_change(s.c.links.size());
       mechanics::move(system, unstable->c, {found.push, no_change}, 1, start);
     }
   }
@@ -243,8 +242,8 @@ bool bring_on_weight(const machine::Model& model, const machine::State& state, c
   bool weighs_at_all = false;
   const auto weigh = [&](double share) {
     for (const FedEnd& end : fed_ends({model, s.layout, 0})) {
-      const double weight = model.reevings[at(end.rope)].weight;
-      light.reevings[at(end.rope)].weight = share * weight;
+      const double weight = model.reevings[end.rope].weight;
+      light.reevings[end.rope].weight = share * weight;
       weighs_at_all = weighs_at_all || weight > 0;
     }
   };
@@ -275,7 +274,7 @@ bool bring_on_weight(const machine::Model& model, const machine::State& state, c
 double least_pull(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
                   const Solved& failed, int reeving) {
   machine::Model pulled = model;
-  machine::Reeving& rope = pulled.reevings[at(reeving)];
+  machine::Reeving& rope = pulled.reevings[reeving];
   if (options.prescribed || rope.also) return 0;
   double low = rope.value, high = low;
   Solved s = failed;
@@ -329,7 +328,7 @@ Solved with_forces_from(const machine::Model& model, const Solved& near, double 
 Solved solve_stiff(const machine::Model& model, const machine::State& state, double force,
                    const EquilibriumOptions& options, const Flow& flow) {
   Solved first;
-  for (const std::vector<double>& ratios : {std::vector<double>{1e4, 1e6}, {1e2, 1e3, 1e4, 1e5, 1e6}}) {
+  for (const Array<double>& ratios : {Array<double>{1e4, 1e6}, {1e2, 1e3, 1e4, 1e5, 1e6}}) {
     machine::Model before = model;
     machine::State near = state;
     Solved soft, stiff;
@@ -411,28 +410,28 @@ struct WithoutMainline {
 
 /// The branches of a mainline put into a state of the machine without it, straight under a tension.
 machine::State with_mainline(machine::State state, const machine::Reeving& mainline, int index, double tension) {
-  std::vector<machine::BranchState> own(mainline.nodes.size() - 1);
+  Array<machine::BranchState> own(mainline.nodes.size() - 1);
   for (std::size_t k = 0; k < own.size(); ++k) {
     const machine::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
     own[k].length = tension > 0 ? machine::taut_length(state, mainline, from, to, tension)
                                 : machine::straight_length(state, from, to);
   }
   state.branches.insert(state.branches.begin() + index, std::move(own));
-  state.touched.insert(state.touched.begin() + index, std::vector<bool>(mainline.nodes.size(), true));
+  state.touched.insert(state.touched.begin() + index, Array<bool>(mainline.nodes.size(), true));
   return state;
 }
 
 WithoutMainline without_mainline(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
-  const machine::Carriage carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Carriage carriage = model.carriages.at(as_size(options.prescribed->carriage));
   if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
-  const machine::Reeving& mainline = model.reevings[at(carriage.mainline)];
+  const machine::Reeving& mainline = model.reevings[carriage.mainline];
   auto rest = machine::without_rope(model, carriage.mainline);
   if (!rest) return {};
   machine::Model& without = *rest;
   Flow flow_without = flow;
   flow_without.erase(flow_without.begin() + carriage.mainline);
-  without.carriages[at(options.prescribed->carriage)].haulback = -1;
+  without.carriages[options.prescribed->carriage].haulback = -1;
   const machine::State start = machine::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
@@ -441,7 +440,7 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   machine::State held = start;
   keep(s.layout, s.c, held);
   const Vector3 hold = s.c.hold * track(system, s.e);
-  const Vector3 place = s.c.bodies[at(carriage.body)].position;
+  const Vector3 place = s.c.bodies[carriage.body].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
   const Vector3 pull = machine::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
@@ -543,7 +542,7 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
 Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
                          const EquilibriumResult& result) {
   if (!options.prescribed) return {};
-  const machine::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Carriage& carriage = model.carriages.at(as_size(options.prescribed->carriage));
   double largest = 0;
   for (const RopeResult& rope : result.ropes) largest = std::max(largest, rope.T_max);
   const double none = std::max(no_force * weight_on(model, carriage.body), options.tolerance * largest);

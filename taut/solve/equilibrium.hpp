@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/machine/prescribed.hpp"
@@ -18,7 +19,7 @@ enum class Motion { at_rest, hoist, lower, in, out };
 struct EquilibriumOptions {
   Motion motion = Motion::at_rest;
   /// Flow through single contacts, [reeving][node], +1 along the path, -1 against it, 0 none; empty: by `motion`.
-  std::vector<std::vector<int>> flow;
+  Array<Array<int>> flow;
   bool band = true;  ///< at rest: also solve both directions
   /// Given tensions are those that ropes are put up with: the machine has to stay with the lengths found, not with the
   /// tensions held.
@@ -97,17 +98,17 @@ struct Closure {
 struct EquilibriumResult {
   Outcome outcome;
   machine::State state;
-  std::vector<SpanResult> spans;           ///< by reeving, along its path
-  std::vector<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
-  std::vector<RopeLoadResult> rope_loads;  ///< by reeving, along its path
-  std::vector<RopeResult> ropes;           ///< by reeving
+  Array<SpanResult> spans;           ///< by reeving, along its path
+  Array<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
+  Array<RopeLoadResult> rope_loads;  ///< by reeving, along its path
+  Array<RopeResult> ropes;           ///< by reeving
   /// By body: force on the body by what holds it where it is not free, N; in free directions about 0.
-  std::vector<Vector3> reactions;
-  std::vector<BeamResult> beams;   ///< as in the model
+  Array<Vector3> reactions;
+  Array<BeamResult> beams;         ///< as in the model
   Vector3 hold = Vector3::Zero();  ///< force that keeps a prescribed carriage without mainline in place, N
   Closure closure;
-  bool band = false;                   ///< whether the tensions' bands hold both directions of motion
-  std::vector<std::vector<int>> flow;  ///< through every node, [reeving][node], for which the tensions hold
+  bool band = false;       ///< whether the tensions' bands hold both directions of motion
+  Array<Array<int>> flow;  ///< through every node, [reeving][node], for which the tensions hold
 };
 
 /// The equilibrium of the machine, from `start` (default: initial_state) on. Damped Newton with exact derivatives over

@@ -9,7 +9,9 @@
 #include <numbers>
 #include <set>
 
+#include "taut/base/array.hpp"
 #include "taut/math/eigen_general.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
 namespace taut::solve::dynamics {
@@ -53,7 +55,7 @@ std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) 
         contact.spin >= 0 ? !grips : contact.friction * std::max(0.0, is.wrap) > 0 && contact.efficiency < 1;
     is.log_ratio = is.log_by_wrap = 0;
     is.grip = grips || (stuck && loses) ? Grip::stuck : Grip::equal;
-    if (loses) names.insert(m.model->reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+    if (loses) names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     SpinValues& is = v.spins[i];
@@ -61,9 +63,9 @@ std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) 
     is.capacity = 0;
     if (m.spins[i].inertia <= 0 || prescribed(m, m.spins[i], v, v.when)) continue;
     for (const auto& one : m.spins[i].contacts) {
-      const Contact& contact = m.contacts[at(one.first)];
+      const Contact& contact = m.contacts[one.first];
       const double capacity = bearing_slope(m, contact, v, v).capacity;
-      if (capacity > 0) names.insert(m.model->reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+      if (capacity > 0) names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
       if (stuck) is.capacity += capacity;
     }
   }
@@ -73,7 +75,7 @@ std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) 
 /// Mass, damping and stiffness by all columns, and which columns stay where they are.
 struct VibrationMatrices {
   MatrixXd M, C, K;
-  std::vector<Index> moving, massless;
+  Array<Index> moving, massless;
 };
 
 /// The step's step_tangent is M + r C + r^2 K in the accelerations, r its reach; the rope passed at a contact is an
@@ -84,7 +86,7 @@ MatrixXd step_tangent(Run& run, Values& now, double reach) {
   s.slip_now = 1 / reach;
   s.slip_before = 0;
   assemble(run.m, s, run.before, now, run.w);
-  const std::vector<double> dense = run.m.solver.dense();
+  const Array<double> dense = run.m.solver.dense();
   const Index n = run.m.size;
   MatrixXd J =
       Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(dense.data(), n, n);
@@ -109,15 +111,15 @@ VibrationMatrices matrices_of(Run& run, Values& now) {
   const double largest = std::max({one.cwiseAbs().maxCoeff(), two.cwiseAbs().maxCoeff(), three.cwiseAbs().maxCoeff()});
   zero_small(a.M, 1e-13 * largest);
   zero_small(a.C, 1e-13 * largest / unit);
-  std::vector<char> fixed(at(run.m.size), 0), of_contact(at(run.m.size), 0);
+  Array<char> fixed(as_size(run.m.size), 0), of_contact(as_size(run.m.size), 0);
   for (std::size_t i = 0; i < run.m.spins.size(); ++i) {
     const Spin& spin = run.m.spins[i];
     const bool held = spin.inertia <= 0 || prescribed(run.m, spin, now, now.when) || now.spins[i].capacity > 0;
-    fixed[at(spin.column)] = held ? 1 : 0;
+    fixed[spin.column] = held ? 1 : 0;
   }
-  for (const Contact& contact : run.m.contacts) of_contact[at(contact.column)] = 1;
+  for (const Contact& contact : run.m.contacts) of_contact[contact.column] = 1;
   for (int c = 0; c < run.m.size; ++c) {
-    if (fixed[at(c)] == 0) (of_contact[at(c)] != 0 ? a.massless : a.moving).push_back(c);
+    if (fixed[c] == 0) (of_contact[c] != 0 ? a.massless : a.moving).push_back(c);
   }
   return a;
 }
@@ -161,11 +163,11 @@ Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
   begin_step(run.m, s, run.before, run.w);
   std::fill(moved.rate.begin(), moved.rate.end(), 0.0);
   for (const Body& body : run.m.bodies) {
-    for (int c = body.first; c < body.first + body.count; ++c) moved.rate[at(c)] = x[c];
+    for (int c = body.first; c < body.first + body.count; ++c) moved.rate[c] = x[c];
   }
   for (const Contact& contact : run.m.contacts)
-    moved.q[at(contact.column)] = run.before.q[at(contact.column)] + x[contact.column];
-  for (const Spin& spin : run.m.spins) moved.rate[at(spin.column)] = x[spin.column];
+    moved.q[contact.column] = run.before.q[contact.column] + x[contact.column];
+  for (const Spin& spin : run.m.spins) moved.rate[spin.column] = x[spin.column];
   follow(run.m, s, run.before, run.w, run.before.t, moved);
   return moved;
 }
@@ -174,7 +176,7 @@ Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
 bool can_be_drawn(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (!sags(m.lines[i], v.lines[i])) continue;
-    const SagValues& is = v.sags[at(m.lines[i].sag)];
+    const SagValues& is = v.sags[m.lines[i].sag];
     if (!(v.lines[i].L > 0) || !std::isfinite(is.H + is.V + v.lines[i].l)) return false;
   }
   return true;
@@ -207,8 +209,8 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
   const auto motion_of = [&](const Body& body) {
     Mode::Motion motion;
     for (int f = 0; f < body.count; ++f) {
-      motion.shift += x[body.first + f] * body.along[at(f)];
-      if (body.turns) motion.turn += x[body.first + f] * body.about[at(f)];
+      motion.shift += x[body.first + f] * body.along[as_size(f)];
+      if (body.turns) motion.turn += x[body.first + f] * body.about[as_size(f)];
     }
     return motion;
   };
@@ -224,7 +226,7 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
   if (unit > 0) x /= unit;
   mode.bodies.assign(m.model->bodies.size(), {});
   for (const Body& body : m.bodies) {
-    if (body.model >= 0) mode.bodies[at(body.model)] = motion_of(body);
+    if (body.model >= 0) mode.bodies[body.model] = motion_of(body);
     const Eigen::VectorXd own = x.segment(body.first, body.count);
     const double energy = own.dot(a.M.block(body.first, body.first, body.count, body.count) * own);
     if (body.model < 0) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
@@ -39,23 +40,23 @@ struct Mode {
     Vector3 shift = Vector3::Zero();  ///< of the body's origin
     Vector3 turn = Vector3::Zero();   ///< rad per unit of the largest shift
   };
-  std::vector<Motion> bodies;  ///< by body of the model; the largest shift (also of a rope's node) is 1 m, or where
-                               ///< nothing shifts the largest turn 1 rad
-  int largest = -1;            ///< body with most of the kinetic energy; -1: the ropes have more
-  TransientFrame shape;        ///< the machine displaced by a twelfth of its size: for drawings, forces mean nothing
+  Array<Motion> bodies;  ///< by body of the model; the largest shift (also of a rope's node) is 1 m, or where
+                         ///< nothing shifts the largest turn 1 rad
+  int largest = -1;      ///< body with most of the kinetic energy; -1: the ropes have more
+  TransientFrame shape;  ///< the machine displaced by a twelfth of its size: for drawings, forces mean nothing
 };
 
 struct ModeSet {
   Sheaves sheaves = Sheaves::stuck;
-  std::vector<Mode> modes;
+  Array<Mode> modes;
   std::vector<std::string> held;  ///< sheaves and bearings that make the difference
 };
 
 struct ModesResult {
   Outcome outcome;
-  std::vector<ModeSet> sets;  ///< stuck, and released where that differs
+  Array<ModeSet> sets;  ///< stuck, and released where that differs
   TransientFrame rest;
-  std::vector<double> damping_time;  ///< by reeving: beta, s
+  Array<double> damping_time;  ///< by reeving: beta, s
 };
 
 /// Freedoms of bodies and of ropes' nodes, at most.

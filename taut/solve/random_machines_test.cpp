@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "test/support/dice.hpp"
 #include "test/support/machines.hpp"

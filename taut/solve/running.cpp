@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 
 namespace taut::solve {
 
-std::vector<std::vector<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
+Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;
-  std::vector<std::vector<int>> flow;
+  Array<Array<int>> flow;
   flow.reserve(model.reevings.size());
   const int sense = options.motion == Motion::hoist || options.motion == Motion::in ? 1 : -1;
   for (const machine::Reeving& rope : model.reevings) {
@@ -19,13 +19,12 @@ std::vector<std::vector<int>> flow_of(const machine::Model& model, const Equilib
   return flow;
 }
 
-double centrifugal(const machine::Reeving& rope, const std::vector<int>& flow) {
+double centrifugal(const machine::Reeving& rope, const Array<int>& flow) {
   const bool runs = std::any_of(flow.begin(), flow.end(), [](int f) { return f != 0; });
   return runs ? rope.mass * rope.speed * rope.speed : 0;
 }
 
-tl::expected<machine::Model, std::string> running(const machine::Model& model,
-                                                  const std::vector<std::vector<int>>& flow) {
+tl::expected<machine::Model, std::string> running(const machine::Model& model, const Array<Array<int>>& flow) {
   machine::Model moving = model;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     machine::Reeving& rope = moving.reevings[r];
@@ -50,26 +49,25 @@ tl::expected<machine::Model, std::string> running(const machine::Model& model,
   return moving;
 }
 
-void add_centrifugal(const machine::Model& model, const std::vector<std::vector<int>>& flow,
-                     EquilibriumResult& result) {
-  std::vector<double> c;
+void add_centrifugal(const machine::Model& model, const Array<Array<int>>& flow, EquilibriumResult& result) {
+  Array<double> c;
   c.reserve(model.reevings.size());
   for (std::size_t r = 0; r < model.reevings.size(); ++r) c.push_back(centrifugal(model.reevings[r], flow[r]));
   for (SpanResult& span : result.spans) {
     if (span.slack) continue;
     for (double* T : {&span.T_from, &span.T_to, &span.T_from_min, &span.T_from_max, &span.T_to_min, &span.T_to_max}) {
-      *T += c[at(span.reeving)];
+      *T += c[span.reeving];
     }
   }
   for (ContactResult& one : result.contacts) {
     if (one.state == ContactState::lifted) continue;
     for (double* T : {&one.T_in, &one.T_out, &one.T_in_min, &one.T_in_max, &one.T_out_min, &one.T_out_max}) {
-      *T += c[at(one.reeving)];
+      *T += c[one.reeving];
     }
   }
   for (RopeLoadResult& one : result.rope_loads) {
-    one.T_in += c[at(one.reeving)];
-    one.T_out += c[at(one.reeving)];
+    one.T_in += c[one.reeving];
+    one.T_out += c[one.reeving];
   }
   for (std::size_t r = 0; r < result.ropes.size(); ++r) {
     RopeResult& rope = result.ropes[r];

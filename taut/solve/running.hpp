@@ -2,26 +2,26 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::solve {
 
 /// Flow through every node, [reeving][node]: the options' own, or by their motion.
-std::vector<std::vector<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options);
+Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options);
 
 /// A rope that runs steadily along itself carries the centrifugal tension c = m v^2 everywhere; its shape, its supports
 /// and the laws of its contacts know T - c alone (Routh; docs/theory/drives.md). With T' = T - c the rope stretches as
 /// one that is longer by 1 + c/EA and has the stiffness EA + c: (1 + T/EA) = (1 + c/EA)(1 + T'/(EA + c)).
 
 /// c of one rope, N; 0 where the flow lets it rest.
-double centrifugal(const machine::Reeving& rope, const std::vector<int>& flow);
+double centrifugal(const machine::Reeving& rope, const Array<int>& flow);
 
 /// The machine in terms of T'. The error says whose given tension is not above c.
-tl::expected<machine::Model, std::string> running(const machine::Model& model,
-                                                  const std::vector<std::vector<int>>& flow);
+tl::expected<machine::Model, std::string> running(const machine::Model& model, const Array<Array<int>>& flow);
 
 /// Adds c to the tensions of a result in terms of T'.
-void add_centrifugal(const machine::Model& model, const std::vector<std::vector<int>>& flow, EquilibriumResult& result);
+void add_centrifugal(const machine::Model& model, const Array<Array<int>>& flow, EquilibriumResult& result);
 
 /// The machine with its loads held as they are at rest: by the haul, not by the motion.
 machine::Model with_loads_held(machine::Model model);

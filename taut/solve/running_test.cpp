@@ -102,7 +102,7 @@ TEST(Running, WhatIsGivenHasToBeMoreThanTheCentrifugalTension) {
   machine::Model m = over_a_sheave(0);
   m.reevings[0].speed = speed;
   m.reevings[0].given = machine::Given::tension_at_end;
-  const std::vector<std::vector<int>> flow = {{1, 1, 1}}, still = {{0, 0, 0}};
+  const taut::Array<taut::Array<int>> flow = {{1, 1, 1}}, still = {{0, 0, 0}};
   m.reevings[0].value = c + 1;
   const auto just = running(m, flow);
   ASSERT_TRUE(just.has_value());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
 #include "taut/solve/beam_tables.hpp"
@@ -21,9 +22,9 @@ constexpr double pushed = 0.01;  ///< of the longest span
 /// Forces along a rope or torques that follow it: they have no potential.
 bool has_followers(const mechanics::System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
-    const machine::Node& node = s.model.reevings[at(t.reeving)].nodes[at(t.node)];
+    const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
     if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row >= 0)) return true;
-    return node.kind == machine::NodeKind::drive && s.model.reevings[at(t.reeving)].given == machine::Given::torque;
+    return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
   });
 }
 
@@ -36,43 +37,43 @@ bool loses(const mechanics::System& s) {
 
 /// Rows of the residual and columns of rope fed in that belong to the coordinates.
 struct Coordinates {
-  std::vector<EnergyCurvature::Row> rows;
-  std::vector<int> residual;
-  std::vector<double> factor;                ///< of the residual's row
-  std::vector<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
+  Array<EnergyCurvature::Row> rows;
+  Array<int> residual;
+  Array<double> factor;                ///< of the residual's row
+  Array<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
 };
 
-void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const std::vector<FedEnd>& fed, int r,
+void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const Array<FedEnd>& fed, int r,
               Coordinates& all) {
-  const mechanics::Layout::Rope& rope = s.layout.ropes[at(r)];
-  const machine::Reeving& reeving = s.model.reevings[at(r)];
+  const mechanics::Layout::Rope& rope = s.layout.ropes[r];
+  const machine::Reeving& reeving = s.model.reevings[r];
   const auto stretch = [&](double T) { return reeving.copies * (1 + T / reeving.stiffness); };
   for (int k = rope.first; k < rope.first + rope.count; ++k) {
-    if (e.branches[at(k)].slack) return;
+    if (e.branches[k].slack) return;
   }
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
-    const mechanics::Layout::Turn& turn = s.layout.turns[at(t)];
-    if (reeving.nodes[at(turn.node)].kind != machine::NodeKind::contact) continue;
+    const mechanics::Layout::Turn& turn = s.layout.turns[t];
+    if (reeving.nodes[turn.node].kind != machine::NodeKind::contact) continue;
     all.rows.push_back({-1, t, -1});
     all.residual.push_back(turn.row);
-    all.factor.push_back(stretch(e.branches[at(turn.after)].T_from));
-    all.unknown.emplace_back(s.layout.links[at(turn.after)].unknown, s.layout.links[at(turn.before)].unknown);
+    all.factor.push_back(stretch(e.branches[turn.after].T_from));
+    all.unknown.emplace_back(s.layout.links[turn.after].unknown, s.layout.links[turn.before].unknown);
   }
   for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
-    const FedEnd& end = fed[at(i)];
+    const FedEnd& end = fed[i];
     if (end.rope != r) continue;
     all.rows.push_back({-1, -1, i});
     all.residual.push_back(end.row);
     all.factor.push_back(stretch(end.tension));
-    all.unknown.emplace_back(s.layout.links[at(end.own())].unknown, -1);
+    all.unknown.emplace_back(s.layout.links[end.own()].unknown, -1);
   }
 }
 
-Coordinates coordinates_of(const mechanics::System& s, const mechanics::Evaluation& e, const std::vector<FedEnd>& fed) {
+Coordinates coordinates_of(const mechanics::System& s, const mechanics::Evaluation& e, const Array<FedEnd>& fed) {
   Coordinates all;
   for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) add_rope(s, e, fed, r, all);
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
-    const mechanics::Layout::Dof& dof = s.layout.dofs[at(i)];
+    const mechanics::Layout::Dof& dof = s.layout.dofs[i];
     const bool kept =
         s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
     if (kept) continue;
@@ -96,8 +97,8 @@ struct RoundEnd {
 RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                    const mechanics::Layout::Link& link, bool leaves) {
   RoundEnd r;
-  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
-  const machine::Node& node = rope.nodes[at(leaves ? link.from : link.to)];
+  const machine::Reeving& rope = s.model.reevings[link.reeving];
+  const machine::Node& node = rope.nodes[leaves ? link.from : link.to];
   if (node.radius == 0) return r;  // a drum keeps its rope, although a machine counts only what is free of it
   const auto k = static_cast<std::size_t>(&link - s.layout.links.data());
   const mechanics::Branch& b = e.branches[k];
@@ -115,20 +116,19 @@ RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c
 }
 
 /// Unstretched rope from the middle of one arc to that of the next, by the unknowns that move the branch.
-std::vector<double> material_rates(const mechanics::System& s, const mechanics::Configuration& c,
-                                   const mechanics::Evaluation& e, const mechanics::BranchColumns& columns,
-                                   std::size_t k) {
+Array<double> material_rates(const mechanics::System& s, const mechanics::Configuration& c,
+                             const mechanics::Evaluation& e, const mechanics::BranchColumns& columns, std::size_t k) {
   const mechanics::Layout::Link& link = s.layout.links[k];
   const RoundEnd from = round_end(s, c, e, link, true), to = round_end(s, c, e, link, false);
   const mechanics::Branch& b = e.branches[k];
-  std::vector<double> rates;
-  rates.reserve(at(columns.count));
+  Array<double> rates;
+  rates.reserve(as_size(columns.count));
   const auto turned = [&](const RoundEnd& end, int unknown) {
-    if (at(unknown) >= s.layout.dofs.size()) return 0.0;
-    const mechanics::Layout::Dof& dof = s.layout.dofs[at(unknown)];
+    if (as_size(unknown) >= s.layout.dofs.size()) return 0.0;
+    const mechanics::Layout::Dof& dof = s.layout.dofs[unknown];
     return dof.body == end.body ? end.by_turn.dot(dof.way.about) : 0.0;
   };
-  for (std::size_t j = 0; j < at(columns.count); ++j) {
+  for (std::size_t j = 0; j < as_size(columns.count); ++j) {
     rates.push_back(columns.length[j] + from.arc.dot(columns.leaves[j]) + to.arc.dot(columns.arrives[j]) +
                     from.by_tension * b.leaves.dot(columns.pull_from[j]) +
                     to.by_tension * b.arrives.dot(columns.pull_to[j]) + turned(from, columns.unknown[j]) +
@@ -139,19 +139,19 @@ std::vector<double> material_rates(const mechanics::System& s, const mechanics::
 
 /// The unknowns by the coordinates: rope between the middles of arcs is kept, but for what passes a contact.
 Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configuration& c,
-                            const mechanics::Evaluation& e, const std::vector<mechanics::BranchColumns>& columns,
+                            const mechanics::Evaluation& e, const Array<mechanics::BranchColumns>& columns,
                             const Coordinates& all) {
   const auto n = static_cast<Eigen::Index>(all.rows.size());
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(s.layout.size, n);
   if (n == 0) return Z;  // nothing moves, and a matrix without columns has no rows to take
   for (Eigen::Index j = 0; j < n; ++j) {
-    const auto [plus, minus] = all.unknown[static_cast<std::size_t>(j)];
+    const auto [plus, minus] = all.unknown[j];
     Z(plus, j) = 1;
     if (minus >= 0) Z(minus, j) = -1;
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const int own = s.layout.links[k].unknown;
-    const std::vector<double> rates = material_rates(s, c, e, columns[k], k);
+    const Array<double> rates = material_rates(s, c, e, columns[k], k);
     for (std::size_t j = 0; j + 1 < rates.size(); ++j) Z.row(own) -= rates[j] * Z.row(columns[k].unknown[j]);
     Z.row(own) /= rates.back();
   }
@@ -160,41 +160,41 @@ Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configu
 
 std::string_view axis_name(const Vector3& d) {
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(d[i]) > 1 - 1e-9) return std::string_view("xyz").substr(at(i), 1);
+    if (std::abs(d[i]) > 1 - 1e-9) return std::string_view("xyz").substr(as_size(i), 1);
   }
   return {};
 }
 
 std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
   if (row.freedom >= 0) {
-    const mechanics::Layout::Dof& dof = s.layout.dofs[at(row.freedom)];
+    const mechanics::Layout::Dof& dof = s.layout.dofs[row.freedom];
     const bool turns = dof.way.about != Vector3::Zero();
     const Vector3& d = turns ? dof.way.about : dof.way.along;
     const std::string_view name = axis_name(d);
     const std::string where =
         name.empty() ? fmt::format("({:.3g}, {:.3g}, {:.3g})", d.x(), d.y(), d.z()) : std::string(name);
-    return fmt::format("body '{}' {} {} {}", s.model.bodies[at(dof.body)].name, turns ? "turns over" : "moves away",
+    return fmt::format("body '{}' {} {} {}", s.model.bodies[dof.body].name, turns ? "turns over" : "moves away",
                        turns ? "about" : "along", where);
   }
   if (row.fed >= 0) {
-    const FedEnd end = fed_ends(s)[at(row.fed)];
-    const machine::Reeving& rope = s.model.reevings[at(end.rope)];
+    const FedEnd end = fed_ends(s)[row.fed];
+    const machine::Reeving& rope = s.model.reevings[end.rope];
     return fmt::format("rope '{}' runs in or out at '{}'", rope.name,
                        (end.at_end ? rope.nodes.back() : rope.nodes.front()).name);
   }
-  const mechanics::Layout::Turn& t = s.layout.turns[at(row.turn)];
-  const machine::Reeving& rope = s.model.reevings[at(t.reeving)];
-  return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[at(t.node)].name);
+  const mechanics::Layout::Turn& t = s.layout.turns[row.turn];
+  const machine::Reeving& rope = s.model.reevings[t.reeving];
+  return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[t.node].name);
 }
 
 }  // namespace
 
 std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, const mechanics::Configuration& c,
                                                 const mechanics::Evaluation& e) {
-  const std::vector<FedEnd> fed = s.lengths_kept ? std::vector<FedEnd>() : fed_ends(s);
+  const Array<FedEnd> fed = s.lengths_kept ? Array<FedEnd>() : fed_ends(s);
   if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(s, c, e, J, columns);
   const Coordinates all = coordinates_of(s, e, fed);
   EnergyCurvature curvature{all.rows, {}, unknowns_by(s, c, e, columns, all)};
@@ -244,7 +244,7 @@ namespace {
 std::string of_given_tension(const mechanics::System& s) {
   std::string names;
   for (const FedEnd& end : fed_ends(s)) {
-    const std::string& name = s.model.reevings[at(end.rope)].name;
+    const std::string& name = s.model.reevings[end.rope].name;
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
   }
   return names.empty() ? names : fmt::format(", or give a length instead of the tension of {}", names);
@@ -252,16 +252,16 @@ std::string of_given_tension(const mechanics::System& s) {
 
 /// A fed rope that is a deep loop, with its name; ok without one.
 Outcome no_deep_loop(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
-  const std::vector<FedEnd> fed = fed_ends(s);
+  const Array<FedEnd> fed = fed_ends(s);
   const int deep = deep_link(s, fed, c, e);
   if (deep < 0) return {};
-  const mechanics::Layout::Link& link = s.layout.links[at(deep)];
-  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const mechanics::Layout::Link& link = s.layout.links[deep];
+  const machine::Reeving& rope = s.model.reevings[link.reeving];
   return infeasible(fmt::format(
       "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
       "rope pulls harder: it runs out at the least push; give it more tension, or a length",
-      rope.name, c.links[at(deep)].length, rope.nodes[at(link.from)].name, rope.nodes[at(link.to)].name,
-      e.branches[at(deep)].chord.norm()));
+      rope.name, c.links[deep].length, rope.nodes[link.from].name, rope.nodes[link.to].name,
+      e.branches[deep].chord.norm()));
 }
 
 }  // namespace
@@ -282,15 +282,15 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   Eigen::Index most = 0;
   double size = -1;
   for (Eigen::Index i = 0; i < direction->size(); ++i) {
-    const int freedom = curvature->rows[static_cast<std::size_t>(i)].freedom;
-    const bool turns = freedom >= 0 && s.layout.dofs[at(freedom)].way.about != Vector3::Zero();
+    const int freedom = curvature->rows[i].freedom;
+    const bool turns = freedom >= 0 && s.layout.dofs[freedom].way.about != Vector3::Zero();
     const double unit = freedom < 0 ? 1 : weight_of_bodies * (turns ? s.layout.length : 1);
     const double weight = unit * std::abs((*direction)[i]);
     if (weight <= size) continue;
     size = weight;
     most = i;
   }
-  const EnergyCurvature::Row& row = curvature->rows[static_cast<std::size_t>(most)];
+  const EnergyCurvature::Row& row = curvature->rows[most];
   result.rope = row.freedom < 0;
   result.push = curvature->unknowns * *direction;
   result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
@@ -18,7 +19,7 @@ struct EnergyCurvature {
     int turn = -1;     ///< in its turns, or
     int fed = -1;      ///< in its fed_ends
   };
-  std::vector<Row> rows;
+  Array<Row> rows;
   Eigen::MatrixXd matrix;    ///< N/m, N, N m
   Eigen::MatrixXd unknowns;  ///< of the machine, by these coordinates
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
 
 namespace taut::solve {
@@ -19,18 +18,17 @@ constexpr double rounded_way = 1e-15;     ///< of a way between places that do n
 constexpr double open_way = 1e-9;         ///< of one over bodies, where the iteration has failed
 
 std::string branch_of(const mechanics::System& s, int link) {
-  const mechanics::Layout::Link& l = s.layout.links[at(link)];
-  const machine::Reeving& rope = s.model.reevings[at(l.reeving)];
-  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(l.from)].name,
-                     rope.nodes[at(l.to)].name);
+  const mechanics::Layout::Link& l = s.layout.links[link];
+  const machine::Reeving& rope = s.model.reevings[l.reeving];
+  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[l.from].name, rope.nodes[l.to].name);
 }
 
 /// The branch with the largest force of those that do not stretch, -1: none.
 int hardest(const mechanics::System& s, const mechanics::Evaluation& e) {
   int worst = -1;
   for (int k = 0; k < static_cast<int>(e.branches.size()); ++k) {
-    if (!std::isinf(s.model.reevings[at(s.layout.links[at(k)].reeving)].stiffness)) continue;
-    if (worst < 0 || e.branches[at(k)].T_to > e.branches[at(worst)].T_to) worst = k;
+    if (!std::isinf(s.model.reevings[s.layout.links[k].reeving].stiffness)) continue;
+    if (worst < 0 || e.branches[k].T_to > e.branches[worst].T_to) worst = k;
   }
   return worst;
 }
@@ -50,7 +48,7 @@ Shortage shortage(const mechanics::System& s, const mechanics::Evaluation& e, st
                                  [](const machine::Node& node) { return node.at.body == machine::ground; });
   if (converged && !fixed) return {};
   Shortage found{0, rope.value * (1 + rope.thermal_strain), 0};
-  for (int k = l.first; k < l.first + l.count; ++k) found.way += e.branches[at(k)].chord.norm();
+  for (int k = l.first; k < l.first + l.count; ++k) found.way += e.branches[k].chord.norm();
   for (int t = l.first_turn; t < l.first_turn + l.turn_count; ++t) found.way += mechanics::arc(s, e, t).length;
   const double share = found.way / found.length - 1;
   if (share > (fixed ? rounded_way : open_way)) found.share = share;
@@ -88,7 +86,7 @@ Outcome why_unsettled(const mechanics::System& s, const mechanics::Evaluation& e
   return not_converged(
       fmt::format("the tensions of ropes that hardly stretch did not settle ({:.3g} N and {:.3g} m are open; largest: "
                   "{:.6g} N in {}); give the ropes the stiffness that they have",
-                  m.force, std::max(m.length, m.span), e.branches[at(worst)].T_to, branch_of(s, worst)));
+                  m.force, std::max(m.length, m.span), e.branches[worst].T_to, branch_of(s, worst)));
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& nea
   const mechanics::System system{model, s.layout, coordinate};
   s.c = mechanics::with_forces(system, near.c, near.e);
   for (std::size_t k = 0; k < s.c.links.size(); ++k) {
-    const double is = model.reevings[at(s.layout.links[k].reeving)].stiffness, was = std::min(softest, is);
+    const double is = model.reevings[s.layout.links[k].reeving].stiffness, was = std::min(softest, is);
     const double T = std::max(0.0, s.c.forces[k].norm());
     const bool pulls = near.e.branches[k].T_to > 0;
     if (s.layout.links[k].force >= 0 && pulls) s.c.links[k].length *= (1 + T / was) / (1 + T / is);

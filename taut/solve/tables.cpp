@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 #include "taut/mechanics/rope_load.hpp"
 #include "taut/solve/beam_tables.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                    std::size_t k) {
   const mechanics::Layout::Link& link = s.layout.links[k];
-  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+  const machine::Reeving& rope = s.model.reevings[link.reeving];
   const mechanics::Branch& b = e.branches[k];
   SpanResult r;
   r.reeving = link.reeving;
@@ -28,8 +28,8 @@ SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c
   r.chord = b.chord.norm();
   const double length = c.links[k].length;  // in this state: at the rope's temperature, of a running rope with its c
   r.unstretched = length / (1 + rope.thermal_strain);
-  r.start = mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
-  r.end = mechanics::end_at(rope.nodes[at(link.to)], c.bodies).centre + b.offset_to;
+  r.start = mechanics::end_at(rope.nodes[link.from], c.bodies).centre + b.offset_from;
+  r.end = mechanics::end_at(rope.nodes[link.to], c.bodies).centre + b.offset_to;
   r.shape = b.span;
   if (rope.weight == 0 && link.force < 0) {
     if (const auto straight = rope::solve_span(mechanics::rope_of(rope, length), b.chord)) r.shape = *straight;
@@ -68,18 +68,18 @@ ContactState state_of(const machine::Node& node, const mechanics::Bend& bend, co
 }
 
 ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation& e, int index) {
-  const mechanics::Layout::Turn& turn = s.layout.turns[at(index)];
-  const mechanics::Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
-  const machine::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+  const mechanics::Layout::Turn& turn = s.layout.turns[index];
+  const mechanics::Branch &in = e.branches[turn.before], &out = e.branches[turn.after];
+  const machine::Node& node = s.model.reevings[turn.reeving].nodes[turn.node];
   ContactResult r;
   r.reeving = turn.reeving;
   r.node = turn.node;
   r.T_in = in.slack ? 0 : in.T_to;
   r.T_out = out.slack ? 0 : out.T_from;
-  r.wrap = e.bends[at(index)].wrap;
+  r.wrap = e.bends[index].wrap;
   if (!in.slack) r.force -= in.pull_to;
   if (!out.slack) r.force += out.pull_from;
-  r.state = state_of(node, e.bends[at(index)], r.force, turn.flow);
+  r.state = state_of(node, e.bends[index], r.force, turn.flow);
   r.T_in_min = r.T_in_max = r.T_in;
   r.T_out_min = r.T_out_max = r.T_out;
   return r;
@@ -88,14 +88,14 @@ ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation
 void fill_rope_loads(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                      EquilibriumResult& result) {
   for (int i = 0; i < static_cast<int>(s.layout.turns.size()); ++i) {
-    const mechanics::Layout::Turn& turn = s.layout.turns[at(i)];
-    const machine::Node& node = s.model.reevings[at(turn.reeving)].nodes[at(turn.node)];
+    const mechanics::Layout::Turn& turn = s.layout.turns[i];
+    const machine::Node& node = s.model.reevings[turn.reeving].nodes[turn.node];
     if (node.kind != machine::NodeKind::load) continue;
-    const mechanics::Branch &in = e.branches[at(turn.before)], &out = e.branches[at(turn.after)];
+    const mechanics::Branch &in = e.branches[turn.before], &out = e.branches[turn.after];
     RopeLoadResult r;
     r.reeving = turn.reeving;
     r.node = turn.node;
-    r.at = c.bodies[at(node.at.body)].position;
+    r.at = c.bodies[node.at.body].position;
     r.along_path = rope_load(s, c, e, i);
     r.force = r.along_path * (in.arrives + out.leaves).normalized();
     r.T_in = in.T_to;
@@ -108,10 +108,10 @@ void fill_contacts(const mechanics::System& s, const mechanics::Evaluation& e, c
                    EquilibriumResult& result) {
   int turn = 0;
   for (int r = 0; r < static_cast<int>(s.model.reevings.size()); ++r) {
-    const machine::Reeving& rope = s.model.reevings[at(r)];
+    const machine::Reeving& rope = s.model.reevings[r];
     const int last = static_cast<int>(rope.nodes.size()) - (rope.closed ? 0 : 1);
     for (int n = rope.closed ? 0 : 1; n < last; ++n) {
-      if (state.touched[at(r)][at(n)]) {
+      if (state.touched[r][n]) {
         result.contacts.push_back(contact_of(s, e, turn++));
       } else {
         ContactResult lifted;
@@ -130,7 +130,7 @@ void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, Equi
     RopeResult row;
     row.span = rope.first;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
-      const SpanResult& span = result.spans[at(k)];
+      const SpanResult& span = result.spans[k];
       row.unstretched += span.unstretched;
       if (std::max(span.T_from, span.T_to) <= row.T_max) continue;
       row.span = k;
@@ -149,7 +149,7 @@ void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, Equi
 
 /// What is left of a force across the directions in which a body is free to move.
 Vector3 across_freedoms(const machine::Body& body, Vector3 force) {
-  std::vector<Vector3> basis;
+  Array<Vector3> basis;
   for (const machine::Freedom& way : body.free) {
     Vector3 d = way.along;
     for (const Vector3& b : basis) d -= b * b.dot(d);
@@ -162,27 +162,27 @@ Vector3 across_freedoms(const machine::Body& body, Vector3 force) {
 /// Reactions, and all forces on the machine from outside together.
 void fill_balance(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                   EquilibriumResult& result) {
-  std::vector<Vector3> on_body(s.model.bodies.size(), Vector3::Zero());
+  Array<Vector3> on_body(s.model.bodies.size(), Vector3::Zero());
   Vector3 outside = Vector3::Zero();
   const auto act = [&](int body, const Vector3& force) {
     if (body == machine::ground) {
       outside -= force;
     } else {
-      on_body[at(body)] += force;
+      on_body[body] += force;
     }
   };
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const mechanics::Branch& b = e.branches[k];
     if (b.slack) continue;
     const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
-    act(rope.nodes[at(link.from)].at.body, rope.copies * b.pull_from);
-    act(rope.nodes[at(link.to)].at.body, -rope.copies * b.pull_to);
+    const machine::Reeving& rope = s.model.reevings[link.reeving];
+    act(rope.nodes[link.from].at.body, rope.copies * b.pull_from);
+    act(rope.nodes[link.to].at.body, -rope.copies * b.pull_to);
     outside -= rope.copies * mechanics::rope_of(rope, 1).weight * c.links[k].length * up();
   }
   act_beams(s, c, act, outside);
   const auto dead = [&](int body, const Vector3& force) {
-    on_body[at(body)] += force;
+    on_body[body] += force;
     outside += force;
   };
   for (std::size_t b = 0; b < on_body.size(); ++b) {
@@ -192,8 +192,8 @@ void fill_balance(const mechanics::System& s, const mechanics::Configuration& c,
     if (load.at.body != machine::ground) dead(load.at.body, load.force);
   }
   for (const RopeLoadResult& load : result.rope_loads) {
-    const machine::Reeving& rope = s.model.reevings[at(load.reeving)];
-    dead(rope.nodes[at(load.node)].at.body, rope.copies * load.force);
+    const machine::Reeving& rope = s.model.reevings[load.reeving];
+    dead(rope.nodes[load.node].at.body, rope.copies * load.force);
   }
   if (s.layout.hold >= 0) {
     result.hold = c.hold * track(s, e);

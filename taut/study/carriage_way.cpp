@@ -6,22 +6,23 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
 
 namespace taut::study {
 
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along) {
-  const machine::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  for (const machine::Node& node : model.reevings[static_cast<std::size_t>(car.reeving)].nodes) {
+  const machine::Carriage& car = model.carriages[carriage];
+  for (const machine::Node& node : model.reevings[car.reeving].nodes) {
     if (node.at.body == machine::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
       return &node;
   }
   return nullptr;
 }
 
-std::vector<WayPart> parts_of(const machine::Model& model, const Way& way) {
-  const auto node = [&](const machine::Model& m) { return m.carriages[static_cast<std::size_t>(way.carriage)].node; };
-  std::vector<WayPart> parts;
+Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
+  const auto node = [&](const machine::Model& m) { return m.carriages[way.carriage].node; };
+  Array<WayPart> parts;
   for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
     WayPart part{machine::with_carriage_at(model, way.carriage, way.x(i), way.along), i, i,
                  support_at(model, way.carriage, way.x(i), way.along)};
@@ -45,7 +46,7 @@ study::LoadPathOptions path_over(const Way& way, const WayPart& part) {
   return options;
 }
 
-Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints) {
+Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints) {
   if (along.size() == 2 && std::hypot(along[0], along[1]) > 0) return Vector3(along[0], along[1], 0).normalized();
   complaints.push_back({path, "a horizontal direction [x, y] is expected, not zero"});
   return Vector3::UnitX();
@@ -53,8 +54,8 @@ Vector3 direction_of(const std::vector<double>& along, const std::string& path, 
 
 void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints) {
   if (carriage < 0) return;
-  const machine::Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
-  const auto rope = [&](int i) -> const machine::Reeving& { return model.reevings[static_cast<std::size_t>(i)]; };
+  const machine::Carriage& car = model.carriages[carriage];
+  const auto rope = [&](int i) -> const machine::Reeving& { return model.reevings[i]; };
   const auto by_length = [&](int i) { return i >= 0 && rope(i).given == machine::Given::length; };
   if (!by_length(car.mainline) || !by_length(car.haulback) || car.grip_reeving >= 0) return;
   const std::string at = fmt::format("machine.carriages.{}.haulback", car.name);

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/study/load_path.hpp"
@@ -30,13 +31,13 @@ struct WayPart {
 };
 
 /// A way span by span, in the order of its positions.
-std::vector<WayPart> parts_of(const machine::Model& model, const Way& way);
+Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
 /// A load path over the positions of a part; of a single position it has two, both there.
 study::LoadPathOptions path_over(const Way& way, const WayPart& part);
 
 /// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
-Vector3 direction_of(const std::vector<double>& along, const std::string& path, std::vector<Complaint>& complaints);
+Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints);
 
 /// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, reported once.
 void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints);

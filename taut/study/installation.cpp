@@ -4,28 +4,28 @@
 
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::study {
 namespace {
 
-bool touches(const machine::Reeving& rope, const std::vector<bool>& bodies) {
+bool touches(const machine::Reeving& rope, const Array<bool>& bodies) {
   return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                     [&](const machine::Node& n) { return n.at.body != machine::ground && bodies[at(n.at.body)]; });
+                     [&](const machine::Node& n) { return n.at.body != machine::ground && bodies[n.at.body]; });
 }
 
 bool holds(const machine::Reeving& rope, int body) {
   return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& n) { return n.at.body == body; });
 }
 
-bool is_in(const std::vector<int>& all, std::size_t index) {
+bool is_in(const Array<int>& all, std::size_t index) {
   return std::find(all.begin(), all.end(), static_cast<int>(index)) != all.end();
 }
 
 /// Which bodies and ropes go, until nothing more does. `gone` bodies and ropes are given; those in `with` stay.
-void spread(const machine::Model& model, int kept, const PutUpWith& with, std::vector<bool>& gone,
-            std::vector<bool>& ropes_gone) {
+void spread(const machine::Model& model, int kept, const PutUpWith& with, Array<bool>& gone, Array<bool>& ropes_gone) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
@@ -50,26 +50,25 @@ void spread(const machine::Model& model, int kept, const PutUpWith& with, std::v
 double on_contacts(const machine::Model& model, const solve::EquilibriumResult& r, int reeving) {
   double length = 0;
   for (const solve::ContactResult& c : r.contacts) {
-    if (c.reeving == reeving) length += model.reevings[at(reeving)].nodes[at(c.node)].radius * c.wrap;
+    if (c.reeving == reeving) length += model.reevings[reeving].nodes[c.node].radius * c.wrap;
   }
   return length;
 }
 
 /// Leaves the carriages that are still there, with their ropes and nodes by the numbers that these will have.
 template <class Taken>
-void keep_carriages(machine::Model& model, int reeving, const std::vector<bool>& gone,
-                    const std::vector<bool>& ropes_gone, const Taken& taken) {
+void keep_carriages(machine::Model& model, int reeving, const Array<bool>& gone, const Array<bool>& ropes_gone,
+                    const Taken& taken) {
   const auto rope = [&](int r) {
-    if (r < 0 || ropes_gone[at(r)]) return -1;
+    if (r < 0 || ropes_gone[r]) return -1;
     return static_cast<int>(std::count(ropes_gone.begin(), ropes_gone.begin() + r, false));
   };
   const auto node = [&](int r, int k) {
     if (r != reeving) return k;
-    const auto& nodes = model.reevings[at(r)].nodes;
+    const auto& nodes = model.reevings[r].nodes;
     return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k, taken));
   };
-  std::erase_if(model.carriages,
-                [&](const machine::Carriage& car) { return gone[at(car.body)] || rope(car.reeving) < 0; });
+  std::erase_if(model.carriages, [&](const machine::Carriage& car) { return gone[car.body] || rope(car.reeving) < 0; });
   for (machine::Carriage& car : model.carriages) {
     car.node = node(car.reeving, car.node);
     if (car.grip_reeving >= 0) car.grip_node = node(car.grip_reeving, car.grip_node);
@@ -81,18 +80,18 @@ void keep_carriages(machine::Model& model, int reeving, const std::vector<bool>&
 }  // namespace
 
 EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with) {
-  expects(reeving >= 0 && at(reeving) < model.reevings.size(), "a rope of the model");
+  expects(reeving >= 0 && as_size(reeving) < model.reevings.size(), "a rope of the model");
   EmptyLine line;
-  std::vector<bool> gone(model.bodies.size(), false), ropes_gone(model.reevings.size(), false);
+  Array<bool> gone(model.bodies.size(), false), ropes_gone(model.reevings.size(), false);
   for (const machine::Carriage& car : model.carriages) {
-    if (car.reeving == reeving && !is_in(with.bodies, at(car.body))) gone[at(car.body)] = true;
+    if (car.reeving == reeving && !is_in(with.bodies, as_size(car.body))) gone[car.body] = true;
   }
-  for (const int rope : with.absent) ropes_gone[at(rope)] = true;
+  for (const int rope : with.absent) ropes_gone[rope] = true;
   spread(model, reeving, with, gone, ropes_gone);
   line.model = model;
-  machine::Reeving& own = line.model.reevings[at(reeving)];
+  machine::Reeving& own = line.model.reevings[reeving];
   const auto taken = [&](const machine::Node& n) {
-    return n.kind != machine::NodeKind::anchor && n.at.body != machine::ground && gone[at(n.at.body)];
+    return n.kind != machine::NodeKind::anchor && n.at.body != machine::ground && gone[n.at.body];
   };
   keep_carriages(line.model, reeving, gone, ropes_gone, taken);
   std::erase_if(own.nodes, taken);
@@ -111,10 +110,10 @@ EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& 
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const int body = model.loads[i].at.body;
     const bool left =
-        body != machine::ground && (gone[at(body)] || (is_in(with.bodies, at(body)) && !is_in(with.loads, i)));
+        body != machine::ground && (gone[body] || (is_in(with.bodies, as_size(body)) && !is_in(with.loads, i)));
     if (!left) line.model.loads.push_back(model.loads[i]);
   }
-  std::vector<machine::Reeving> kept;
+  Array<machine::Reeving> kept;
   for (std::size_t r = 0; r < ropes_gone.size(); ++r) {
     if (static_cast<int>(r) == reeving) line.reeving = static_cast<int>(kept.size());
     if (ropes_gone[r]) {
@@ -129,8 +128,8 @@ EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& 
 
 RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& r, int reeving) {
   RopeLengths all;
-  all.unstretched = r.ropes[at(reeving)].unstretched;
-  all.cut = all.unstretched * (1 + model.reevings[at(reeving)].thermal_strain);
+  all.unstretched = r.ropes[reeving].unstretched;
+  all.cut = all.unstretched * (1 + model.reevings[reeving].thermal_strain);
   for (const solve::SpanResult& s : r.spans) {
     if (s.reeving == reeving) all.free += s.stretched;
   }

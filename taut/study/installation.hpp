@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/condition.hpp"
 
 namespace taut::study {
@@ -16,9 +17,9 @@ struct EmptyLine {
 
 /// What is not as usual while a rope is put up, by index in the model.
 struct PutUpWith {
-  std::vector<int> bodies;  ///< stay on it
-  std::vector<int> loads;   ///< of the loads on these bodies those that stay; loads elsewhere stay anyhow
-  std::vector<int> absent;  ///< other ropes that are not there yet
+  Array<int> bodies;  ///< stay on it
+  Array<int> loads;   ///< of the loads on these bodies those that stay; loads elsewhere stay anyhow
+  Array<int> absent;  ///< other ropes that are not there yet
 };
 
 /// Takes away the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
@@ -30,7 +31,7 @@ struct Installation {
   Outcome outcome;
   double T_start = 0, T_end = 0;  ///< N
   double H = 0;                   ///< of the first span, N
-  std::vector<double> sag;        ///< of each free span, below its chord at half its horizontal length, m
+  Array<double> sag;              ///< of each free span, below its chord at half its horizontal length, m
   double unstretched = 0;         ///< at the reference temperature, m; what lies on sheaves counted
   double cut = 0;                 ///< unstretched at the temperature it is put up at: as measured on the ground, m
   double stretched = 0;           ///< under its tensions at that temperature, m

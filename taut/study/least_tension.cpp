@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 
@@ -21,8 +22,8 @@ constexpr int most_halves = 12;
 
 /// All cases with the lengths as they are.
 struct CaseSet {
-  std::vector<machine::Model> models;
-  std::vector<solve::EquilibriumResult> results;
+  Array<machine::Model> models;
+  Array<solve::EquilibriumResult> results;
 };
 
 /// Solves the cases; the number of the first that fails, -1: none does.
@@ -41,14 +42,14 @@ int solve_cases(CaseSet& set) {
 
 void set_length(CaseSet& set, int reeving, double length) {
   for (machine::Model& model : set.models) {
-    model.reevings[at(reeving)].given = machine::Given::length;
-    model.reevings[at(reeving)].value = length;
+    model.reevings[reeving].given = machine::Given::length;
+    model.reevings[reeving].value = length;
   }
 }
 
 /// Of each chosen rope: its governing case and tension there.
-std::vector<std::pair<int, double>> governing_cases(const CaseSet& set, const std::vector<int>& chosen) {
-  std::vector<std::pair<int, double>> all;
+Array<std::pair<int, double>> governing_cases(const CaseSet& set, const Array<int>& chosen) {
+  Array<std::pair<int, double>> all;
   for (const int rope : chosen) {
     std::pair<int, double> worst{0, std::numeric_limits<double>::infinity()};
     for (std::size_t c = 0; c < set.results.size(); ++c) {
@@ -61,7 +62,7 @@ std::vector<std::pair<int, double>> governing_cases(const CaseSet& set, const st
 }
 
 /// Solves A x = b by elimination with row pivots; false: no answer.
-bool solve_small(std::vector<std::vector<double>> A, std::vector<double> b, std::vector<double>& x) {
+bool solve_small(Array<Array<double>> A, Array<double> b, Array<double>& x) {
   const std::size_t n = b.size();
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
@@ -88,21 +89,21 @@ bool solve_small(std::vector<std::vector<double>> A, std::vector<double> b, std:
 
 /// How each chosen rope's tension in its governing case follows the length of each, N/m. A slack one counts as if its
 /// own length alone tightened it.
-std::vector<std::vector<double>> tension_slopes(const CaseSet& set, const std::vector<int>& chosen,
-                                                const std::vector<std::pair<int, double>>& worst) {
+Array<Array<double>> tension_slopes(const CaseSet& set, const Array<int>& chosen,
+                                    const Array<std::pair<int, double>>& worst) {
   const std::size_t n = chosen.size();
-  std::vector<std::vector<double>> slopes(n, std::vector<double>(n, 0.0));
+  Array<Array<double>> slopes(n, Array<double>(n, 0.0));
   solve::EquilibriumOptions at_rest;
   at_rest.band = false;
   for (std::size_t j = 0; j < n; ++j) {
-    const double length = set.models.front().reevings[at(chosen[j])].value, step = nudge * length;
-    std::vector<std::optional<solve::EquilibriumResult>> nudged(set.models.size());
+    const double length = set.models.front().reevings[chosen[j]].value, step = nudge * length;
+    Array<std::optional<solve::EquilibriumResult>> nudged(set.models.size());
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t c = at(worst[i].first);
+      const std::size_t c = as_size(worst[i].first);
       if (worst[i].second <= 0) continue;
       if (!nudged[c]) {
         machine::Model model = set.models[c];
-        model.reevings[at(chosen[j])].value = length - step;
+        model.reevings[chosen[j]].value = length - step;
         nudged[c] = solve::equilibrium(model, at_rest, set.results[c].state);
       }
       if (nudged[c]->outcome.ok()) slopes[i][j] = (worst[i].second - least_tension_of(*nudged[c], chosen[i])) / step;
@@ -110,34 +111,34 @@ std::vector<std::vector<double>> tension_slopes(const CaseSet& set, const std::v
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (slopes[i][i] < 0) continue;
-    const machine::Reeving& rope = set.models.front().reevings[at(chosen[i])];
+    const machine::Reeving& rope = set.models.front().reevings[chosen[i]];
     std::fill(slopes[i].begin(), slopes[i].end(), 0.0);
     slopes[i][i] = -(std::isfinite(rope.stiffness) ? rope.stiffness : rope.weight * rope.value / nudge) / rope.value;
   }
   return slopes;
 }
 
-double largest_miss(const std::vector<std::pair<int, double>>& worst, double least) {
+double largest_miss(const Array<std::pair<int, double>>& worst, double least) {
   double miss = 0;
   for (const auto& one : worst) miss = std::max(miss, std::abs(one.second - least));
   return miss;
 }
 
 /// The next lengths: Newton's, a part of that where it leads nowhere. False: no part does.
-bool go_nearer(CaseSet& set, const std::vector<int>& chosen, double least, double miss) {
+bool go_nearer(CaseSet& set, const Array<int>& chosen, double least, double miss) {
   const auto worst = governing_cases(set, chosen);
-  std::vector<double> asked, change;
+  Array<double> asked, change;
   for (const auto& one : worst) asked.push_back(least - one.second);
   if (!solve_small(tension_slopes(set, chosen, worst), asked, change)) return false;
   double share = 1;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const double most = longest_change * set.models.front().reevings[at(chosen[k])].value;
+    const double most = longest_change * set.models.front().reevings[chosen[k]].value;
     if (std::abs(change[k]) > most) share = std::min(share, most / std::abs(change[k]));
   }
   const CaseSet before = set;
   for (int i = 0; i < most_halves; ++i, share /= 2) {
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const double length = before.models.front().reevings[at(chosen[k])].value;
+      const double length = before.models.front().reevings[chosen[k]].value;
       set_length(set, chosen[k], length + share * change[k]);
     }
     if (solve_cases(set) < 0 && largest_miss(governing_cases(set, chosen), least) < miss) return true;
@@ -160,11 +161,11 @@ double least_tension_of(const solve::EquilibriumResult& result, int reeving) {
   return std::isfinite(least) ? std::max(0.0, least) : 0;
 }
 
-LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const std::vector<int>& chosen, double least,
+LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array<int>& chosen, double least,
                                  const std::function<bool()>& go_on) {
   expects(!cases.empty() && !chosen.empty() && least > 0, "ropes that are to be taut under some loads");
   LeastTensionResult r;
-  CaseSet set{cases, std::vector<solve::EquilibriumResult>(cases.size())};
+  CaseSet set{cases, Array<solve::EquilibriumResult>(cases.size())};
   // lengths first: those that the first case gives
   solve::EquilibriumOptions at_rest;
   at_rest.band = false;
@@ -172,14 +173,14 @@ LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const
   r.outcome = first.outcome;
   if (!r.outcome.ok()) return r;
   const machine::Model frozen = solve::installed(cases.front(), first);
-  std::vector<double> begun;
+  Array<double> begun;
   for (const int rope : chosen) {
-    begun.push_back(frozen.reevings[at(rope)].value);
+    begun.push_back(frozen.reevings[rope].value);
     set_length(set, rope, begun.back());
   }
   const int failed = solve_cases(set);
   if (failed >= 0) {
-    r.outcome = set.results[at(failed)].outcome;
+    r.outcome = set.results[failed].outcome;
     return r;
   }
   double miss = largest_miss(governing_cases(set, chosen), least);
@@ -196,7 +197,7 @@ LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const
       }
       r.outcome =
           infeasible(fmt::format("no lengths were found for which all ropes just keep {:.4g} N: '{}' has {:.4g} N",
-                                 least, frozen.reevings[at(chosen[k])].name, worst[k].second));
+                                 least, frozen.reevings[chosen[k]].name, worst[k].second));
       return r;
     }
     miss = largest_miss(governing_cases(set, chosen), least);
@@ -205,7 +206,7 @@ LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     LeastTension one;
     one.reeving = chosen[k];
-    one.unstretched = set.models.front().reevings[at(chosen[k])].value;
+    one.unstretched = set.models.front().reevings[chosen[k]].value;
     one.taken_out = begun[k] - one.unstretched;
     one.T_least = worst[k].second;
     one.governing = worst[k].first;

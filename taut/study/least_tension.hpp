@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::study {
@@ -10,20 +11,20 @@ namespace taut::study {
 /// A rope whose length was found.
 struct LeastTension {
   int reeving = 0;
-  double unstretched = 0;     ///< at the reference temperature, m
-  double taken_out = 0;       ///< of the length that it had, m
-  double T_least = 0;         ///< least tension anywhere in it over all cases, N
-  int governing = 0;          ///< the case where that is
-  std::vector<double> T_min;  ///< by case: its least tension, N
+  double unstretched = 0;  ///< at the reference temperature, m
+  double taken_out = 0;    ///< of the length that it had, m
+  double T_least = 0;      ///< least tension anywhere in it over all cases, N
+  int governing = 0;       ///< the case where that is
+  Array<double> T_min;     ///< by case: its least tension, N
 };
 
 /// `outcome` not ok: the message says which rope or case; nothing else is a result.
 struct LeastTensionResult {
   Outcome outcome;
   bool interrupted = false;
-  std::vector<LeastTension> ropes;           ///< as chosen
-  std::vector<solve::EquilibriumResult> at;  ///< by case
-  std::vector<machine::Model> models;        ///< by case, with the lengths found
+  Array<LeastTension> ropes;           ///< as chosen
+  Array<solve::EquilibriumResult> at;  ///< by case
+  Array<machine::Model> models;        ///< by case, with the lengths found
   int iterations = 0;
 };
 
@@ -31,7 +32,7 @@ struct LeastTensionResult {
 /// that slackens it most: pretensioned as little as keeps them taut. `cases`: one machine under several loads, with the
 /// same reevings, the first one as it is put up. Newton on all lengths together, each rope by its governing case;
 /// derivatives of tensions by lengths are differences of equilibria. Infeasible where no lengths do.
-LeastTensionResult least_tension(const std::vector<machine::Model>& cases, const std::vector<int>& chosen, double least,
+LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array<int>& chosen, double least,
                                  const std::function<bool()>& go_on = {});
 
 /// Least tension anywhere in a rope, N.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -32,9 +32,9 @@ LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
 }
 
 void add_supports(const machine::Model& model, const PayloadLimits& limits, const solve::EquilibriumResult& r,
-                  std::vector<LimitState>& all) {
+                  Array<LimitState>& all) {
   for (const solve::ContactResult& c : r.contacts) {
-    const machine::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
     const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const machine::Carriage& car) {
       return car.reeving == c.reeving && car.node == c.node;
@@ -55,9 +55,9 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
 
 }  // namespace
 
-std::vector<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                                  const solve::EquilibriumResult& r) {
-  std::vector<LimitState> all;
+Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
+                            const solve::EquilibriumResult& r) {
+  Array<LimitState> all;
   if (!r.outcome.ok()) {
     all.push_back({LimitKind::none, -1, -1, 0, 0, -1, true});
     return all;
@@ -68,7 +68,7 @@ std::vector<LimitState> limits_at(const machine::Model& model, int body, const P
     all.push_back({LimitKind::tension, static_cast<int>(k), -1, T, limits.tension[k], 1 - T / limits.tension[k]});
   }
   for (const EndLimit& end : limits.ends) all.push_back(pull_at(r, end));
-  const Vector3& place = r.state.bodies[at(body)].position;
+  const Vector3& place = r.state.bodies[body].position;
   const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
   if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {
     all.push_back({LimitKind::clearance, -1, -1, clearance, limits.clearance,
@@ -87,8 +87,8 @@ std::vector<LimitState> limits_at(const machine::Model& model, int body, const P
 
 std::string limit_words(const machine::Model& model, int body, const LimitState& l) {
   if (l.fails) return "no equilibrium with more";
-  const auto rope = [&] { return model.reevings[at(l.reeving)].name; };
-  const auto node = [&] { return model.reevings[at(l.reeving)].nodes[at(l.node)].name; };
+  const auto rope = [&] { return model.reevings[l.reeving].name; };
+  const auto node = [&] { return model.reevings[l.reeving].nodes[l.node].name; };
   switch (l.kind) {
     case LimitKind::none:
       return "no limit";
@@ -97,7 +97,7 @@ std::string limit_words(const machine::Model& model, int body, const LimitState&
     case LimitKind::pull:
       return fmt::format("pull of '{}' at '{}'", rope(), node());
     case LimitKind::clearance:
-      return fmt::format("clearance of '{}'", model.bodies[at(body)].name);
+      return fmt::format("clearance of '{}'", model.bodies[body].name);
     case LimitKind::rope_clearance:
       return fmt::format("clearance of rope '{}'", rope());
     case LimitKind::break_angle:

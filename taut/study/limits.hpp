@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/study/rope_clearance.hpp"
 
 namespace taut::study {
@@ -16,13 +17,13 @@ struct EndLimit {
 
 /// What must not be exceeded.
 struct PayloadLimits {
-  std::vector<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (the band at rest counts),
-                                ///< N; infinite: none. Empty: no rope is limited
-  std::vector<EndLimit> ends;
+  Array<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (the band at rest counts),
+                          ///< N; infinite: none. Empty: no rope is limited
+  Array<EndLimit> ends;
   double clearance = -std::numeric_limits<double>::infinity();  ///< least height of the body above the terrain, m; not
                                                                 ///< asked where there is no terrain
-  std::vector<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within
-                                       ///< rope_between, m; -infinity: none. Empty: no rope
+  Array<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within
+                                 ///< rope_between, m; -infinity: none. Empty: no rope
   RopeWindow rope_between;
   /// Angle by which a rope bends over a support on the ground: at most and at least this, rad.
   double break_angle = std::numeric_limits<double>::infinity();
@@ -46,8 +47,8 @@ struct LimitState {
 };
 
 /// All limits in one state, in the order of the limits' members. A state without equilibrium: one that fails.
-std::vector<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                                  const solve::EquilibriumResult& result);
+Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
+                            const solve::EquilibriumResult& result);
 
 /// "tension of 'skyline'", "break angle at 'jack1'".
 std::string limit_words(const machine::Model& model, int body, const LimitState& limit);

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::study {
 
-double ground_height(const std::vector<machine::GroundPoint>& terrain, double x) {
+double ground_height(const Array<machine::GroundPoint>& terrain, double x) {
   const auto right =
       std::lower_bound(terrain.begin(), terrain.end(), x, [](const auto& point, double at) { return point.x < at; });
   if (right == terrain.end()) return std::numeric_limits<double>::quiet_NaN();
@@ -24,7 +25,7 @@ namespace {
 
 /// A start for the next of equal steps: the parabola through the last three states, or what there is of it. Branch
 /// lengths stay positive; what touches and how bodies are turned stays as it was last.
-std::optional<machine::State> ahead(const std::vector<LoadPathPoint>& points) {
+std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
   const std::size_t n = points.size();
   if (n == 0 || !points[n - 1].at.outcome.ok()) return std::nullopt;
   machine::State next = points[n - 1].at.state;
@@ -78,7 +79,7 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
       point.at = solve::equilibrium(model, here, ahead(path.points));
     }
     if (point.at.outcome.ok()) {
-      const Vector3& place = point.at.state.bodies[static_cast<std::size_t>(carriage.body)].position;
+      const Vector3& place = point.at.state.bodies[carriage.body].position;
       point.z = place.z();
       point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     } else if (path.outcome.ok()) {

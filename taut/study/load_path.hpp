@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/condition.hpp"
 
 namespace taut::study {
@@ -25,14 +26,14 @@ struct LoadPathPoint {
 };
 
 struct LoadPath {
-  Outcome outcome;                    ///< the first position without equilibrium, named by its x
-  std::vector<LoadPathPoint> points;  ///< one for each position, fewer where `go_on` ended it
+  Outcome outcome;              ///< the first position without equilibrium, named by its x
+  Array<LoadPathPoint> points;  ///< one for each position, fewer where `go_on` ended it
 };
 
 /// Each position starts from the one before. A position without equilibrium stays in the list with its outcome.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
 
 /// Height of the ground at x, linear between its points; NaN outside.
-double ground_height(const std::vector<machine::GroundPoint>& terrain, double x);
+double ground_height(const Array<machine::GroundPoint>& terrain, double x);
 
 }  // namespace taut::study

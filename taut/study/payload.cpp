@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
@@ -24,7 +25,7 @@ class PayloadSearch {
 
   /// The margin of the nearest limit with this payload, and what it is.
   double margin(double mass) {
-    loaded_.bodies[at(body_)].mass = model_.bodies[at(body_)].mass + mass;
+    loaded_.bodies[body_].mass = model_.bodies[body_].mass + mass;
     solve::EquilibriumResult r = solve::equilibrium(loaded_, options_, near_);
     LimitState nearest;
     for (const LimitState& one : limits_at(loaded_, body_, limits_, r)) {
@@ -62,7 +63,7 @@ class PayloadSearch {
 };
 
 /// A limit that stops the payload, at the payload that still holds.
-LimitState governing_of(const PayloadSearch& search, const std::vector<LimitState>& held) {
+LimitState governing_of(const PayloadSearch& search, const Array<LimitState>& held) {
   const LimitState& stopped = search.stopped;
   const auto same = std::find_if(held.begin(), held.end(), [&](const LimitState& one) {
     return one.kind == stopped.kind && one.reeving == stopped.reeving && one.node == stopped.node;
@@ -76,7 +77,7 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
                 const solve::EquilibriumOptions& options, const std::optional<machine::State>& start, double expected) {
   expects(limits.tension.empty() || limits.tension.size() == model.reevings.size(), "a limit for every rope");
   expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
-  expects(body >= 0 && at(body) < model.bodies.size(), "a body of the model");
+  expects(body >= 0 && as_size(body) < model.bodies.size(), "a body of the model");
   Payload answer;
   PayloadSearch search(model, body, limits, options, start);
   const double margin = search.margin(0);
@@ -112,11 +113,11 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
   return answer;
 }
 
-std::vector<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
-                                       const LoadPathOptions& options) {
+Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
+                                 const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
-  const machine::Carriage& carriage = model.carriages.at(at(options.carriage));
-  std::vector<PayloadPoint> points;
+  const machine::Carriage& carriage = model.carriages.at(as_size(options.carriage));
+  Array<PayloadPoint> points;
   std::optional<machine::State> start;
   double expected = 0;
   for (int i = 0; i <= options.steps; ++i) {
@@ -129,7 +130,7 @@ std::vector<PayloadPoint> payload_path(const machine::Model& model, const Payloa
     if (point.payload.at.outcome.ok()) {
       start = point.payload.unloaded;
       expected = point.payload.mass;
-      const Vector3& place = point.payload.at.state.bodies[at(carriage.body)].position;
+      const Vector3& place = point.payload.at.state.bodies[carriage.body].position;
       point.z = place.z();
       point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     }

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/study/limits.hpp"
 #include "taut/study/load_path.hpp"
 
@@ -31,7 +32,7 @@ struct PayloadPoint {
   double clearance = 0;  ///< m; NaN without terrain there
   Payload payload;
 };
-std::vector<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
-                                       const LoadPathOptions& options);
+Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
+                                 const LoadPathOptions& options);
 
 }  // namespace taut::study

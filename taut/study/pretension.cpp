@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ranges>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::study {
 namespace {
@@ -16,7 +16,7 @@ constexpr double pull_speed = 1e-3;  ///< m/s of rope taken out
 constexpr int pull_steps = 250;
 
 std::string words_of_pull(const machine::Model& model, std::size_t number, const Pull& pull) {
-  return fmt::format("pull {}, '{}'", number + 1, model.reevings[at(pull.reeving)].name);
+  return fmt::format("pull {}, '{}'", number + 1, model.reevings[pull.reeving].name);
 }
 
 // ---- without friction: equilibria ----
@@ -26,15 +26,14 @@ PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& resu
   const std::size_t ropes = model.reevings.size();
   end.T_start.assign(ropes, 0.0);
   end.T_end = end.T_start;
-  for (const solve::SpanResult& span : result.spans | std::views::reverse) end.T_start[at(span.reeving)] = span.T_from;
-  for (const solve::SpanResult& span : result.spans) end.T_end[at(span.reeving)] = span.T_to;
+  for (const solve::SpanResult& span : result.spans | std::views::reverse) end.T_start[span.reeving] = span.T_from;
+  for (const solve::SpanResult& span : result.spans) end.T_end[span.reeving] = span.T_to;
   for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
   end.at = result;
   return end;
 }
 
-PretensionResult pull_at_rest(const machine::Model& given, const std::vector<Pull>& pulls,
-                              const PretensionOptions& options) {
+PretensionResult pull_at_rest(const machine::Model& given, const Array<Pull>& pulls, const PretensionOptions& options) {
   PretensionResult r;
   solve::EquilibriumOptions at_rest;
   at_rest.band = false;
@@ -44,14 +43,14 @@ PretensionResult pull_at_rest(const machine::Model& given, const std::vector<Pul
   if (!r.outcome.ok()) return r;
   machine::Model model = solve::installed(given, found);
   r.before = end_of(model, found);
-  std::vector<double> taken(model.reevings.size(), 0.0);
+  Array<double> taken(model.reevings.size(), 0.0);
   for (std::size_t i = 0; i < pulls.size(); ++i) {
     if (options.progress && !options.progress(i)) {
       r.interrupted = true;
       return r;
     }
     const Pull& pull = pulls[i];
-    machine::Reeving& rope = model.reevings[at(pull.reeving)];
+    machine::Reeving& rope = model.reevings[pull.reeving];
     const double length = rope.value;
     if (pull.force) {
       rope.given = pull.at_end ? machine::Given::tension_at_end : machine::Given::tension_at_start;
@@ -67,9 +66,9 @@ PretensionResult pull_at_rest(const machine::Model& given, const std::vector<Pul
     }
     model = solve::installed(model, found);
     PullEnd end = end_of(model, found);
-    end.taken = length - model.reevings[at(pull.reeving)].value;
-    taken[at(pull.reeving)] += end.taken;
-    end.taken_in_all = taken[at(pull.reeving)];
+    end.taken = length - model.reevings[pull.reeving].value;
+    taken[pull.reeving] += end.taken;
+    end.taken_in_all = taken[pull.reeving];
     r.ends.push_back(std::move(end));
     r.model = model;
   }
@@ -202,7 +201,7 @@ double where_now(const SlowMachine& slow, const Pull& pull) {
 }
 
 Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMachine& slow, bool& interrupted) {
-  const double T = pull.at_end ? slow.last.T_end[at(pull.reeving)] : slow.last.T_start[at(pull.reeving)];
+  const double T = pull.at_end ? slow.last.T_end[pull.reeving] : slow.last.T_start[pull.reeving];
   double way = options.longest;
   if (pull.force && T > *pull.force) way = -way;
   if (pull.take_up) way = *pull.take_up;
@@ -219,10 +218,10 @@ Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMach
   if (stopped || pull.take_up) return {};
   return infeasible(fmt::format(
       "{:.4g} m of rope are out and {} ('longest')", std::abs(way),
-      pull.until ? fmt::format("'{}' has not moved", pull.until->name)
-                 : fmt::format("its tension is {:.4g} N, not {:.4g} N",
-                               pull.at_end ? slow.last.T_end[at(pull.reeving)] : slow.last.T_start[at(pull.reeving)],
-                               *pull.force)));
+      pull.until
+          ? fmt::format("'{}' has not moved", pull.until->name)
+          : fmt::format("its tension is {:.4g} N, not {:.4g} N",
+                        pull.at_end ? slow.last.T_end[pull.reeving] : slow.last.T_start[pull.reeving], *pull.force)));
 }
 
 void add_frame(const SlowMachine& slow, PretensionResult& r) {
@@ -230,8 +229,7 @@ void add_frame(const SlowMachine& slow, PretensionResult& r) {
   r.frames.back().t = static_cast<double>(r.ends.size());
 }
 
-PretensionResult pull_slowly(const machine::Model& given, const std::vector<Pull>& pulls,
-                             const PretensionOptions& options) {
+PretensionResult pull_slowly(const machine::Model& given, const Array<Pull>& pulls, const PretensionOptions& options) {
   PretensionResult r;
   r.slowly = true;
   SlowMachine slow = slow_machine(given, options);
@@ -243,7 +241,7 @@ PretensionResult pull_slowly(const machine::Model& given, const std::vector<Pull
   take_over(before, slow);
   r.before = slow.last;
   add_frame(slow, r);
-  std::vector<double> taken(given.reevings.size(), 0.0);
+  Array<double> taken(given.reevings.size(), 0.0);
   for (std::size_t i = 0; i < pulls.size(); ++i) {
     if (options.progress && !options.progress(i)) {
       r.interrupted = true;
@@ -256,8 +254,8 @@ PretensionResult pull_slowly(const machine::Model& given, const std::vector<Pull
       r.outcome = {outcome.status, fmt::format("{}: {}", words_of_pull(given, i, pulls[i]), outcome.message)};
       return r;
     }
-    taken[at(pulls[i].reeving)] += slow.last.taken;
-    slow.last.taken_in_all = taken[at(pulls[i].reeving)];
+    taken[pulls[i].reeving] += slow.last.taken;
+    slow.last.taken_in_all = taken[pulls[i].reeving];
     r.ends.push_back(slow.last);
     add_frame(slow, r);
     r.state = slow.options.from;
@@ -267,13 +265,12 @@ PretensionResult pull_slowly(const machine::Model& given, const std::vector<Pull
 
 }  // namespace
 
-bool pulled_slowly(const machine::Model& model, const std::vector<Pull>& pulls) {
+bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls) {
   return !model.contacts.empty() || !model.actuators.empty() ||
          std::any_of(pulls.begin(), pulls.end(), [](const Pull& one) { return one.until.has_value(); });
 }
 
-PretensionResult pretension(const machine::Model& model, const std::vector<Pull>& pulls,
-                            const PretensionOptions& options) {
+PretensionResult pretension(const machine::Model& model, const Array<Pull>& pulls, const PretensionOptions& options) {
   for (const Pull& one : pulls) {
     expects((one.force ? 1 : 0) + (one.take_up ? 1 : 0) + (one.until ? 1 : 0) == 1, "a pull ends in one way");
     expects(!one.until || one.moves > 0, "what begins to move moves by something");

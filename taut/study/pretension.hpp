@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
@@ -25,9 +26,9 @@ struct Pull {
 struct PullEnd {
   double taken = 0;                            ///< unstretched rope taken out by this pull, m
   double taken_in_all = 0;                     ///< of this rope, by all pulls so far, m
-  std::vector<double> T_start, T_end;          ///< by reeving, N
-  std::vector<double> observed;                ///< as in the model
-  std::vector<double> unstretched;             ///< by reeving, m
+  Array<double> T_start, T_end;                ///< by reeving, N
+  Array<double> observed;                      ///< as in the model
+  Array<double> unstretched;                   ///< by reeving, m
   std::optional<solve::EquilibriumResult> at;  ///< of a machine without friction
 };
 
@@ -43,22 +44,21 @@ struct PretensionOptions {
 struct PretensionResult {
   Outcome outcome;
   bool interrupted = false;
-  bool slowly = false;        ///< with friction, as a quasi-static motion; else by equilibria without
-  PullEnd before;             ///< any pull
-  std::vector<PullEnd> ends;  ///< by pull
+  bool slowly = false;   ///< with friction, as a quasi-static motion; else by equilibria without
+  PullEnd before;        ///< any pull
+  Array<PullEnd> ends;   ///< by pull
   machine::Model model;  ///< of a machine without friction: with the lengths that its ropes have after the last one
   std::optional<solve::DynamicState> state;  ///< after the last one, of a machine with friction
-  std::vector<solve::TransientFrame>
-      frames;  ///< of such a one: before any pull and as each ends, its number as the time
+  Array<solve::TransientFrame> frames;  ///< of such a one: before any pull and as each ends, its number as the time
 };
 
 /// Whether friction holds parts of the machine: contacts on faces, cylinders, or sheaves with losses in motion alone.
-bool pulled_slowly(const machine::Model& model, const std::vector<Pull>& pulls);
+bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls);
 
 /// Ropes pulled in turn, as they are put up. A machine with contacts or cylinders moves quasi-statically with all its
 /// friction (TransientOptions::quasi_static); else each pull ends in an equilibrium at rest. Drives and signals stand
 /// still, and no events happen. docs/theory/dynamics.md.
-PretensionResult pretension(const machine::Model& model, const std::vector<Pull>& pulls,
+PretensionResult pretension(const machine::Model& model, const Array<Pull>& pulls,
                             const PretensionOptions& options = {});
 
 }  // namespace taut::study

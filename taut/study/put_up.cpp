@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 
 namespace taut::study {
 namespace {
@@ -18,8 +18,8 @@ PutUpWith with_of(const machine::Model& model, std::size_t reeving) {
 
 }  // namespace
 
-std::vector<PutUpLine> put_up(machine::Model& model) {
-  std::vector<PutUpLine> all;
+Array<PutUpLine> put_up(machine::Model& model) {
+  Array<PutUpLine> all;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     machine::Reeving& rope = model.reevings[r];
     if (!rope.put_up) continue;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/study/installation.hpp"
 
 namespace taut::study {
@@ -17,6 +18,6 @@ struct PutUpLine {
 /// Puts up the ropes that are to be (machine::Reeving::put_up), in turn: each on the machine with the ropes before it
 /// and without those to come; what hangs on it is not there but for what it is put up with. Its length is kept from
 /// there on: `model` has it. Ends with the first that fails.
-std::vector<PutUpLine> put_up(machine::Model& model);
+Array<PutUpLine> put_up(machine::Model& model);
 
 }  // namespace taut::study

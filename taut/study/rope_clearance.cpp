@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -13,8 +13,8 @@ namespace {
 constexpr double near = 1e-9;  ///< of a span's length
 
 bool moves(const machine::Model& model, const solve::SpanResult& span, int node) {
-  const machine::Place& place = model.reevings[at(span.reeving)].nodes[at(node)].at;
-  return place.body != machine::ground && !model.bodies[at(place.body)].free.empty();
+  const machine::Place& place = model.reevings[span.reeving].nodes[node].at;
+  return place.body != machine::ground && !model.bodies[place.body].free.empty();
 }
 
 /// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
@@ -113,7 +113,7 @@ class ClearanceSearch {
 
   const machine::Model& model_;
   const solve::SpanResult& span_;
-  const std::vector<machine::GroundPoint>& ground_;
+  const Array<machine::GroundPoint>& ground_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
   RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
@@ -154,7 +154,7 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResul
   return lower({}, ClearanceSearch(model, span).least());
 }
 
-RopeClearance rope_clearance(const machine::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends) {
+RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends) {
   RopeClearance least;
   const auto take = [&](const Vector3& place) {
     least = lower(least, {place.z() - ground_height(model.terrain, terrain_x(model, place)), place});
@@ -177,7 +177,7 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::Equilibri
   return least;
 }
 
-RopeClearance rope_clearance(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
+RopeClearance rope_clearance(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
                              const RopeWindow& window) {
   RopeClearance least;
   if (model.terrain.empty()) return least;
@@ -196,7 +196,7 @@ TerrainGap terrain_gap(const machine::Model& model, double from, double to) {
   return {part(std::min(high, first) - low), part(high - std::max(low, last))};
 }
 
-TerrainGap terrain_gap(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
+TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
                        const RopeWindow& window) {
   Extent extent;
   for (const solve::SpanResult& span : spans) {

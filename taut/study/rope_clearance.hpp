@@ -2,6 +2,7 @@
 #include <limits>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::study {
@@ -24,7 +25,7 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::Equilibri
 /// Of a rope that follows a polyline, piece by piece, m. Chords of a sagging rope lie above it: n equal pieces of the
 /// sag f hide f/n^2 (of a branch in motion, in 17 pieces, 0.4 % of its sag). `begins`, `ends`: whether its first and
 /// last place count, as where they move with a body.
-RopeClearance rope_clearance(const machine::Model& model, const std::vector<Vector3>& rope, bool begins, bool ends);
+RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends);
 
 /// A strip across the line: the places whose distance from the origin along `along` lies between `from` and `to`
 /// (either order), m.
@@ -37,7 +38,7 @@ struct RopeWindow {
 /// Of one rope within a window, whatever holds its ends there: who asks for a window says where the rope has to be
 /// clear. Where the rope passes the edges of the window or of the terrain counts too. A slack span counts by its chord.
 /// NaN where no rope is over terrain in the window.
-RopeClearance rope_clearance(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
+RopeClearance rope_clearance(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
                              const RopeWindow& window);
 
 /// The parts of a plan extent that the terrain does not reach, m along the terrain: before its first and behind its
@@ -53,7 +54,7 @@ TerrainGap terrain_gap(const machine::Model& model, double from, double to);
 
 /// Of one rope within a window, in plan, from the first to the last place of it there; none where no part of the rope
 /// is in the window.
-TerrainGap terrain_gap(const machine::Model& model, const std::vector<solve::SpanResult>& spans, int reeving,
+TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
                        const RopeWindow& window = {});
 
 /// Of all ropes of a machine in one state.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::study {

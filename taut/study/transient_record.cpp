@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 
 namespace taut::study {
 namespace {
@@ -21,8 +21,8 @@ std::size_t shown_at_most(const solve::TransientFrame& frame) {
   return std::clamp<std::size_t>(most_parts / parts, 3, most_frames);
 }
 
-std::vector<double> observed_at(const solve::TransientResult& so_far, std::size_t frame) {
-  std::vector<double> values;
+Array<double> observed_at(const solve::TransientResult& so_far, std::size_t frame) {
+  Array<double> values;
   values.reserve(so_far.observed.size());
   for (const auto& one : so_far.observed) values.push_back(one[frame]);
   return values;
@@ -39,13 +39,13 @@ double time_of_peak(const solve::TransientResult& so_far) {
 
 void TransientRecord::take(const machine::Model& model, const solve::TransientResult& so_far) {
   const solve::TransientFrame& frame = so_far.frames.back();
-  const std::vector<double> observed = observed_at(so_far, so_far.frames.size() - 1);
+  const Array<double> observed = observed_at(so_far, so_far.frames.size() - 1);
   if (count_ == 0) {
     lines_ = std::make_shared<LongRows>(1 + observed.size());
     energy_ = std::make_shared<LongRows>(6);
     most_ = shown_at_most(frame);
   }
-  std::vector<double> line = {frame.t};
+  Array<double> line = {frame.t};
   line.insert(line.end(), observed.begin(), observed.end());
   lines_->add(line);
   const solve::EnergyLedger& e = frame.energy;
@@ -67,7 +67,7 @@ void TransientRecord::add_slips(const machine::Model& model, const solve::Transi
   const double half = (now.t - before.t) / 2;
   for (std::size_t c = 0; c < slips_.size(); ++c) {
     const auto &a = before.contacts[c], &b = now.contacts[c];
-    const machine::Node& node = model.reevings[at(b.reeving)].nodes[at(b.node)];
+    const machine::Node& node = model.reevings[b.reeving].nodes[b.node];
     slips_[c].slipped += half * (std::abs(a.slip) + std::abs(b.slip));
     slips_[c].rim += half * node.radius * (std::abs(a.spin) + std::abs(b.spin));
   }
@@ -87,7 +87,7 @@ void TransientRecord::follow_peak(const solve::TransientResult& so_far) {
 }
 
 void TransientRecord::thin() {
-  std::vector<Shown> half;
+  Array<Shown> half;
   for (std::size_t i = 0; i < shown_.size(); i += 2) half.push_back(std::move(shown_[i]));
   shown_ = std::move(half);
   every_ *= 2;
@@ -95,7 +95,7 @@ void TransientRecord::thin() {
 
 void TransientRecord::show(solve::TransientResult& result) const {
   if (empty()) return;
-  std::vector<Shown> all = shown_;
+  Array<Shown> all = shown_;
   const auto put_in = [&](Shown one) {
     const auto place =
         std::lower_bound(all.begin(), all.end(), one.frame.t, [](const Shown& a, double t) { return a.frame.t < t; });

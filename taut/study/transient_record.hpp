@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/base/long_rows.hpp"
 #include "taut/solve/motion/transient.hpp"
 
@@ -31,12 +32,12 @@ class TransientRecord {
   struct Slip {
     double slipped = 0, rim = 0;
   };
-  const std::vector<Slip>& slips() const { return slips_; }  ///< by contact of a frame
+  const Array<Slip>& slips() const { return slips_; }  ///< by contact of a frame
 
  private:
   struct Shown {
     solve::TransientFrame frame;
-    std::vector<double> observed;
+    Array<double> observed;
   };
   void add_slips(const machine::Model& model, const solve::TransientResult& so_far);
   void follow_peak(const solve::TransientResult& so_far);
@@ -44,10 +45,10 @@ class TransientRecord {
 
   std::size_t count_ = 0, every_ = 1, most_ = 0;
   std::shared_ptr<LongRows> lines_, energy_;
-  std::vector<Shown> shown_;
+  Array<Shown> shown_;
   Shown peak_;  ///< nearest to the largest tension so far
   double t_peak_ = -1;
-  std::vector<Slip> slips_;
+  Array<Slip> slips_;
 };
 
 }  // namespace taut::study

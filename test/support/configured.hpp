@@ -19,8 +19,8 @@ inline taut::mechanics::Configuration configuration_of(const taut::mechanics::La
 }
 
 /// No loss anywhere.
-inline std::vector<std::vector<int>> no_flow(const taut::machine::Model& m) {
-  std::vector<std::vector<int>> flow;
+inline taut::Array<taut::Array<int>> no_flow(const taut::machine::Model& m) {
+  taut::Array<taut::Array<int>> flow;
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 0);
   return flow;

@@ -5,7 +5,6 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::checks {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 template <class Take>
 void each_end_at(const CheckState& state, const std::string& name, Take&& take) {
   for (const CheckBranch& b : state.branches) {
-    const machine::Reeving& rope = state.model->reevings[at(b.reeving)];
+    const machine::Reeving& rope = state.model->reevings[b.reeving];
     if (rope.closed) continue;
     const int last = static_cast<int>(rope.nodes.size()) - 1;
     if (b.from == 0 && rope.nodes.front().name == name) take(rope, Vector3(rope.copies * b.on_start));

@@ -7,7 +7,6 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::checks {
 namespace {
@@ -149,20 +148,20 @@ void take(const CheckState& state, GuyStates& guy) {
       guy.T_max = b.T * factor;
       guy.where_max = with_factor(state.words, factor);
     }
-    take_least(b.mean, slack_tension(state.model->reevings[at(guy.reeving)], b), state.words, guy);
+    take_least(b.mean, slack_tension(state.model->reevings[guy.reeving], b), state.words, guy);
   }
 }
 
 void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words,
                  GuyStates& guy) {
-  const solve::Extreme& T = motion.ropes[at(guy.reeving)].T;
+  const solve::Extreme& T = motion.ropes[guy.reeving].T;
   if (T.max > guy.T_max) {
     guy.T_max = T.max;
     guy.where_max = fmt::format("{}, t = {:.4g} s", words, T.t_max);
   }
   for (const CheckBranch& b : begins.branches) {
     if (b.reeving != guy.reeving) continue;
-    take_least(T.min, slack_tension(begins.model->reevings[at(guy.reeving)], b),
+    take_least(T.min, slack_tension(begins.model->reevings[guy.reeving], b),
                fmt::format("{}, t = {:.4g} s", words, T.t_min), guy);
   }
 }
@@ -170,7 +169,7 @@ void take_motion(const CheckState& begins, const solve::TransientResult& motion,
 void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const machine::Model& model,
                     Result& r) {
   for (const GuyStates& one : guys) {
-    const machine::Reeving& rope = model.reevings[at(one.reeving)];
+    const machine::Reeving& rope = model.reevings[one.reeving];
     const double strength = one.request->breaking_force.value_or(rope.breaking_force);
     if (one.T_max > 0) {
       check_safety(one, rope.name, strength, r);

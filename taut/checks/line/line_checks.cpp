@@ -5,7 +5,6 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
-#include "taut/math/index.hpp"
 #include "taut/study/rope_clearance.hpp"
 
 namespace taut::checks {
@@ -40,8 +39,8 @@ struct Tail {
   bool at_end = true;  ///< of the path
 };
 std::optional<Tail> tail_at(const CheckState& state, int reeving, const std::string& support) {
-  const auto& nodes = state.model->reevings[at(reeving)].nodes;
-  const auto is_support = [&](int node) { return nodes[at(node)].name == support; };
+  const auto& nodes = state.model->reevings[reeving].nodes;
+  const auto is_support = [&](int node) { return nodes[node].name == support; };
   const int last = static_cast<int>(nodes.size()) - 1;
   Tail tail;
   for (const CheckBranch& b : state.branches) {
@@ -74,11 +73,11 @@ void take_tail(const CheckState& state, LineStates& line) {
 }
 
 void take_bends(const CheckState& state, LineStates& line) {
-  const auto& nodes = state.model->reevings[at(line.reeving)].nodes;
+  const auto& nodes = state.model->reevings[line.reeving].nodes;
   for (const CheckContact& c : state.contacts) {
     if (c.reeving != line.reeving) continue;
     for (LineStates::Bend& bend : line.bends) {
-      if (nodes[at(c.node)].name != bend.support) continue;
+      if (nodes[c.node].name != bend.support) continue;
       bend.most.largest(c.wrap, state.words);
       // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
       if (!state.moves || c.lifts) bend.least.least(c.lifts ? -c.wrap : c.wrap, state.words);

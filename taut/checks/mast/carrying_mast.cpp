@@ -8,7 +8,6 @@
 #include "taut/base/suggest.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 #include "taut/machine/state.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::checks {
 namespace {
@@ -173,11 +172,11 @@ std::vector<std::pair<std::string, Vector3>> places_of(const machine::Model& mod
 CarriedState carried_by(const MastCheckRequest& request, const CheckState& state) {
   CarriedState all{state.words, state.analysis, state.moves, {}};
   for (const CheckContact& c : state.contacts) {
-    const machine::Reeving& rope = state.model->reevings[at(c.reeving)];
-    if (carries(request, rope.nodes[at(c.node)].name)) add_pull(request, c.place, rope.copies * c.force, all);
+    const machine::Reeving& rope = state.model->reevings[c.reeving];
+    if (carries(request, rope.nodes[c.node].name)) add_pull(request, c.place, rope.copies * c.force, all);
   }
   for (const CheckBranch& b : state.branches) {
-    const machine::Reeving& rope = state.model->reevings[at(b.reeving)];
+    const machine::Reeving& rope = state.model->reevings[b.reeving];
     if (rope.closed) continue;
     const int last = static_cast<int>(rope.nodes.size()) - 1;
     if (b.from == 0 && carries(request, rope.nodes.front().name)) {

@@ -9,7 +9,6 @@
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::checks {
 namespace {

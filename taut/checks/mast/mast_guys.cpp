@@ -5,7 +5,6 @@
 
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
-#include "taut/math/index.hpp"
 #include "taut/rope/guy.hpp"
 
 namespace taut::checks {
@@ -45,7 +44,7 @@ std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& s
   for (const auto& guy : deck.machine.guys) {
     if (guy.from != top && guy.to != top) continue;
     for (const CheckBranch& span : state.branches) {
-      const machine::Reeving& rope = state.model->reevings[at(span.reeving)];
+      const machine::Reeving& rope = state.model->reevings[span.reeving];
       const double length = span.unstretched * (1 + rope.thermal_strain);
       if (rope.name != guy.name || length >= span.chord) continue;  // slack ones give nothing
       const Vector3 d = span.end - span.start;

@@ -8,8 +8,6 @@
 #include <numeric>
 #include <set>
 
-#include "taut/math/index.hpp"
-
 namespace taut::checks {
 namespace {
 
@@ -82,13 +80,11 @@ std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& m
     const auto on_drum = [&](const machine::Node& n) {
       return std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == n.name; });
     };
-    const auto rides = [&](const machine::Node& n) {
-      return carriage >= 0 && n.at.body == m.carriages[at(carriage)].body;
-    };
+    const auto rides = [&](const machine::Node& n) { return carriage >= 0 && n.at.body == m.carriages[carriage].body; };
     const bool start = on_drum(rope.nodes.front()) || rope.given == machine::Given::tension_at_start;
     const bool end = on_drum(rope.nodes.back()) || rope.given == machine::Given::tension_at_end;
     const bool mainline =
-        carriage >= 0 && (m.carriages[at(carriage)].mainline == index || m.carriages[at(carriage)].haulback == index);
+        carriage >= 0 && (m.carriages[carriage].mainline == index || m.carriages[carriage].haulback == index);
     if (start || (mainline && !end && !rides(rope.nodes.front()))) {
       all.push_back({rope.nodes.front().name, index, false, false});
     }
@@ -117,11 +113,11 @@ void RopeSenses::take(const machine::Model& m, const std::vector<study::LoadPath
 void RopeSenses::take(const machine::Model& m, const Running& of, const study::LoadPathPoint& before,
                       const study::LoadPathPoint& now) {
   const auto [reeving, still, driven] = of;
-  const machine::Reeving& rope = m.reevings[at(reeving)];
+  const machine::Reeving& rope = m.reevings[reeving];
   const double way = std::hypot(now.x - before.x, now.z - before.z);
   for (const solve::ContactResult& c : now.at.contacts) {
     if (c.reeving != reeving || c.node == still) continue;
-    const machine::Node& node = rope.nodes[at(c.node)];
+    const machine::Node& node = rope.nodes[c.node];
     if (node.kind != machine::NodeKind::contact || node.motor >= 0) continue;
     const solve::ContactResult* const was = contact_of(before.at, reeving, c.node);
     const int declared = sense_of(c);

@@ -29,8 +29,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 /// rad.
 double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face) {
   const Vector3 from = machine::in_ground(state, drum.at);
-  const Matrix3 turned =
-      drum.at.body == machine::ground ? Matrix3::Identity() : state.bodies[at(drum.at.body)].orientation;
+  const Matrix3 turned = drum.at.body == machine::ground ? Matrix3::Identity() : state.bodies[drum.at.body].orientation;
   const Vector3 axis = turned * drum.axis;
   const Vector3 way = machine::in_ground(state, next.at) - from;
   const double aside = std::abs(way.dot(axis)) + face / 2;
@@ -114,7 +113,7 @@ void RopeUses::take_tensions(const machine::Model& model, const solve::Equilibri
 }
 
 void RopeUses::take_motion(int reeving, double at_rest, double peak, double when, const std::string& words) {
-  rope::RopeUse& use = uses_[at(reeving)];
+  rope::RopeUse& use = uses_[reeving];
   if (at_rest > use.tension) {
     use.tension = at_rest;
     use.where = words + ", before it begins";
@@ -139,12 +138,12 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, in
 }
 
 void RopeUses::take_contacts(const machine::Model& model, const solve::EquilibriumResult& state) {
-  std::vector<std::map<std::string, int>> met(uses_.size());
+  Array<std::map<std::string, int>> met(uses_.size());
   for (const solve::ContactResult& c : state.contacts) {
-    machine::Node node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    machine::Node node = model.reevings[c.reeving].nodes[c.node];
     if (!(node.radius > 0)) continue;
-    if (!state.state.sides.empty()) node.side = state.state.sides[at(c.reeving)][at(c.node)];
-    rope::Bend& bend = bend_at(at(c.reeving), node, met[at(c.reeving)][node.name]++);
+    if (!state.state.sides.empty()) node.side = state.state.sides[c.reeving][c.node];
+    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[c.reeving][node.name]++);
     if (c.state == solve::ContactState::lifted) continue;
     bend.tension = std::max(bend.tension, largest(c));
     bend.wrap = std::max(bend.wrap, c.wrap);
@@ -153,21 +152,21 @@ void RopeUses::take_contacts(const machine::Model& model, const solve::Equilibri
 
 void RopeUses::take_drum(const machine::Model& model, const solve::EquilibriumResult& state, int reeving, bool at_end,
                          double tension) {
-  const machine::Reeving& rope = model.reevings[at(reeving)];
+  const machine::Reeving& rope = model.reevings[reeving];
   const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
-  const machine::Drum& drum = model.drums[at(node.drum)];
-  auto& bends = bends_[at(reeving)];
+  const machine::Drum& drum = model.drums[node.drum];
+  auto& bends = bends_[reeving];
   const double first = drum.core_radius + rope.diameter / 2;
   const int order = at_end ? std::numeric_limits<int>::max() : -1;
   auto& met =
       bends
           .try_emplace(
               "drum " + node.name,
-              Met{{node.name, rope::BendKind::drum, 2 * first, 0, whole_turn, sense_in(at(reeving), node)}, order})
+              Met{{node.name, rope::BendKind::drum, 2 * first, 0, whole_turn, sense_in(as_size(reeving), node)}, order})
           .first->second;
   met.bend.tension = std::max(met.bend.tension, tension);
-  auto& drums = uses_[at(reeving)].drums;
+  auto& drums = uses_[reeving].drums;
   auto known = std::find_if(drums.begin(), drums.end(), [&](const auto& d) { return d.name == node.name; });
   if (known == drums.end()) known = drums.insert(drums.end(), rope::DrumEnd{node.name, 0, {}, {}, {}, {}});
   known->tension = std::max(known->tension, tension);

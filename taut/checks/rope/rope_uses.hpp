@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/rope/rope_use.hpp"
 
@@ -39,9 +40,9 @@ class RopeUses {
                  double tension);
 
   bool shown_ = false;
-  std::vector<rope::RopeUse> uses_;                // without bends
-  std::vector<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
-  std::vector<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
+  Array<rope::RopeUse> uses_;                // without bends
+  Array<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
+  Array<Vector3> axes_;                      // of the first round of each rope: the senses of the others follow from it
 };
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck

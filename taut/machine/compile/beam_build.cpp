@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::machine {
@@ -88,8 +89,8 @@ Axis axis_of(const Model& m, const StraightBeam& b) {
 
 }  // namespace
 
-std::vector<double> cuts_of(const StraightBeam& beam, double length) {
-  std::vector<double> cuts;
+Array<double> cuts_of(const StraightBeam& beam, double length) {
+  Array<double> cuts;
   for (const double s : beam.stations) {
     if (s > same_station && s < 1 - same_station) cuts.push_back(s);
   }
@@ -106,7 +107,7 @@ std::vector<double> cuts_of(const StraightBeam& beam, double length) {
 void add_beam(Model& model, const StraightBeam& b) {
   const Axis axis = axis_of(model, b);
   const double length = axis.bow.length;
-  std::vector<double> ends = b.stations;
+  Array<double> ends = b.stations;
   ends.push_back(1);
   const int index = static_cast<int>(model.beams.size());
   Beam beam;

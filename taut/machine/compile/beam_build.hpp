@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
 
 namespace taut::machine {
@@ -23,12 +24,12 @@ struct StraightBeam {
   double sway = 0;                   ///< inclination of the whole beam as built, tan; of a free top
   Vector3 sense = Vector3::UnitX();  ///< of bow and sway; what of it is across the axis counts
   /// Where it is cut, as `cuts_of` has them: where something is fixed to it. Shares of its length in (0, 1), growing.
-  std::vector<double> stations = {};
+  Array<double> stations = {};
 };
 
 /// The stations at which the beam is cut: those given, and more where a piece would be so slender that forces up to its
 /// strength decay along it (exp(l sqrt(N/EI)) below 1e3). Shares in (0, 1), growing.
-std::vector<double> cuts_of(const StraightBeam& beam, double length);
+Array<double> cuts_of(const StraightBeam& beam, double length);
 
 /// Adds the beam and a body, free in all ways, for each cut and for its free top (the last, "NAME.top"). Bodies named
 /// by its ends are there already, where they stand as built. The bodies' origins lie on the axis as built, their axes

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/machine/links/beam_links.hpp"

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/carriages.hpp"
 
 namespace taut::machine {
@@ -15,13 +16,13 @@ std::optional<Vector3> stands_at(const Model& model, const Node& node) {
   if (node.at.body == ground) return node.at.at;
   const auto rides = [&](const Carriage& car) { return car.body == node.at.body; };
   if (std::any_of(model.carriages.begin(), model.carriages.end(), rides)) return std::nullopt;
-  const Body& body = model.bodies[static_cast<std::size_t>(node.at.body)];
+  const Body& body = model.bodies[node.at.body];
   return Vector3(body.position + body.orientation * node.at.at);
 }
 
 /// The index in `nodes` (without the carriage) behind which x lies; nearest to `old`. Node n + 1 of an endless rope is
 /// its first.
-std::optional<std::size_t> span_of(const Model& model, const std::vector<Node>& nodes, bool closed, double x,
+std::optional<std::size_t> span_of(const Model& model, const Array<Node>& nodes, bool closed, double x,
                                    const Vector3& along, std::size_t old) {
   std::optional<std::size_t> best;
   const auto far = [&](std::size_t k) { return k + 1 > old ? k + 1 - old : old - (k + 1); };
@@ -38,13 +39,13 @@ std::optional<std::size_t> span_of(const Model& model, const std::vector<Node>& 
 
 /// Straight way along the nodes to each of them, and of an endless rope back to the first, m; nodes on bodies where the
 /// bodies start.
-std::vector<double> ways(const Model& model, const Reeving& rope) {
+Array<double> ways(const Model& model, const Reeving& rope) {
   const auto place = [&](const Node& n) {
     if (n.at.body == ground) return n.at.at;
-    const Body& body = model.bodies[static_cast<std::size_t>(n.at.body)];
+    const Body& body = model.bodies[n.at.body];
     return Vector3(body.position + body.orientation * n.at.at);
   };
-  std::vector<double> all = {0};
+  Array<double> all = {0};
   const std::size_t count = rope.nodes.size();
   for (std::size_t k = 1; k < (rope.closed ? count + 1 : count); ++k)
     all.push_back(all.back() + (place(rope.nodes[k % count]) - place(rope.nodes[k - 1])).norm());
@@ -58,7 +59,7 @@ Vector3 at_coordinate(const Vector3& from, const Vector3& to, double x, const Ve
 
 /// Finds every carriage's nodes again after a change of a rope's path.
 void find_nodes(Model& model, int reeving) {
-  const auto& nodes = model.reevings[static_cast<std::size_t>(reeving)].nodes;
+  const auto& nodes = model.reevings[reeving].nodes;
   const auto find = [&](int body, bool grip, int& node) {
     for (std::size_t n = nodes.size(); n-- > 0;) {
       if (nodes[n].at.body != body || nodes[n].kind == NodeKind::anchor) continue;
@@ -87,10 +88,10 @@ struct Moved {
 
 /// Moves `count` nodes from `first` on to the span of their rope where x lies.
 Moved move_nodes(Model& model, int reeving, int first, int count, double x, const Vector3& along) {
-  Reeving& rope = model.reevings[static_cast<std::size_t>(reeving)];
-  std::vector<Node> nodes = rope.nodes;
+  Reeving& rope = model.reevings[reeving];
+  Array<Node> nodes = rope.nodes;
   const auto begin = nodes.begin() + first;
-  const std::vector<Node> own(begin, begin + count);
+  const Array<Node> own(begin, begin + count);
   nodes.erase(begin, begin + count);
   const auto before = span_of(model, nodes, rope.closed, x, along, static_cast<std::size_t>(first));
   if (!before) return {};
@@ -106,24 +107,23 @@ Moved move_nodes(Model& model, int reeving, int first, int count, double x, cons
 
 /// A clamp at its share of the way.
 void share_out(Model& model, int reeving, int node) {
-  Reeving& rope = model.reevings[static_cast<std::size_t>(reeving)];
-  Node& clamp = rope.nodes[static_cast<std::size_t>(node)];
+  Reeving& rope = model.reevings[reeving];
+  Node& clamp = rope.nodes[node];
   if (clamp.kind != NodeKind::clamp) return;
-  const std::vector<double> way = ways(model, rope);
+  const Array<double> way = ways(model, rope);
   const double length = rope.given == Given::length ? rope.value : way.back();
-  clamp.length_before = length * way[static_cast<std::size_t>(node)] / way.back();
+  clamp.length_before = length * way[node] / way.back();
 }
 
 }  // namespace
 
 Model with_carriage_at(Model model, int carriage, double x, const Vector3& along) {
-  Carriage& car = model.carriages[static_cast<std::size_t>(carriage)];
+  Carriage& car = model.carriages[carriage];
   const Moved moved = move_nodes(model, car.reeving, car.node, car.rollers, x, along);
   if (!moved.found) return model;
-  Body& body = model.bodies[static_cast<std::size_t>(car.body)];
+  Body& body = model.bodies[car.body];
   turn_along(body, moved.to - moved.from, car.rollers);
-  const Vector3& above =
-      model.reevings[static_cast<std::size_t>(car.reeving)].nodes[static_cast<std::size_t>(car.node)].at.at;
+  const Vector3& above = model.reevings[car.reeving].nodes[car.node].at.at;
   body.position = moved.place - above.z() * body.orientation.col(2);
   if (moved.passes) share_out(model, car.reeving, car.node);
   if (car.grip_reeving >= 0 && move_nodes(model, car.grip_reeving, car.grip_node, 1, x, along).passes)

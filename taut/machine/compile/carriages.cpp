@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/links/motion_links.hpp"
 
 namespace taut::machine {
@@ -17,7 +18,7 @@ void complain(std::vector<Complaint>& complaints, std::string path, std::string 
 
 Vector3 start_of(const Model& model, const Place& place) {
   if (place.body == ground) return place.at;
-  const Body& body = model.bodies[static_cast<std::size_t>(place.body)];
+  const Body& body = model.bodies[place.body];
   return body.position + body.orientation * place.at;
 }
 
@@ -27,7 +28,7 @@ struct Passes {
   int roller = 0, grip = 0;  ///< nodes: the first roller (or clamp), the grip
 };
 
-Passes passes_of(const std::vector<Stop>& stops, int carriage) {
+Passes passes_of(const Array<Stop>& stops, int carriage) {
   Passes passes;
   for (std::size_t n = 0; n < stops.size(); ++n) {
     const Stop& stop = stops[n];
@@ -41,7 +42,7 @@ Passes passes_of(const std::vector<Stop>& stops, int carriage) {
 std::string_view how_often(int times) { return times == 0 ? "past it" : "through it more than once"; }
 
 /// Whether a rope is anchored to the body.
-bool pulls(const std::vector<Stop>& stops, int body) {
+bool pulls(const Array<Stop>& stops, int body) {
   return !stops.empty() && (stops.front().node.at.body == body || stops.back().node.at.body == body);
 }
 
@@ -51,7 +52,7 @@ struct Chord {
   double share = 0;
 };
 
-Chord chord_of(const Model& model, const std::vector<Stop>& stops, const Carriage& car) {
+Chord chord_of(const Model& model, const Array<Stop>& stops, const Carriage& car) {
   const auto node = static_cast<std::size_t>(car.node);
   const std::size_t size = stops.size();
   std::size_t before = node, after = node;
@@ -92,7 +93,7 @@ void turn_along(Body& body, const Vector3& chord, int rollers) {
   }
 }
 
-std::vector<Stop> stops_of(const description::Carriage& car, int index, const Place& place, bool grips) {
+Array<Stop> stops_of(const description::Carriage& car, int index, const Place& place, bool grips) {
   Stop stop;
   stop.carriage = index;
   stop.grip = grips;
@@ -107,7 +108,7 @@ std::vector<Stop> stops_of(const description::Carriage& car, int index, const Pl
   // a carriage without rolling friction has equal tensions on both sides
   stop.node.law = car.friction > 0 ? ContactLaw{car.friction, 0} : ContactLaw{};
   stop.node.support = -up();
-  std::vector<Stop> all;
+  Array<Stop> all;
   for (int i = 0; i < car.rollers; ++i) {
     stop.roller = i;
     // a rope sags away from rollers between the outer ones of a rigid carriage
@@ -134,8 +135,8 @@ void check(const description::Carriage& car, const std::string& path, std::vecto
   if (car.rollers == 1 && car.wheelbase) complain(complaints, path + ".wheelbase", "needs 'rollers: 2' or more");
 }
 
-Carriage carriage_of(const Machine& machine, std::size_t index, const std::vector<Reeving>& reevings,
-                     const std::vector<std::vector<Stop>>& stops, std::vector<Complaint>& complaints) {
+Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reeving>& reevings,
+                     const Array<Array<Stop>>& stops, std::vector<Complaint>& complaints) {
   const description::Carriage& given = machine.carriages[index];
   const std::string path = fmt::format("carriages.{}", given.name);
   const auto reeving = [&](const std::string& name, const char* key) {
@@ -171,10 +172,9 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const std::vecto
     }
   }
   const auto check_end = [&](int rope, const char* key) {
-    if (rope < 0 || pulls(stops[static_cast<std::size_t>(rope)], car.body)) return;
+    if (rope < 0 || pulls(stops[rope], car.body)) return;
     complain(complaints, path + key,
-             fmt::format("the path of '{}' does not end at '{}'", reevings[static_cast<std::size_t>(rope)].name,
-                         given.name));
+             fmt::format("the path of '{}' does not end at '{}'", reevings[rope].name, given.name));
   };
   check_end(car.mainline, ".mainline");
   check_end(car.haulback, ".haulback");
@@ -183,13 +183,13 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const std::vecto
   return car;
 }
 
-void place_carriages(const Machine& machine, const std::vector<std::vector<Stop>>& stops, Model& model) {
+void place_carriages(const Machine& machine, const Array<Array<Stop>>& stops, Model& model) {
   // twice: a carriage may hang between others
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 0; i < machine.carriages.size(); ++i) {
       const Carriage& car = model.carriages[i];
-      const Chord chord = chord_of(model, stops[static_cast<std::size_t>(car.reeving)], car);
-      Body& body = model.bodies[static_cast<std::size_t>(car.body)];
+      const Chord chord = chord_of(model, stops[car.reeving], car);
+      Body& body = model.bodies[car.body];
       turn_along(body, chord.to - chord.from, car.rollers);
       if (machine.carriages[i].at) continue;
       body.position = chord.from + chord.share * (chord.to - chord.from);

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/links/measures.hpp"
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/machine/links/observable.hpp"
@@ -31,7 +32,7 @@ void add_inertia(const description::Body& given, Body& body, const std::string& 
   }
 }
 
-void add_driven(const description::Body& given, Body& body, const std::vector<Signal>& signals, const std::string& path,
+void add_driven(const description::Body& given, Body& body, const Array<Signal>& signals, const std::string& path,
                 Complaints& complaints) {
   const description::BodyMotion& motion = *given.motion;
   struct Way {
@@ -75,7 +76,7 @@ void add_driven(const description::Body& given, Body& body, const std::vector<Si
   }
 }
 
-Drive drive_of(const description::Drum& given, const std::vector<Signal>& signals, Complaints& complaints) {
+Drive drive_of(const description::Drum& given, const Array<Signal>& signals, Complaints& complaints) {
   if (!given.drive) return {};
   const std::string path = fmt::format("drums.{}.drive", given.name);
   const description::Drive& d = *given.drive;
@@ -131,7 +132,7 @@ void add_contacts(const Machine& machine, const Links& links, Model& model, Comp
       contact.body = t->place.body;
       contact.at = t->place.at;
     }
-    if (t != nullptr && contact.face >= 0 && model.faces[static_cast<std::size_t>(contact.face)].body == contact.body) {
+    if (t != nullptr && contact.face >= 0 && model.faces[contact.face].body == contact.body) {
       complaints.push_back({path, fmt::format("'{}' and '{}' are on the same body", given.point, given.face)});
     }
     contact.stiffness = given.stiffness;
@@ -204,7 +205,7 @@ void add_tensioners(const Machine& machine, Model& model, Complaints& complaints
     auto change = signal_or_constant(given.change, si::m, model.signals, path + ".change", complaints);
     if (change) t.change = std::move(*change);
     if (at(t.change, 0).value != 0) complaints.push_back({path + ".change", "begins at 0 m"});
-    if (t.reeving >= 0 && model.reevings[static_cast<std::size_t>(t.reeving)].closed) {
+    if (t.reeving >= 0 && model.reevings[t.reeving].closed) {
       complaints.push_back({path + ".reeving", "an endless rope has no end to pull at; move its take-up"});
     }
     model.tensioners.push_back(std::move(t));
@@ -214,7 +215,7 @@ void add_tensioners(const Machine& machine, Model& model, Complaints& complaints
 }  // namespace
 
 std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std::optional<std::string>& torque,
-                              const std::optional<std::string>& pull, const std::vector<Signal>& signals,
+                              const std::optional<std::string>& pull, const Array<Signal>& signals,
                               const std::string& path, Complaints& complaints) {
   struct Way {
     const char* key;

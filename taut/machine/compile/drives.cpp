@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
 
 namespace taut::machine {
@@ -33,7 +34,7 @@ void add_drum(const description::Drum& given, const RopeData& rope, Reeving& ree
 
 }  // namespace
 
-void finish_drives(const Machine& machine, const std::vector<RopeData>& ropes, Model& model) {
+void finish_drives(const Machine& machine, const Array<RopeData>& ropes, Model& model) {
   for (std::size_t i = 0; i < model.drums.size(); ++i) {
     const description::Drum& given = machine.drums[i];
     Drum& drum = model.drums[i];

@@ -2,6 +2,8 @@
 
 #include <string>
 #include <utility>
+
+#include "taut/base/array.hpp"
 namespace taut::machine {
 namespace {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
 
 namespace taut::machine {
@@ -54,7 +55,7 @@ void set_given(const Machine& machine, const Model& model, const description::Re
     double value;
     const char* words;
   };
-  std::vector<Said> said;
+  Array<Said> said;
   const auto take = [&](const std::optional<double>& value, Given what, const char* words) {
     if (value) said.push_back({what, *value, words});
   };

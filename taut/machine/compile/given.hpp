@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/links/rope_of.hpp"

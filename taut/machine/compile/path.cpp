@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/carriages.hpp"
 #include "taut/machine/compile/drums.hpp"
 
@@ -74,7 +75,7 @@ class PathReader {
     if (own != nullptr) stops.push_back(round_stop(machine_, *own, e.side));
   }
 
-  void add(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+  void add(const Array<PathElement>& path, std::size_t i, const std::string& at) {
     const PathElement& e = path[i];
     const bool is_end = i == 0 || i + 1 == path.size();
     if (e.anchor || e.drum) {
@@ -92,7 +93,7 @@ class PathReader {
     if (!e.between.empty() && (!e.over || e.parts == 1)) complain(at + ".between", "belongs to 'over' with 'parts'");
   }
 
-  std::vector<Stop> stops;
+  Array<Stop> stops;
 
  private:
   void complain(const std::string& path, std::string message) { complaints_.push_back({path, std::move(message)}); }
@@ -139,7 +140,7 @@ class PathReader {
   }
 
   /// The other sheave of a tackle.
-  std::optional<std::string> partner(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+  std::optional<std::string> partner(const Array<PathElement>& path, std::size_t i, const std::string& at) {
     const PathElement& e = path[i];
     if (e.between.empty()) {
       if (path[i - 1].over) return path[i - 1].over;
@@ -155,7 +156,7 @@ class PathReader {
     return std::nullopt;
   }
 
-  void over(const std::vector<PathElement>& path, std::size_t i, const std::string& at) {
+  void over(const Array<PathElement>& path, std::size_t i, const std::string& at) {
     const PathElement& e = path[i];
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
     if (own == nullptr) return;
@@ -236,7 +237,7 @@ Bend bend_of(const Stop& stop, const Stop& from, const Stop& to, const Vector3& 
 /// The sides that no bend says. `open`: which.
 class OpenSides {
  public:
-  OpenSides(std::vector<Stop>& stops, std::vector<Bend> bends, std::vector<bool> open)
+  OpenSides(Array<Stop>& stops, Array<Bend> bends, Array<bool> open)
       : stops_(stops), bends_(std::move(bends)), open_(std::move(open)) {}
 
   void set() {
@@ -275,13 +276,13 @@ class OpenSides {
     open_[i] = false;
   }
 
-  std::vector<Stop>& stops_;
-  std::vector<Bend> bends_;
-  std::vector<bool> open_;
+  Array<Stop>& stops_;
+  Array<Bend> bends_;
+  Array<bool> open_;
 };
 
 /// Turns an endless path so that its drive comes first.
-void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vector<Complaint>& complaints) {
+void begin_at_drive(Array<Stop>& stops, const std::string& path, std::vector<Complaint>& complaints) {
   const auto is_drive = [](const Stop& stop) { return stop.drives; };
   const auto drives = std::count_if(stops.begin(), stops.end(), is_drive);
   if (drives != 1) {
@@ -295,8 +296,8 @@ void begin_at_drive(std::vector<Stop>& stops, const std::string& path, std::vect
 
 }  // namespace
 
-std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                           const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
+Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
+                     const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
   PathReader reader(machine, links, reeving.name.value_or(reeving.rope), rope, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   for (std::size_t i = 0; i < reeving.path.size(); ++i) {
@@ -307,9 +308,9 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
   return std::move(reader.stops);
 }
 
-void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed) {
-  std::vector<Bend> bends(stops.size());
-  std::vector<bool> open(stops.size(), false);
+void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {
+  Array<Bend> bends(stops.size());
+  Array<bool> open(stops.size(), false);
   const auto last = stops.size() - 1;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     Node& node = stops[i].node;

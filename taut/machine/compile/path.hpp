@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/links/rope_of.hpp"
 
@@ -22,8 +23,8 @@ struct Stop {
 /// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
 /// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
 /// the first part. Sides are not set. `rope`: lies on a drum half a diameter above the core.
-std::vector<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                           const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
+Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
+                     const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
 
 /// Sets the side of every round. As the deck says; else a saddle carries the rope on its upper side, a sheave lies on
 /// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside
@@ -32,6 +33,6 @@ std::vector<Stop> stops_of(const Machine& machine, const Links& links, const des
 /// one to which it is fixed); without one the bend decides, however small; without a bend the branch that arrives is
 /// the upper one. All that does not depend on the axis' sense, and but for the last not on the path's.
 /// `places`: of the stops, in the ground frame.
-void set_sides(std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed);
+void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed);
 
 }  // namespace taut::machine

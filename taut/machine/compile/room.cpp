@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "taut/base/array.hpp"
+
 namespace taut::machine {
 namespace {
 
@@ -22,7 +24,7 @@ class Pairs {
 };
 
 const Body* body_under(const Model& model, const Node& node) {
-  return node.at.body == ground ? nullptr : &model.bodies[static_cast<std::size_t>(node.at.body)];
+  return node.at.body == ground ? nullptr : &model.bodies[node.at.body];
 }
 
 bool rests(const Body* body) { return body == nullptr || (body->free.empty() && body->driven.empty()); }
@@ -75,8 +77,8 @@ std::string no_room(const Model& model, const Node& from, const Node& to) {
 
 }  // namespace
 
-bool check_apart(const std::vector<Stop>& stops, const std::vector<Vector3>& places, bool closed,
-                 const std::string& path, std::vector<Complaint>& complaints) {
+bool check_apart(const Array<Stop>& stops, const Array<Vector3>& places, bool closed, const std::string& path,
+                 std::vector<Complaint>& complaints) {
   Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < places.size(); ++k) {
     const std::size_t before = k == 0 ? places.size() - 1 : k - 1;
@@ -87,7 +89,7 @@ bool check_apart(const std::vector<Stop>& stops, const std::vector<Vector3>& pla
   return reported.empty();
 }
 
-void check_room(const Model& model, const std::vector<Stop>& stops, bool closed, const std::string& path,
+void check_room(const Model& model, const Array<Stop>& stops, bool closed, const std::string& path,
                 std::vector<Complaint>& complaints) {
   Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < stops.size(); ++k) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/links/signals_of.hpp"
 #include "taut/rope/tangent.hpp"
@@ -45,7 +46,7 @@ RopeLoad load_of(const GivenLoad& given, bool reversed) {
   return load;
 }
 
-std::vector<RopeLoad> loads_of(const GivenLoad& given, bool reversed) {
+Array<RopeLoad> loads_of(const GivenLoad& given, bool reversed) {
   RopeLoad load = load_of(given, reversed);
   if (!given.rate) return {load};
   double from = given.from.value_or(0), to = given.to.value_or(1);
@@ -54,7 +55,7 @@ std::vector<RopeLoad> loads_of(const GivenLoad& given, bool reversed) {
   if (reversed) std::tie(from, to) = std::pair(1 - to, 1 - from);
   load.rate = *given.rate;
   load.part = (to - from) / n;
-  std::vector<RopeLoad> all;
+  Array<RopeLoad> all;
   for (int i = 0; i < n; ++i) {
     load.share = from + (i + 0.5) * load.part;
     all.push_back(load);
@@ -63,9 +64,8 @@ std::vector<RopeLoad> loads_of(const GivenLoad& given, bool reversed) {
 }
 
 rope::Round round_of(const Model& model, const Node& node) {
-  const Vector3 centre = node.at.body == ground
-                             ? node.at.at
-                             : Vector3(model.bodies[static_cast<std::size_t>(node.at.body)].position + node.at.at);
+  const Vector3 centre =
+      node.at.body == ground ? node.at.at : Vector3(model.bodies[node.at.body].position + node.at.at);
   return node.radius == 0 ? rope::point(centre) : rope::sheave(centre, node.axis, node.radius, node.side);
 }
 
@@ -82,17 +82,17 @@ struct Span {
   bool reversed = false;
 };
 
-std::vector<std::size_t> stops_of(const Reeving& reeving) {
-  std::vector<std::size_t> stops;
+Array<std::size_t> stops_of(const Reeving& reeving) {
+  Array<std::size_t> stops;
   for (std::size_t n = 0; n < reeving.nodes.size(); ++n) {
     if (reeving.nodes[n].kind != NodeKind::load) stops.push_back(n);
   }
   return stops;
 }
 
-std::vector<Span> spans_between(const Reeving& reeving, const std::string& first, const std::string& second) {
-  const std::vector<std::size_t> stops = stops_of(reeving);
-  std::vector<Span> along, against;
+Array<Span> spans_between(const Reeving& reeving, const std::string& first, const std::string& second) {
+  const Array<std::size_t> stops = stops_of(reeving);
+  Array<Span> along, against;
   const std::size_t count = reeving.closed ? stops.size() : stops.size() - 1;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t a = stops[k], b = stops[(k + 1) % stops.size()];
@@ -132,7 +132,7 @@ class Adder {
     }
     const auto reeving = static_cast<std::size_t>(at - model_.reevings.begin());
     check_motor(given, model_.reevings[reeving], path);
-    std::vector<RopeLoad> loads = loads_of(given, spans[0].reversed);
+    Array<RopeLoad> loads = loads_of(given, spans[0].reversed);
     add_signal(given, loads, path);
     const std::string name = unused(given.name.value_or(given.rope + ".load"));
     for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -143,7 +143,7 @@ class Adder {
   }
 
  private:
-  void add_signal(const GivenLoad& given, std::vector<RopeLoad>& loads, const std::string& path) {
+  void add_signal(const GivenLoad& given, Array<RopeLoad>& loads, const std::string& path) {
     if (!given.signal) return;
     if (!given.tangential && !given.rate) {
       complaints_.push_back({path + ".signal", "needs 'tangential' or 'rate' beside it, for what is at rest"});
@@ -218,7 +218,7 @@ class Adder {
   const Machine& machine_;
   Model& model_;
   std::vector<Complaint>& complaints_;
-  std::vector<Signal> signals_;
+  Array<Signal> signals_;
 };
 
 void check_amounts(const GivenLoad& given, const std::string& path, std::vector<Complaint>& complaints) {

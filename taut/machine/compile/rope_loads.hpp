@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "taut/base/array.hpp"
+
 namespace taut::machine {
 namespace {
 
@@ -104,7 +106,7 @@ class TerrainBuilder {
 
   void add_survey() {
     const Vector3& along = model_.terrain_along;
-    std::vector<Surveyed> rows;
+    Array<Surveyed> rows;
     for (std::size_t i = 0; i < given_.x.size(); ++i) {
       const Vector3 place = Vector3(given_.x[i], given_.y[i], 0) - model_.terrain_from;
       rows.push_back({static_cast<int>(i) + 1, along.dot(place), given_.z[i],

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"

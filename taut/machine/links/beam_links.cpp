@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/links/links.hpp"
 
@@ -52,7 +53,7 @@ BeamPlans::BeamPlans(const Machine& machine, int first_body, std::vector<Complai
   }
   // a beam on another one waits until that one is placed
   bool goes_on = true;
-  std::vector<std::size_t> order;
+  Array<std::size_t> order;
   while (goes_on) {
     goes_on = false;
     for (std::size_t i = 0; i < plans_.size(); ++i) {
@@ -110,7 +111,7 @@ std::optional<Vector3> BeamPlans::ground_of(const Spot& spot) const {
     if (spot.body == ground) return spot.at;
     return Vector3(vector_of(machine_.bodies[static_cast<std::size_t>(spot.body)].at) + spot.at);
   }
-  const Plan& plan = plans_[static_cast<std::size_t>(spot.beam)];
+  const Plan& plan = plans_[spot.beam];
   if (!plan.placed) return std::nullopt;
   return Vector3(plan.start + spot.at + (spot.top ? plan.way : Vector3(Vector3::Zero())));
 }
@@ -194,7 +195,7 @@ void BeamPlans::add_stations(const Machine& machine) {
 void BeamPlans::add_station(const std::string& body, const Vector3& at) {
   const Spot spot = spot_on(body, at);
   if (spot.beam < 0 || spot.top) return;
-  Plan& plan = plans_[static_cast<std::size_t>(spot.beam)];
+  Plan& plan = plans_[spot.beam];
   if (plan.valid) plan.beam.stations.push_back(at.dot(plan.way) / plan.way.squaredNorm());
 }
 
@@ -204,7 +205,7 @@ Place BeamPlans::place(const std::string& body, const Vector3& at) const { retur
 
 Place BeamPlans::place_of(const Spot& spot) const {
   if (spot.beam < 0) return {spot.body, spot.at};
-  const Plan& plan = plans_[static_cast<std::size_t>(spot.beam)];
+  const Plan& plan = plans_[spot.beam];
   if (!plan.valid) return {};
   const Vector3 at = spot.top ? Vector3(plan.way + spot.at) : spot.at;
   const double share = spot.top ? 1 : at.dot(plan.way) / plan.way.squaredNorm();
@@ -230,8 +231,8 @@ bool BeamPlans::hold(int body) const {
                      [&](const StraightBeam& beam) { return beam.from.body == body || beam.to.body == body; });
 }
 
-std::vector<std::pair<std::string, int>> BeamPlans::tops() const {
-  std::vector<std::pair<std::string, int>> all;
+Array<std::pair<std::string, int>> BeamPlans::tops() const {
+  Array<std::pair<std::string, int>> all;
   for (const Plan& plan : plans_) {
     if (!plan.valid || plan.beam.top != BeamTop::free) continue;
     all.emplace_back(plan.beam.name + std::string(top_ending),

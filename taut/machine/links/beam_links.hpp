@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/beam_build.hpp"
 #include "taut/machine/description/machine.hpp"
 
@@ -16,7 +17,7 @@ class BeamPlans {
   BeamPlans(const Machine& machine, int first_body, std::vector<Complaint>& complaints);
 
   /// Ready for add_beam one after the other: a beam after the one that it stands on.
-  const std::vector<StraightBeam>& in_order() const { return built_; }
+  const Array<StraightBeam>& in_order() const { return built_; }
 
   /// Whether a deck may name this in the place of a body: a beam, or a free top "NAME.top".
   bool knows(const std::string& body) const;
@@ -30,7 +31,7 @@ class BeamPlans {
   bool hold(int body) const;
 
   /// The free tops: name and number of the body.
-  std::vector<std::pair<std::string, int>> tops() const;
+  Array<std::pair<std::string, int>> tops() const;
 
  private:
   /// A named place: on a rigid body (or the ground), or on a beam.
@@ -59,8 +60,8 @@ class BeamPlans {
   Place place_of(const Spot& spot) const;
 
   const Machine& machine_;
-  std::vector<Plan> plans_;
-  std::vector<StraightBeam> built_;
+  Array<Plan> plans_;
+  Array<StraightBeam> built_;
 };
 
 /// The section of a beam, from the catalogue or by figures, its own weight included; complaints at "beams.NAME".

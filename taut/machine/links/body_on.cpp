@@ -4,17 +4,18 @@
 
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 
 namespace taut::machine {
 namespace {
 
 /// The body that each one is on; -1: on none, or on one that can't be.
-std::vector<int> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
+Array<int> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
   names.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) names.push_back(body.name);
-  std::vector<int> parents(names.size(), -1);
+  Array<int> parents(names.size(), -1);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto& given = machine.bodies[i];
     if (!given.on) continue;
@@ -39,14 +40,13 @@ std::vector<int> parents_of(const Machine& machine, std::vector<Complaint>& comp
 }  // namespace
 
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
-  const std::vector<int> parents = parents_of(machine, complaints);
+  const Array<int> parents = parents_of(machine, complaints);
   enum class Now { open, under_way, done };
-  std::vector<Now> now(parents.size(), Now::open);
+  Array<Now> now(parents.size(), Now::open);
   for (std::size_t first = 0; first < parents.size(); ++first) {
     // up to a body that stands, then down again
-    std::vector<std::size_t> chain;
-    for (int i = static_cast<int>(first); i >= 0 && now[static_cast<std::size_t>(i)] != Now::done;
-         i = parents[static_cast<std::size_t>(i)]) {
+    Array<std::size_t> chain;
+    for (int i = static_cast<int>(first); i >= 0 && now[i] != Now::done; i = parents[i]) {
       const auto k = static_cast<std::size_t>(i);
       if (now[k] == Now::under_way) {
         complaints.push_back(
@@ -60,7 +60,7 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
     for (const std::size_t i : chain) {
       now[i] = Now::done;
       if (parents[i] < 0) continue;
-      const Body& under = model.bodies[static_cast<std::size_t>(parents[i])];
+      const Body& under = model.bodies[parents[i]];
       Body& body = model.bodies[i];
       body.position = under.position + under.orientation * body.position;
       body.orientation = under.orientation;

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"

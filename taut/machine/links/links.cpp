@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/compile/carriages.hpp"
 
@@ -26,7 +27,7 @@ std::string_view words(Thing thing) {
   return "";
 }
 
-bool among(const std::vector<Thing>& kinds, Thing thing) {
+bool among(const Array<Thing>& kinds, Thing thing) {
   return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
 }
 
@@ -90,14 +91,14 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
   for (const auto& [name, body] : beams_.tops()) all_.push_back({Thing::body, name, body, {body, Vector3::Zero()}});
 }
 
-const Target* Links::find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
+const Target* Links::find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
                           std::vector<Complaint>& complaints) const {
   for (const Thing kind : kinds) {
     const auto at =
         std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.thing == kind && t.name == name; });
     if (at != all_.end()) return &*at;
   }
-  std::vector<std::string_view> wanted;
+  Array<std::string_view> wanted;
   wanted.reserve(kinds.size());
   for (const Thing kind : kinds) wanted.push_back(words(kind));
   const std::string kinds_text = fmt::format("{}", fmt::join(wanted, ", "));

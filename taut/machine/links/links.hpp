@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/links/beam_links.hpp"
 #include "taut/machine/model.hpp"
@@ -27,14 +28,14 @@ class Links {
 
   /// The thing of that name, of the first of these kinds that has it; nullptr, with a complaint at `path` that says
   /// what else it is or what may be meant, when there is none.
-  const Target* find(const std::string& name, const std::vector<Thing>& kinds, const std::string& path,
+  const Target* find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
                      std::vector<Complaint>& complaints) const;
 
   const BeamPlans& beams() const { return beams_; }
 
  private:
   BeamPlans beams_;
-  std::vector<Target> all_;
+  Array<Target> all_;
 };
 
 /// A vector of a deck.

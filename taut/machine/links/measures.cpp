@@ -149,7 +149,7 @@ void observe_measures(Model& model) {
       measure.slot = static_cast<int>(model.observed.size());
       model.observed.push_back(measure);
     }
-    model.observed[static_cast<std::size_t>(measure.slot)].slot = measure.slot;
+    model.observed[measure.slot].slot = measure.slot;
   }
   // a mean may be taken by another measure
   for (Observable& of : model.mean_windows) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/links/links.hpp"
@@ -35,7 +36,7 @@ int named(const All& all, const std::string& name, const char* what, const std::
 
 /// What drives something, from the three keys of which it has one; none: empty.
 std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std::optional<std::string>& torque,
-                              const std::optional<std::string>& pull, const std::vector<Signal>& signals,
+                              const std::optional<std::string>& pull, const Array<Signal>& signals,
                               const std::string& path, Complaints& complaints);
 
 /// What happens, and when. `model`: everything but its events.

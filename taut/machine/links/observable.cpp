@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/units/parse.hpp"
 
@@ -17,7 +18,7 @@ struct Named {
   Quantity quantity;
   Unit unit;
 };
-using ObservableNames = std::vector<Named>;
+using ObservableNames = Array<Named>;
 
 const ObservableNames of_place = {{"x", Quantity::x, si::m},         {"y", Quantity::y, si::m},
                                   {"z", Quantity::z, si::m},         {"vx", Quantity::vx, si::m_per_s},
@@ -122,13 +123,12 @@ class Resolver {
 
   std::optional<Observable> measure() {
     const int i = index_of(model_.measures, text_);
-    return i < 0 ? std::nullopt : std::optional(model_.measures[static_cast<std::size_t>(i)]);
+    return i < 0 ? std::nullopt : std::optional(model_.measures[i]);
   }
   std::optional<Observable> signal() {
     const int i = index_of(model_.signals, text_);
     if (i < 0) return std::nullopt;
-    return Observable{text_, Quantity::signal, model_.signals[static_cast<std::size_t>(i)].unit, i,
-                      -1,    Vector3::Zero()};
+    return Observable{text_, Quantity::signal, model_.signals[i].unit, i, -1, Vector3::Zero()};
   }
   std::optional<Observable> energy() {
     return path_.name == "energy" && !path_.number ? make(of_energy, -1) : std::nullopt;
@@ -143,7 +143,7 @@ class Resolver {
     const int i = index_of(model_.reevings, path_.name);
     if (i < 0) return std::nullopt;
     if (!path_.number) return make(of_rope, i);
-    const int branches = branch_count(model_.reevings[static_cast<std::size_t>(i)]);
+    const int branches = branch_count(model_.reevings[i]);
     if (*path_.number >= 1 && *path_.number <= branches) return make(of_branch, i, *path_.number - 1);
     reason = fmt::format("'{}' has the branches 1 to {} along its path", path_.name, branches);
     return std::nullopt;
@@ -238,8 +238,8 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
   return Condition{*of, text[sign] == '>', *threshold};
 }
 
-std::vector<Observable> usual_observables(const Model& model) {
-  std::vector<Observable> all;
+Array<Observable> usual_observables(const Model& model) {
+  Array<Observable> all;
   const auto add = [&](const std::string& of, const ObservableNames& names, const char* name, std::size_t index,
                        int part = -1) {
     const Named* named = find(names, name);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
@@ -22,6 +23,6 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 /// What is worth writing down when the deck names nothing: tensions at both ends and the largest of each rope, place of
 /// each free body along its ways, speed of each drum and motor, normal and friction force of each contact, force of
 /// each actuator.
-std::vector<Observable> usual_observables(const Model& model);
+Array<Observable> usual_observables(const Model& model);
 
 }  // namespace taut::machine

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/catalogue/rope_search.hpp"
 
 namespace taut::machine {
@@ -56,8 +57,8 @@ std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::R
   return row ? catalogue::stiffness_of(*row) : std::nullopt;
 }
 
-std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints) {
-  std::vector<RopeData> all;
+Array<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints) {
+  Array<RopeData> all;
   all.reserve(machine.ropes.size());
   for (const auto& given : machine.ropes) all.push_back(rope_of(given, machine.temperature, complaints));
   return all;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/catalogue/modulus.hpp"
 #include "taut/machine/description/machine.hpp"
 
@@ -23,6 +24,6 @@ struct RopeData {
 std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::Rope& rope);
 
 /// Complains at "ropes.NAME" of a rope that the catalogue lacks, or whose mass or stiffness nobody says.
-std::vector<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints);
+Array<RopeData> ropes_of(const Machine& machine, std::vector<Complaint>& complaints);
 
 }  // namespace taut::machine

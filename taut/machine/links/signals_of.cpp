@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/units/any_quantity.hpp"
 
@@ -52,7 +53,7 @@ Moves ramp_of(const description::Ramp& given, Values& values) {
   return law;
 }
 
-Moves sequence_of(const std::vector<description::Move>& given, Values& values) {
+Moves sequence_of(const Array<description::Move>& given, Values& values) {
   Moves law;
   double free_from = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
@@ -119,14 +120,14 @@ bool looks_like_quantity(const std::string& text) {
   return first != std::string::npos && std::isdigit(static_cast<unsigned char>(text[first])) != 0;
 }
 
-std::vector<Signal> signals_of(const Machine& machine, std::vector<Complaint>& complaints) {
-  std::vector<Signal> all;
+Array<Signal> signals_of(const Machine& machine, std::vector<Complaint>& complaints) {
+  Array<Signal> all;
   all.reserve(machine.signals.size());
   for (const auto& given : machine.signals) all.push_back(signal_of(given, complaints));
   return all;
 }
 
-std::optional<Signal> signal_or_constant(const std::string& text, const Unit& unit, const std::vector<Signal>& signals,
+std::optional<Signal> signal_or_constant(const std::string& text, const Unit& unit, const Array<Signal>& signals,
                                          const std::string& path, std::vector<Complaint>& complaints) {
   const auto named = std::find_if(signals.begin(), signals.end(), [&](const Signal& s) { return s.name == text; });
   if (named != signals.end()) {

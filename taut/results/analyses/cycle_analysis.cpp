@@ -7,7 +7,6 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/rope/rope_sense.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/missing.hpp"
 #include "taut/study/carriage_way.hpp"
@@ -58,15 +57,15 @@ double passed(const solve::EquilibriumResult& e, const machine::Model& m, int re
   double length = 0;
   for (const auto& s : e.spans) {
     if (s.reeving != reeving) continue;
-    const machine::Reeving& rope = m.reevings[at(reeving)];
+    const machine::Reeving& rope = m.reevings[reeving];
     length += s.unstretched * (1 + rope.thermal_strain);
-    if (rope.nodes[at(s.to)].kind == machine::NodeKind::clamp) return length;
+    if (rope.nodes[s.to].kind == machine::NodeKind::clamp) return length;
   }
   return 0;
 }
 
 Pull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, const checks::Winch& w) {
-  const machine::Reeving& rope = m.reevings[at(w.reeving)];
+  const machine::Reeving& rope = m.reevings[w.reeving];
   if (w.drive) {
     const auto drive = std::find_if(e.contacts.begin(), e.contacts.end(),
                                     [&](const auto& c) { return c.reeving == w.reeving && c.node == 0; });
@@ -76,7 +75,7 @@ Pull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, const c
   const auto own = [&](const auto& s) { return s.reeving == w.reeving; };
   const double T = w.at_end ? std::find_if(e.spans.rbegin(), e.spans.rend(), own)->T_to
                             : std::find_if(e.spans.begin(), e.spans.end(), own)->T_from;
-  return {T, e.ropes[at(w.reeving)].unstretched * (1 + rope.thermal_strain)};
+  return {T, e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
 }
 
 /// A part of the way with the carriage in one span, solved; without points where it is on a support.
@@ -91,7 +90,7 @@ struct Stretch {
 std::vector<Stretch> stretches_of(const MachineRun& machine, const CycleRun& run, const Phase& phase,
                                   const std::vector<study::MotionRequest>& motion, study::Watch& watch) {
   machine::Model loaded = machine.model;
-  loaded.bodies[at(loaded.carriages[at(run.carriage)].body)].mass += phase.request.load;
+  loaded.bodies[loaded.carriages[run.carriage].body].mass += phase.request.load;
   std::vector<Stretch> all;
   for (const study::WayPart& part : study::parts_of(loaded, phase.way)) {
     if (watch.ended()) break;
@@ -210,7 +209,7 @@ std::vector<CyclePosition> positions_of(const MachineRun& machine, const CycleRu
 Work work_of(const machine::Model& m, const CycleRun& run, std::size_t winch, const CyclePosition* turn,
              const std::vector<CyclePosition>& all, double speed) {
   const checks::Winch& w = run.winches[winch];
-  const double EA = m.reevings[at(w.reeving)].stiffness;
+  const double EA = m.reevings[w.reeving].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   Work work;
   const CyclePosition* before = turn;

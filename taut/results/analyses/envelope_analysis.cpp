@@ -12,7 +12,6 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/rope/rope_sense.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/missing.hpp"
@@ -96,7 +95,7 @@ void add_force(Envelope& envelope, const std::string& name, const Vector3& force
 
 void add_ropes(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   for (const auto& s : e.spans) {
-    const machine::Reeving& rope = m.reevings[at(s.reeving)];
+    const machine::Reeving& rope = m.reevings[s.reeving];
     envelope.add(rope.name, "tension", si::N, std::min(s.T_from, s.T_to), where);
     envelope.add(rope.name, "tension", si::N, std::max(s.T_from, s.T_to), where);
   }
@@ -108,8 +107,8 @@ void add_ropes(Envelope& envelope, const machine::Model& m, const solve::Equilib
 /// What each rope does to what holds its ends, all copies.
 void add_anchors(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   const auto add = [&](const solve::SpanResult& s, int n, const Vector3& force) {
-    const machine::Reeving& rope = m.reevings[at(s.reeving)];
-    const machine::Node& node = rope.nodes[at(n)];
+    const machine::Reeving& rope = m.reevings[s.reeving];
+    const machine::Node& node = rope.nodes[n];
     if (node.kind != machine::NodeKind::anchor) return;
     add_force(envelope, fmt::format("{} on {}", rope.name, node.name), rope.copies * force, where);
   };
@@ -122,8 +121,8 @@ void add_anchors(Envelope& envelope, const machine::Model& m, const solve::Equil
 void add_contacts(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e, const Where& where) {
   std::unordered_map<std::string, int> turns;  // a tackle's block has several
   for (const auto& c : e.contacts) {
-    const machine::Reeving& rope = m.reevings[at(c.reeving)];
-    std::string name = fmt::format("{} on {}", rope.name, rope.nodes[at(c.node)].name);
+    const machine::Reeving& rope = m.reevings[c.reeving];
+    std::string name = fmt::format("{} on {}", rope.name, rope.nodes[c.node].name);
     if (const int turn = ++turns[name]; turn > 1) name += fmt::format("[{}]", turn);
     envelope.add(name, "T_in", si::N, c.T_in, where);
     envelope.add(name, "T_out", si::N, c.T_out, where);
@@ -156,7 +155,7 @@ class Combination {
   void solve(const Where& where) {
     machine::Model model = machine_.model;
     if (!std::isnan(where.temperature)) study::set_temperature(model, *run_.machine, where.temperature);
-    if (!std::isnan(where.load)) model.bodies[at(run_.load_body)].mass += where.load;
+    if (!std::isnan(where.load)) model.bodies[run_.load_body].mass += where.load;
     const std::vector<study::MotionRequest> motion = {{{}, where.motion}};
     if (run_.carriage < 0) {
       if (!watch_.go_on(words_of(motion))) return;
@@ -184,7 +183,7 @@ class Combination {
         take(part.model, point.at, there, words);
         if (point.at.outcome.ok()) {
           keep("carriage in the ground", -point.clearance, whole_words(words, there), part.model, point.at);
-          envelope_.add(machine_.model.carriages[at(run_.carriage)].name, "clearance", si::m, point.clearance, there);
+          envelope_.add(machine_.model.carriages[run_.carriage].name, "clearance", si::m, point.clearance, there);
         }
       }
     }
@@ -342,7 +341,7 @@ void resolve_loads(const study::EnvelopeRequest& request, const std::string& pat
                                                              did_you_mean(*request.load_at, names))});
     }
   } else if (run.carriage >= 0) {
-    run.load_body = p.model.carriages[at(run.carriage)].body;
+    run.load_body = p.model.carriages[run.carriage].body;
   } else if (!request.loads.empty()) {
     p.complaints.push_back({path + ".loads", "say where: 'load_at' a body, or a 'carriage'"});
   }

@@ -6,7 +6,6 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/missing.hpp"
 #include "taut/study/installation.hpp"
@@ -35,7 +34,7 @@ struct Row {
 /// The free span with the longest chord: sags refer to it when the deck names none.
 int longest_span(const study::EmptyLine& line) {
   const machine::State state = machine::initial_state(line.model);
-  const auto& nodes = line.model.reevings[at(line.reeving)].nodes;
+  const auto& nodes = line.model.reevings[line.reeving].nodes;
   int longest = 0;
   double most = -1;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
@@ -62,7 +61,7 @@ solve::Condition own_condition(const machine::Reeving& rope) {
 }
 
 solve::Condition condition_of(const InstallationRun& run, const study::EmptyLine& line) {
-  if (!run.given) return own_condition(line.model.reevings[at(line.reeving)]);
+  if (!run.given) return own_condition(line.model.reevings[line.reeving]);
   const study::InstallationGivenRequest& g = *run.given;
   if (g.tension) return {g.at == study::RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
   if (g.length) return {Kind::length, 0, *g.length, 0};
@@ -128,8 +127,8 @@ Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const s
   for (const auto& s : result.spans) {
     if (s.reeving != index) continue;
     t.columns.push_back({fmt::format("sag_{}", ++n), si::m});
-    spans += fmt::format("{}{}: {} to {}", n == 1 ? "" : ", ", n, reeving->nodes[at(s.from)].name,
-                         reeving->nodes[at(s.to)].name);
+    spans +=
+        fmt::format("{}{}: {} to {}", n == 1 ? "" : ", ", n, reeving->nodes[s.from].name, reeving->nodes[s.to].name);
   }
   t.title = fmt::format(
       "Installation of {}, empty; lengths: at the reference temperature, as cut at this one, under "
@@ -290,14 +289,14 @@ Analysis prepare_installation(const study::InstallationRequest& request, const s
   if (run->reeving < 0) return {};
   const study::EmptyLine line = study::empty_line(p.model, run->reeving);
   if (!line.outcome.ok()) p.complaints.push_back({path + ".reeving", line.outcome.message});
-  if (p.model.reevings[at(run->reeving)].closed && request.given && !request.given->length) {
+  if (p.model.reevings[run->reeving].closed && request.given && !request.given->length) {
     p.complaints.push_back({path + ".given", "an endless rope is given by its 'length'"});
   }
-  if (p.model.reevings[at(run->reeving)].given == machine::Given::torque && !request.given) {
+  if (p.model.reevings[run->reeving].given == machine::Given::torque && !request.given) {
     p.complaints.push_back({path, "the rope is given by a torque: say what is given when it is put up"});
   }
   if (request.given && request.given->span) {
-    const auto spans = line.model.reevings[at(line.reeving)].nodes.size() - 1;
+    const auto spans = line.model.reevings[line.reeving].nodes.size() - 1;
     if (!request.given->sag) p.complaints.push_back({path + ".given.span", "belongs to a 'sag'"});
     if (line.outcome.ok() && static_cast<std::size_t>(*request.given->span) > spans) {
       p.complaints.push_back({path + ".given.span", fmt::format("the empty rope has {} free spans", spans)});

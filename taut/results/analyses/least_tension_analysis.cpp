@@ -5,7 +5,6 @@
 
 #include "taut/checks/checked_parts.hpp"
 #include "taut/machine/compile.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/study/least_tension.hpp"
 
@@ -17,7 +16,7 @@ struct LeastTensionRun {
   std::string words;
   std::vector<int> chosen;
   double tension = 0;
-  std::vector<std::string> cases;  ///< their names; the first: as put up
+  Array<std::string> cases;  ///< their names; the first: as put up
   std::vector<machine::Model> models;
   std::size_t guys_from = 0;  ///< reevings from there on are guys
 };
@@ -57,8 +56,8 @@ Table least_tension_table(const LeastTensionRun& run, const study::LeastTensionR
       {"rope", si::one}, {"unstretched", si::m}, {"taken_out", si::m}, {"T_least", si::N}, {"governed_by", si::one}};
   for (const std::string& name : run.cases) t.columns.push_back({"T_min, " + name, si::N});
   for (const study::LeastTension& one : result.ropes) {
-    std::vector<Cell> row = {result.models.front().reevings[at(one.reeving)].name, one.unstretched, one.taken_out,
-                             one.T_least, run.cases[at(one.governing)]};
+    std::vector<Cell> row = {result.models.front().reevings[one.reeving].name, one.unstretched, one.taken_out,
+                             one.T_least, run.cases[one.governing]};
     for (const double T : one.T_min) row.emplace_back(T);
     t.rows.push_back(std::move(row));
   }
@@ -69,7 +68,7 @@ void add_least_tension(const LeastTensionRun& run, const study::LeastTensionResu
                        Result& r) {
   r.tables.push_back(least_tension_table(run, result));
   for (const study::LeastTension& one : result.ropes) {
-    const std::string& name = result.models.front().reevings[at(one.reeving)].name;
+    const std::string& name = result.models.front().reevings[one.reeving].name;
     const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
       const std::string full = fmt::format("{}.pretension_{}{}", name, what, run.ending);
       r.values.push_back({full, value, unit, full, fmt::format("{} of {} ({})", words, name, run.words), {}});
@@ -99,7 +98,7 @@ Analysis prepare_least_tension(const study::PretensionRequest& request, const st
   for (std::size_t i = 0; i < request.least->ropes.size(); ++i) {
     const std::string its = fmt::format("{}.ropes[{}]", here, i);
     const int rope = reeving_of(p, request.least->ropes[i], its);
-    if (rope >= 0 && p.model.reevings[at(rope)].closed) {
+    if (rope >= 0 && p.model.reevings[rope].closed) {
       p.complaints.push_back({its, "an endless rope is tightened by its 'take_up'"});
     }
     if (std::find(run->chosen.begin(), run->chosen.end(), rope) != run->chosen.end()) {

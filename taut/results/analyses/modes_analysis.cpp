@@ -62,8 +62,7 @@ void add_modes_table(const ModesRun& run, Result& r) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       const solve::Mode& mode = set.modes[i];
       const double period = mode.frequency > 0 ? 1 / mode.frequency : std::nan("");
-      const std::string who =
-          mode.largest >= 0 ? run.model.bodies[static_cast<std::size_t>(mode.largest)].name : "ropes";
+      const std::string who = mode.largest >= 0 ? run.model.bodies[mode.largest].name : "ropes";
       t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), mode.frequency, period, mode.damped,
                         mode.kind == solve::ModeKind::free ? std::nan("") : mode.damping, mode_kind_words(mode.kind),
                         who});
@@ -161,7 +160,7 @@ Drawing mode_drawing(const ModesRun& run, const solve::ModeSet& set, std::size_t
     for (const machine::Reeving& rope : run.model.reevings) {
       for (const machine::Node& node : rope.nodes) {
         if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
-        const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
+        const auto& body = frame.bodies[node.at.body];
         d.shapes.emplace_back(
             Polyline{{point(body.position), point(body.position + body.orientation * node.at.at)}, role, false, false});
       }

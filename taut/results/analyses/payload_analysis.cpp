@@ -89,7 +89,7 @@ class NamedLimit {
   }
 
   void of_rope(int reeving) {
-    const machine::Reeving& rope = p_.model.reevings[at(reeving)];
+    const machine::Reeving& rope = p_.model.reevings[reeving];
     if (request_.pull) complain("pull", "is a limit of a drum; a rope has 'tension'");
     if (!request_.tension && !request_.safety_factor && !request_.rule && !request_.clearance) {
       complain("", "says no limit: give tension, safety_factor, rule or clearance");
@@ -102,8 +102,8 @@ class NamedLimit {
     double most = request_.tension.value_or(std::numeric_limits<double>::infinity());
     if (request_.safety_factor) most = std::min(most, rope.breaking_force / *request_.safety_factor);
     if (request_.rule) most = by_rule(reeving, most);
-    run_.limits.tension[at(reeving)] = most;
-    if (request_.clearance) run_.limits.rope_clearance[at(reeving)] = *request_.clearance;
+    run_.limits.tension[reeving] = most;
+    if (request_.clearance) run_.limits.rope_clearance[reeving] = *request_.clearance;
   }
 
   /// The limit, the rule's own where there is no other.
@@ -122,7 +122,7 @@ class NamedLimit {
       const auto& table = catalogue::rules();
       const auto same = std::find_if(table.begin(), table.end(), [&](const auto& one) { return one.id == row->id; });
       run_.rules.push_back({reeving, *factor, &*same});
-      if (std::isinf(most)) return p_.model.reevings[at(reeving)].breaking_force / *factor;
+      if (std::isinf(most)) return p_.model.reevings[reeving].breaking_force / *factor;
     }
     return most;
   }
@@ -164,7 +164,7 @@ void resolve_limits(const study::LimitsRequest& request, const std::string& path
   l.lift_off = request.lift_off;
   l.rope_between = {run.way.along, run.way.from, run.way.to};
   if (request.rope_clearance && run.way.carriage >= 0) {
-    l.rope_clearance[at(p.model.carriages[at(run.way.carriage)].reeving)] = *request.rope_clearance;
+    l.rope_clearance[p.model.carriages[run.way.carriage].reeving] = *request.rope_clearance;
   }
   for (const study::RopeLimitRequest& one : request.named) {
     NamedLimit(one, fmt::format("{}.{}", path, one.name), p, run).resolve();
@@ -203,7 +203,7 @@ Answers solve(const machine::Model& model, const PayloadRun& run, study::Watch& 
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = study::payload_path(part.model, run.limits, options);
     if (part.last == part.first && points.size() > 1) points.resize(1);
-    const int body = part.model.carriages[at(run.way.carriage)].body;
+    const int body = part.model.carriages[run.way.carriage].body;
     for (auto& point : points) {
       PayloadPosition one;
       one.model = &part.model;
@@ -272,7 +272,7 @@ Plot used_plot(const machine::Model& model, const PayloadRun& run, const Answers
   p.x = {"x of the carriage", si::m};
   p.y = {"value / limit", si::one};
   std::map<std::string, Curve> curves;
-  const int body = model.carriages[at(run.way.carriage)].body;
+  const int body = model.carriages[run.way.carriage].body;
   for (const PayloadPosition& one : all.positions) {
     for (const study::LimitState& state : one.states) {
       if (state.kind != study::LimitKind::tension && state.kind != study::LimitKind::pull) continue;
@@ -308,8 +308,8 @@ void add_limits(const machine::Model& model, const PayloadRun& run, const Answer
     r.checks.back().part = name;
   };
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    const auto rule =
-        std::find_if(run.rules.begin(), run.rules.end(), [&](const RopeRule& one) { return at(one.reeving) == i; });
+    const auto rule = std::find_if(run.rules.begin(), run.rules.end(),
+                                   [&](const RopeRule& one) { return as_size(one.reeving) == i; });
     if (rule != run.rules.end()) {
       add(i, model.reevings[i].breaking_force / rule->factor,
           fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rule->row->id, rule->row->field,
@@ -332,7 +332,7 @@ void add_gaps(const machine::Model& model, const PayloadRun& run, const Answers&
   for (const PayloadPosition& one : all.positions) {
     if (!answered(one)) continue;
     const auto& state = one.point.payload.at;
-    const Vector3& place = state.state.bodies[at(one.model->carriages[at(run.way.carriage)].body)].position;
+    const Vector3& place = state.state.bodies[one.model->carriages[run.way.carriage].body].position;
     low = std::min(low, terrain_x(model, place));
     high = std::max(high, terrain_x(model, place));
     for (std::size_t i = 0; i < ropes.size(); ++i) {
@@ -346,7 +346,7 @@ void add_gaps(const machine::Model& model, const PayloadRun& run, const Answers&
     r.warnings.push_back(r.unmade.back());
   };
   if (std::isfinite(run.limits.clearance) && low <= high) {
-    tell(model.carriages[at(run.way.carriage)].name, study::terrain_gap(model, low, high));
+    tell(model.carriages[run.way.carriage].name, study::terrain_gap(model, low, high));
   }
   for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
 }
@@ -380,7 +380,7 @@ void add_results(MachineRun& machine, const PayloadRun& run, Answers& all, Resul
     Check c = make_check("payload_min" + run.ending, 0, Sense::at_least, 0, si::kg.in("t"), words, "user");
     c.utilisation = none;
     c.passes = false;
-    c.part = machine.model.carriages[at(run.way.carriage)].name;
+    c.part = machine.model.carriages[run.way.carriage].name;
     r.checks.push_back(std::move(c));
   }
   missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);

@@ -9,7 +9,6 @@
 #include "taut/checks/motion_checks.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/links/observable.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/analyses/machine_analysis.hpp"
 #include "taut/results/motion/transient_figures.hpp"
 #include "taut/results/motion/transient_scene.hpp"
@@ -63,7 +62,7 @@ study::Pull resolved_pull(const study::PullRequest& request, const std::string& 
   pull.take_up = request.take_up;
   resolve_until(request, path, p, pull);
   if (pull.reeving < 0) return pull;
-  const machine::Reeving& rope = p.model.reevings[at(pull.reeving)];
+  const machine::Reeving& rope = p.model.reevings[pull.reeving];
   if (rope.closed) {
     p.complaints.push_back({path + ".rope", "an endless rope has no end to be pulled at: tighten it by 'take_up'"});
   } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum >= 0) {
@@ -119,7 +118,7 @@ Table tensioning_table(const PretensionRun& run, const machine::Model& m, const 
   add(0, "", result.before);
   for (std::size_t i = 0; i < result.ends.size(); ++i) {
     const study::Pull& pull = run.pulls[i % run.pulls.size()];
-    add(static_cast<double>(i + 1), m.reevings[at(pull.reeving)].name, result.ends[i]);
+    add(static_cast<double>(i + 1), m.reevings[pull.reeving].name, result.ends[i]);
   }
   return t;
 }
@@ -143,7 +142,7 @@ void add_pretension_values(const PretensionRun& run, const machine::Model& m, co
   for (const study::Pull& pull : run.pulls) pulled.insert(pull.reeving);
   const study::PullEnd& last = result.ends.back();
   for (const int i : pulled) {
-    const std::string& name = m.reevings[at(i)].name;
+    const std::string& name = m.reevings[i].name;
     double taken = 0;
     for (std::size_t k = 0; k < result.ends.size(); ++k) {
       if (run.pulls[k % run.pulls.size()].reeving == i) taken = result.ends[k].taken_in_all;
@@ -152,9 +151,9 @@ void add_pretension_values(const PretensionRun& run, const machine::Model& m, co
       add_pretension_value(r, fmt::format("{}.pretension_{}{}", name, what, run.ending), value, unit,
                            fmt::format("{} of {} ({})", words, name, of));
     };
-    add("T_start", last.T_start[at(i)], si::N, "tension at the start");
-    add("T_end", last.T_end[at(i)], si::N, "tension at the end");
-    add("length", last.unstretched[at(i)], si::m, "unstretched length");
+    add("T_start", last.T_start[i], si::N, "tension at the start");
+    add("T_end", last.T_end[i], si::N, "tension at the end");
+    add("length", last.unstretched[i], si::m, "unstretched length");
     add("taken_out", taken, si::m, "rope taken out");
   }
 }
@@ -169,10 +168,10 @@ Plot tensioning_plot(const PretensionRun& run, const machine::Model& m, const st
   for (const study::Pull& pull : run.pulls) ends.insert({pull.reeving, pull.at_end});
   for (const auto& [rope, at_end] : ends) {
     Curve c;
-    c.label = fmt::format("{} at its {}", m.reevings[at(rope)].name, at_end ? "end" : "start");
+    c.label = fmt::format("{} at its {}", m.reevings[rope].name, at_end ? "end" : "start");
     const auto add = [&](double step, const study::PullEnd& end) {
       c.x.push_back(step);
-      c.y.push_back(at_end ? end.T_end[at(rope)] : end.T_start[at(rope)]);
+      c.y.push_back(at_end ? end.T_end[rope] : end.T_start[rope]);
     };
     add(0, result.before);
     for (std::size_t i = 0; i < result.ends.size(); ++i) add(static_cast<double>(i + 1), result.ends[i]);

@@ -111,7 +111,7 @@ std::vector<Cell> row_of(const solve::SweepPoint& point) {
     const auto own = [&](const auto& s) { return s.reeving == i; };
     const auto first = std::find_if(point.at.spans.begin(), point.at.spans.end(), own);
     const auto last = std::find_if(point.at.spans.rbegin(), point.at.spans.rend(), own);
-    const auto& rope = point.at.ropes[static_cast<std::size_t>(i)];
+    const auto& rope = point.at.ropes[i];
     row.insert(row.end(), {first->T_from, last->T_to, rope.T_max, rope.unstretched});
   }
   return row;

@@ -64,12 +64,12 @@ std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m, const so
     for (const machine::Node& node : rope.nodes) {
       if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
       if (!drawn.insert({node.at.body, node.name}).second) continue;
-      const auto& body = frame.bodies[static_cast<std::size_t>(node.at.body)];
+      const auto& body = frame.bodies[node.at.body];
       lines.push_back({body.position, body.position + body.orientation * node.at.at});
     }
   }
   for (const machine::Face& face : m.faces) {
-    const auto* body = face.body == machine::ground ? nullptr : &frame.bodies[static_cast<std::size_t>(face.body)];
+    const auto* body = face.body == machine::ground ? nullptr : &frame.bodies[face.body];
     const auto place = [&](const Vector3& at) -> Vector3 {
       return body == nullptr ? at : Vector3(body->position + body->orientation * at);
     };

@@ -16,13 +16,12 @@ constexpr double arc_step = 0.3;  ///< rad
 constexpr double largest_arc = 40;
 
 Matrix3 orientation_of(const solve::TransientFrame& frame, int body) {
-  return body == machine::ground ? Matrix3(Matrix3::Identity())
-                                 : frame.bodies[static_cast<std::size_t>(body)].orientation;
+  return body == machine::ground ? Matrix3(Matrix3::Identity()) : frame.bodies[body].orientation;
 }
 
 Vector3 place_of(const solve::TransientFrame& frame, const machine::Place& place) {
   if (place.body == machine::ground) return place.at;
-  const auto& body = frame.bodies[static_cast<std::size_t>(place.body)];
+  const auto& body = frame.bodies[place.body];
   return body.position + body.orientation * place.at;
 }
 
@@ -50,8 +49,8 @@ void add_arc(const machine::Node& node, const solve::TransientFrame& frame, doub
 
 double radius_now(const machine::Model& m, const machine::Node& node, const solve::TransientFrame& frame) {
   if (node.drum < 0 || static_cast<std::size_t>(node.drum) >= frame.drums.size()) return node.radius;
-  const machine::Drum& drum = m.drums[static_cast<std::size_t>(node.drum)];
-  const int layer = frame.drums[static_cast<std::size_t>(node.drum)].layer;
+  const machine::Drum& drum = m.drums[node.drum];
+  const int layer = frame.drums[node.drum].layer;
   if (drum.layer < 1 || layer == drum.layer) return node.radius;
   // the deck's radius is core + (layer - 1/2) d of its own layer
   const double d = (node.radius - drum.core_radius) / (drum.layer - 0.5);
@@ -95,7 +94,7 @@ class Parts {
     part.at = place_of(frame_, node.at);
     part.radius = radius_now(model_, node, frame_);
     part.axis = orientation_of(frame_, node.at.body) * node.axis;
-    part.moves = node.at.body != machine::ground && !model_.bodies[static_cast<std::size_t>(node.at.body)].free.empty();
+    part.moves = node.at.body != machine::ground && !model_.bodies[node.at.body].free.empty();
     parts_.push_back(std::move(part));
     return parts_.back();
   }
@@ -118,22 +117,20 @@ class Parts {
   }
 
   void add_ends(const solve::TransientFrame::Branch& b) {
-    const machine::Reeving& rope = model_.reevings[static_cast<std::size_t>(b.reeving)];
+    const machine::Reeving& rope = model_.reevings[b.reeving];
     const Vector3 way = b.end - b.start;
     if (!b.whole || way.norm() == 0) return;
-    const auto is_anchor = [&](int n) {
-      return rope.nodes[static_cast<std::size_t>(n)].kind == machine::NodeKind::anchor;
-    };
+    const auto is_anchor = [&](int n) { return rope.nodes[n].kind == machine::NodeKind::anchor; };
     // of a rope in segments only the outer ones end at a node
     const auto near = [&](int n, const Vector3& end) {
-      const machine::Node& node = rope.nodes[static_cast<std::size_t>(n)];
+      const machine::Node& node = rope.nodes[n];
       return (end - place_of(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
     };
     if (is_anchor(b.from) && near(b.from, b.start)) {
-      part_of(rope.nodes[static_cast<std::size_t>(b.from)]).force += rope.copies * b.T_from * b.leaves;
+      part_of(rope.nodes[b.from]).force += rope.copies * b.T_from * b.leaves;
     }
     if (is_anchor(b.to) && near(b.to, b.end)) {
-      part_of(rope.nodes[static_cast<std::size_t>(b.to)]).force -= rope.copies * b.T_to * b.arrives;
+      part_of(rope.nodes[b.to]).force -= rope.copies * b.T_to * b.arrives;
     }
   }
 
@@ -151,7 +148,7 @@ void add_lines(const TransientRun& run, Scene& scene) {
     const std::vector<RopePart> parts = rope_parts(run.model, run.result.frames[i]);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (i == 0) {
-        const machine::Reeving& rope = run.model.reevings[static_cast<std::size_t>(parts[k].reeving)];
+        const machine::Reeving& rope = run.model.reevings[parts[k].reeving];
         scene.lines.push_back({fmt::format("{}[{}]", rope.name, parts[k].from + 1),
                                parts[k].reeving == 0 ? Role::rope : Role::second_rope,
                                {},
@@ -211,10 +208,10 @@ std::vector<RopePart> rope_parts(const machine::Model& m, const solve::Transient
     part->tension.push_back(b.T_to);
   }
   for (const auto& c : frame.contacts) {
-    const machine::Reeving& rope = m.reevings[static_cast<std::size_t>(c.reeving)];
+    const machine::Reeving& rope = m.reevings[c.reeving];
     const auto count = machine::branch_count(rope);
     RopePart* before = part_at(c.reeving, rope.closed ? (c.node + count - 1) % count : c.node - 1);
-    if (before != nullptr) add_arc(rope.nodes[static_cast<std::size_t>(c.node)], frame, c.wrap, c.T_out, *before);
+    if (before != nullptr) add_arc(rope.nodes[c.node], frame, c.wrap, c.T_out, *before);
   }
   return parts;
 }

@@ -193,8 +193,7 @@ void add_slip_shares(const TransientRun& run, Result& r) {
   const std::vector<study::TransientRecord::Slip>& slips = run.record.slips();
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const auto& first = run.result.frames.front().contacts[c];
-    const machine::Node& node =
-        run.model.reevings[static_cast<std::size_t>(first.reeving)].nodes[static_cast<std::size_t>(first.node)];
+    const machine::Node& node = run.model.reevings[first.reeving].nodes[first.node];
     if (node.motor < 0) continue;
     const auto [slipped, rim] = slips[c];
     if (!(rim > 0)) continue;
@@ -211,7 +210,7 @@ void check_hoist_factor(const TransientRun& run, Result& r) {
   const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
                                  [&](const machine::Reeving& one) { return one.name == asked.rope; });
   if (rope == run.model.reevings.end()) return;
-  const solve::RopeExtreme& e = run.result.ropes[static_cast<std::size_t>(rope - run.model.reevings.begin())];
+  const solve::RopeExtreme& e = run.result.ropes[rope - run.model.reevings.begin()];
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
   const auto phi2_min = catalogue::find_rule(id + ".phi2_min");
   const auto beta2 = catalogue::find_rule(id + ".beta2");

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/roots.hpp"
 
@@ -34,17 +35,17 @@ double tension(const Guy& guy, double length, GuyEnd end) {
 /// The mast with the unstretched lengths of its guys, and the heights between which nothing acts.
 struct GuyedMastProblem {
   const GuyedMast& mast;
-  std::vector<rope::CatenaryRope> ropes;
-  std::vector<double> heights;  ///< ascending, the foot first, the top last
-  double force = 1;             ///< scale, N
-  double share = 1;             ///< of the loads
+  Array<rope::CatenaryRope> ropes;
+  Array<double> heights;  ///< ascending, the foot first, the top last
+  double force = 1;       ///< scale, N
+  double share = 1;       ///< of the loads
 };
 
 /// The mast as it stands for given unknowns.
 struct Shape {
   Unknowns residual;  ///< force and moment left at the top, over their scales
-  std::vector<MastPoint> points;
-  std::vector<rope::Span> spans;
+  Array<MastPoint> points;
+  Array<rope::Span> spans;
   bool valid = false;
 };
 
@@ -90,7 +91,7 @@ Shape shoot(const GuyedMastProblem& p, const Unknowns& u, bool keep_points) {
   if (keep_points) shape.points.push_back(point_of(p, 0, s));
   for (std::size_t k = 1; k < p.heights.size(); ++k) {
     const double length = p.heights[k] - p.heights[k - 1];
-    std::vector<BeamState> way;
+    Array<BeamState> way;
     s = structure::carry(p.mast.section, s, length, steps, keep_points ? &way : nullptr);
     for (std::size_t i = 0; i < way.size(); ++i) {
       const double z = p.heights[k - 1] + length * static_cast<double>(i + 1) / static_cast<double>(way.size());
@@ -148,7 +149,7 @@ bool find_equilibrium(const GuyedMastProblem& p, Unknowns& u, int& iterations) {
 
 double slope(const MastPoint& point) { return std::acos(std::clamp(point.state.axes(2, 2), -1.0, 1.0)); }
 
-double largest_slope(const std::vector<MastPoint>& points) {
+double largest_slope(const Array<MastPoint>& points) {
   double largest = 0;
   for (const MastPoint& point : points) largest = std::max(largest, slope(point));
   return largest;
@@ -168,15 +169,15 @@ BeamState climb(const GuyedMastProblem& p, BeamState s, double low, double high,
 
 /// Heights that cut the mast into pieces of a tenth at most and a fiftieth at least: foot, top, guys where there is
 /// room.
-std::vector<double> nodes_of(const GuyedMast& mast) {
-  std::vector<double> held = {0, mast.height};
+Array<double> nodes_of(const GuyedMast& mast) {
+  Array<double> held = {0, mast.height};
   for (const Guy& guy : mast.guys) {
     const bool room =
         std::none_of(held.begin(), held.end(), [&](double z) { return std::abs(z - guy.height) < 0.02 * mast.height; });
     if (room) held.push_back(guy.height);
   }
   std::sort(held.begin(), held.end());
-  std::vector<double> nodes = {0};
+  Array<double> nodes = {0};
   for (std::size_t i = 1; i < held.size(); ++i) {
     const double length = held[i] - held[i - 1];
     const int parts = static_cast<int>(std::ceil(10 * length / mast.height - 1e-9));
@@ -189,7 +190,7 @@ std::vector<double> nodes_of(const GuyedMast& mast) {
 /// Stable: the tangent stiffness of mast and guys resists every movement. The pieces are short enough that none of them
 /// can buckle between its held ends before the whole does; guys between two nodes belong to their piece.
 bool stable(const GuyedMastProblem& p, const Unknowns& u) {
-  const std::vector<double> nodes = nodes_of(p.mast);
+  const Array<double> nodes = nodes_of(p.mast);
   const auto count = static_cast<Eigen::Index>(nodes.size() - 1);
   const double height = p.mast.height, EI = std::max(p.mast.section.EI_x, p.mast.section.EI_y);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * (count + 1), 6 * (count + 1));
@@ -197,7 +198,7 @@ bool stable(const GuyedMastProblem& p, const Unknowns& u) {
   shape.spans.resize(p.ropes.size());
   BeamState s = foot(p, u);
   for (Eigen::Index n = 0; n < count; ++n) {
-    const double low = nodes[static_cast<std::size_t>(n)], high = nodes[static_cast<std::size_t>(n + 1)];
+    const double low = nodes[n], high = nodes[n + 1];
     const auto carry_on = [&](const BeamState& from) { return climb(p, from, low, high, shape); };
     K.block<12, 12>(6 * n, 6 * n) += structure::piece_stiffness(carry_on, s, high - low, EI);
     s = carry_on(s);
@@ -210,7 +211,7 @@ bool stable(const GuyedMastProblem& p, const Unknowns& u) {
     K.middleRows<3>(6 * n + 3) /= height;
     K.middleCols<3>(6 * n + 3) /= height;
   }
-  std::vector<Eigen::Index> free;
+  Array<Eigen::Index> free;
   for (Eigen::Index i = p.mast.base == MastBase::hinged ? 3 : 6; i < K.rows(); ++i) {
     if (i != 5) free.push_back(i);
   }
@@ -303,12 +304,12 @@ GuyState guy_state(const Guy& guy, const rope::Span& span) {
   return g;
 }
 
-const BeamState& at_height(const std::vector<MastPoint>& points, double height) {
+const BeamState& at_height(const Array<MastPoint>& points, double height) {
   return std::find_if(points.begin(), points.end(), [&](const MastPoint& m) { return m.height == height; })->state;
 }
 
 /// The mast's own weight as a force and its moment about the foot, by the trapezoidal rule over the points.
-void add_own_weight(const GuyedMast& mast, const std::vector<MastPoint>& points, Vector3& force, Vector3& moment) {
+void add_own_weight(const GuyedMast& mast, const Array<MastPoint>& points, Vector3& force, Vector3& moment) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vector3 W = -mast.section.weight * (points[i].height - points[i - 1].height) * up();
     force += W;

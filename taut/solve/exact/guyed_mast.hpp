@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/math/vector.hpp"
 #include "taut/rope/span.hpp"
@@ -46,8 +47,8 @@ struct GuyedMast {
   double height = 0;  ///< m
   structure::BeamSection section;
   MastBase base = MastBase::clamped;
-  std::vector<Guy> guys;
-  std::vector<MastLoad> loads;
+  Array<Guy> guys;
+  Array<MastLoad> loads;
 };
 
 struct GuyState {
@@ -73,14 +74,14 @@ struct GuyedMastResult {
   Vector3 top = Vector3::Zero();          ///< displacement of the top, m
   Vector3 base_force = Vector3::Zero();   ///< of the ground on the mast, N
   Vector3 base_moment = Vector3::Zero();  ///< N m
-  std::vector<GuyState> guys;
-  std::vector<MastPoint> points;  ///< from the foot to the top; two at a height where a force acts
-  std::size_t worst = 0;          ///< the point of the largest stress
-  std::size_t most_bent = 0;      ///< the point of the largest bending moment
-  double force_balance = 0;       ///< |base + loads + guys + own weight|, N
-  double moment_balance = 0;      ///< the same about the foot, in the deflected shape, N m
-  double closure = 0;             ///< the worst of the guys, m
-  double largest_slope = 0;       ///< of the mast's axis against the vertical, rad
+  Array<GuyState> guys;
+  Array<MastPoint> points;    ///< from the foot to the top; two at a height where a force acts
+  std::size_t worst = 0;      ///< the point of the largest stress
+  std::size_t most_bent = 0;  ///< the point of the largest bending moment
+  double force_balance = 0;   ///< |base + loads + guys + own weight|, N
+  double moment_balance = 0;  ///< the same about the foot, in the deflected shape, N m
+  double closure = 0;         ///< the worst of the guys, m
+  double largest_slope = 0;   ///< of the mast's axis against the vertical, rad
   int iterations = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/roots.hpp"
 #include "taut/solve/exact/loop_system.hpp"
@@ -129,7 +130,7 @@ class SagSearch {
   /// The sag at which the roller comes closest to pressing; 0 without any equilibrium.
   double best_sag() const { return best_ ? best_->sag : 0; }
 
-  std::vector<Probe> found;
+  Array<Probe> found;
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   bool jumped = false;  ///< a change of sign was no root
@@ -197,8 +198,8 @@ class SagSearch {
   At at_;
   FromScratch from_scratch_;
   double value_;
-  std::vector<Probe> last_;  ///< up to two
-  std::vector<Probe> run_;   ///< up to two, of the feasible interval
+  Array<Probe> last_;  ///< up to two
+  Array<Probe> run_;   ///< up to two, of the feasible interval
   std::optional<Probe> best_;
 };
 

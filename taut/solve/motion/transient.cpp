@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
 #include "taut/solve/motion/transient_damping.hpp"
@@ -23,7 +24,7 @@ using namespace dynamics;
 
 /// Inner nodes on the catenaries of the equilibrium.
 void place_inside(const machine::Model& model, const EquilibriumResult& found, DynamicState& start) {
-  std::vector<std::size_t> next(model.reevings.size(), 0);
+  Array<std::size_t> next(model.reevings.size(), 0);
   for (const SpanResult& span : found.spans) {
     const auto r = static_cast<std::size_t>(span.reeving);
     const int segments = model.reevings[r].segments;
@@ -101,7 +102,7 @@ void prepare(Run& run, const DynamicState& start) {
 
 /// The damping time of each rope: given, kept from before, or from its damping ratio and the lowest mode.
 void damp(Run& run) {
-  std::vector<double> time = run.origin.damping_time, frequency;
+  Array<double> time = run.origin.damping_time, frequency;
   const std::size_t ropes = run.model.reevings.size();
   for (std::size_t r = time.size(); r < ropes; ++r) {
     const machine::Reeving& rope = run.model.reevings[r];
@@ -113,7 +114,7 @@ void damp(Run& run) {
     run.result.frequency[r] = frequency[r];
     time[r] = 2 * ratio / frequency[r];
   }
-  for (Line& line : run.m.lines) line.damping = time[static_cast<std::size_t>(line.reeving)];
+  for (Line& line : run.m.lines) line.damping = time[line.reeving];
   run.m.lossless = run.m.lossless && std::all_of(time.begin(), time.end(), [](double beta) { return beta == 0; });
   run.origin.damping_time = run.result.damping_time = std::move(time);
 }
@@ -143,7 +144,7 @@ bool dynamics::open_run(Run& run) {
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
   run.result.sagging.assign(model.reevings.size(), 0);
-  for (const Line& line : run.m.lines) run.result.sagging[static_cast<std::size_t>(line.reeving)] += line.sag >= 0;
+  for (const Line& line : run.m.lines) run.result.sagging[line.reeving] += line.sag >= 0;
   if (!run.result.outcome.ok()) return false;
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;
@@ -182,7 +183,7 @@ TransientResult marched(Run& run) {
 /// The motion by Verlet's own step: the longest one below the stability limit at first, then, from the beginning, ones
 /// that are so much shorter that tensions and energy are within the tolerance. `options`: those of the run.
 TransientResult by_own_step(const Run& opened, TransientOptions& options) {
-  std::vector<double> T_expected;
+  Array<double> T_expected;
   VerletRun before;
   for (;;) {
     Run run = opened;
@@ -245,8 +246,7 @@ TransientResult transient(const machine::Model& described, const TransientOption
   run.resumed = options.from && take_memory(run, options.from->memory);
   if (run.resumed && options.step > 0) run.h = options.step;
   for (const LineValues& line : run.before.lines) {
-    const auto r =
-        static_cast<std::size_t>(run.m.lines[static_cast<std::size_t>(&line - run.before.lines.data())].reeving);
+    const auto r = static_cast<std::size_t>(run.m.lines[&line - run.before.lines.data()].reeving);
     run.T_largest[r] = std::max(run.T_largest[r], line.T);
   }
   if (own_step) return by_own_step(run, options);

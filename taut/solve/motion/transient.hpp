@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/equilibrium.hpp"
@@ -46,32 +47,32 @@ struct DynamicState {
     Vector3 spin = Vector3::Zero();             ///< angular velocity, ground frame, 1/s
   };
   struct Rope {
-    std::vector<double> length;       ///< by branch (of a rope in segments: by segment): unstretched, m
-    std::vector<std::uint8_t> whole;  ///< by the same: 0 where it is broken
-    std::vector<double> angle;        ///< by node: of the sheave or drum in path sense, rad
-    std::vector<double> spin;         ///< by node: its rate against the body that carries it, 1/s
-    std::vector<double> passed;       ///< by node: unstretched rope that ran over it along the path, m
-    std::vector<double> wrap;         ///< by node: beyond 2 pi counted, rad
-    std::vector<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
-    std::vector<Vector3> inside_velocity;
-    std::vector<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
-    std::vector<double> lumped;  ///< by branch or segment: length whose mass was shared out, m; empty: `length`
+    Array<double> length;       ///< by branch (of a rope in segments: by segment): unstretched, m
+    Array<std::uint8_t> whole;  ///< by the same: 0 where it is broken
+    Array<double> angle;        ///< by node: of the sheave or drum in path sense, rad
+    Array<double> spin;         ///< by node: its rate against the body that carries it, 1/s
+    Array<double> passed;       ///< by node: unstretched rope that ran over it along the path, m
+    Array<double> wrap;         ///< by node: beyond 2 pi counted, rad
+    Array<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
+    Array<Vector3> inside_velocity;
+    Array<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
+    Array<double> lumped;            ///< by branch or segment: length whose mass was shared out, m; empty: `length`
   };
   struct Drum {
     double content = 0;  ///< unstretched rope on it, m
     int layer = 1;
-    std::vector<double> strain;  ///< by layer: of the rope that lies there
+    Array<double> strain;  ///< by layer: of the rope that lies there
   };
   double t = 0;  ///< s
-  std::vector<Body> bodies;
-  std::vector<Rope> ropes;
-  std::vector<Drum> drums;
-  std::vector<double> force;           ///< state variables of force elements (bristles of contacts), in their order
-  std::vector<std::uint8_t> happened;  ///< by event of the model
-  std::vector<machine::Drive> drum_drive, motor_drive;  ///< as events have left them
-  std::vector<machine::ActuatorMode> actuator_mode;
-  std::vector<double> damping_time;  ///< by reeving, s, found at the start
-  std::vector<double> memory;        ///< of the integrator; empty: it begins anew from the above
+  Array<Body> bodies;
+  Array<Rope> ropes;
+  Array<Drum> drums;
+  Array<double> force;           ///< state variables of force elements (bristles of contacts), in their order
+  Array<std::uint8_t> happened;  ///< by event of the model
+  Array<machine::Drive> drum_drive, motor_drive;  ///< as events have left them
+  Array<machine::ActuatorMode> actuator_mode;
+  Array<double> damping_time;  ///< by reeving, s, found at the start
+  Array<double> memory;        ///< of the integrator; empty: it begins anew from the above
 };
 
 struct TransientResult;
@@ -87,7 +88,7 @@ struct TransientOptions {
   double rho = 0.9;          ///< of generalised-alpha: what a step leaves of the fastest motions, 0 .. 1
   double damping_ratio = 0;  ///< of ropes that give none
   Start start = Start::settled;
-  std::vector<Slid> slid;  ///< of a sliding start; its ways there are gone back and come again together
+  Array<Slid> slid;  ///< of a sliding start; its ways there are gone back and come again together
   /// So slow that nothing has inertia, and dampers do nothing: an equilibrium at the end of every step, with friction
   /// carried on from one to the next, by the speed at which it slid in the step before. Steps of `step`, else of
   /// `output_step`. Cylinders with a law follow their reference speed. Where a state can't be held any more the machine
@@ -141,7 +142,7 @@ struct TransientFrame {
     Vector3 start, end;                     ///< m
     Vector3 leaves, arrives;                ///< directions along the path there
     bool whole = true;
-    std::vector<Vector3> curve;  ///< of one that sags: points between start and end, m
+    Array<Vector3> curve;  ///< of one that sags: points between start and end, m
   };
   struct Contact {
     int reeving = 0, node = 0;
@@ -169,14 +170,14 @@ struct TransientFrame {
     Vector3 from = Vector3::Zero(), to = Vector3::Zero();
   };
   double t = 0;
-  std::vector<Body> bodies;
-  std::vector<Branch> branches;              ///< by reeving, along its path; of a rope in segments: each segment
-  std::vector<std::vector<Vector3>> inside;  ///< by reeving: nodes of a rope in segments
-  std::vector<Contact> contacts;             ///< by reeving, nodes between the ends
-  std::vector<Drum> drums;
-  std::vector<Drum> motors;
-  std::vector<FaceContact> faces;
-  std::vector<Actuator> actuators;
+  Array<Body> bodies;
+  Array<Branch> branches;        ///< by reeving, along its path; of a rope in segments: each segment
+  Array<Array<Vector3>> inside;  ///< by reeving: nodes of a rope in segments
+  Array<Contact> contacts;       ///< by reeving, nodes between the ends
+  Array<Drum> drums;
+  Array<Drum> motors;
+  Array<FaceContact> faces;
+  Array<Actuator> actuators;
   EnergyLedger energy;
 };
 
@@ -186,8 +187,8 @@ struct TransientFrame {
 struct TransientEvent {
   double t = 0;
   std::string what;
-  std::string where;                                   ///< the rope, sheave, contact by name
-  std::vector<std::pair<std::string, double>> values;  ///< with their symbols, SI
+  std::string where;                             ///< the rope, sheave, contact by name
+  Array<std::pair<std::string, double>> values;  ///< with their symbols, SI
 };
 
 struct Extreme {
@@ -207,11 +208,11 @@ struct TransientResult {
   Outcome outcome;
   bool interrupted = false;
   double t_end = 0;
-  std::vector<TransientFrame> frames;
-  std::vector<std::vector<double>> observed;  ///< [model.observed][frame]
-  std::vector<Extreme> extremes;              ///< [model.observed]
-  std::vector<RopeExtreme> ropes;             ///< by reeving
-  std::vector<TransientEvent> events;
+  Array<TransientFrame> frames;
+  Array<Array<double>> observed;  ///< [model.observed][frame]
+  Array<Extreme> extremes;        ///< [model.observed]
+  Array<RopeExtreme> ropes;       ///< by reeving
+  Array<TransientEvent> events;
   DynamicState state;  ///< at t_end: go on from there
   long steps = 0, rejected = 0, iterations = 0;
   double smallest_step = 0, largest_step = 0;  ///< s
@@ -220,10 +221,10 @@ struct TransientResult {
   /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
   /// docs/theory/dynamics.md, "Time".
   double tension_error = 0;
-  std::vector<double> damping_time;  ///< by reeving: beta, s
-  std::vector<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
-  std::vector<int> sagging;          ///< by reeving: so many of its branches hang as catenaries
-  std::vector<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
+  Array<double> damping_time;  ///< by reeving: beta, s
+  Array<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
+  Array<int> sagging;          ///< by reeving: so many of its branches hang as catenaries
+  Array<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
 };
 
 /// The machine in motion. docs/theory/dynamics.md.

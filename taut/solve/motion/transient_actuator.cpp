@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
 namespace taut::solve::dynamics {
@@ -80,10 +82,10 @@ void assemble_actuator(Mechanism& m, const Scheme& s, std::size_t i, const Value
   const int count = couple_columns(m, couple, now, is.end, columns);
   const double r = s.reach, square = r * r;
   for (int k = 0; k < count; ++k) {
-    CoupleColumn& column = columns[at(k)];
+    CoupleColumn& column = columns[as_size(k)];
     const Vector3& V = column.velocity;
     const Vector3 t = (V - is.t * is.t.dot(V)) / is.length;
-    const Vector3 w_side = motion_of(now, couple.body[at(column.side)]).w;
+    const Vector3 w_side = motion_of(now, couple.body[as_size(column.side)]).w;
     const Vector3 carried = (column.side == 0 ? 1 : -1) * w_side.cross(column.b.cross(column.lever));
     const double l = square * is.t.dot(V);
     const double v = r * is.t.dot(V) + square * (is.t.dot(carried) + is.apart.dot(t));
@@ -93,14 +95,14 @@ void assemble_actuator(Mechanism& m, const Scheme& s, std::size_t i, const Value
 }
 
 void set_mode(const Mechanism& m, Values& v, int actuator, ActuatorMode mode) {
-  ActuatorValues& is = v.actuators[at(actuator)];
-  const machine::Actuator& law = m.model->actuators[at(actuator)];
+  ActuatorValues& is = v.actuators[actuator];
+  const machine::Actuator& law = m.model->actuators[actuator];
   is.mode = mode;
   if (holds_length(law, mode, false) && law.lock_stiffness > 0) is.hold = is.length + is.F / law.lock_stiffness;
 }
 
-std::vector<TransientFrame::Actuator> actuator_frames(const Values& v) {
-  std::vector<TransientFrame::Actuator> all;
+Array<TransientFrame::Actuator> actuator_frames(const Values& v) {
+  Array<TransientFrame::Actuator> all;
   all.reserve(v.actuators.size());
   for (const ActuatorValues& is : v.actuators) {
     all.push_back({is.F, is.length, is.speed, is.F * is.speed, is.end[1], is.end[0]});

@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_chain_load.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
@@ -15,8 +17,8 @@ struct Inertia {
 };
 
 Inertia inertia_of(const Mechanism& m, int body, const Values& now) {
-  const Body& shape = m.bodies[at(body)];
-  const Motion3& is = now.bodies[at(body)];
+  const Body& shape = m.bodies[body];
+  const Motion3& is = now.bodies[body];
   const auto [a, b] = acceleration(m, body, now);
   Inertia of;
   of.c = is.R * shape.centre;
@@ -28,8 +30,8 @@ Inertia inertia_of(const Mechanism& m, int body, const Values& now) {
 
 /// Weight and dead loads of a body on a virtual velocity.
 double dead_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about) {
-  const Body& shape = m.bodies[at(body)];
-  const Motion3& is = now.bodies[at(body)];
+  const Body& shape = m.bodies[body];
+  const Motion3& is = now.bodies[body];
   double power = 0;
   if (shape.own_mass > 0) {
     const Vector3 c = is.R * shape.own_centre;
@@ -44,38 +46,38 @@ double dead_power(const Mechanism& m, int body, const Values& now, const Vector3
 
 /// Of a body that only shifts.
 void assemble_shifting(Mechanism& m, int body, const Values& now, Work& w) {
-  const Body& shape = m.bodies[at(body)];
+  const Body& shape = m.bodies[body];
   auto& values = m.solver.values();
   if (shape.point && !shape.driven) {
-    const int* const places = m.body_places.data() + m.body_place_first[at(body)];
+    const int* const places = m.body_places.data() + m.body_place_first[body];
     for (int k = 0; k < 3; ++k) {
-      const std::size_t c = at(shape.first + k);
+      const std::size_t c = as_size(shape.first + k);
       w.residual[c] += shape.mass * now.rate[c] - shape.dead[k];
-      values[at(places[std::ptrdiff_t{4} * k])] += shape.mass;
+      values[places[std::ptrdiff_t{4} * k]] += shape.mass;
     }
     return;
   }
-  const Vector3 driven = now.bodies[at(body)].driven_a;
-  const int first_place = m.body_place_first[at(body)];
+  const Vector3 driven = now.bodies[body].driven_a;
+  const int first_place = m.body_place_first[body];
   for (int i = 0; i < shape.count; ++i) {
-    const Vector3& along = shape.along[at(i)];
+    const Vector3& along = shape.along[as_size(i)];
     double g = shape.mass * along.dot(driven) - shape.dead.dot(along);
     for (int j = 0; j < shape.count; ++j) {
-      const double mass = shape.mass * along.dot(shape.along[at(j)]);
-      g += mass * now.rate[at(shape.first + j)];
-      values[at(m.body_places[at(first_place + i * shape.count + j)])] += mass;
+      const double mass = shape.mass * along.dot(shape.along[as_size(j)]);
+      g += mass * now.rate[shape.first + j];
+      values[m.body_places[first_place + i * shape.count + j]] += mass;
     }
-    w.residual[at(shape.first + i)] += g;
+    w.residual[shape.first + i] += g;
   }
 }
 
 /// How inertia and dead forces of a turning body at row i follow its freedom j.
 double turning_entry(const Mechanism& m, const Scheme& s, int body, const Values& now, const Inertia& of, int i,
                      int j) {
-  const Body& shape = m.bodies[at(body)];
-  const Motion3& is = now.bodies[at(body)];
-  const Vector3 &A = shape.along[at(i)], &B = shape.about[at(i)];
-  const Vector3 &a = shape.along[at(j)], &b = shape.about[at(j)];
+  const Body& shape = m.bodies[body];
+  const Motion3& is = now.bodies[body];
+  const Vector3 &A = shape.along[as_size(i)], &B = shape.about[as_size(i)];
+  const Vector3 &a = shape.along[as_size(j)], &b = shape.about[as_size(j)];
   const Vector3 lever = A + B.cross(of.c);
   double entry = shape.mass * (a + b.cross(of.c)).dot(lever) + B.dot(of.I * b);
   const Vector3 Iw = of.I * is.w;
@@ -98,16 +100,15 @@ double turning_entry(const Mechanism& m, const Scheme& s, int body, const Values
 }
 
 void assemble_turning(Mechanism& m, const Scheme& s, int body, const Values& now, Work& w) {
-  const Body& shape = m.bodies[at(body)];
+  const Body& shape = m.bodies[body];
   auto& values = m.solver.values();
   const Inertia of = inertia_of(m, body, now);
   for (int i = 0; i < shape.count; ++i) {
-    const Vector3 &along = shape.along[at(i)], &about = shape.about[at(i)];
-    w.residual[at(shape.first + i)] +=
+    const Vector3 &along = shape.along[as_size(i)], &about = shape.about[as_size(i)];
+    w.residual[shape.first + i] +=
         of.force.dot(along + about.cross(of.c)) + about.dot(of.moment) - dead_power(m, body, now, along, about);
     for (int j = 0; j < shape.count && w.tangent; ++j) {
-      values[at(m.body_places[at(m.body_place_first[at(body)] + i * shape.count + j)])] +=
-          turning_entry(m, s, body, now, of, i, j);
+      values[m.body_places[m.body_place_first[body] + i * shape.count + j]] += turning_entry(m, s, body, now, of, i, j);
     }
   }
 }
@@ -117,8 +118,8 @@ void assemble_between_points(Mechanism& m, const Scheme& s, const Line& line, co
   const double half = line.copies * line.weight * now.L / 2;
   for (int i = 0; i < 3; ++i) {
     const double force = line.copies * now.T * now.t[i], hangs = i == 2 ? half : 0;
-    w.residual[at(line.column[0] + i)] -= force - hangs;
-    w.residual[at(line.column[3] + i)] += force + hangs;
+    w.residual[line.column[0] + i] -= force - hangs;
+    w.residual[line.column[3] + i] += force + hangs;
   }
   if (!w.tangent) return;
   const double square = s.reach * s.reach;
@@ -148,36 +149,36 @@ struct Slopes {
 };
 
 Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const LineValues& now,
-                 const std::vector<ContactValues>& now_contacts, const std::array<LineColumn, 14>& columns,
+                 const Array<ContactValues>& now_contacts, const std::array<LineColumn, 14>& columns,
                  const std::array<double, 2>& askew, LineTangent& tangent) {
   Slopes d;
   const double square = s.reach * s.reach, lambda = 1 + now.e, share = line.share;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < freedoms; ++k) {
-    const LineColumn& c = columns[at(k)];
+    const LineColumn& c = columns[as_size(k)];
     for (std::size_t end = 0; end < 2; ++end) {
-      tangent.angle[end][at(k)] = square * c.angle[end];
+      tangent.angle[end][as_size(k)] = square * c.angle[end];
       if (line.contact[end] < 0 || now.radius[end] == 0 || line.at_load[end]) continue;
-      const double on = now.radius[end] / before.contacts[at(line.contact[end])].winding * c.angle[end];
-      d.L[at(k)] += square * (end == 0 ? -on : on);
+      const double on = now.radius[end] / before.contacts[line.contact[end]].winding * c.angle[end];
+      d.L[as_size(k)] += square * (end == 0 ? -on : on);
     }
-    const double e = (square * share * c.l - lambda * d.L[at(k)]) / now.L;
+    const double e = (square * share * c.l - lambda * d.L[as_size(k)]) / now.L;
     const bool second = k >= line.freedoms[0];
     double apart = s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart);
     apart += s.reach * (askew[0] * now.radius[0] * c.angle[0] - askew[1] * now.radius[1] * c.angle[1]);
-    tangent.e[at(k)] = e;
-    d.T[at(k)] = now.T_e * e + now.T_rate * share * apart / now.L;
+    tangent.e[as_size(k)] = e;
+    d.T[as_size(k)] = now.T_e * e + now.T_rate * share * apart / now.L;
   }
   for (std::size_t end = 0; end < 2; ++end) {
     const int k = line.flow[end];
     if (k < 0) continue;
-    const bool stuck = now_contacts[at(line.contact[end])].grip == Grip::stuck;
+    const bool stuck = now_contacts[line.contact[end]].grip == Grip::stuck;
     const double by_flow = stuck ? (s.reach > 0 ? 1 / s.reach : 0) : s.slip_now;
     const double sign = end == 0 ? 1 : -1;
-    tangent.e[at(k)] = -sign * lambda / now.L;
+    tangent.e[as_size(k)] = -sign * lambda / now.L;
     const bool later = s.only_rates && now.T_rate > 0;  // slip has a rate there, and no way yet
-    d.L[at(k)] = later ? 0 : sign;
-    d.T[at(k)] = ((later ? 0 : now.T_e) + now.T_rate * by_flow) * tangent.e[at(k)];
+    d.L[as_size(k)] = later ? 0 : sign;
+    d.T[as_size(k)] = ((later ? 0 : now.T_e) + now.T_rate * by_flow) * tangent.e[as_size(k)];
   }
   return d;
 }
@@ -188,11 +189,11 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   const double half = line.weight * now.L * now.t.z() / 2;
   for (int k = 0; k < line.columns; ++k) {
-    const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[at(k)].t.z() : 0;
-    double hangs = line.weight / 2 * (d.L[at(k)] * now.t.z() + turned);
-    if (std::abs(half) >= most_hung * now.T) hangs = std::copysign(most_hung, half) * d.T[at(k)];
-    tangent.end_T[0][at(k)] = d.T[at(k)] - (bears_half(line, 0) ? hangs : 0);
-    tangent.end_T[1][at(k)] = d.T[at(k)] + (bears_half(line, 1) ? hangs : 0);
+    const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[as_size(k)].t.z() : 0;
+    double hangs = line.weight / 2 * (d.L[as_size(k)] * now.t.z() + turned);
+    if (std::abs(half) >= most_hung * now.T) hangs = std::copysign(most_hung, half) * d.T[as_size(k)];
+    tangent.end_T[0][as_size(k)] = d.T[as_size(k)] - (bears_half(line, 0) ? hangs : 0);
+    tangent.end_T[1][as_size(k)] = d.T[as_size(k)] + (bears_half(line, 1) ? hangs : 0);
   }
 }
 
@@ -202,8 +203,8 @@ void add_pull(const Line& line, const LineValues& now, Work& w) {
   for (int r = 0; r < line.freedoms[0] + line.freedoms[1]; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
-    const Vector3& V = w.columns[at(r)].velocity;
-    w.residual[at(line.column[at(r)])] -= line.copies * (T * now.t.dot(V) - half * V.z());
+    const Vector3& V = w.columns[as_size(r)].velocity;
+    w.residual[line.column[as_size(r)]] -= line.copies * (T * now.t.dot(V) - half * V.z());
   }
 }
 
@@ -232,24 +233,24 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
-    const std::size_t f = at(end == 0 ? r : r - line.freedoms[0]);
+    const std::size_t f = as_size(end == 0 ? r : r - line.freedoms[0]);
     const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
     const double sign = T == 0 ? 0 : end == 0 ? 1 : -1;
-    const Vector3& V = w.columns[at(r)].velocity;
+    const Vector3& V = w.columns[as_size(r)].velocity;
     const double along = now.t.dot(V);
-    const Body& shape = m.bodies[at(line.body[end])];
+    const Body& shape = m.bodies[line.body[end]];
     const int* const places = line.places.data() + static_cast<std::ptrdiff_t>(r) * line.columns;
     for (int k = 0; k < line.columns; ++k) {
-      double Q = sign * d.T[at(k)] * along - line.weight / 2 * d.L[at(k)] * V.z();
+      double Q = sign * d.T[as_size(k)] * along - line.weight / 2 * d.L[as_size(k)] * V.z();
       if (k < freedoms) {
-        const LineColumn& c = w.columns[at(k)];
+        const LineColumn& c = w.columns[as_size(k)];
         Q += square * T * c.t.dot(V);
         if (shape.turns) {
           const Vector3 moved = shape.about[f].cross(c.touch[end]);
           Q += square * (T * now.t.dot(moved) - half * moved.z());
         }
       }
-      values[at(places[k])] -= line.copies * Q;
+      values[places[k]] -= line.copies * Q;
     }
   }
 }
@@ -282,7 +283,7 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const bool hangs = sags(m.lines[i], now.lines[i]);
-    if (m.lines[i].sag >= 0) w.hangs[at(m.lines[i].sag)] = hangs ? 1 : 0;
+    if (m.lines[i].sag >= 0) w.hangs[m.lines[i].sag] = hangs ? 1 : 0;
     if (hangs) {
       assemble_sagging(m, s, before, i, now, w);
     } else if (m.lines[i].between_points) {

@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 #include "taut/mechanics/bend.hpp"
 #include "taut/mechanics/system.hpp"
 #include "taut/solve/motion/transient_build.hpp"
@@ -20,17 +22,17 @@ constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_strain = 5;  ///< no cord stretches more, of rubber neither; such a length is a slip
 
 Outcome no_rope_between(const machine::Model& model, const Line& line, const char* how) {
-  const machine::Reeving& rope = model.reevings[at(line.reeving)];
+  const machine::Reeving& rope = model.reevings[line.reeving];
   return infeasible(fmt::format("no rope {} from '{}' to '{}' of '{}' where the motion begins", how,
-                                rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, rope.name));
+                                rope.nodes[line.from].name, rope.nodes[line.to].name, rope.name));
 }
 
 Outcome too_short(const machine::Model& model, const Line& line, const LineValues& is) {
-  const machine::Reeving& rope = model.reevings[at(line.reeving)];
+  const machine::Reeving& rope = model.reevings[line.reeving];
   return infeasible(fmt::format(
       "rope '{}' would begin the motion stretched by {:.3g} %: {:.4g} m of rope between '{}' and '{}', {:.4g} m apart; "
       "give it its length",
-      rope.name, 100 * is.e, is.L, rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name, is.l));
+      rope.name, 100 * is.e, is.L, rope.nodes[line.from].name, rope.nodes[line.to].name, is.l));
 }
 
 /// Rope that comes back from the rounds at its ends where a branch that hangs in the state `start` is straight in
@@ -54,7 +56,7 @@ void place_lines(const DynamicState& start, Built& built) {
   const machine::Model& model = *m.model;
   Values& v = built.values;
   v.lines.resize(m.lines.size());
-  v.sags.resize(at(m.sagging));
+  v.sags.resize(as_size(m.sagging));
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     LineValues& line = v.lines[i];
     line.radius = m.lines[i].radius;
@@ -67,12 +69,12 @@ void place_lines(const DynamicState& start, Built& built) {
       return;
     }
     line.angle = {0, 0};
-    const auto& whole = start.ropes[at(m.lines[i].reeving)].whole;
-    const std::size_t own = i - at(m.first_line[at(m.lines[i].reeving)].first);
+    const auto& whole = start.ropes[m.lines[i].reeving].whole;
+    const std::size_t own = i - as_size(m.first_line[m.lines[i].reeving].first);
     line.L = start_length(m, start, static_cast<int>(i)) +
-             back_from_rounds(m.lines[i], v, start.ropes[at(m.lines[i].reeving)], own, line.t);
+             back_from_rounds(m.lines[i], v, start.ropes[m.lines[i].reeving], own, line.t);
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
-    if (m.lines[i].part) set_places(start, line, m.model->reevings[at(m.lines[i].reeving)], m.lines[i]);
+    if (m.lines[i].part) set_places(start, line, m.model->reevings[m.lines[i].reeving], m.lines[i]);
     line.e = length_of(m.lines[i], line.l) / line.L - 1;
     if (line.e > most_strain) {
       built.outcome = too_short(model, m.lines[i], line);
@@ -81,7 +83,7 @@ void place_lines(const DynamicState& start, Built& built) {
     pull(m.lines[i], line);
     line.end_T = {line.T, line.T};
     if (!sags(m.lines[i], line)) continue;
-    SagValues& shape = v.sags[at(m.lines[i].sag)];
+    SagValues& shape = v.sags[m.lines[i].sag];
     if (!begin_to_hang(m.lines[i], v.bodies, start, static_cast<int>(own), line, shape)) {
       built.outcome = no_rope_between(model, m.lines[i], "hangs");
       return;
@@ -95,7 +97,7 @@ void fill_contacts(const DynamicState& start, Built& built) {
   const machine::Model& model = *m.model;
   Values& v = built.values;
   v.contacts.resize(m.contacts.size());
-  std::vector<machine::Pose> poses;
+  Array<machine::Pose> poses;
   poses.reserve(v.bodies.size());
   for (const Motion3& body : v.bodies) poses.push_back({body.x, body.R});
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
@@ -105,12 +107,12 @@ void fill_contacts(const DynamicState& start, Built& built) {
     is.lambda = 1 + std::max(0.0, entry_strain(m, v, contact, is.entry));
     is.winding = is.lambda;
     if (contact.in < 0 || contact.out < 0) continue;
-    const machine::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
     is.wrap = mechanics::bend(node, mechanics::end_at(node, poses), direction(m, v, contact.in, 1),
                               direction(m, v, contact.out, 0))
                   .wrap;
-    const auto& wraps = start.ropes[at(contact.reeving)].wrap;
-    if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[at(contact.node)] - is.wrap) / (two_pi));
+    const auto& wraps = start.ropes[contact.reeving].wrap;
+    if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[contact.node] - is.wrap) / (two_pi));
   }
 }
 
@@ -132,11 +134,11 @@ void fill_drums(const DynamicState& start, Built& built) {
     double strain = 0;
     for (const Contact& contact : m.contacts) {
       if (contact.drum != static_cast<int>(d)) continue;
-      const std::size_t line = at(contact.in >= 0 ? contact.in : contact.out);
+      const std::size_t line = as_size(contact.in >= 0 ? contact.in : contact.out);
       strain = std::max(0.0, end_strain(m, v, static_cast<int>(line), contact.in >= 0 ? 1 : 0));
       if (model.drums[d].wound_at) strain = *model.drums[d].wound_at / m.lines[line].stiffness;
     }
-    drum.strain.assign(at(std::max(1, drum.layer)), strain);
+    drum.strain.assign(as_size(std::max(1, drum.layer)), strain);
   }
 }
 
@@ -144,26 +146,24 @@ void fill_drums(const DynamicState& start, Built& built) {
 
 void classify(Mechanism& m) {
   for (Body& body : m.bodies) {
-    body.driven = body.model >= 0 && !m.model->bodies[at(body.model)].driven.empty();
+    body.driven = body.model >= 0 && !m.model->bodies[body.model].driven.empty();
     body.dead = -body.own_mass * m.model->gravity * up();
     if (body.model >= 0) body.dead += dead_load(m, body.model);
-    if (body.model >= 0) body.mass += m.model->bodies[at(body.model)].counterweight;
+    if (body.model >= 0) body.mass += m.model->bodies[body.model].counterweight;
     m.body_columns += body.count;
   }
-  const auto shifts = [&](int body) { return body < 0 || (!m.bodies[at(body)].turns && !m.bodies[at(body)].driven); };
-  const auto rests = [&](int body) {
-    return body < 0 || (m.bodies[at(body)].count == 0 && !m.bodies[at(body)].driven);
-  };
+  const auto shifts = [&](int body) { return body < 0 || (!m.bodies[body].turns && !m.bodies[body].driven); };
+  const auto rests = [&](int body) { return body < 0 || (m.bodies[body].count == 0 && !m.bodies[body].driven); };
   for (Line& line : m.lines) {
     line.plain =
         line.kind == LineKind::points && !line.part && line.sag < 0 && shifts(line.body[0]) && shifts(line.body[1]);
     line.still = rests(line.body[0]) && rests(line.body[1]) && line.sag < 0;
     m.stiffest = std::max(m.stiffest, line.stiffness);
   }
-  for (const auto& [line, end] : m.tensioner) m.lines[at(line)].tensioned = true;
+  for (const auto& [line, end] : m.tensioner) m.lines[line].tensioned = true;
   for (Contact& contact : m.contacts) {
-    const machine::Reeving& rope = m.model->reevings[at(contact.reeving)];
-    contact.load = rope.nodes[at(contact.node)].kind == machine::NodeKind::load;
+    const machine::Reeving& rope = m.model->reevings[contact.reeving];
+    contact.load = rope.nodes[contact.node].kind == machine::NodeKind::load;
     m.rope_loads = m.rope_loads || contact.load;
     const bool light = contact.spin < 0;
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
@@ -180,14 +180,14 @@ void classify(Mechanism& m) {
 }
 
 double start_length(const Mechanism& m, const DynamicState& start, int line) {
-  const int reeving = m.lines[at(line)].reeving;
-  return start.ropes[at(reeving)].length[at(line - m.first_line[at(reeving)].first)];
+  const int reeving = m.lines[line].reeving;
+  return start.ropes[reeving].length[line - m.first_line[reeving].first];
 }
 
 double lumped_length(const Mechanism& m, const DynamicState& start, int line) {
-  const int reeving = m.lines[at(line)].reeving;
-  const auto& lumped = start.ropes[at(reeving)].lumped;
-  const std::size_t own = at(line - m.first_line[at(reeving)].first);
+  const int reeving = m.lines[line].reeving;
+  const auto& lumped = start.ropes[reeving].lumped;
+  const std::size_t own = as_size(line - m.first_line[reeving].first);
   return own < lumped.size() ? lumped[own] : start_length(m, start, line);
 }
 
@@ -196,11 +196,11 @@ void fill_values(const DynamicState& start, Built& built) {
   const machine::Model& model = *m.model;
   Values& v = built.values;
   v.t = v.when = start.t;
-  v.q.assign(at(m.size), 0.0);
+  v.q.assign(as_size(m.size), 0.0);
   v.nu = v.rate = v.q;
   v.bodies.resize(m.bodies.size());
   std::size_t inner = 0;
-  std::vector<Vector3> places, velocities;
+  Array<Vector3> places, velocities;
   for (const auto& rope : start.ropes) {
     places.insert(places.end(), rope.inside.begin(), rope.inside.end());
     velocities.insert(velocities.end(), rope.inside_velocity.begin(), rope.inside_velocity.end());
@@ -220,8 +220,8 @@ void fill_values(const DynamicState& start, Built& built) {
       is.w = given.spin;
     }
     for (int f = 0; f < m.bodies[b].count; ++f) {
-      const Vector3 &along = m.bodies[b].along[at(f)], &about = m.bodies[b].about[at(f)];
-      v.nu[at(m.bodies[b].first + f)] = is.v.dot(along) + is.w.dot(about);
+      const Vector3 &along = m.bodies[b].along[as_size(f)], &about = m.bodies[b].about[as_size(f)];
+      v.nu[m.bodies[b].first + f] = is.v.dot(along) + is.w.dot(about);
     }
   }
   v.drum_drive = start.drum_drive;
@@ -234,11 +234,11 @@ void fill_values(const DynamicState& start, Built& built) {
   }
   v.spins.resize(m.spins.size());
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
-    const Contact& contact = m.contacts[at(m.spins[i].contacts.front().first)];
-    const auto& rope = start.ropes[at(contact.reeving)];
+    const Contact& contact = m.contacts[m.spins[i].contacts.front().first];
+    const auto& rope = start.ropes[contact.reeving];
     if (rope.spin.empty()) continue;
-    v.nu[at(m.spins[i].column)] = contact.sense * rope.spin[at(contact.node)];
-    v.q[at(m.spins[i].column)] = contact.sense * rope.angle[at(contact.node)];
+    v.nu[m.spins[i].column] = contact.sense * rope.spin[contact.node];
+    v.q[m.spins[i].column] = contact.sense * rope.angle[contact.node];
   }
   v.tensioned.assign(m.tensioner.size(), 0.0);
   v.tension_rate = v.tensioned;

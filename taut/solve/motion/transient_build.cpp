@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 #include "taut/mechanics/bend.hpp"
 #include "taut/mechanics/system.hpp"
 #include "taut/solve/motion/transient_chain_load.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 int count(std::size_t n) { return static_cast<int>(n); }
 
-bool is_load(const machine::Reeving& rope, int node) { return rope.nodes[at(node)].kind == machine::NodeKind::load; }
+bool is_load(const machine::Reeving& rope, int node) { return rope.nodes[node].kind == machine::NodeKind::load; }
 
 /// A direction square to the axis.
 Vector3 normal_to(const Vector3& axis) { return axis.unitOrthogonal(); }
@@ -52,12 +54,12 @@ class Builder {
 
   void add_bodies() {
     for (int b = 0; b < count(model_.bodies.size()); ++b) {
-      const machine::Body& given = model_.bodies[at(b)];
+      const machine::Body& given = model_.bodies[b];
       Body body;
       body.model = b;
       body.count = given.of_rope ? 0 : count(given.free.size());
       expects(body.count <= 6, "a body has six freedoms at most");
-      for (std::size_t f = 0; f < at(body.count); ++f) {
+      for (std::size_t f = 0; f < as_size(body.count); ++f) {
         body.along[f] = given.free[f].along;
         body.about[f] = given.free[f].about;
         body.turns = body.turns || given.free[f].about != Vector3::Zero();
@@ -86,13 +88,13 @@ class Builder {
   }
 
   Line line_between(int r, int from, int to) const {
-    const machine::Reeving& rope = model_.reevings[at(r)];
+    const machine::Reeving& rope = model_.reevings[r];
     Line line;
     line.reeving = r;
     line.from = from;
     line.to = to;
     line.stiffness = rope.stiffness;
-    line.damping = start_.damping_time.empty() ? rope.damping_time : start_.damping_time[at(r)];
+    line.damping = start_.damping_time.empty() ? rope.damping_time : start_.damping_time[r];
     line.copies = rope.copies;
     if (options_.rope_mass) {
       line.weight = rope.weight / (1 + rope.thermal_strain);
@@ -101,7 +103,7 @@ class Builder {
     }
     for (const std::size_t end : {0U, 1U}) {
       // beyond loads, whose parts have both ends of the whole free line
-      const machine::Node& node = rope.nodes[at(line_end(rope, end == 0 ? from : to, end))];
+      const machine::Node& node = rope.nodes[line_end(rope, end == 0 ? from : to, end)];
       line.body[end] = node.at.body;
       line.place[end] = node.at.at;
       line.axis[end] = node.axis;
@@ -114,7 +116,7 @@ class Builder {
   }
 
   void add_rope(int r) {
-    const machine::Reeving& rope = model_.reevings[at(r)];
+    const machine::Reeving& rope = model_.reevings[r];
     const int nodes = count(rope.nodes.size()), branches = machine::branch_count(rope);
     const int first = count(m().lines.size());
     m().inside.emplace_back();
@@ -146,19 +148,19 @@ class Builder {
   /// Whether a body, if it turns at all, turns about this direction only.
   bool keeps(int body, const Vector3& axis) const {
     if (body < 0) return true;
-    const Body& shape = built_.mechanism.bodies[at(body)];
+    const Body& shape = built_.mechanism.bodies[body];
     for (int f = 0; f < shape.count; ++f) {
-      if (shape.about[at(f)].cross(axis).norm() > 1e-12) return false;
+      if (shape.about[as_size(f)].cross(axis).norm() > 1e-12) return false;
     }
     if (shape.model < 0) return true;
-    const auto& driven = model_.bodies[at(shape.model)].driven;
+    const auto& driven = model_.bodies[shape.model].driven;
     return std::all_of(driven.begin(), driven.end(),
                        [&](const auto& way) { return way.about.cross(axis).norm() <= 1e-12; });
   }
 
   Vector3 axis_in_ground(const Line& line, std::size_t end) const {
     const int body = line.body[end];
-    return body < 0 ? line.axis[end] : Vector3(start_.bodies[at(body)].orientation * line.axis[end]);
+    return body < 0 ? line.axis[end] : Vector3(start_.bodies[body].orientation * line.axis[end]);
   }
 
   void set_kind(Line& line) const {
@@ -173,15 +175,15 @@ class Builder {
   /// Branches that hang as catenaries: with weight, in one piece, without a load on their way.
   void mark_sagging(Line& line, int branch) {
     if (options_.branches == Branches::straight || line.segment >= 0 || line.part || !(line.weight > 0)) return;
-    const double length = start_.ropes[at(line.reeving)].length[at(branch)];
+    const double length = start_.ropes[line.reeving].length[branch];
     const bool all = options_.branches == Branches::catenary;
     if (all || sags_by_weight(line, start_, branch, length, options_.light)) line.sag = m().sagging++;
   }
 
   /// A node between two branches, or a drum at an end.
   void add_contact(int r, int node, int in, int out) {
-    const machine::Reeving& rope = model_.reevings[at(r)];
-    const machine::Node& given = rope.nodes[at(node)];
+    const machine::Reeving& rope = model_.reevings[r];
+    const machine::Node& given = rope.nodes[node];
     Contact contact;
     contact.reeving = r;
     contact.node = node;
@@ -195,20 +197,20 @@ class Builder {
     contact.support = given.support;
     contact.copies = rope.copies;
     contact.drum = given.drum;
-    if (options_.rope_mass) contact.mass = m().lines[at(in >= 0 ? in : out)].mass;
+    if (options_.rope_mass) contact.mass = m().lines[in >= 0 ? in : out].mass;
     const int index = count(m().contacts.size());
-    if (in >= 0) m().lines[at(in)].contact[1] = index;
-    if (out >= 0) m().lines[at(out)].contact[0] = index;
+    if (in >= 0) m().lines[in].contact[1] = index;
+    if (out >= 0) m().lines[out].contact[0] = index;
     m().contacts.push_back(contact);
   }
 
   void add_contacts() {
     for (int r = 0; r < count(model_.reevings.size()); ++r) {
-      const machine::Reeving& rope = model_.reevings[at(r)];
-      const auto [first, lines] = m().first_line[at(r)];
+      const machine::Reeving& rope = model_.reevings[r];
+      const auto [first, lines] = m().first_line[r];
       const int per_branch = std::max(1, rope.segments), nodes = count(rope.nodes.size());
       for (int k = 0; k < nodes; ++k) {
-        const machine::Node& node = rope.nodes[at(k)];
+        const machine::Node& node = rope.nodes[k];
         const bool end = !rope.closed && (k == 0 || k == nodes - 1);
         if (node.kind == machine::NodeKind::clamp || (end && node.drum < 0)) continue;
         if (rope.segments > 1 && node.kind == machine::NodeKind::load) continue;
@@ -218,32 +220,32 @@ class Builder {
       }
     }
     for (const machine::Tensioner& tensioner : model_.tensioners) {
-      const auto [first, lines] = m().first_line[at(tensioner.reeving)];
+      const auto [first, lines] = m().first_line[tensioner.reeving];
       m().tensioner.emplace_back(tensioner.at_start ? first : first + lines - 1, tensioner.at_start ? 0 : 1);
     }
   }
 
   void add_spins() {
-    std::vector<int> of_drum(model_.drums.size(), -1);
+    Array<int> of_drum(model_.drums.size(), -1);
     for (int i = 0; i < count(m().contacts.size()); ++i) {
-      Contact& contact = m().contacts[at(i)];
-      const machine::Node& node = model_.reevings[at(contact.reeving)].nodes[at(contact.node)];
+      Contact& contact = m().contacts[i];
+      const machine::Node& node = model_.reevings[contact.reeving].nodes[contact.node];
       const double along = node.side;
       Spin spin;
       spin.body = contact.body;
       spin.motor = node.motor;
       if (node.drum >= 0) {
         contact.sense = contact.in < 0 ? -1 : 1;  // taking in
-        int& known = of_drum[at(node.drum)];
+        int& known = of_drum[node.drum];
         if (known < 0) {
           known = count(m().spins.size());
           spin.axis = contact.sense * along * node.axis;
-          spin.inertia = model_.drums[at(node.drum)].inertia;
+          spin.inertia = model_.drums[node.drum].inertia;
           spin.drum = node.drum;
           m().spins.push_back(spin);
         }
         // wound the other way than the first one, it is let out where that is taken in
-        if ((contact.sense * along * node.axis).dot(m().spins[at(known)].axis) < 0) contact.sense = -contact.sense;
+        if ((contact.sense * along * node.axis).dot(m().spins[known].axis) < 0) contact.sense = -contact.sense;
         contact.spin = known;
       } else if (node.motor >= 0 || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
         contact.spin = count(m().spins.size());
@@ -251,21 +253,21 @@ class Builder {
         spin.inertia = node.inertia;
         m().spins.push_back(spin);
       }
-      if (contact.spin >= 0) m().spins[at(contact.spin)].contacts.emplace_back(i, contact.sense);
+      if (contact.spin >= 0) m().spins[contact.spin].contacts.emplace_back(i, contact.sense);
     }
   }
 
   /// Half of each line's mass to the bodies at its ends, at its rounds; and what hangs on the bodies.
   void add_lumps() {
     for (const machine::Load& load : model_.loads) {
-      if (load.at.body >= 0 && load.mass > 0) add_mass(m().bodies[at(load.at.body)], load.mass, load.at.at);
+      if (load.at.body >= 0 && load.mass > 0) add_mass(m().bodies[load.at.body], load.mass, load.at.at);
     }
     for (int i = 0; i < count(m().lines.size()); ++i) {
-      const Line& line = m().lines[at(i)];
+      const Line& line = m().lines[i];
       const double mass = line.copies * line.mass * length_of(i);
       for (const std::size_t end : {0U, 1U}) {
         if (line.body[end] < 0 || mass == 0) continue;
-        add_mass(m().bodies[at(line.body[end])], mass * (end == 0 ? 1 - line.middle : line.middle), line.place[end]);
+        add_mass(m().bodies[line.body[end]], mass * (end == 0 ? 1 - line.middle : line.middle), line.place[end]);
       }
     }
   }
@@ -305,32 +307,32 @@ void Builder::number() {
   for (Line& line : m.lines) {
     for (const std::size_t end : {0U, 1U}) {
       if (line.body[end] < 0) continue;
-      const Body& body = m.bodies[at(line.body[end])];
+      const Body& body = m.bodies[line.body[end]];
       line.freedoms[end] = body.count;
-      for (int f = 0; f < body.count; ++f) line.column[at(line.columns++)] = body.first + f;
+      for (int f = 0; f < body.count; ++f) line.column[as_size(line.columns++)] = body.first + f;
     }
     for (const std::size_t end : {0U, 1U}) {
       if (line.contact[end] < 0) continue;
       line.flow[end] = line.columns;
-      line.column[at(line.columns++)] = m.contacts[at(line.contact[end])].column;
+      line.column[as_size(line.columns++)] = m.contacts[line.contact[end]].column;
     }
-    const auto point = [&](std::size_t end) { return line.body[end] >= 0 && m.bodies[at(line.body[end])].point; };
+    const auto point = [&](std::size_t end) { return line.body[end] >= 0 && m.bodies[line.body[end]].point; };
     line.between_points = line.sag < 0 && line.kind == LineKind::points && line.columns == 6 && point(0) && point(1);
   }
   for (Contact& contact : m.contacts) {
     for (const int i : {contact.in, contact.out}) {
       if (i < 0) continue;
-      const Line& line = m.lines[at(i)];
+      const Line& line = m.lines[i];
       contact.columns.insert(contact.columns.end(), line.column.begin(), line.column.begin() + line.columns);
     }
     contact.columns.push_back(contact.column);
-    if (contact.spin >= 0) contact.columns.push_back(m.spins[at(contact.spin)].column);
+    if (contact.spin >= 0) contact.columns.push_back(m.spins[contact.spin].column);
   }
 }
 
 void Builder::list_places() {
   Mechanism& m = built_.mechanism;
-  std::vector<std::vector<int>> cliques, of_body, of_spin;
+  Array<Array<int>> cliques, of_body, of_spin;
   for (const Body& body : m.bodies) {
     of_body.emplace_back();
     for (int f = 0; f < body.count; ++f) of_body.back().push_back(body.first + f);
@@ -338,7 +340,7 @@ void Builder::list_places() {
   for (const Spin& spin : m.spins) {
     of_spin.push_back({spin.column});
     if (spin.body < 0) continue;
-    const auto& freedoms = of_body[at(spin.body)];
+    const auto& freedoms = of_body[spin.body];
     of_spin.back().insert(of_spin.back().end(), freedoms.begin(), freedoms.end());
   }
   cliques = of_body;
@@ -350,13 +352,13 @@ void Builder::list_places() {
   for (const Contact& contact : m.contacts) {
     for (const int c : contact.columns) {
       if (c != contact.column) cliques.push_back({contact.column, c});
-      if (contact.spin >= 0 && c != m.spins[at(contact.spin)].column) {
-        cliques.push_back({m.spins[at(contact.spin)].column, c});
+      if (contact.spin >= 0 && c != m.spins[contact.spin].column) {
+        cliques.push_back({m.spins[contact.spin].column, c});
       }
     }
   }
   m.solver = StaticLu(m.size, cliques);
-  const auto square = [&](const auto& columns, std::size_t n, std::vector<int>& places) {
+  const auto square = [&](const auto& columns, std::size_t n, Array<int>& places) {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) places.push_back(m.solver.place(columns[i], columns[j]));
     }
@@ -369,14 +371,14 @@ void Builder::list_places() {
     m.spin_place_first.push_back(count(m.spin_places.size()));
     square(columns, columns.size(), m.spin_places);
   }
-  for (Line& line : m.lines) square(line.column, at(line.columns), line.places);
+  for (Line& line : m.lines) square(line.column, as_size(line.columns), line.places);
   for (Couple& couple : m.couples) {
-    square(couple.column, at(couple.freedoms[0] + couple.freedoms[1]), couple.places);
+    square(couple.column, as_size(couple.freedoms[0] + couple.freedoms[1]), couple.places);
   }
   for (Contact& contact : m.contacts) {
     for (const int c : contact.columns) {
       contact.row.push_back(m.solver.place(contact.column, c));
-      if (contact.spin >= 0) contact.spin_row.push_back(m.solver.place(m.spins[at(contact.spin)].column, c));
+      if (contact.spin >= 0) contact.spin_row.push_back(m.solver.place(m.spins[contact.spin].column, c));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "taut/math/index.hpp"
 #include "test/support/machines.hpp"
 
 /// The machine as arrays: that no mass is lost and none counted twice, that every unknown has its own column, how lines
@@ -96,17 +97,17 @@ TEST(TransientBuild, EveryUnknownHasItsColumn) {
   for (const Contact& one : is.contacts) columns.push_back(one.column);
   for (const Spin& one : is.spins) columns.push_back(one.column);
   std::sort(columns.begin(), columns.end());
-  std::vector<int> all(at(is.size));
+  std::vector<int> all(as_size(is.size));
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(columns, all);
   EXPECT_EQ(is.size, 1 + 3 + 2 * 3 + 1 + 1);  // boom, hook, two joints, a flow, a spin
   for (const Line& line : is.lines) {         // freedoms of its bodies, then the flows at its ends
     std::vector<int> own;
     for (const int end : line.body) {
-      for (int f = 0; end >= 0 && f < is.bodies[at(end)].count; ++f) own.push_back(is.bodies[at(end)].first + f);
+      for (int f = 0; end >= 0 && f < is.bodies[end].count; ++f) own.push_back(is.bodies[end].first + f);
     }
     for (const int end : line.contact) {
-      if (end >= 0) own.push_back(is.contacts[at(end)].column);
+      if (end >= 0) own.push_back(is.contacts[end].column);
     }
     EXPECT_EQ(own, std::vector<int>(line.column.begin(), line.column.begin() + line.columns));
   }
@@ -165,9 +166,9 @@ TEST(TransientBuild, ADrumHasOneSpinForAllItsRopes) {
   EXPECT_EQ(is.spins[0].inertia, 6);
   ASSERT_EQ(is.spins[0].contacts.size(), 2U);
   for (const auto& [contact, sense] : is.spins[0].contacts) {
-    const Contact& at_drum = is.contacts[at(contact)];
+    const Contact& at_drum = is.contacts[contact];
     EXPECT_EQ(sense, at_drum.reeving == 0 ? -1 : 1);  // against the path where it begins there
-    const machine::Node& node = m.reevings[at(at_drum.reeving)].nodes[at(at_drum.node)];
+    const machine::Node& node = m.reevings[at_drum.reeving].nodes[at_drum.node];
     EXPECT_EQ(is.spins[0].axis, sense * node.side * node.axis);  // both about the same axis in the same sense
   }
   EXPECT_EQ(is.spins[1].drum, -1);

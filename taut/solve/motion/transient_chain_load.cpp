@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 
 namespace taut::solve::dynamics {
@@ -13,7 +14,7 @@ constexpr double whole_share = 1e-12;
 
 double length_of_chain(const ChainLoad& load, const Values& v) {
   double length = 0;
-  for (int i = 0; i < load.count; ++i) length += v.lines[at(load.lines[at(i)])].l;
+  for (int i = 0; i < load.count; ++i) length += v.lines[load.lines[i]].l;
   return length;
 }
 
@@ -22,8 +23,8 @@ void find_segment(const ChainLoad& load, const Values& v, ChainLoadValues& is) {
   const double whole = length_of_chain(load, v);
   double left = std::clamp(load.follows * whole + load.more, 0.0, whole);
   for (int i = 0; i < load.count; ++i) {
-    is.line = load.lines[at(i)];
-    const double l = v.lines[at(is.line)].l;
+    is.line = load.lines[i];
+    const double l = v.lines[is.line].l;
     if (left <= l || i + 1 == load.count) {
       is.share = std::clamp(left / l, 0.0, 1.0);
       return;
@@ -49,17 +50,17 @@ struct Ways {
 Ways ways_at(const Mechanism& m, const ChainLoad& load, const ChainLoadValues& is, const Values& of,
              const Values& before, const Values& now) {
   Ways ways;
-  const Line& line = m.lines[at(is.line)];
-  const LineValues& shape = of.lines[at(is.line)];
+  const Line& line = m.lines[is.line];
+  const LineValues& shape = of.lines[is.line];
   for (const std::size_t end : {0U, 1U}) {
-    double way = way_of_end(line, at(is.line), end, shape.t, before, now);
+    double way = way_of_end(line, as_size(is.line), end, shape.t, before, now);
     if (line.contact[end] >= 0) {
-      const std::size_t c = at(m.contacts[at(line.contact[end])].column);
+      const std::size_t c = as_size(m.contacts[line.contact[end]].column);
       way += (1 + shape.e) * (now.q[c] - before.q[c]);
     }
     ways.rope += share_at(is, end) * way;
   }
-  const std::size_t first = at(load.lines.front()), last = at(load.lines.back());
+  const std::size_t first = as_size(load.lines.front()), last = as_size(load.lines.back());
   ways.place = (1 - load.follows) * way_of_end(m.lines[first], first, 0, shape.t, before, now) +
                load.follows * way_of_end(m.lines[last], last, 1, shape.t, before, now);
   return ways;
@@ -69,23 +70,23 @@ Ways ways_at(const Mechanism& m, const ChainLoad& load, const ChainLoadValues& i
 double speed_at(const Mechanism& m, const ChainLoad& load, const ChainLoadValues& is, const Values& v) {
   const auto of_end = [&](std::size_t i, std::size_t end) {
     if (m.lines[i].body[end] < 0) return 0.0;
-    const Motion3& body = v.bodies[at(m.lines[i].body[end])];
-    return v.lines[at(is.line)].t.dot(body.v + body.w.cross(v.lines[i].touch[end] - body.x));
+    const Motion3& body = v.bodies[m.lines[i].body[end]];
+    return v.lines[is.line].t.dot(body.v + body.w.cross(v.lines[i].touch[end] - body.x));
   };
-  const Line& line = m.lines[at(is.line)];
+  const Line& line = m.lines[is.line];
   double speed = 0;
   for (const std::size_t end : {0U, 1U}) {
-    double here = of_end(at(is.line), end);
-    if (line.contact[end] >= 0) here += (1 + v.lines[at(is.line)].e) * v.contacts[at(line.contact[end])].flow;
+    double here = of_end(as_size(is.line), end);
+    if (line.contact[end] >= 0) here += (1 + v.lines[is.line].e) * v.contacts[line.contact[end]].flow;
     speed += share_at(is, end) * here;
   }
-  return speed - (1 - load.follows) * of_end(at(load.lines.front()), 0) -
-         load.follows * of_end(at(load.lines.back()), 1);
+  return speed - (1 - load.follows) * of_end(as_size(load.lines.front()), 0) -
+         load.follows * of_end(as_size(load.lines.back()), 1);
 }
 
 /// What the ends of the segment get along it; a rope at a round can't be pushed there: the joint gets the rest.
 void share_out(const Mechanism& m, ChainLoadValues& is, LineValues& rope) {
-  const Line& line = m.lines[at(is.line)];
+  const Line& line = m.lines[is.line];
   is.bounded = {false, false};
   for (const std::size_t end : {0U, 1U}) is.on_end[end] = share_at(is, end) * is.force;
   for (const std::size_t end : {0U, 1U}) {
@@ -108,18 +109,18 @@ void add_chain_loads(Mechanism& m, TimeMethod method) {
   constexpr double stiff = 20;
   const auto& ropes = m.model->reevings;
   const auto stands = [&](int body) {
-    return body < 0 || (m.bodies[at(body)].count == 0 && m.model->bodies[at(body)].driven.empty());
+    return body < 0 || (m.bodies[body].count == 0 && m.model->bodies[body].driven.empty());
   };
   for (std::size_t r = 0; r < ropes.size(); ++r) {
     const machine::Reeving& rope = ropes[r];
     if (rope.segments <= 1) continue;
     const int nodes = static_cast<int>(rope.nodes.size());
     for (int node = 0; node < nodes; ++node) {
-      if (rope.nodes[at(node)].kind != machine::NodeKind::load) continue;
+      if (rope.nodes[node].kind != machine::NodeKind::load) continue;
       ChainLoad load;
       load.as.reeving = static_cast<int>(r);
       load.as.node = node;
-      load.as.body = rope.nodes[at(node)].at.body;
+      load.as.body = rope.nodes[node].at.body;
       load.as.load = true;
       load.bristle = method == TimeMethod::verlet ? 1 : stiff;  // explicit steps are as short as segments ask for
       load.as.copies = rope.copies;
@@ -128,8 +129,8 @@ void add_chain_loads(Mechanism& m, TimeMethod method) {
       load.count = branches * rope.segments;
       const auto [first, lines] = m.first_line[r];
       for (int i = 0; i < load.count; ++i) load.lines.push_back(first + (from * rope.segments + i) % lines);
-      const int start = rope.nodes[at(from)].at.body, end = rope.nodes[at(to)].at.body;
-      load.follows = stands(start) ? 0.0 : stands(end) ? 1.0 : rope.nodes[at(node)].load.share;
+      const int start = rope.nodes[from].at.body, end = rope.nodes[to].at.body;
+      load.follows = stands(start) ? 0.0 : stands(end) ? 1.0 : rope.nodes[node].load.share;
       m.chain_loads.push_back(load);
     }
   }
@@ -140,12 +141,12 @@ void place_chain_loads(const DynamicState& start, Mechanism& m, Values& now) {
   for (std::size_t i = 0; i < m.chain_loads.size(); ++i) {
     ChainLoad& load = m.chain_loads[i];
     const double whole = length_of_chain(load, now);
-    double place = m.model->reevings[at(load.as.reeving)].nodes[at(load.as.node)].load.share * whole;
-    if (!start.ropes[at(load.as.reeving)].passed.empty()) {  // a motion that goes on has the place among its bodies
-      const Vector3& x = start.bodies[at(load.as.body)].position;
+    double place = m.model->reevings[load.as.reeving].nodes[load.as.node].load.share * whole;
+    if (!start.ropes[load.as.reeving].passed.empty()) {  // a motion that goes on has the place among its bodies
+      const Vector3& x = start.bodies[load.as.body].position;
       double before = 0, nearest = std::numeric_limits<double>::infinity();
       for (const int k : load.lines) {
-        const LineValues& line = now.lines[at(k)];
+        const LineValues& line = now.lines[k];
         const double along = std::clamp(line.t.dot(x - line.touch[0]), 0.0, line.l);
         const double off = (line.touch[0] + along * line.t - x).norm();
         if (off < nearest - whole_share * whole) {
@@ -157,8 +158,8 @@ void place_chain_loads(const DynamicState& start, Mechanism& m, Values& now) {
     }
     load.more = place - load.follows * whole;
     find_segment(load, now, now.chain_loads[i]);
-    const LineValues& line = now.lines[at(now.chain_loads[i].line)];
-    now.bodies[at(load.as.body)].x = line.touch[0] + now.chain_loads[i].share * line.l * line.t;
+    const LineValues& line = now.lines[now.chain_loads[i].line];
+    now.bodies[load.as.body].x = line.touch[0] + now.chain_loads[i].share * line.l * line.t;
   }
 }
 
@@ -168,7 +169,7 @@ void follow_chain_loads(const Mechanism& m, const Scheme& s, const Values& befor
     const ChainLoadValues& was = before.chain_loads[i];
     ChainLoadValues& is = now.chain_loads[i];
     find_segment(load, now, is);
-    LineValues& rope = now.lines[at(is.line)];
+    LineValues& rope = now.lines[is.line];
     const RopeLoadStep step = rope_load(m, load.as, now.when, was.speed, s.lossless);
     is.stiffness = 0;
     is.bristle = was.bristle;
@@ -178,7 +179,7 @@ void follow_chain_loads(const Mechanism& m, const Scheme& s, const Values& befor
       is.bristle = 0;
     } else {
       const Ways ways = s.h > 0 ? ways_at(m, load, is, now, before, now) : Ways{};
-      const double stiffness = load.bristle * m.lines[at(is.line)].stiffness / rope.L;
+      const double stiffness = load.bristle * m.lines[is.line].stiffness / rope.L;
       const double most = step.drop / stiffness, stretched = was.bristle + ways.rope - ways.place;
       is.bristle = std::clamp(stretched, -most, most);
       if (most > 0 && is.bristle == stretched) is.stiffness = stiffness;
@@ -186,7 +187,7 @@ void follow_chain_loads(const Mechanism& m, const Scheme& s, const Values& befor
     }
     is.speed = speed_at(m, load, is, now);
     share_out(m, is, rope);
-    now.bodies[at(load.as.body)].x = rope.touch[0] + is.share * rope.l * rope.t;
+    now.bodies[load.as.body].x = rope.touch[0] + is.share * rope.l * rope.t;
   }
 }
 
@@ -194,39 +195,41 @@ void assemble_chain_loads(Mechanism& m, const Scheme& s, const Values& now, Work
   const double square = s.reach * s.reach;
   for (std::size_t i = 0; i < m.chain_loads.size(); ++i) {
     const ChainLoadValues& is = now.chain_loads[i];
-    const Line& line = m.lines[at(is.line)];
-    const LineValues& rope = now.lines[at(is.line)];
+    const Line& line = m.lines[is.line];
+    const LineValues& rope = now.lines[is.line];
     line_columns(line, m.bodies, now.bodies, rope, w.columns);
     const int freedoms = line.freedoms[0] + line.freedoms[1];
     const auto end_of = [&](int k) -> std::size_t { return k < line.freedoms[0] ? 0 : 1; };
     for (int r = 0; r < freedoms; ++r) {
-      w.residual[at(line.column[at(r)])] -= line.copies * is.on_end[end_of(r)] * rope.t.dot(w.columns[at(r)].velocity);
+      w.residual[line.column[as_size(r)]] -=
+          line.copies * is.on_end[end_of(r)] * rope.t.dot(w.columns[as_size(r)].velocity);
     }
     if (!w.tangent) continue;
     std::array<double, 14> slope{};  // of the force
     for (int k = 0; k < freedoms; ++k) {
-      const double way = square * rope.t.dot(w.columns[at(k)].velocity);
-      slope[at(k)] = -is.stiffness * share_at(is, end_of(k)) * way;
+      const double way = square * rope.t.dot(w.columns[as_size(k)].velocity);
+      slope[as_size(k)] = -is.stiffness * share_at(is, end_of(k)) * way;
     }
     for (const std::size_t end : {0U, 1U}) {
-      if (line.flow[end] >= 0 && s.h > 0) slope[at(line.flow[end])] = -is.stiffness * share_at(is, end) * (1 + rope.e);
+      if (line.flow[end] >= 0 && s.h > 0)
+        slope[as_size(line.flow[end])] = -is.stiffness * share_at(is, end) * (1 + rope.e);
     }
     auto& values = m.solver.values();
     for (int r = 0; r < freedoms; ++r) {
       const std::size_t end = end_of(r);
-      const Vector3& V = w.columns[at(r)].velocity;
+      const Vector3& V = w.columns[as_size(r)].velocity;
       const double share = is.bounded[end] ? 0 : is.bounded[1 - end] ? 1 : share_at(is, end);
       for (int k = 0; k < line.columns; ++k) {
-        double Q = share * slope[at(k)] * rope.t.dot(V);
-        if (k < freedoms) Q += is.on_end[end] * square * w.columns[at(k)].t.dot(V);
-        values[at(line.places[at(r * line.columns + k)])] -= line.copies * Q;
+        double Q = share * slope[as_size(k)] * rope.t.dot(V);
+        if (k < freedoms) Q += is.on_end[end] * square * w.columns[as_size(k)].t.dot(V);
+        values[line.places[r * line.columns + k]] -= line.copies * Q;
       }
     }
     for (const std::size_t end : {0U, 1U}) {
       if (line.contact[end] < 0 || is.bounded[end]) continue;
       const double sign = end == 0 ? 1 : -1;
       for (int k = 0; k < line.columns; ++k) {
-        w.tangents[at(is.line)].end_T[end][at(k)] += sign * share_at(is, end) * slope[at(k)];
+        w.tangents[is.line].end_T[end][as_size(k)] += sign * share_at(is, end) * slope[as_size(k)];
       }
     }
   }
@@ -253,7 +256,7 @@ ChainLoadWork work_of_chain_loads(const Mechanism& m, const Values& before, cons
 
 TransientFrame::Contact chain_load_frame(const Mechanism& m, const Values& v, std::size_t i) {
   const ChainLoadValues& is = v.chain_loads[i];
-  const LineValues& rope = v.lines[at(is.line)];
+  const LineValues& rope = v.lines[is.line];
   TransientFrame::Contact c;
   c.reeving = m.chain_loads[i].as.reeving;
   c.node = m.chain_loads[i].as.node;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_build.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
@@ -19,11 +20,11 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
   }
   for (const Body& body : m.bodies) {
     if (body.count == 0) continue;
-    const std::string name = body.model >= 0 ? model.bodies[at(body.model)].name : "a node of a rope";
+    const std::string name = body.model >= 0 ? model.bodies[body.model].name : "a node of a rope";
     bool turns_freely = false;
     for (int f = 0; f < body.count; ++f) {
-      const Vector3& about = body.about[at(f)];
-      const Matrix3 turned = body.model >= 0 ? start.bodies[at(body.model)].orientation : Matrix3(Matrix3::Identity());
+      const Vector3& about = body.about[as_size(f)];
+      const Matrix3 turned = body.model >= 0 ? start.bodies[body.model].orientation : Matrix3(Matrix3::Identity());
       const Vector3 lever = about.cross(turned * body.centre);
       const Matrix3 inertia = turned * body.inertia * turned.transpose();
       if (about != Vector3::Zero() && !(about.dot(inertia * about) + body.mass * lever.squaredNorm() > 0))
@@ -42,7 +43,7 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
     const machine::Drive& drive = v.drive(spin);
     if (drive.kind == machine::DriveKind::held || drive.kind == machine::DriveKind::speed || drive.brake) continue;
     return infeasible(fmt::format("the sheave with the motor '{}' needs an 'inertia' when a torque drives it",
-                                  model.motors[at(spin.motor)].name));
+                                  model.motors[spin.motor].name));
   }
   for (const machine::Reeving& rope : model.reevings) {
     if (!std::isinf(rope.stiffness)) continue;

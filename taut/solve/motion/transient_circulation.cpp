@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 /// Closed ropes that slip at all of their contacts. Tensions follow from the rope between each two of them, so that
@@ -13,7 +14,7 @@ namespace {
 constexpr double taut_strain = 1e-3;  ///< with which its inertia is measured, where its tensions are less
 
 struct ClosedRope {
-  std::vector<std::size_t> contacts;
+  Array<std::size_t> contacts;
   double misfit = 0;   ///< that all of it is too long or too short, m
   double fastest = 0;  ///< rim or rope before, m/s
   double acceleration = 0;
@@ -25,10 +26,10 @@ ClosedRope closed_rope(const Mechanism& m, std::size_t reeving, const Values& be
   double mass = 0, largest = 0;
   const auto [first, lines] = m.first_line[reeving];
   for (int k = first; k < first + lines; ++k) {
-    const LineValues& is = now.lines[at(k)];
+    const LineValues& is = now.lines[k];
     rope.misfit += std::abs(is.e) * is.L;
-    mass += m.lines[at(k)].mass * is.L;
-    largest = std::max({largest, before.lines[at(k)].T, taut_strain * m.lines[at(k)].stiffness});
+    mass += m.lines[k].mass * is.L;
+    largest = std::max({largest, before.lines[k].T, taut_strain * m.lines[k].stiffness});
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (m.contacts[i].reeving != static_cast<int>(reeving)) continue;
@@ -41,9 +42,9 @@ ClosedRope closed_rope(const Mechanism& m, std::size_t reeving, const Values& be
   return rope;
 }
 
-double mean_of(const Mechanism& m, const ClosedRope& rope, const std::vector<double>& by_column) {
+double mean_of(const Mechanism& m, const ClosedRope& rope, const Array<double>& by_column) {
   double sum = 0;
-  for (const std::size_t i : rope.contacts) sum += by_column[at(m.contacts[i].column)];
+  for (const std::size_t i : rope.contacts) sum += by_column[m.contacts[i].column];
   return sum / static_cast<double>(rope.contacts.size());
 }
 
@@ -60,7 +61,7 @@ double miss_at(const Mechanism& m, std::size_t i, const Values& now) {
 }  // namespace
 
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
-                      std::vector<double>& step) {
+                      Array<double>& step) {
   const double time = s.h > 0 ? s.h : s.slip_now > 0 ? 1 / s.slip_now : 0;
   for (std::size_t r = 0; r < m.model->reevings.size(); ++r) {
     if (!m.model->reevings[r].closed) continue;
@@ -69,14 +70,14 @@ void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before,
     const double most = rope.misfit + time * rope.fastest;
     const double all = runs ? mean_of(m, rope, step) : 0;
     for (const std::size_t i : rope.contacts) {
-      double& passes = step[at(m.contacts[i].column)];
+      double& passes = step[m.contacts[i].column];
       if (now.contacts[i].grip != Grip::stuck) passes = std::clamp(passes - all, -most, most);
     }
     if (!runs) continue;
     const double farthest = time * (rope.fastest + time * rope.acceleration);
     const double is = mean_of(m, rope, now.q) - mean_of(m, rope, before.q);
     const double back = is - std::clamp(is - all, -farthest, farthest);
-    for (const std::size_t i : rope.contacts) step[at(m.contacts[i].column)] += back;
+    for (const std::size_t i : rope.contacts) step[m.contacts[i].column] += back;
   }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
@@ -11,8 +12,8 @@ namespace {
 /// Columns of a contact: those of its line `in`, those of `out`, its own, its spin's.
 std::size_t own_column(const Mechanism& m, const Contact& contact) {
   std::size_t k = 0;
-  if (contact.in >= 0) k += at(m.lines[at(contact.in)].columns);
-  if (contact.out >= 0) k += at(m.lines[at(contact.out)].columns);
+  if (contact.in >= 0) k += as_size(m.lines[contact.in].columns);
+  if (contact.out >= 0) k += as_size(m.lines[contact.out].columns);
   return k;
 }
 
@@ -24,12 +25,12 @@ void for_columns(const Mechanism& m, const Contact& contact, const Work& w, Visi
   for (const bool out : {false, true}) {
     const int i = out ? contact.out : contact.in;
     if (i < 0) continue;
-    const LineTangent& tangent = w.tangents[at(i)];
-    const bool hangs = m.lines[at(i)].sag >= 0 && w.hangs[at(m.lines[at(i)].sag)];
-    for (int c = 0; c < m.lines[at(i)].columns; ++c, ++k) {
+    const LineTangent& tangent = w.tangents[i];
+    const bool hangs = m.lines[i].sag >= 0 && w.hangs[m.lines[i].sag];
+    for (int c = 0; c < m.lines[i].columns; ++c, ++k) {
       const std::size_t end = out ? 0 : 1;
-      const double e = hangs ? tangent.end_e[end][at(c)] : tangent.e[at(c)];
-      visit(k, out, tangent.end_T[end][at(c)], tangent.angle[end][at(c)], e);
+      const double e = hangs ? tangent.end_e[end][as_size(c)] : tangent.e[as_size(c)];
+      visit(k, out, tangent.end_T[end][as_size(c)], tangent.angle[end][as_size(c)], e);
     }
   }
 }
@@ -40,8 +41,8 @@ void tension_row(Mechanism& m, const Contact& contact, const Work& w, double a, 
   double* const values = m.solver.values().data();
   const int* place = contact.row.data();
   const auto add = [&](int line, std::size_t end, double by_T, double by_angle) {
-    const LineTangent& tangent = w.tangents[at(line)];
-    const std::size_t columns = at(m.lines[at(line)].columns);
+    const LineTangent& tangent = w.tangents[line];
+    const std::size_t columns = as_size(m.lines[line].columns);
     for (std::size_t c = 0; c < columns; ++c, ++place) {
       values[*place] += by_T * tangent.end_T[end][c] + by_angle * tangent.angle[end][c];
     }
@@ -55,18 +56,18 @@ void rolling_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& bef
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
   auto& values = m.solver.values();
-  const std::size_t c = at(contact.column), own = own_column(m, contact);
+  const std::size_t c = as_size(contact.column), own = own_column(m, contact);
   const double scale = std::max(stiffness_at(m, contact, now), 1.0);
   // what has slipped is that of before, also where it was still taken as slipping when it was followed
   w.residual[c] += scale * (now.q[c] - before.contacts[i].slipped - w.q_star[c] - s.reach * is.roll_rate);
-  values[at(contact.row[own])] += scale;
+  values[contact.row[own]] += scale;
   if (contact.spin < 0) return;
   const double rim = contact.sense * working_radius(m, contact, before) / is.lambda;
-  values[at(contact.row[own + 1])] -= scale * s.reach * s.reach * rim;
-  if (is.entry < 0 || now.lines[at(is.entry)].e <= 0) return;
+  values[contact.row[own + 1]] -= scale * s.reach * s.reach * rim;
+  if (is.entry < 0 || now.lines[is.entry].e <= 0) return;
   for_columns(m, contact, w, [&](std::size_t k, bool out, double, double, double e) {
     if ((out ? contact.out : contact.in) != is.entry) return;
-    values[at(contact.row[k])] += scale * s.reach * is.roll_rate / is.lambda * e;
+    values[contact.row[k]] += scale * s.reach * is.roll_rate / is.lambda * e;
   });
 }
 
@@ -76,18 +77,18 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
   auto& values = m.solver.values();
   const int line = contact.in >= 0 ? contact.in : contact.out;
   const std::size_t end = contact.in >= 0 ? 1 : 0;
-  const LineValues& is = now.lines[at(line)];
+  const LineValues& is = now.lines[line];
   const bool slack = is.T <= 0;
-  const double EA = m.lines[at(line)].stiffness * is.gone;
+  const double EA = m.lines[line].stiffness * is.gone;
   if (!(EA > 0)) {
-    w.residual[at(contact.column)] += now.q[at(contact.column)] - before.q[at(contact.column)];
-    values[at(contact.row[own_column(m, contact)])] += 1;
+    w.residual[contact.column] += now.q[contact.column] - before.q[contact.column];
+    values[contact.row[own_column(m, contact)]] += 1;
     return;
   }
-  const double share = is.L / length_of(m.lines[at(line)], is.l);
-  w.residual[at(contact.column)] += (slack ? EA * is.e * share : is.end_T[end]) - given;
+  const double share = is.L / length_of(m.lines[line], is.l);
+  w.residual[contact.column] += (slack ? EA * is.e * share : is.end_T[end]) - given;
   for_columns(m, contact, w, [&](std::size_t k, bool, double T, double, double e) {
-    values[at(contact.row[k])] += slack ? EA * e * share * share : T;
+    values[contact.row[k]] += slack ? EA * e * share * share : T;
   });
 }
 
@@ -99,28 +100,28 @@ constexpr double rough_slack_share = 1e-4;  ///< the same where ropes have to fi
 /// The damper counts: in short steps it makes the taut one far stiffer than it is.
 void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, const Values& now) {
   const auto spare_of = [&](int i) {
-    const Line& line = m.lines[at(i)];
-    if (now.lines[at(i)].T > 0) return 0.0;
-    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / some_length(now.lines[at(i)]);
+    const Line& line = m.lines[i];
+    if (now.lines[i].T > 0) return 0.0;
+    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / some_length(now.lines[i]);
   };
   const double spare = spare_of(contact.in) + spare_of(contact.out);
   if (spare == 0) return;
   const double share = s.fresh ? rough_slack_share : slack_share;
-  m.solver.values()[at(contact.row[own_column(m, contact)])] -= share * spare;
+  m.solver.values()[contact.row[own_column(m, contact)]] -= share * spare;
 }
 
 /// Where a closed rope slips at all of its contacts, the derivatives would not know how much of it runs round.
 void keep_from_circling(Mechanism& m, const Contact& contact, const Values& now) {
   constexpr double circling_share = 1e-9;  // of the stiffness there
-  if (!m.model->reevings[at(contact.reeving)].closed) return;
-  m.solver.values()[at(contact.row[own_column(m, contact)])] -= circling_share * stiffness_at(m, contact, now);
+  if (!m.model->reevings[contact.reeving].closed) return;
+  m.solver.values()[contact.row[own_column(m, contact)]] -= circling_share * stiffness_at(m, contact, now);
 }
 
 void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, const Pressure& p, Work& w) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = now.contacts[i];
   const double ratio = is.ratio;
-  double& g = w.residual[at(contact.column)];
+  double& g = w.residual[contact.column];
   if (contact.load) {
     g += p.out - p.in - asked_difference(is);
     tension_row(m, contact, w, 1, 1, 0);
@@ -156,7 +157,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     return;
   }
   if (loose(contact, now)) {  // the rope stays divided as it is
-    m.solver.values()[at(contact.row[own_column(m, contact)])] += 1;
+    m.solver.values()[contact.row[own_column(m, contact)]] += 1;
     return;
   }
   law_row(m, s, i, now, pressure(contact, now), w);
@@ -167,7 +168,7 @@ double held_moment(const Mechanism& m, const Spin& spin, const SpinValues& is, c
                    const Values& now) {
   double moment = drive_torque(m, spin, before, now.when) - spin.inertia * is.alpha;
   if (spin.body >= 0) {
-    const Vector3 axis = now.bodies[at(spin.body)].R * spin.axis;
+    const Vector3 axis = now.bodies[spin.body].R * spin.axis;
     moment -= spin.inertia * axis.dot(acceleration(m, spin.body, now).second);
   }
   return moment + rope_moment(m, spin, before, now);
@@ -177,55 +178,55 @@ void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
   const Spin& spin = m.spins[i];
   const SpinValues& is = now.spins[i];
   auto& values = m.solver.values();
-  const std::size_t c = at(spin.column);
+  const std::size_t c = as_size(spin.column);
   const int first = m.spin_place_first[i];
   const bool set = prescribed(m, spin, before, now.when).has_value();
   const bool light = spin.inertia <= 0;
   if (set || light) {
-    values[at(m.spin_places[at(first)])] += 1;
+    values[m.spin_places[first]] += 1;
     if (light && !set) w.residual[c] += now.rate[c];
     if (light) return;
   }
-  const int freedoms = spin.body < 0 ? 0 : m.bodies[at(spin.body)].count;
+  const int freedoms = spin.body < 0 ? 0 : m.bodies[spin.body].count;
   // absolute spin: that of the carrying body about the axis adds
   double carried = 0;
   Vector3 axis = spin.axis;
   if (spin.body >= 0) {
-    axis = now.bodies[at(spin.body)].R * spin.axis;
+    axis = now.bodies[spin.body].R * spin.axis;
     carried = axis.dot(acceleration(m, spin.body, now).second);
   }
   const double change = spin.inertia * (is.alpha + carried);
   for (int r = 0; r < freedoms; ++r) {
-    const Body& body = m.bodies[at(spin.body)];
+    const Body& body = m.bodies[spin.body];
     if (!body.turns) break;
-    const double share = axis.dot(body.about[at(r)]);
-    w.residual[at(body.first + r)] += share * change;
+    const double share = axis.dot(body.about[as_size(r)]);
+    w.residual[body.first + r] += share * change;
     for (int k = 0; k < freedoms; ++k) {
-      values[at(m.spin_places[at(first + (r + 1) * (freedoms + 1) + k + 1)])] +=
-          share * spin.inertia * axis.dot(body.about[at(k)]);
+      values[m.spin_places[first + (r + 1) * (freedoms + 1) + k + 1]] +=
+          share * spin.inertia * axis.dot(body.about[as_size(k)]);
     }
     if (set) continue;
-    values[at(m.spin_places[at(first + (r + 1) * (freedoms + 1))])] += share * spin.inertia;
+    values[m.spin_places[first + (r + 1) * (freedoms + 1)]] += share * spin.inertia;
     if (is.turns != 0 || is.capacity <= 0) {
-      values[at(m.spin_places[at(first + r + 1)])] += share * spin.inertia;
+      values[m.spin_places[first + r + 1]] += share * spin.inertia;
     }
   }
   if (set) return;
   if (is.turns == 0 && is.capacity > 0) {  // the bearing sticks
     const double scale = spin.inertia;
     w.residual[c] += scale * (s.reach > 0 ? now.nu[c] / s.reach : now.rate[c]);
-    values[at(m.spin_places[at(first)])] += scale;
+    values[m.spin_places[first]] += scale;
     return;
   }
   w.residual[c] +=
       change - drive_torque(m, spin, before, now.when) + is.turns * is.capacity - rope_moment(m, spin, before, now);
-  values[at(m.spin_places[at(first)])] += spin.inertia;
+  values[m.spin_places[first]] += spin.inertia;
   for (const auto& [index, sense] : spin.contacts) {
-    const Contact& contact = m.contacts[at(index)];
+    const Contact& contact = m.contacts[index];
     const double lever = sense * contact.copies * working_radius(m, contact, before);
     const BearingSlope slope = bearing_slope(m, contact, before, now);
     for_columns(m, contact, w, [&](std::size_t k, bool out, double T, double, double) {
-      values[at(contact.spin_row[k])] += (out ? -lever : lever) * T + is.turns * (out ? slope.out : slope.in) * T;
+      values[contact.spin_row[k]] += (out ? -lever : lever) * T + is.turns * (out ? slope.out : slope.in) * T;
     });
   }
 }
@@ -247,7 +248,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     return;
   }
   // what has slipped in the step, as a force; at an unchanged time what slips goes on slipping
-  const double damping = s.undamped ? 0 : m.lines[at(contact.in)].damping;
+  const double damping = s.undamped ? 0 : m.lines[contact.in].damping;
   double slip = 0;
   if (is.grip != Grip::stuck) {
     const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));
@@ -275,7 +276,7 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
   SpinValues& is = now.spins[i];
   is.capacity = 0;
   for (const auto& one : spin.contacts) {
-    is.capacity += bearing_slope(m, m.contacts[at(one.first)], before, now).capacity;
+    is.capacity += bearing_slope(m, m.contacts[one.first], before, now).capacity;
   }
   if (is.capacity <= 0 || prescribed(m, spin, before, now.when)) {
     is.turns = 0;
@@ -294,21 +295,21 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
 }  // namespace
 
 bool loose(const Contact& contact, const Values& now) {
-  return contact.in >= 0 && contact.out >= 0 && now.lines[at(contact.in)].end_T[1] <= 0 &&
-         now.lines[at(contact.out)].end_T[0] <= 0;
+  return contact.in >= 0 && contact.out >= 0 && now.lines[contact.in].end_T[1] <= 0 &&
+         now.lines[contact.out].end_T[0] <= 0;
 }
 
 double loose_flow(const Contact& contact, const ContactValues& was, const Values& before) {
-  const auto slack = [&](int line) { return line >= 0 && before.lines[at(line)].e <= 0; };
+  const auto slack = [&](int line) { return line >= 0 && before.lines[line].e <= 0; };
   return slack(contact.in) && slack(contact.out) ? 0 : was.flow;
 }
 
 double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now) {
   double moment = 0;
   for (const auto& [index, sense] : spin.contacts) {
-    const Contact& contact = m.contacts[at(index)];
-    const double T_in = contact.in >= 0 ? now.lines[at(contact.in)].end_T[1] : 0;
-    const double T_out = contact.out >= 0 ? now.lines[at(contact.out)].end_T[0] : 0;
+    const Contact& contact = m.contacts[index];
+    const double T_in = contact.in >= 0 ? now.lines[contact.in].end_T[1] : 0;
+    const double T_out = contact.out >= 0 ? now.lines[contact.out].end_T[0] : 0;
     moment += sense * contact.copies * working_radius(m, contact, before) * (T_out - T_in);
   }
   return moment;
@@ -319,7 +320,7 @@ BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Val
   if (contact.in < 0 || contact.out < 0 || contact.efficiency >= 1) return slope;
   const double share =
       contact.copies * working_radius(m, contact, before) * (1 - contact.efficiency) / (1 + contact.efficiency);
-  const LineValues &in = now.lines[at(contact.in)], &out = now.lines[at(contact.out)];
+  const LineValues &in = now.lines[contact.in], &out = now.lines[contact.out];
   const Vector3 &t_in = direction(m, now, contact.in, 1), &t_out = direction(m, now, contact.out, 0);
   const Vector3 F = (out.end_T[0] - out.thrust[0]) * t_out - (in.end_T[1] - in.thrust[1]) * t_in;
   const double size = F.norm();

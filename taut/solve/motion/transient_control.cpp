@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
 namespace taut::solve::dynamics {
@@ -27,7 +28,7 @@ double error_by_turning(const Run& run, std::size_t i) {
   const double back = -way * is.slip_rate, on = way * was.slip_rate;
   if (back <= 0 || on <= 0) return 0;
   const double too_far = back * back / (2 * (back + on)) * run.scheme.h;
-  const double largest = run.T_largest[at(run.m.contacts[i].reeving)];
+  const double largest = run.T_largest[run.m.contacts[i].reeving];
   return largest > 0 ? stiffness_at(run.m, run.m.contacts[i], run.now) * too_far / largest : 0;
 }
 
@@ -122,8 +123,8 @@ double error_of(const Run& run, bool kink) {
   double error = 0;
   for (const Body& body : run.m.bodies) {
     for (int k = 0; k < body.count; ++k) {
-      const std::size_t c = at(body.first + k);
-      const double size = body.about[at(k)] == Vector3::Zero() ? run.m.size_of_machine : 1;
+      const std::size_t c = as_size(body.first + k);
+      const double size = body.about[as_size(k)] == Vector3::Zero() ? run.m.size_of_machine : 1;
       error = std::max(error,
                        error_by_prediction(run, run.now.q[c], run.before.q[c], run.before.nu[c], run.nu_old[c]) / size);
     }
@@ -131,7 +132,7 @@ double error_of(const Run& run, bool kink) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     error = std::max(error, error_by_turning(run, i));
     if (run.m.contacts[i].spin < 0) continue;
-    const std::size_t c = at(run.m.contacts[i].column);
+    const std::size_t c = as_size(run.m.contacts[i].column);
     error = std::max(error, error_by_prediction(run, run.now.contacts[i].rolled, run.before.contacts[i].rolled,
                                                 run.before.contacts[i].roll_rate, run.nu_old[c]) /
                                 run.m.size_of_machine);
@@ -142,7 +143,7 @@ double error_of(const Run& run, bool kink) {
     const double T0 = run.before.lines[i].T, T1 = run.T_old[i], T2 = run.T_older[i];
     const double first = (T0 - T1) / h1, second = (first - (T1 - T2) / h2) / (h1 + h2);
     const double predicted = T0 + h * (first + (h + h1) * second);
-    const double largest = run.T_largest[at(run.m.lines[i].reeving)];
+    const double largest = run.T_largest[run.m.lines[i].reeving];
     // differences of slip amplify what rounding leaves of a length
     const Line& line = run.m.lines[i];
     const double rates = line.contact[0] >= 0 || line.contact[1] >= 0 ? run.scheme.slip_now : 0;

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
+
 namespace taut::solve::dynamics {
 namespace {
 
@@ -18,9 +21,9 @@ Couple couple_between(const Mechanism& m, int body, const Vector3& place, int ot
   int columns = 0;
   for (std::size_t side = 0; side < 2; ++side) {
     if (couple.body[side] < 0) continue;
-    const Body& of = m.bodies[at(couple.body[side])];
+    const Body& of = m.bodies[couple.body[side]];
     couple.freedoms[side] = of.count;
-    for (int f = 0; f < of.count; ++f) couple.column[at(columns++)] = of.first + f;
+    for (int f = 0; f < of.count; ++f) couple.column[as_size(columns++)] = of.first + f;
   }
   return couple;
 }
@@ -36,12 +39,12 @@ constexpr std::size_t per_face = 3;  ///< numbers of a contact in DynamicState::
 
 const Motion3& motion_of(const Values& v, int body) {
   static const Motion3 still;
-  return body < 0 ? still : v.bodies[at(body)];
+  return body < 0 ? still : v.bodies[body];
 }
 
 void add_couples(Mechanism& m) {
   for (const machine::FaceContact& contact : m.model->contacts) {
-    const machine::Face& face = m.model->faces[at(contact.face)];
+    const machine::Face& face = m.model->faces[contact.face];
     m.couples.push_back(couple_between(m, contact.body, contact.at, face.body, face.from));
   }
   for (const machine::Actuator& actuator : m.model->actuators) {
@@ -56,7 +59,7 @@ void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
   v.actuators.resize(actuators);
   for (std::size_t i = 0; i < faces; ++i) {
     const Couple& couple = m.couples[i];
-    const machine::Face& face = m.model->faces[at(m.model->contacts[i].face)];
+    const machine::Face& face = m.model->faces[m.model->contacts[i].face];
     const Motion3& carrier = motion_of(v, couple.body[1]);
     v.faces[i].point = couple_place(v, couple, 0);
     v.faces[i].arm = carrier.R.transpose() * (v.faces[i].point - carrier.x);
@@ -108,7 +111,7 @@ Outcome check_couples(const Mechanism& m, const Values& v) {
                       law.name));
     }
     const auto locks = [&](const machine::Event& e) {
-      return e.kind == machine::EventKind::actuator && at(e.index) == i && e.mode == ActuatorMode::lock;
+      return e.kind == machine::EventKind::actuator && as_size(e.index) == i && e.mode == ActuatorMode::lock;
     };
     const bool held = law.kind == machine::ActuatorKind::speed || v.actuators[i].mode == ActuatorMode::lock ||
                       std::any_of(m.model->events.begin(), m.model->events.end(), locks);
@@ -134,14 +137,14 @@ int couple_columns(const Mechanism& m, const Couple& couple, const Values& now, 
                    CoupleColumns& columns) {
   int count = 0;
   for (const int side : {0, 1}) {
-    for (int f = 0; f < couple.freedoms[at(side)]; ++f) {
-      const Body& body = m.bodies[at(couple.body[at(side)])];
-      CoupleColumn& c = columns[at(count++)];
+    for (int f = 0; f < couple.freedoms[as_size(side)]; ++f) {
+      const Body& body = m.bodies[couple.body[as_size(side)]];
+      CoupleColumn& c = columns[as_size(count++)];
       c.side = side;
       c.freedom = f;
-      c.a = body.along[at(f)];
-      c.b = body.about[at(f)];
-      c.lever = at_place[at(side)] - now.bodies[at(couple.body[at(side)])].x;
+      c.a = body.along[as_size(f)];
+      c.b = body.about[as_size(f)];
+      c.lever = at_place[as_size(side)] - now.bodies[couple.body[as_size(side)]].x;
       c.velocity = (side == 0 ? 1 : -1) * (c.a + c.b.cross(c.lever));
     }
   }
@@ -153,11 +156,11 @@ void add_force(Mechanism& m, const Scheme& s, const Couple& couple, const Vector
   const double square = s.reach * s.reach;
   auto& values = m.solver.values();
   for (int j = 0; j < count; ++j) {
-    const CoupleColumn& row = columns[at(j)];
-    w.residual[at(couple.column[at(j)])] -= force.dot(row.velocity);
+    const CoupleColumn& row = columns[as_size(j)];
+    w.residual[couple.column[as_size(j)]] -= force.dot(row.velocity);
     const int* const places = couple.places.data() + static_cast<std::ptrdiff_t>(j) * count;
     for (int k = 0; k < count; ++k) {
-      const CoupleColumn& by = columns[at(k)];
+      const CoupleColumn& by = columns[as_size(k)];
       double Q = by.force.dot(row.velocity);
       // the lever of the row's side as the freedom k moves
       Vector3 lever = Vector3::Zero();
@@ -167,7 +170,7 @@ void add_force(Mechanism& m, const Scheme& s, const Couple& couple, const Vector
         lever = by.side == 0 ? by.velocity : Vector3(-by.a);
       }
       Q += (row.side == 0 ? square : -square) * force.dot(row.b.cross(lever));
-      values[at(places[k])] -= Q;
+      values[places[k]] -= Q;
     }
   }
 }
@@ -198,11 +201,11 @@ namespace {
 
 /// What one unit of force at a place of a body accelerates it by at most, 1/kg.
 double yielding(const Mechanism& m, int body, const Vector3& place) {
-  if (body < 0 || m.bodies[at(body)].count == 0) return 0;
-  const Body& shape = m.bodies[at(body)];
+  if (body < 0 || m.bodies[body].count == 0) return 0;
+  const Body& shape = m.bodies[body];
   double yields = shape.mass > 0 ? 1 / shape.mass : 0;
   for (int f = 0; f < shape.count; ++f) {
-    const Vector3& about = shape.about[at(f)];
+    const Vector3& about = shape.about[as_size(f)];
     const double J = about.dot(shape.inertia * about);
     if (J > 0) yields += (place - shape.centre).squaredNorm() / J;
   }
@@ -222,7 +225,7 @@ std::pair<double, double> spring_of(const Mechanism& m, std::size_t couple, cons
 
 CoupleBounds bounds_of_couples(const Mechanism& m, const Values& v) {
   CoupleBounds bounds;
-  std::vector<double> stiffness(m.bodies.size(), 0.0), damping = stiffness;
+  Array<double> stiffness(m.bodies.size(), 0.0), damping = stiffness;
   const auto add = [&](bool collect) {
     for (std::size_t i = 0; i < m.couples.size(); ++i) {
       const auto [k, c] = spring_of(m, i, v);
@@ -233,11 +236,11 @@ CoupleBounds bounds_of_couples(const Mechanism& m, const Values& v) {
         const double yields = yielding(m, body, place);
         if (yields == 0) continue;
         if (collect) {
-          stiffness[at(body)] += k * yields;
-          damping[at(body)] += c * yields;
+          stiffness[body] += k * yields;
+          damping[body] += c * yields;
         } else {
-          square += stiffness[at(body)];
-          rate += damping[at(body)];
+          square += stiffness[body];
+          rate += damping[body];
         }
       }
       bounds.square = std::max(bounds.square, square);
@@ -292,7 +295,7 @@ double taken_by_couples(const Mechanism& m, const Values& before, const Values& 
 }
 
 double power_of_couples(const Mechanism& m, int body, const Values& v) {
-  const Motion3& is = v.bodies[at(body)];
+  const Motion3& is = v.bodies[body];
   double power = 0;
   const auto add = [&](const Couple& couple, std::size_t side, const Vector3& place, const Vector3& force) {
     if (couple.body[side] != body) return;
@@ -314,7 +317,7 @@ double power_of_couples(const Mechanism& m, int body, const Values& v) {
 double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what) {
   using machine::Quantity;
   const bool face = what.quantity <= Quantity::contact_state && what.quantity >= Quantity::contact_N;
-  const auto i = at(what.index);
+  const auto i = as_size(what.index);
   if (face) {
     const TransientFrame::FaceContact f = face_frame(m, v, i);
     switch (what.quantity) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_ledger.hpp"
 
 /// Points on faces and actuators of a machine in motion: forces between two places, each with its derivatives.
@@ -45,7 +46,7 @@ double power_of_couples(const Mechanism& m, int body, const Values& v);
 
 double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what);
 TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std::size_t i);
-std::vector<TransientFrame::Actuator> actuator_frames(const Values& v);
+Array<TransientFrame::Actuator> actuator_frames(const Values& v);
 
 /// An event: an actuator's mode. A lock keeps the force that there is.
 void set_mode(const Mechanism& m, Values& v, int actuator, machine::ActuatorMode mode);

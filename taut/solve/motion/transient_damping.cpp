@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
+
 namespace taut::solve::dynamics {
 namespace {
 
@@ -10,7 +13,7 @@ constexpr std::size_t most_lines = 250;
 constexpr double stretches = 0.01;  ///< of a mode's strain energy
 constexpr int most_sweeps = 30;
 
-void rotate(std::vector<double>& a, std::vector<double>& vectors, std::size_t n, std::size_t p, std::size_t q) {
+void rotate(Array<double>& a, Array<double>& vectors, std::size_t n, std::size_t p, std::size_t q) {
   const double off = a[p * n + q];
   if (off == 0) return;
   const double theta = (a[q * n + q] - a[p * n + p]) / (2 * off);
@@ -32,27 +35,27 @@ void rotate(std::vector<double>& a, std::vector<double>& vectors, std::size_t n,
 }
 
 /// How a line's strain length follows every column, its rope stuck on its rounds.
-std::vector<double> gradient(const Mechanism& m, const Values& v, std::size_t i, Work& w) {
-  std::vector<double> b(at(m.size), 0.0);
+Array<double> gradient(const Mechanism& m, const Values& v, std::size_t i, Work& w) {
+  Array<double> b(as_size(m.size), 0.0);
   const Line& line = m.lines[i];
   line_columns(line, m.bodies, v.bodies, v.lines[i], w.columns);
   for (int k = 0; k < line.freedoms[0] + line.freedoms[1]; ++k) {
     const double sign = k < line.freedoms[0] ? -1 : 1;
-    b[at(line.column[at(k)])] += sign * line.share * v.lines[i].t.dot(w.columns[at(k)].velocity);
+    b[line.column[as_size(k)]] += sign * line.share * v.lines[i].t.dot(w.columns[as_size(k)].velocity);
   }
   for (const std::size_t end : {0U, 1U}) {
     if (line.contact[end] < 0) continue;
-    const Contact& contact = m.contacts[at(line.contact[end])];
+    const Contact& contact = m.contacts[line.contact[end]];
     if (contact.spin < 0) continue;
-    const Spin& spin = m.spins[at(contact.spin)];
+    const Spin& spin = m.spins[contact.spin];
     if (!(spin.inertia > 0) || prescribed(m, spin, v, v.when)) continue;
-    b[at(spin.column)] += (end == 0 ? -1 : 1) * contact.sense * working_radius(m, contact, v);
+    b[spin.column] += (end == 0 ? -1 : 1) * contact.sense * working_radius(m, contact, v);
   }
   return b;
 }
 
 /// What the tensions resist as branches swing in a motion, N/m by the square of its unit: T/l of each way across.
-double stiffness_across(const Mechanism& m, const Values& v, const std::vector<double>& motion, Work& w) {
+double stiffness_across(const Mechanism& m, const Values& v, const Array<double>& motion, Work& w) {
   double sum = 0;
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
@@ -62,7 +65,7 @@ double stiffness_across(const Mechanism& m, const Values& v, const std::vector<d
     Vector3 apart = Vector3::Zero();
     for (int k = 0; k < line.freedoms[0] + line.freedoms[1]; ++k) {
       const double sign = k < line.freedoms[0] ? -1 : 1;
-      apart += sign * line.share * motion[at(line.column[at(k)])] * w.columns[at(k)].velocity;
+      apart += sign * line.share * motion[line.column[as_size(k)]] * w.columns[as_size(k)].velocity;
     }
     sum += line.copies * is.T / is.l * (apart - apart.dot(is.t) * is.t).squaredNorm();
   }
@@ -71,7 +74,7 @@ double stiffness_across(const Mechanism& m, const Values& v, const std::vector<d
 
 }  // namespace
 
-Symmetric eigen_of(std::vector<double> a, std::size_t n) {
+Symmetric eigen_of(Array<double> a, std::size_t n) {
   Symmetric e;
   e.vectors.assign(n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) e.vectors[i * n + i] = 1;
@@ -89,8 +92,8 @@ Symmetric eigen_of(std::vector<double> a, std::size_t n) {
   return e;
 }
 
-std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& w) {
-  std::vector<double> found(m.first_line.size(), 0.0);
+Array<double> stretching_frequencies(Mechanism& m, const Values& v, Work& w) {
+  Array<double> found(m.first_line.size(), 0.0);
   const std::size_t n = m.lines.size();
   if (n > most_lines) {
     std::fill(found.begin(), found.end(), highest_frequency(m, v));
@@ -99,15 +102,15 @@ std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& 
   Scheme still;
   assemble(m, still, v, v, w);
   if (!m.solver.factor()) return found;
-  std::vector<std::vector<double>> gradients, moved;
-  std::vector<double> root;
+  Array<Array<double>> gradients, moved;
+  Array<double> root;
   for (std::size_t i = 0; i < n; ++i) {
     gradients.push_back(gradient(m, v, i, w));
     moved.push_back(gradients.back());
     m.solver.solve(moved.back());
     root.push_back(std::sqrt(m.lines[i].copies * m.lines[i].stiffness / v.lines[i].L));
   }
-  std::vector<double> a(n * n, 0.0);
+  Array<double> a(n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       double sum = 0;
@@ -117,10 +120,10 @@ std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& 
   }
   const Symmetric e = eigen_of(a, n);
   const double largest = e.values.empty() ? 0 : *std::max_element(e.values.begin(), e.values.end());
-  std::vector<double> swinging = found;
+  Array<double> swinging = found;
   for (std::size_t k = 0; k < n; ++k) {
     if (!(e.values[k] > 1e-10 * largest)) continue;
-    std::vector<double> motion(at(m.size), 0.0);
+    Array<double> motion(as_size(m.size), 0.0);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t c = 0; c < motion.size(); ++c) motion[c] += root[i] * e.vectors[i * n + k] * moved[i][c];
     }
@@ -129,7 +132,7 @@ std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& 
     for (std::size_t r = 0; r < found.size(); ++r) {
       double share = 0;
       for (int i = m.first_line[r].first; i < m.first_line[r].first + m.first_line[r].second; ++i) {
-        share += e.vectors[at(i) * n + k] * e.vectors[at(i) * n + k];
+        share += e.vectors[as_size(i) * n + k] * e.vectors[as_size(i) * n + k];
       }
       double& lowest = (swings ? swinging : found)[r];
       const double omega = std::sqrt(e.values[k]);

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_step.hpp"
 
 namespace taut::solve::dynamics {
@@ -8,12 +9,12 @@ namespace taut::solve::dynamics {
 /// K^1/2 B' M^-1 B K^1/2, B the lines' gradients: modes that stretch nothing are not among them. Modes against which
 /// the tensions across the branches are stiffer than their stretch are swings (of a block on nearly parallel falls)
 /// and count only for a rope that has no others.
-std::vector<double> stretching_frequencies(Mechanism& m, const Values& v, Work& w);
+Array<double> stretching_frequencies(Mechanism& m, const Values& v, Work& w);
 
 /// Eigenvalues and, as columns, eigenvectors of a symmetric matrix of size n, row by row, by Jacobi's rotations.
 struct Symmetric {
-  std::vector<double> values, vectors;
+  Array<double> values, vectors;
 };
-Symmetric eigen_of(std::vector<double> a, std::size_t n);
+Symmetric eigen_of(Array<double> a, std::size_t n);
 
 }  // namespace taut::solve::dynamics

@@ -6,7 +6,7 @@ namespace taut::solve::dynamics {
 
 double working_radius(const Mechanism& /*m*/, const Contact& contact, const Values& v) {
   const bool leaves = contact.out >= 0;
-  return v.lines[at(leaves ? contact.out : contact.in)].radius[leaves ? 0 : 1];
+  return v.lines[leaves ? contact.out : contact.in].radius[leaves ? 0 : 1];
 }
 
 std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
@@ -17,7 +17,7 @@ std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Va
   if (drive.kind == machine::DriveKind::pull && spin.drum >= 0) return Turning{};
   if (drive.kind != machine::DriveKind::speed) return std::nullopt;
   const machine::SignalValue speed = machine::at(drive.signal, t);
-  const double radius = working_radius(m, m.contacts[at(spin.contacts.front().first)], v);
+  const double radius = working_radius(m, m.contacts[spin.contacts.front().first], v);
   return Turning{speed.value / radius, speed.rate / radius};
 }
 
@@ -32,9 +32,9 @@ namespace {
 
 /// What is left of a rope that breaks somewhere.
 double left_of(const Mechanism& m, int reeving, const Values& v) {
-  const auto [first, lines] = m.first_line[at(reeving)];
+  const auto [first, lines] = m.first_line[reeving];
   double left = 1;
-  for (int i = first; i < first + lines; ++i) left = std::min(left, v.lines[at(i)].gone);
+  for (int i = first; i < first + lines; ++i) left = std::min(left, v.lines[i].gone);
   return left;
 }
 
@@ -43,7 +43,7 @@ double left_of(const Mechanism& m, int reeving, const Values& v) {
 std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t,
                                     const Values& rope) {
   if (contact.drum < 0) return std::nullopt;
-  const Spin& spin = m.spins[at(contact.spin)];
+  const Spin& spin = m.spins[contact.spin];
   const machine::Drive& drive = v.drive(spin);
   if (drive.brake || drive.kind == machine::DriveKind::held || drive.kind == machine::DriveKind::speed)
     return std::nullopt;

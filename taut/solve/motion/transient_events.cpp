@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_run.hpp"
@@ -14,15 +15,15 @@ namespace {
 constexpr std::size_t most_notes = 20000;  ///< beyond it only breaks and stops are noted
 
 std::string line_name(const Run& run, const Line& line) {
-  const machine::Reeving& rope = run.model.reevings[at(line.reeving)];
+  const machine::Reeving& rope = run.model.reevings[line.reeving];
   if (rope.nodes.size() == 2 && line.segment < 0) return rope.name;
   const std::string branch =
-      fmt::format("{}: {} - {}", rope.name, rope.nodes[at(line.from)].name, rope.nodes[at(line.to)].name);
+      fmt::format("{}: {} - {}", rope.name, rope.nodes[line.from].name, rope.nodes[line.to].name);
   return line.segment < 0 ? branch : fmt::format("{} ({})", branch, line.segment + 1);
 }
 
 std::string contact_name(const Run& run, const Contact& contact) {
-  return run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name;
+  return run.model.reevings[contact.reeving].nodes[contact.node].name;
 }
 
 bool holds(const Run& run, const Values& v, const machine::Condition& condition) {
@@ -33,8 +34,8 @@ bool holds(const Run& run, const Values& v, const machine::Condition& condition)
 /// The line that an event breaks, of those that are whole: where the tension is largest; of equal ones, whatever their
 /// rounding, the first. -1: they all are broken; or the rope is, somewhere, and what is left of it hangs loose.
 int breaking_line(const Run& run, const Values& v, const machine::Event& event) {
-  const auto [first, lines] = run.m.first_line[at(event.index)];
-  const int pieces = std::max(1, run.model.reevings[at(event.index)].segments);
+  const auto [first, lines] = run.m.first_line[event.index];
+  const int pieces = std::max(1, run.model.reevings[event.index].segments);
   int from = first, to = first + lines;
   if (event.part >= 0) {
     from = first + event.part * pieces;
@@ -44,18 +45,18 @@ int breaking_line(const Run& run, const Values& v, const machine::Event& event) 
   int worst = -1;
   bool broken = false;
   for (int i = from; i < to; ++i) {
-    const bool whole = v.lines[at(i)].gone == 1;
+    const bool whole = v.lines[i].gone == 1;
     broken = broken || !whole;
-    if (whole && (worst < 0 || v.lines[at(i)].T > (1 + rounding) * v.lines[at(worst)].T)) worst = i;
+    if (whole && (worst < 0 || v.lines[i].T > (1 + rounding) * v.lines[worst].T)) worst = i;
   }
-  return worst >= 0 && broken && v.lines[at(worst)].T <= 0 ? -1 : worst;
+  return worst >= 0 && broken && v.lines[worst].T <= 0 ? -1 : worst;
 }
 
 void break_rope(Run& run, Values& v, const machine::Event& event) {
   const int line = breaking_line(run, v, event);
   if (line < 0) return;
   run.breaking.push_back({line, v.t, event.over});
-  note(run, v.t, "break", line_name(run, run.m.lines[at(line)]), {{"T", v.lines[at(line)].T}});
+  note(run, v.t, "break", line_name(run, run.m.lines[line]), {{"T", v.lines[line].T}});
 }
 
 /// A drum that has pulled its rope goes on with a torque: it turns as its rope goes, and its drive has seen to that.
@@ -63,10 +64,10 @@ void turn_with_rope(Run& run, Values& v, int drum) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
     if (contact.drum != drum) continue;
-    const Spin& spin = run.m.spins[at(contact.spin)];
+    const Spin& spin = run.m.spins[contact.spin];
     if (spin.contacts.front().first != static_cast<int>(i) || spin.inertia <= 0) continue;
     const double omega = contact.sense * v.contacts[i].flow * v.contacts[i].lambda / working_radius(run.m, contact, v);
-    v.nu[at(spin.column)] = v.spins[at(contact.spin)].omega = omega;
+    v.nu[spin.column] = v.spins[contact.spin].omega = omega;
     const double given = spin.inertia * omega * omega / 2;
     run.ledger.supplied += given;
     run.ledger.now.kinetic += given;
@@ -83,14 +84,14 @@ bool apply_event(Run& run, Values& v, const machine::Event& event) {
       return true;
     case machine::EventKind::brake: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
-      drives[at(event.index)].brake = event.brake_set;
+      drives[event.index].brake = event.brake_set;
       note(run, v.t, "brake", event.words);
       break;
     }
     case machine::EventKind::drive: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
-      const bool lets_go = drives[at(event.index)].kind == machine::DriveKind::pull && !event.of_motor;
-      drives[at(event.index)] = event.drive;
+      const bool lets_go = drives[event.index].kind == machine::DriveKind::pull && !event.of_motor;
+      drives[event.index] = event.drive;
       if (lets_go && event.drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
       note(run, v.t, "drive", event.words);
       break;
@@ -108,22 +109,22 @@ constexpr double rounding_of_radius = 1e-9;  ///< share of a radius
 
 /// How a drum takes the rope of this contact; width 0 where nobody knows.
 rope::DrumLayers layers_on(const Run& run, const Contact& contact) {
-  return machine::measures_of(run.model.drums[at(contact.drum)], run.model.reevings[at(contact.reeving)].diameter);
+  return machine::measures_of(run.model.drums[contact.drum], run.model.reevings[contact.reeving].diameter);
 }
 
 /// The layer on which the end of so much unstretched rope lies, as statics has it: by its turns and the tension at
 /// which it was wound.
 int layer_of(const Run& run, const Contact& contact, double content) {
-  const machine::Drum& drum = run.model.drums[at(contact.drum)];
+  const machine::Drum& drum = run.model.drums[contact.drum];
   const rope::DrumLayers layers = layers_on(run, contact);
   if (layers.width == 0) return drum.layer;
-  const double strain = drum.wound_at.value_or(0) / run.m.lines[at(std::max(contact.in, contact.out))].stiffness;
+  const double strain = drum.wound_at.value_or(0) / run.m.lines[std::max(contact.in, contact.out)].stiffness;
   return rope::on_drum(layers, std::max(0.0, content) * (1 + strain)).layer;
 }
 
 }  // namespace
 
-void note(Run& run, double t, std::string what, std::string where, std::vector<std::pair<std::string, double>> values) {
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values) {
   if (run.result.events.size() >= most_notes && what != "break" && what != "stop") return;
   run.result.events.push_back({t, std::move(what), std::move(where), std::move(values)});
 }
@@ -169,7 +170,7 @@ void note_changes(Run& run) {
     if (was == is || contact.in < 0 || contact.out < 0) continue;
     if (was == Grip::equal || is == Grip::equal) {
       const Pressure p = pressure(contact, run.now);
-      const double G = run.now.lines[at(contact.out)].thrust[0];
+      const double G = run.now.lines[contact.out].thrust[0];
       if (is == Grip::equal && G > 0 && run.now.contacts[i].log_ratio > 0 && std::max(p.in, p.out) > -G) {
         note(run, run.now.t, "lift_off", contact_name(run, contact), {{"G", G}});
       }
@@ -184,9 +185,9 @@ namespace {
 
 /// What lies on a drum in the step to `v`; none where the description does not say how much there is.
 std::optional<double> content_ahead(const Run& run, const Contact& contact, const Values& v) {
-  if (contact.drum < 0 || !run.model.drums[at(contact.drum)].length_on_drum) return {};
-  const double passed = v.q[at(contact.column)] - run.before.q[at(contact.column)];
-  return run.before.drums[at(contact.drum)].content + (contact.in < 0 ? -passed : passed);
+  if (contact.drum < 0 || !run.model.drums[contact.drum].length_on_drum) return {};
+  const double passed = v.q[contact.column] - run.before.q[contact.column];
+  return run.before.drums[contact.drum].content + (contact.in < 0 ? -passed : passed);
 }
 
 /// Whether a drum changes its layer in the step to `v`, or has no rope left then.
@@ -194,9 +195,9 @@ bool winds_on(const Run& run, const Values& v) {
   return std::any_of(run.m.contacts.begin(), run.m.contacts.end(), [&](const Contact& contact) {
     const auto content = content_ahead(run, contact, v);
     if (!content) return false;
-    const machine::Drum& drum = run.model.drums[at(contact.drum)];
+    const machine::Drum& drum = run.model.drums[contact.drum];
     const bool climbs =
-        drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[at(contact.drum)].layer;
+        drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[contact.drum].layer;
     return climbs || *content < -no_rope_on_drum;
   });
 }
@@ -207,7 +208,7 @@ bool run_out(Run& run) {
   for (const Contact& contact : run.m.contacts) {
     const auto content = content_ahead(run, contact, run.before);
     if (!content || *content >= -no_rope_on_drum) continue;
-    const std::string& drum = run.model.drums[at(contact.drum)].name;
+    const std::string& drum = run.model.drums[contact.drum].name;
     note(run, run.before.t, "length_zero", drum, {{"L", *content}});
     run.result.outcome = infeasible(
         fmt::format("at t = {:.6g} s no rope is left on the drum '{}': stop the motion before, or give it more",
@@ -245,7 +246,7 @@ bool happen(Run& run, Values& v, bool& stop) {
 
 void fade(const Run& run, double t, Values& v) {
   for (const Run::Breaking& one : run.breaking) {
-    v.lines[at(one.line)].gone = one.over > 0 ? std::clamp(1 - (t - one.from) / one.over, 0.0, 1.0) : 0.0;
+    v.lines[one.line].gone = one.over > 0 ? std::clamp(1 - (t - one.from) / one.over, 0.0, 1.0) : 0.0;
   }
 }
 
@@ -263,27 +264,27 @@ bool change_layers(Run& run, Values& v) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
     if (contact.drum < 0) continue;
-    const machine::Drum& drum = run.model.drums[at(contact.drum)];
+    const machine::Drum& drum = run.model.drums[contact.drum];
     if (!drum.automatic_layers || !drum.length_on_drum) continue;
-    DrumValues& is = v.drums[at(contact.drum)];
+    DrumValues& is = v.drums[contact.drum];
     const rope::DrumLayers layers = layers_on(run, contact);
     if (layers.width == 0) continue;
     const int layer = layer_of(run, contact, is.content);
     const int line = contact.in >= 0 ? contact.in : contact.out;
     const std::size_t end = contact.in >= 0 ? 1 : 0;
-    LineValues& rope = v.lines[at(line)];
+    LineValues& rope = v.lines[line];
     const double radius = rope::layer_radius(layers, layer);
     if (layer == is.layer && std::abs(rope.radius[end] - radius) <= rounding_of_radius * radius) continue;
     // the strain is kept: a rope climbs onto the next layer within a turn
     const double strain = std::max(0.0, end_strain(run.m, v, line, end));
     while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(strain);
-    if (layer > is.layer) is.strain[at(layer - 1)] = strain;
+    if (layer > is.layer) is.strain[layer - 1] = strain;
     is.layer = layer;
     for (int k = line;; k += end == 0 ? 1 : -1) {  // all parts of the free line
-      const Line& part = run.m.lines[at(k)];
-      LineValues& of = v.lines[at(k)];
+      const Line& part = run.m.lines[k];
+      LineValues& of = v.lines[k];
       if (sags(part, of)) {
-        hang_on_new_radius(part, v.bodies, end, radius, of, v.sags[at(part.sag)]);
+        hang_on_new_radius(part, v.bodies, end, radius, of, v.sags[part.sag]);
         of.radius[end] = radius;
         break;
       }
@@ -298,8 +299,8 @@ bool change_layers(Run& run, Values& v) {
   return any;
 }
 
-std::vector<double> stops_of(const machine::Model& model, double from, double to) {
-  std::vector<double> stops;
+Array<double> stops_of(const machine::Model& model, double from, double to) {
+  Array<double> stops;
   const auto add = [&](const machine::Signal& signal) {
     for (const double t : machine::breakpoints(signal)) stops.push_back(t);
   };
@@ -330,7 +331,7 @@ std::vector<double> stops_of(const machine::Model& model, double from, double to
 
 bool jumps_at(const Run& run, double t) {
   const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
-  const std::vector<double> stops = stops_of(run.model, t - near, t + near);
+  const Array<double> stops = stops_of(run.model, t - near, t + near);
   return !stops.empty();
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
 namespace taut::solve::dynamics {
@@ -68,7 +69,7 @@ bool is_over(const machine::Face& face, const Vector3& arm) {
 
 void follow_face(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {
   const machine::FaceContact& law = m.model->contacts[i];
-  const machine::Face& face = m.model->faces[at(law.face)];
+  const machine::Face& face = m.model->faces[law.face];
   const Couple& couple = m.couples[i];
   const Motion3 &of_point = motion_of(now, couple.body[0]), &of_face = motion_of(now, couple.body[1]);
   const FaceValues& was = before.faces[i];
@@ -106,7 +107,7 @@ void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& n
   const Friction f = friction_of(law, is);
   const Vector3 d = size > 0 ? Vector3(is.pull / size) : Vector3(Vector3::Zero());
   for (int k = 0; k < count; ++k) {
-    CoupleColumn& column = columns[at(k)];
+    CoupleColumn& column = columns[as_size(k)];
     const Vector3& V = column.velocity;
     const Vector3 turned = column.side == 1 ? Vector3(column.b.cross(n)) : Vector3(Vector3::Zero());
     const Vector3 v = r * V + square * velocity_carried(now, couple, column, column.lever);
@@ -132,7 +133,7 @@ void assemble_face(Mechanism& m, const Scheme& s, std::size_t i, const Values& n
 bool meets_an_edge(const Mechanism& m, const Values& now) {
   for (std::size_t i = 0; i < now.faces.size(); ++i) {
     const FaceValues& is = now.faces[i];
-    if (is.pen > 0 && is.over != is_over(m.model->faces[at(m.model->contacts[i].face)], is.arm)) return true;
+    if (is.pen > 0 && is.over != is_over(m.model->faces[m.model->contacts[i].face], is.arm)) return true;
   }
   return false;
 }
@@ -150,7 +151,7 @@ double energy_of_faces(const Mechanism& m, const Values& v) {
 
 TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std::size_t i) {
   const FaceValues& is = v.faces[i];
-  const machine::Face& face = m.model->faces[at(m.model->contacts[i].face)];
+  const machine::Face& face = m.model->faces[m.model->contacts[i].face];
   const Vector3 along = motion_of(v, m.couples[i].body[1]).R * (face.to - face.from);
   const auto signed_size = [&](const Vector3& x) { return std::copysign(x.norm(), x.dot(along)); };
   TransientFrame::FaceContact frame;

@@ -69,11 +69,11 @@ Outcome failure(Run& run, StepEnd end, double t) {
   const double left = end == StepEnd::no_place ? nearly_no_rope : hardly_any_rope;
   if (!run.m.lines.empty() && share <= left) {
     const Line& of = run.m.lines[line];
-    const machine::Reeving& rope = run.model.reevings[at(of.reeving)];
+    const machine::Reeving& rope = run.model.reevings[of.reeving];
     note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
     return infeasible(
         fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
-                    rope.nodes[at(of.from)].name, rope.nodes[at(of.to)].name, rope.name));
+                    rope.nodes[of.from].name, rope.nodes[of.to].name, rope.name));
   }
   if (end == StepEnd::no_place && rounds_touch(run)) {
     return infeasible(fmt::format(
@@ -86,12 +86,12 @@ Outcome failure(Run& run, StepEnd end, double t) {
         t));
   }
   if (const int joint = joint_at_round(run); end == StepEnd::no_place && joint >= 0) {
-    const Line& of = run.m.lines[at(joint)];
-    const machine::Reeving& rope = run.model.reevings[at(of.reeving)];
+    const Line& of = run.m.lines[joint];
+    const machine::Reeving& rope = run.model.reevings[of.reeving];
     return infeasible(fmt::format(
         "at t = {:.6g} s a joint between the segments of '{}' comes onto the round '{}': give it fewer 'segments', or "
         "stop the motion before",
-        t, rope.name, rope.nodes[at(run.before.lines[at(joint)].radius[0] > 0 ? of.from : of.to)].name));
+        t, rope.name, rope.nodes[run.before.lines[joint].radius[0] > 0 ? of.from : of.to].name));
   }
   if (run.options.quasi_static && end == StepEnd::singular) {
     return infeasible(

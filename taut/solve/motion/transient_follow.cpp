@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_chain_load.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
@@ -45,7 +47,7 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
   Motion3& is = now.bodies[b];
   if (shape.point && !shape.driven) {
     for (int k = 0; k < 3; ++k) {
-      const std::size_t c = at(shape.first + k);
+      const std::size_t c = as_size(shape.first + k);
       is.x[k] = was.x[k] + (now.q[c] - before.q[c]);
       is.v[k] = now.nu[c];
     }
@@ -53,8 +55,8 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
   }
   Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
   is.v = is.w = Vector3::Zero();
-  for (std::size_t f = 0; f < at(shape.count); ++f) {
-    const std::size_t c = at(shape.first) + f;
+  for (std::size_t f = 0; f < as_size(shape.count); ++f) {
+    const std::size_t c = as_size(shape.first) + f;
     const double by = now.q[c] - before.q[c];
     shift += by * shape.along[f];
     is.v += now.nu[c] * shape.along[f];
@@ -68,7 +70,7 @@ void move_body(const Mechanism& m, const Values& before, std::size_t b, double t
     if (shape.turns) is.R = turned_by(turn) * was.R;
     return;
   }
-  const machine::Body& given = m.model->bodies[at(shape.model)];
+  const machine::Body& given = m.model->bodies[shape.model];
   Vector3 shift_before, shift_now;
   Matrix3 turn_before, turn_now;
   drive_body(given, before.when, shift_before, turn_before, is);
@@ -90,7 +92,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
     SpinValues& is = now.spins[i];
-    const std::size_t c = at(spin.column);
+    const std::size_t c = as_size(spin.column);
     if (const auto set = prescribed(m, spin, before, t)) {
       now.rate[c] = s.at_rest ? 0 : set->alpha;
       now.nu[c] = s.at_rest ? 0 : set->omega;
@@ -119,7 +121,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   const bool sagging = sags(line, is), off = has_run_off(was);
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
-    const std::size_t k = at(line.contact[end]), c = at(m.contacts[k].column);
+    const std::size_t k = as_size(line.contact[end]), c = as_size(m.contacts[k].column);
     double out = s.only_rates && slips_later(m, s, m.contacts[k]) ? 0 : now.q[c] - before.q[c];
     if (line.radius[end] > 0 && !line.at_load[end] && !sagging && !off)
       out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
@@ -130,7 +132,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   }
   is.L = L;
   if (sagging) {
-    const std::size_t k = at(line.sag);
+    const std::size_t k = as_size(line.sag);
     if (!hang(line, now.bodies, windings_of(line, before), before.sags[k], is.L, was.angle, is, now.sags[k]))
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
@@ -150,7 +152,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   is.log_ratio = is.log_by_wrap = 0;
   is.ratio = 1;
   if (contact.in < 0 || contact.out < 0) return;
-  const std::size_t in = at(contact.in), out = at(contact.out);
+  const std::size_t in = as_size(contact.in), out = as_size(contact.out);
   const bool everywhere = std::isinf(contact.friction);
   if (contact.round) {
     is.wrap = before.contacts[i].wrap + now.lines[out].angle[0] - before.lines[out].angle[0] - now.lines[in].angle[1] +
@@ -166,8 +168,8 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   }
   if (s.lossless) {
     // an endless rope would run round by itself
-    const bool held = contact.spin >= 0 && m.spins[at(contact.spin)].motor >= 0;
-    if (held && m.model->reevings[at(contact.reeving)].closed) is.log_ratio = infinite;
+    const bool held = contact.spin >= 0 && m.spins[contact.spin].motor >= 0;
+    if (held && m.model->reevings[contact.reeving].closed) is.log_ratio = infinite;
     return;
   }
   const double grip = everywhere ? infinite : contact.friction * std::max(0.0, is.wrap);
@@ -186,12 +188,12 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   const Contact& contact = m.contacts[i];
   const ContactValues& was = before.contacts[i];
   ContactValues& is = now.contacts[i];
-  const std::size_t c = at(contact.column);
+  const std::size_t c = as_size(contact.column);
   is.entry = was.entry;
   is.lambda = is.entry >= 0 ? 1 + std::max(0.0, entry_strain(m, now, contact, is.entry)) : was.lambda;
   is.roll_rate = 0;
   if (contact.spin >= 0) {
-    is.roll_rate = contact.sense * now.spins[at(contact.spin)].omega * working_radius(m, contact, before) / is.lambda;
+    is.roll_rate = contact.sense * now.spins[contact.spin].omega * working_radius(m, contact, before) / is.lambda;
   }
   now.nu[c] = is.roll_rate;
   now.rate[c] = 0;
@@ -222,7 +224,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   ContactValues& is = now.contacts[i];
   double stiffness = 0;
   for (const int line : {contact.in, contact.out}) {
-    if (line >= 0) stiffness += m.lines[at(line)].stiffness / before.lines[at(line)].L;
+    if (line >= 0) stiffness += m.lines[line].stiffness / before.lines[line].L;
   }
   const double time = calm * contact.mass * std::max(least_speed, std::abs(was.steady)) / stiffness;
   // and within a step only as far as rims and loads may take it: loose rope that finds its place has no momentum
@@ -232,11 +234,11 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
 
 /// Velocity of the rope's touching points, fixed to their bodies, apart. Coordinate by coordinate: in chains and
 /// tackles this is what is done most often of all.
-[[gnu::always_inline]] inline void set_apart(const Line& line, const std::vector<Motion3>& bodies, LineValues& is) {
+[[gnu::always_inline]] inline void set_apart(const Line& line, const Array<Motion3>& bodies, LineValues& is) {
   double x = 0, y = 0, z = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.body[end] < 0) continue;
-    const Motion3& body = bodies[at(line.body[end])];
+    const Motion3& body = bodies[line.body[end]];
     const double sign = end == 1 ? 1 : -1;
     x += sign * body.v[0];
     y += sign * body.v[1];
@@ -256,9 +258,9 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
 [[gnu::always_inline]] inline double flow_at(const Mechanism& m, const Line& line, std::size_t end, const Values& now,
                                              LineValues& is) {
   if (line.contact[end] < 0) return 0;
-  const ContactValues& contact = now.contacts[at(line.contact[end])];
+  const ContactValues& contact = now.contacts[line.contact[end]];
   if (line.mass > 0) {
-    const double mass = m.contacts[at(line.contact[end])].mass;
+    const double mass = m.contacts[line.contact[end]].mass;
     is.thrust[end] = mass * contact.lambda * contact.steady * contact.steady;
   }
   return end == 0 ? contact.flow : -contact.flow;
@@ -272,7 +274,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   // it matters for dampers, and for how the stretch of rope on rounds goes on
   const bool sagging = sags(line, is), runs = line.contact[0] >= 0 || line.contact[1] >= 0;
   const bool matters = line.damping > 0 || runs || sagging;
-  if (sagging) now.sags[at(line.sag)].chord_rate = 0;
+  if (sagging) now.sags[line.sag].chord_rate = 0;
   if (!s.at_rest && matters) {
     double flows = flow_at(m, line, 0, now, is) + flow_at(m, line, 1, now, is);
     for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
@@ -283,10 +285,10 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows + askew) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
     if (is.gone == 0) is.e_rate = 0;
-    if (sagging) now.sags[at(line.sag)].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;
+    if (sagging) now.sags[line.sag].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;
   }
   if (sagging) {
-    pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[at(line.sag)]);
+    pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[line.sag]);
     return;
   }
   s.only_rates ? pull_without_bounds(line, line.damping, is) : pull(line, s.undamped ? 0 : line.damping, is);
@@ -303,12 +305,12 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   now.t = t;
   const double h = s.creeps ? s.elapsed : s.h;
   now.when = h > 0 ? t - 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), h) : t;
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) {
+  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) {
     now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
     now.q[c] = w.q_star[c] + s.reach * now.nu[c];
   }
   for (const Spin& spin : m.spins) {
-    const std::size_t c = at(spin.column);
+    const std::size_t c = as_size(spin.column);
     now.nu[c] = w.nu_star[c] + s.reach * now.rate[c];
     now.q[c] = w.q_star[c] + s.reach * now.nu[c];
   }
@@ -351,12 +353,12 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
                     Values& now) {
   const Contact& of = m.contacts[contact];
   for (const int line : {of.in, of.out}) {
-    if (line >= 0) stretch(m, s, before, at(line), now);
+    if (line >= 0) stretch(m, s, before, as_size(line), now);
   }
   flow(m, s, before, w, contact, now);
   if (of.mass != 0) steady_flow(m, s, before, contact, now);
   for (const int line : {of.in, of.out}) {
-    if (line >= 0) strain_rate(m, s, before, at(line), now);
+    if (line >= 0) strain_rate(m, s, before, as_size(line), now);
   }
 }
 
@@ -369,19 +371,19 @@ double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
 }
 
 bool slips_in_a_moment(const Mechanism& m, const Scheme& s, const Contact& contact) {
-  return s.slip_now > 0 && m.lines[at(contact.in >= 0 ? contact.in : contact.out)].damping > 0;
+  return s.slip_now > 0 && m.lines[contact.in >= 0 ? contact.in : contact.out].damping > 0;
 }
 
 bool slips_later(const Mechanism& m, const Scheme& s, const Contact& contact) {
-  const auto hangs = [&](int line) { return line >= 0 && m.lines[at(line)].sag >= 0; };
+  const auto hangs = [&](int line) { return line >= 0 && m.lines[line].sag >= 0; };
   return s.only_rates && !hangs(contact.in) && !hangs(contact.out) && slips_in_a_moment(m, s, contact);
 }
 
 std::pair<Vector3, Vector3> acceleration(const Mechanism& m, int body, const Values& now) {
-  const Body& shape = m.bodies[at(body)];
-  Vector3 a = now.bodies[at(body)].driven_a, b = now.bodies[at(body)].driven_b;
-  for (std::size_t f = 0; f < at(shape.count); ++f) {
-    const double rate = now.rate[at(shape.first) + f];
+  const Body& shape = m.bodies[body];
+  Vector3 a = now.bodies[body].driven_a, b = now.bodies[body].driven_b;
+  for (std::size_t f = 0; f < as_size(shape.count); ++f) {
+    const double rate = now.rate[as_size(shape.first) + f];
     a += rate * shape.along[f];
     if (shape.turns) b += rate * shape.about[f];
   }

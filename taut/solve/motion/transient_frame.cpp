@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/base/array.hpp"
 #include "taut/math/fixed_angles.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_chain_load.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_run.hpp"
@@ -29,7 +31,7 @@ ContactState state_of_contact(const Contact& contact, const ContactValues& v, co
 TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::size_t i) {
   const Contact& contact = m.contacts[i];
   const ContactValues& is = v.contacts[i];
-  const LineValues &in = v.lines[at(contact.in)], &out = v.lines[at(contact.out)];
+  const LineValues &in = v.lines[contact.in], &out = v.lines[contact.out];
   TransientFrame::Contact c;
   c.reeving = contact.reeving;
   c.node = contact.node;
@@ -37,10 +39,10 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   c.T_out = out.end_T[0];
   c.wrap = wrap_of(m, i, v);
   if (contact.spin >= 0) {
-    c.angle = contact.sense * v.spins[at(contact.spin)].angle;
-    c.spin = contact.sense * v.spins[at(contact.spin)].omega;
+    c.angle = contact.sense * v.spins[contact.spin].angle;
+    c.spin = contact.sense * v.spins[contact.spin].omega;
   } else if (contact.radius > 0 && contact.efficiency > 0) {
-    c.angle = v.q[at(contact.column)] * is.lambda / contact.radius;
+    c.angle = v.q[contact.column] * is.lambda / contact.radius;
     c.spin = is.flow * is.lambda / contact.radius;
   }
   c.flow = is.lambda * is.flow;
@@ -56,16 +58,16 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   const Spin& of = m.spins[spin];
   TransientFrame::Drum d;
   for (const auto& one : of.contacts) {
-    const Contact& contact = m.contacts[at(one.first)];
-    const double T = std::max(contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1],
-                              contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0]);
+    const Contact& contact = m.contacts[one.first];
+    const double T = std::max(contact.in < 0 ? 0 : v.lines[contact.in].end_T[1],
+                              contact.out < 0 ? 0 : v.lines[contact.out].end_T[0]);
     d.T = std::max(d.T, T);
   }
-  const Contact& first = m.contacts[at(of.contacts.front().first)];
+  const Contact& first = m.contacts[of.contacts.front().first];
   const double radius = working_radius(m, first, v);
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
-    const ContactValues& contact = v.contacts[at(of.contacts.front().first)];
+    const ContactValues& contact = v.contacts[of.contacts.front().first];
     d.speed = first.sense * contact.flow * contact.lambda;
     d.torque = d.T * radius * first.copies;
   } else {
@@ -77,10 +79,10 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
 
 /// Largest and its branch, at the start, at the end.
 double rope_tension(const Mechanism& m, const Values& v, int reeving, int* branch) {
-  const auto [first, lines] = m.first_line[at(reeving)];
+  const auto [first, lines] = m.first_line[reeving];
   double largest = 0;
   for (int i = 0; i < lines; ++i) {
-    const LineValues& line = v.lines[at(first + i)];
+    const LineValues& line = v.lines[first + i];
     const double T = std::max(line.end_T[0], line.end_T[1]);
     if (T <= largest) continue;
     largest = T;
@@ -106,11 +108,11 @@ int spin_of_drum(const Mechanism& m, int drum) {
 /// How far freedoms and drives have turned a body about a fixed axis since the start, beyond whole turns too, rad.
 double counted_turn(const Run& run, const Values& v, int index, int axis) {
   if (index < 0) return 0;
-  const Body& body = run.m.bodies[at(index)];
+  const Body& body = run.m.bodies[index];
   double turn = 0;
-  for (int f = 0; body.turns && f < body.count; ++f) turn += v.q[at(body.first + f)] * body.about[at(f)][axis];
+  for (int f = 0; body.turns && f < body.count; ++f) turn += v.q[body.first + f] * body.about[as_size(f)][axis];
   if (!body.driven) return turn;
-  for (const machine::DrivenWay& way : run.model.bodies[at(body.model)].driven) {
+  for (const machine::DrivenWay& way : run.model.bodies[body.model].driven) {
     if (way.about[axis] != 0) turn += machine::at(way.signal, v.when).value * way.about[axis];
   }
   return turn;
@@ -142,13 +144,13 @@ double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm
 
 double observe_place(const Run& run, const Values& v, const machine::Observable& what) {
   static const Motion3 still;
-  const Motion3& body = what.index < 0 ? still : v.bodies[at(what.index)];
+  const Motion3& body = what.index < 0 ? still : v.bodies[what.index];
   const Vector3 arm = body.R * what.at;
   const int k = static_cast<int>(what.quantity);
   const auto counted = [&](int body_of) { return counted_turn(run, v, body_of, k % 3); };
   if (what.seen_from >= 0) {
     const double turn = k / 3 == static_cast<int>(Quantity::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
-    return observe_from(v.bodies[at(what.seen_from)], body, arm, what.quantity, turn);
+    return observe_from(v.bodies[what.seen_from], body, arm, what.quantity, turn);
   }
   const auto in = [&](Quantity first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
   const auto axis = [&](Quantity first) { return k - static_cast<int>(first); };
@@ -159,23 +161,23 @@ double observe_place(const Run& run, const Values& v, const machine::Observable&
 }
 
 double observe_rope(const Run& run, const Values& v, const machine::Observable& what) {
-  const auto [first, lines] = run.m.first_line[at(what.index)];
-  const int pieces = std::max(1, run.model.reevings[at(what.index)].segments);
+  const auto [first, lines] = run.m.first_line[what.index];
+  const int pieces = std::max(1, run.model.reevings[what.index].segments);
   double T = 0, L = 0;
   switch (what.quantity) {
     case Quantity::T_start:
-      return v.lines[at(first)].end_T[0];
+      return v.lines[first].end_T[0];
     case Quantity::T_end:
-      return v.lines[at(first + lines - 1)].end_T[1];
+      return v.lines[first + lines - 1].end_T[1];
     case Quantity::T_max:
       return rope_tension(run.m, v, what.index, nullptr);
     case Quantity::length:
-      for (int i = first; i < first + lines; ++i) L += v.lines[at(i)].L;
+      for (int i = first; i < first + lines; ++i) L += v.lines[i].L;
       return L;
     default:
       for (int i = first + what.part * pieces; i < first + (what.part + 1) * pieces; ++i) {
-        T = std::max({T, v.lines[at(i)].end_T[0], v.lines[at(i)].end_T[1]});
-        L += v.lines[at(i)].L;
+        T = std::max({T, v.lines[i].end_T[0], v.lines[i].end_T[1]});
+        L += v.lines[i].L;
       }
       return what.quantity == Quantity::branch_T ? T : L;
   }
@@ -189,15 +191,15 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
     return what.quantity == Quantity::T_in ? c.T_in : what.quantity == Quantity::T_out ? c.T_out : c.slip;
   }
   const int i = contact_at(run.m, what.index, what.part);
-  if (i < 0 || run.m.contacts[at(i)].in < 0 || run.m.contacts[at(i)].out < 0) return 0;
-  const TransientFrame::Contact c = contact_of(run.m, v, at(i));
+  if (i < 0 || run.m.contacts[i].in < 0 || run.m.contacts[i].out < 0) return 0;
+  const TransientFrame::Contact c = contact_of(run.m, v, as_size(i));
   switch (what.quantity) {
     case Quantity::T_in:
       return c.T_in;
     case Quantity::T_out:
       return c.T_out;
     case Quantity::sheave_speed:
-      return c.spin * run.m.contacts[at(i)].radius;
+      return c.spin * run.m.contacts[i].radius;
     case Quantity::sheave_omega:
       return c.spin;
     case Quantity::sheave_angle:
@@ -210,8 +212,8 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
 double observe_drum(const Run& run, const Values& v, const machine::Observable& what) {
   const int spin = spin_of_drum(run.m, what.index);
   if (spin < 0) return 0;
-  if (what.quantity == Quantity::drum_length) return v.drums[at(what.index)].content;
-  const TransientFrame::Drum d = turning_of(run.m, v, at(spin));
+  if (what.quantity == Quantity::drum_length) return v.drums[what.index].content;
+  const TransientFrame::Drum d = turning_of(run.m, v, as_size(spin));
   switch (what.quantity) {
     case Quantity::drum_T:
       return d.T;
@@ -249,7 +251,7 @@ double observe_as_it_is(const Run& run, const Values& v, const machine::Observab
   if (what.quantity <= Quantity::length) return observe_rope(run, v, what);
   if (what.quantity <= Quantity::slip) return observe_sheave(run, v, what);
   if (what.quantity <= Quantity::drum_power) return observe_drum(run, v, what);
-  if (what.quantity == Quantity::signal) return machine::at(run.model.signals[at(what.index)], v.t).value;
+  if (what.quantity == Quantity::signal) return machine::at(run.model.signals[what.index], v.t).value;
   if (what.quantity >= Quantity::kinetic) return observe_energy(run, what.quantity);
   return observe_couple(run.m, v, what);
 }
@@ -272,7 +274,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
     f.branches.push_back(
         {line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, l, start, end, is.t, is.t, is.gone > 0, {}});
     if (!sags(line, is)) continue;
-    const SagValues& shape = v.sags[at(line.sag)];
+    const SagValues& shape = v.sags[line.sag];
     f.branches.back().stretched = sag_stretched(line, is, shape);
     f.branches.back().leaves = shape.direction[0];
     f.branches.back().arrives = shape.direction[1];
@@ -280,7 +282,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
   }
   for (const auto& inside : m.inside) {
     f.inside.emplace_back();
-    for (const int body : inside) f.inside.back().push_back(v.bodies[at(body)].x);
+    for (const int body : inside) f.inside.back().push_back(v.bodies[body].x);
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (m.contacts[i].in >= 0 && m.contacts[i].out >= 0) f.contacts.push_back(contact_of(m, v, i));
@@ -291,11 +293,11 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
     if (spin.drum >= 0) {
-      f.drums[at(spin.drum)] = turning_of(m, v, i);
-      f.drums[at(spin.drum)].content = v.drums[at(spin.drum)].content;
-      f.drums[at(spin.drum)].layer = v.drums[at(spin.drum)].layer;
+      f.drums[spin.drum] = turning_of(m, v, i);
+      f.drums[spin.drum].content = v.drums[spin.drum].content;
+      f.drums[spin.drum].layer = v.drums[spin.drum].layer;
     } else if (spin.motor >= 0) {
-      f.motors[at(spin.motor)] = turning_of(m, v, i);
+      f.motors[spin.motor] = turning_of(m, v, i);
     }
   }
   f.faces.reserve(v.faces.size());
@@ -320,7 +322,7 @@ void record_frame(Run& run, const Values& v) {
   run.options.take(result);
   if (result.frames.size() <= 2) return;
   result.frames.erase(result.frames.begin() + 1);
-  for (std::vector<double>& values : result.observed) values.erase(values.begin() + 1);
+  for (Array<double>& values : result.observed) values.erase(values.begin() + 1);
 }
 
 void extend_observed(Run& run, const Values& v) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_chain_load.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 #include "taut/solve/motion/transient_rope_load.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 /// What a metre of unstretched rope takes out of a line at one end, J/m: the tension's work less its strain energy.
 double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
-  const Line& line = m.lines[at(i)];
-  const LineValues& is = v.lines[at(i)];
+  const Line& line = m.lines[i];
+  const LineValues& is = v.lines[i];
   if (!sags(line, is)) return is.end_T[end] * (1 + is.e) - elastic_tension(line, is) * is.e / 2;
   const double e = end_strain(m, v, i, end), T = line.stiffness * is.gone * e;
   return T * (1 + e / 2) + (is.end_T[end] - T) * is.l / is.L;
@@ -31,8 +32,8 @@ double hangs_on_nothing(const Line& line, const LineValues& v) {
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
 /// less than its weight.
 double per_metre_let_in(const Mechanism& m, const Values& values, int i, std::size_t end) {
-  const Line& line = m.lines[at(i)];
-  const LineValues& v = values.lines[at(i)];
+  const Line& line = m.lines[i];
+  const LineValues& v = values.lines[i];
   if (sags(line, v)) return per_metre(m, values, i, end) - line.weight * v.touch[end].z();
   const double middle = borne(line, v.l, 0) * v.touch[0].z() + borne(line, v.l, 1) * v.touch[1].z();
   return v.T * (1 + v.e) - elastic_tension(line, v) * v.e / 2 - line.weight * middle;
@@ -44,19 +45,19 @@ void set_prices(const Mechanism& m, std::size_t i, const Values& v, Prices& p) {
   const ContactValues& is = v.contacts[i];
   const double out = contact.out < 0 ? 0 : per_metre(m, v, contact.out, 0);
   const double in = contact.in < 0 ? 0 : per_metre(m, v, contact.in, 1);
-  const double T_out = contact.out < 0 ? 0 : v.lines[at(contact.out)].end_T[0];
-  const double T_in = contact.in < 0 ? 0 : v.lines[at(contact.in)].end_T[1];
+  const double T_out = contact.out < 0 ? 0 : v.lines[contact.out].end_T[0];
+  const double T_in = contact.in < 0 ? 0 : v.lines[contact.in].end_T[1];
   p.passed = out - in;
   p.rolled = -(T_out - T_in) * is.lambda;
   if (contact.load) return;
-  if (contact.out >= 0) p.hung -= hangs_on_nothing(m.lines[at(contact.out)], v.lines[at(contact.out)]);
-  if (contact.in >= 0) p.hung -= hangs_on_nothing(m.lines[at(contact.in)], v.lines[at(contact.in)]);
+  if (contact.out >= 0) p.hung -= hangs_on_nothing(m.lines[contact.out], v.lines[contact.out]);
+  if (contact.in >= 0) p.hung -= hangs_on_nothing(m.lines[contact.in], v.lines[contact.in]);
   if (contact.in >= 0 && contact.out >= 0) {
-    const double lifted = v.lines[at(contact.out)].touch[0].z() - v.lines[at(contact.in)].touch[1].z();
-    p.laid_by = -m.lines[at(contact.in)].weight * lifted;
+    const double lifted = v.lines[contact.out].touch[0].z() - v.lines[contact.in].touch[1].z();
+    p.laid_by = -m.lines[contact.in].weight * lifted;
     return;
   }
-  const std::size_t line = at(contact.in < 0 ? contact.out : contact.in);
+  const std::size_t line = as_size(contact.in < 0 ? contact.out : contact.in);
   const double onto = contact.in < 0 ? -1 : 1, strain = is.lambda - 1;
   if (given_tension(m, contact, v, v.when)) {
     p.supplied = onto * (T_in + T_out) * (1 + end_strain(m, v, static_cast<int>(line), contact.in < 0 ? 0 : 1));
@@ -73,10 +74,10 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const Prices a = ledger.prices[i];
   Prices& b = ledger.prices[i];
   set_prices(m, i, now, b);
-  const std::size_t end_line = at(contact.in >= 0 ? contact.in : contact.out);
+  const std::size_t end_line = as_size(contact.in >= 0 ? contact.in : contact.out);
   const bool drum = contact.in < 0 || contact.out < 0;
   if (drum && has_run_off(now.lines[end_line])) return;  // it winds in what is no more
-  const std::size_t c = at(contact.column);
+  const std::size_t c = as_size(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;
   if (contact.load) {
@@ -98,7 +99,7 @@ double damped(const Mechanism& m, std::size_t i, const Values& before, const Val
   const LineValues &b = now.lines[i], &a = at_end ? b : before.lines[i];
   if (sags(line, b)) {
     const auto power = [&](const Values& v) {
-      const SagValues& is = v.sags[at(line.sag)];
+      const SagValues& is = v.sags[line.sag];
       return is.damper * is.chord_rate * v.lines[i].L;
     };
     return line.copies * (power(before) + power(now)) / 2 * (now.t - before.t);
@@ -114,7 +115,7 @@ double torn(const Mechanism& m, std::size_t i, const Values& values_before, cons
   const LineValues &before = values_before.lines[i], &now = values_now.lines[i];
   if (line.sag >= 0) {
     const auto held = [&](const Values& v) {
-      const SagEnergy energy = sag_energy(line, v.lines[i], v.sags[at(line.sag)]);
+      const SagEnergy energy = sag_energy(line, v.lines[i], v.sags[line.sag]);
       return energy.elastic + energy.below;
     };
     const double after = sags(line, now) ? held(values_now) : held(values_before);
@@ -132,7 +133,7 @@ double torn(const Mechanism& m, std::size_t i, const Values& values_before, cons
 void add_driven(const Mechanism& m, const Values& v, Powers& p) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     const Motion3& body = v.bodies[b];
-    if (m.bodies[b].model < 0 || m.model->bodies[at(m.bodies[b].model)].driven.empty()) continue;
+    if (m.bodies[b].model < 0 || m.model->bodies[m.bodies[b].model].driven.empty()) continue;
     p.supplied += inertia_power(m, static_cast<int>(b), v, body.driven_v, body.driven_w);
     for (std::size_t i = 0; i < m.lines.size(); ++i) {
       const Line& line = m.lines[i];
@@ -141,7 +142,7 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
         if (line.body[end] != static_cast<int>(b)) continue;
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
         const Vector3 force =
-            sags(line, is) ? sagging_force(line, is, v.sags[at(line.sag)], end)
+            sags(line, is) ? sagging_force(line, is, v.sags[line.sag], end)
             : line.part    ? part_force(line, is, end)
                            : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * is.L / 2 * up());
         p.supplied -= line.copies * force.dot(moves);
@@ -160,9 +161,9 @@ double power_of_running(const Mechanism& m, const Values& v) {
     const bool sagging = sags(line, is);
     for (const std::size_t end : {0U, 1U}) {
       if (line.body[end] < 0 || line.part || (!sagging && is.thrust[end] == 0)) continue;
-      const Motion3& body = v.bodies[at(line.body[end])];
+      const Motion3& body = v.bodies[line.body[end]];
       // a straight rope can't push: it lifts off
-      const double G = sagging ? sagging_thrust(is, v.sags[at(line.sag)], end) : is.T - body_pull(is, end);
+      const double G = sagging ? sagging_thrust(is, v.sags[line.sag], end) : is.T - body_pull(is, end);
       power += (end == 0 ? 1 : -1) * line.copies * G * is.t.dot(body.v + body.w.cross(is.touch[end] - body.x));
     }
   }
@@ -178,10 +179,10 @@ void price(const Mechanism& m, const Values& v, Ledger& ledger) {
 }  // namespace
 
 double drive_moment(const Mechanism& m, int spin, const Values& v) {
-  const Spin& of = m.spins[at(spin)];
+  const Spin& of = m.spins[spin];
   if (!prescribed(m, of, v, v.when)) return drive_torque(m, of, v, v.when);
-  double alpha = v.spins[at(spin)].alpha;
-  if (of.body >= 0) alpha += (v.bodies[at(of.body)].R * of.axis).dot(acceleration(m, of.body, v).second);
+  double alpha = v.spins[spin].alpha;
+  if (of.body >= 0) alpha += (v.bodies[of.body].R * of.axis).dot(acceleration(m, of.body, v).second);
   return of.inertia * alpha - rope_moment(m, of, v, v);
 }
 
@@ -196,7 +197,7 @@ Powers powers(const Mechanism& m, const Values& v) {
   }
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
     const auto [line, end] = m.tensioner[k];
-    p.supplied -= m.lines[at(line)].copies * per_metre_let_in(m, v, line, at(end)) * v.tension_rate[k];
+    p.supplied -= m.lines[line].copies * per_metre_let_in(m, v, line, as_size(end)) * v.tension_rate[k];
   }
   add_driven(m, v, p);
   p.running = power_of_running(m, v);
@@ -220,13 +221,13 @@ Stored stored_in_bodies(const Mechanism& m, const Values& v) {
   }
   for (const machine::Load& load : m.model->loads) {
     if (load.at.body < 0) continue;
-    const Motion3& is = v.bodies[at(load.at.body)];
+    const Motion3& is = v.bodies[load.at.body];
     s.potential -= load.force.dot(is.x + is.R * load.at.at);
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
     double omega = v.spins[i].omega;
-    if (spin.body >= 0) omega += (v.bodies[at(spin.body)].R * spin.axis).dot(v.bodies[at(spin.body)].w);
+    if (spin.body >= 0) omega += (v.bodies[spin.body].R * spin.axis).dot(v.bodies[spin.body].w);
     s.kinetic += spin.inertia * omega * omega / 2;
   }
   return s;
@@ -238,7 +239,7 @@ Stored stored(const Mechanism& m, const Values& v) {
     const Line& line = m.lines[i];
     const LineValues& is = v.lines[i];
     if (sags(line, is)) {
-      const SagEnergy energy = sag_energy(line, is, v.sags[at(line.sag)]);
+      const SagEnergy energy = sag_energy(line, is, v.sags[line.sag]);
       s.elastic += line.copies * is.gone * energy.elastic;
       s.potential += line.copies * is.gone * energy.below;
     } else {
@@ -294,8 +295,8 @@ void move_in_a_second(const Mechanism& m, const Values& before, const Values& no
     const Eigen::AngleAxisd turned(Matrix3(is.R * was.R.transpose()));
     moves.driven_v = is.x - was.x;
     moves.driven_w = turned.angle() * turned.axis();
-    for (std::size_t f = 0; f < at(shape.count); ++f) {  // what its freedoms do is none of the drive's
-      const double way = now.q[at(shape.first) + f] - before.q[at(shape.first) + f];
+    for (std::size_t f = 0; f < as_size(shape.count); ++f) {  // what its freedoms do is none of the drive's
+      const double way = now.q[as_size(shape.first) + f] - before.q[as_size(shape.first) + f];
       moves.driven_v -= way * shape.along[f];
       moves.driven_w -= way * shape.about[f];
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 namespace taut::solve::dynamics {
@@ -39,7 +40,7 @@ struct Ledger {
   double numerical = 0;  ///< by implicit Euler
   double turnover = 0;
   Powers last;
-  std::vector<Prices> prices;  ///< by contact, at the time reached
+  Array<Prices> prices;  ///< by contact, at the time reached
 };
 /// Without what its dampers hold, N.
 inline double elastic_tension(const Line& line, const LineValues& v) {

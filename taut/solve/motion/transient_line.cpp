@@ -5,26 +5,28 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::solve::dynamics {
 namespace {
 
-Vector3 place_of(const std::vector<Motion3>& bodies, int body, const Vector3& place) {
-  return body < 0 ? place : Vector3(bodies[at(body)].x + bodies[at(body)].R * place);
+Vector3 place_of(const Array<Motion3>& bodies, int body, const Vector3& place) {
+  return body < 0 ? place : Vector3(bodies[body].x + bodies[body].R * place);
 }
 
 /// Sense of the round at an end about the line's common axis, times its radius.
-double signed_radius(const Line& line, const LineValues& now, int end, const std::vector<Motion3>& bodies) {
-  const std::size_t e = at(end);
+double signed_radius(const Line& line, const LineValues& now, int end, const Array<Motion3>& bodies) {
+  const std::size_t e = as_size(end);
   if (now.radius[e] == 0) return 0;
   const double same = to_ground(bodies, line.body[e], line.axis[e]).dot(now.axis);
   return (same < 0 ? -1 : 1) * line.side[e] * now.radius[e];
 }
 
-bool place_planar(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now) {
+bool place_planar(const Line& line, const Array<Motion3>& bodies, const LineValues& before, LineValues& now) {
   const int main = now.radius[0] > 0 ? 0 : 1;
-  now.axis = to_ground(bodies, line.body[at(main)], line.axis[at(main)]);
+  now.axis = to_ground(bodies, line.body[as_size(main)], line.axis[as_size(main)]);
   const double S0 = signed_radius(line, now, 0, bodies), S1 = signed_radius(line, now, 1, bodies);
   const Vector3 d = now.centre[1] - now.centre[0];
   const double out = d.dot(now.axis), rho = S1 - S0;
@@ -41,16 +43,16 @@ bool place_planar(const Line& line, const std::vector<Motion3>& bodies, const Li
   now.touch[1] = now.centre[1] - S1 * n;
   const double turn = std::atan2(before.flat.cross(now.flat).dot(now.axis), before.flat.dot(now.flat));
   for (const int end : {0, 1}) {
-    if (now.radius[at(end)] == 0) continue;
+    if (now.radius[as_size(end)] == 0) continue;
     const double S = end == 0 ? S0 : S1;
-    const int body = line.body[at(end)];
-    const double carried = body < 0 ? 0 : bodies[at(body)].turned.dot(now.axis);
-    now.angle[at(end)] = before.angle[at(end)] + (S < 0 ? -1 : 1) * (turn - carried);
+    const int body = line.body[as_size(end)];
+    const double carried = body < 0 ? 0 : bodies[body].turned.dot(now.axis);
+    now.angle[as_size(end)] = before.angle[as_size(end)] + (S < 0 ? -1 : 1) * (turn - carried);
   }
   return true;
 }
 
-rope::Round round_of(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now, std::size_t e) {
+rope::Round round_of(const Line& line, const Array<Motion3>& bodies, const LineValues& now, std::size_t e) {
   if (now.radius[e] == 0) return rope::point(now.centre[e]);
   rope::Round round;
   round.centre = now.centre[e];
@@ -72,7 +74,7 @@ rope::TangentLine tangent_of(const LineValues& now) {
   return line;
 }
 
-bool place_skew(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now) {
+bool place_skew(const Line& line, const Array<Motion3>& bodies, const LineValues& before, LineValues& now) {
   const auto found = rope::tangent_line(round_of(line, bodies, now, 0), round_of(line, bodies, now, 1),
                                         std::pair{before.skew_angle[0], before.skew_angle[1]});
   if (!found) return false;
@@ -108,7 +110,7 @@ void planar_column(const LineValues& now, std::array<double, 2> S, std::size_t e
 
 }  // namespace
 
-bool place_line(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now) {
+bool place_line(const Line& line, const Array<Motion3>& bodies, const LineValues& before, LineValues& now) {
   now.radius = before.radius;
   for (std::size_t e = 0; e < 2; ++e) now.centre[e] = place_of(bodies, line.body[e], line.place[e]);
   if (line.kind == LineKind::planar) return place_planar(line, bodies, before, now);
@@ -121,7 +123,7 @@ bool place_line(const Line& line, const std::vector<Motion3>& bodies, const Line
   return true;
 }
 
-std::array<double, 2> askew_of(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now) {
+std::array<double, 2> askew_of(const Line& line, const Array<Motion3>& bodies, const LineValues& now) {
   constexpr double hardly = 1e-6;
   std::array<double, 2> askew{0, 0};
   for (std::size_t e = 0; e < 2 && line.kind != LineKind::points && !line.part; ++e) {
@@ -132,13 +134,13 @@ std::array<double, 2> askew_of(const Line& line, const std::vector<Motion3>& bod
   return askew;
 }
 
-double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now) {
+double askew_rate(const Line& line, const Array<Motion3>& bodies, const LineValues& now) {
   const std::array<double, 2> askew = askew_of(line, bodies, now);
   if (askew[0] == 0 && askew[1] == 0) return 0;
   Eigen::Matrix<double, 12, 1> move = Eigen::Matrix<double, 12, 1>::Zero();
   for (const std::size_t e : {0U, 1U}) {
     if (line.body[e] < 0) continue;
-    const Motion3& body = bodies[at(line.body[e])];
+    const Motion3& body = bodies[line.body[e]];
     const auto first = static_cast<Eigen::Index>(6 * e);
     move.segment<3>(first) = body.v + body.w.cross(now.centre[e] - body.x);
     move.segment<3>(first + 3) = body.w;
@@ -153,27 +155,27 @@ double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const Li
     const double turn = now.axis.cross(now.flat).dot(apart) / now.flat_l;
     for (const int e : {0, 1}) {
       const double sign = signed_radius(line, now, e, bodies) < 0 ? -1 : 1;
-      turns[at(e)] = sign * (turn - move.segment<3>(6 * e + 3).dot(now.axis));
+      turns[as_size(e)] = sign * (turn - move.segment<3>(6 * e + 3).dot(now.axis));
     }
   }
   return askew[0] * now.radius[0] * turns[0] - askew[1] * now.radius[1] * turns[1];
 }
 
-void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
-                     const LineValues& now, std::array<LineColumn, 14>& columns) {
+void line_velocities(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies, const LineValues& now,
+                     std::array<LineColumn, 14>& columns) {
   std::size_t k = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.body[end] < 0) continue;
-    const Body& shape = shapes[at(line.body[end])];
-    const Vector3 arm = now.touch[end] - bodies[at(line.body[end])].x;
-    for (std::size_t f = 0; f < at(shape.count); ++f, ++k) {
+    const Body& shape = shapes[line.body[end]];
+    const Vector3 arm = now.touch[end] - bodies[line.body[end]].x;
+    for (std::size_t f = 0; f < as_size(shape.count); ++f, ++k) {
       columns[k].velocity = shape.turns ? Vector3(shape.along[f] + shape.about[f].cross(arm)) : shape.along[f];
     }
   }
 }
 
-void line_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
-                  const LineValues& now, std::array<LineColumn, 14>& columns) {
+void line_columns(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies, const LineValues& now,
+                  std::array<LineColumn, 14>& columns) {
   std::array<double, 2> S{0, 0};
   rope::LineRates rates;
   if (line.kind == LineKind::planar) S = {signed_radius(line, now, 0, bodies), signed_radius(line, now, 1, bodies)};
@@ -183,9 +185,9 @@ void line_columns(const Line& line, const std::vector<Body>& shapes, const std::
   std::size_t k = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.body[end] < 0) continue;
-    const Body& shape = shapes[at(line.body[end])];
-    const Vector3& origin = bodies[at(line.body[end])].x;
-    for (std::size_t f = 0; f < at(shape.count); ++f, ++k) {
+    const Body& shape = shapes[line.body[end]];
+    const Vector3& origin = bodies[line.body[end]].x;
+    for (std::size_t f = 0; f < as_size(shape.count); ++f, ++k) {
       LineColumn& c = columns[k];
       const Vector3 &along = shape.along[f], &about = shape.about[f];
       const Vector3 arm = about.cross(now.centre[end] - origin);

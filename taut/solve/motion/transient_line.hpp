@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_mechanism.hpp"
 
 namespace taut::solve::dynamics {
@@ -43,12 +44,12 @@ inline double left_in(const LineValues& line) {
 }
 
 /// A direction in the frame of a body (the ground: -1), in the ground's.
-inline Vector3 to_ground(const std::vector<Motion3>& bodies, int body, const Vector3& direction) {
-  return body < 0 ? direction : Vector3(bodies[at(body)].R * direction);
+inline Vector3 to_ground(const Array<Motion3>& bodies, int body, const Vector3& direction) {
+  return body < 0 ? direction : Vector3(bodies[body].R * direction);
 }
 
 /// Geometry from the poses; `before`: the same line at the start of the step, for angles. False: there is no line.
-bool place_line(const Line& line, const std::vector<Motion3>& bodies, const LineValues& before, LineValues& now);
+bool place_line(const Line& line, const Array<Motion3>& bodies, const LineValues& before, LineValues& now);
 
 /// How a line follows one local freedom of a body at one of its ends.
 struct LineColumn {
@@ -59,18 +60,18 @@ struct LineColumn {
   Vector3 velocity = Vector3::Zero();                              ///< of the touching point, fixed to the body
 };
 /// For all freedoms: columns 0 .. freedoms[0] + freedoms[1] - 1.
-void line_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
-                  const LineValues& now, std::array<LineColumn, 14>& columns);
+void line_columns(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies, const LineValues& now,
+                  std::array<LineColumn, 14>& columns);
 
 /// Their velocities alone.
-void line_velocities(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
-                     const LineValues& now, std::array<LineColumn, 14>& columns);
+void line_velocities(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies, const LineValues& now,
+                     std::array<LineColumn, 14>& columns);
 
 /// 1 - cos of the angle at which a line leaves the plane of its round at each end where the round lays it on and off.
-std::array<double, 2> askew_of(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now);
+std::array<double, 2> askew_of(const Line& line, const Array<Motion3>& bodies, const LineValues& now);
 /// What the turning of such a line adds to L e', m/s: the rope on a round grows by R phi', the free rope falls short by
 /// cos d of that.
-double askew_rate(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now);
+double askew_rate(const Line& line, const Array<Motion3>& bodies, const LineValues& now);
 
 /// a b, summed in one order whatever the compiler makes of it: in the inner loops of chains and tackles.
 inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_build.hpp"
 #include "test/support/machines.hpp"
 #include "test/support/transient_runs.hpp"
@@ -130,7 +131,7 @@ TEST(TransientLine, ItFollowsItsBodiesAsDifferencesDo) {
     line_velocities(m.lines[0], m.bodies, of.built.values.bodies, now, velocities);
     std::size_t k = 0;
     for (std::size_t b = 0; b < 2; ++b) {
-      for (std::size_t f = 0; f < at(m.bodies[b].count); ++f, ++k) {
+      for (std::size_t f = 0; f < as_size(m.bodies[b].count); ++f, ++k) {
         const double h = 1e-6;
         const LineValues ahead = of.moved(b, f, h), back = of.moved(b, f, -h);
         const LineColumn& c = columns[k];

@@ -100,7 +100,7 @@ StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
     const bool rope = contact.entry >= 0;
     contact.winding =
         contact.lambda +
-        (rope && run.before.lines[at(contact.entry)].e > 0 ? h / 2 * run.before.lines[at(contact.entry)].e_rate : 0);
+        (rope && run.before.lines[contact.entry].e > 0 ? h / 2 * run.before.lines[contact.entry].e_rate : 0);
   }
   if (run.options.method == TimeMethod::verlet) {
     fade(run, t, run.now);
@@ -135,10 +135,10 @@ void commit_contacts(Run& run) {
     const int other = is.flow >= 0 ? contact.out : contact.in;
     is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
     if (contact.drum < 0) continue;
-    DrumValues& drum = run.now.drums[at(contact.drum)];
-    const double onto = (contact.in < 0 ? -1 : 1) * (run.now.q[at(contact.column)] - run.before.q[at(contact.column)]);
-    drum.content = run.before.drums[at(contact.drum)].content + onto;
-    if (is.entry < 0) is.lambda = 1 + drum.strain[at(drum.layer - 1)];
+    DrumValues& drum = run.now.drums[contact.drum];
+    const double onto = (contact.in < 0 ? -1 : 1) * (run.now.q[contact.column] - run.before.q[contact.column]);
+    drum.content = run.before.drums[contact.drum].content + onto;
+    if (is.entry < 0) is.lambda = 1 + drum.strain[drum.layer - 1];
   }
 }
 
@@ -276,11 +276,11 @@ StepEnd run_off(Run& run, std::size_t line) {
   if (run.before.lines[line].gone > 0) return StepEnd::no_place;
   for (const int index : run.m.lines[line].contact) {
     if (index < 0) continue;
-    const Contact& contact = run.m.contacts[at(index)];
+    const Contact& contact = run.m.contacts[index];
     const int other = contact.in == static_cast<int>(line) ? contact.out : contact.in;
-    if (other < 0 || run.before.lines[at(other)].gone == 0) continue;  // a drum has all of it
+    if (other < 0 || run.before.lines[other].gone == 0) continue;  // a drum has all of it
     run.breaking.push_back({other, run.before.t, 0});
-    note(run, run.before.t, "run_off", run.model.reevings[at(contact.reeving)].nodes[at(contact.node)].name);
+    note(run, run.before.t, "run_off", run.model.reevings[contact.reeving].nodes[contact.node].name);
   }
   mark_run_off(run, line);
   fade(run, run.before.t, run.before);

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
-#include "taut/math/index.hpp"
 #include "taut/math/static_lu.hpp"
 #include "taut/solve/motion/transient.hpp"
 
@@ -82,7 +82,7 @@ struct Line {
   std::array<int, 14> column{};     ///< their columns
   std::array<int, 2> freedoms{};    ///< how many of them are body 0's and body 1's
   std::array<int, 2> flow{-1, -1};  ///< local index of the flow at each end
-  std::vector<int> places;          ///< of the local matrix, row by row, in the values of the solver
+  Array<int> places;                ///< of the local matrix, row by row, in the values of the solver
 };
 
 /// Whether half of a line's weight is part of its tension at an end: where the rope runs on over a round the tension
@@ -106,7 +106,7 @@ struct Spin {
   double inertia = 0;
   int column = -1;  ///< -1: prescribed
   int drum = -1, motor = -1;
-  std::vector<std::pair<int, double>> contacts;  ///< and their sense: +1 where the path runs with the angle
+  Array<std::pair<int, double>> contacts;  ///< and their sense: +1 where the path runs with the angle
 };
 
 /// What the rope meets at a node: a round it runs over, or a drum at its end (`in` or `out` < 0).
@@ -124,11 +124,11 @@ struct Contact {
   double mass = 0;                    ///< kg per unstretched metre, for the pressure of a rope that runs over it
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
-  int drum = -1;                   ///< an end on a drum
-  bool load = false;               ///< a force along the free rope acts there; `body`: its own, which has no freedoms
-  double load_length = 0;          ///< unstretched rope of the span in which it lies, at the start, m
-  std::vector<int> columns;        ///< all that its rows depend on
-  std::vector<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
+  int drum = -1;             ///< an end on a drum
+  bool load = false;         ///< a force along the free rope acts there; `body`: its own, which has no freedoms
+  double load_length = 0;    ///< unstretched rope of the span in which it lies, at the start, m
+  Array<int> columns;        ///< all that its rows depend on
+  Array<int> row, spin_row;  ///< places of those in the rows of its flow and of its spin
 };
 
 /// Two places that push or pull each other: a point on a face, the ends of an actuator. Side 0: the point, the end
@@ -138,14 +138,14 @@ struct Couple {
   std::array<Vector3, 2> place;   ///< in the bodies' frames, m; of a face its end `from`
   std::array<int, 2> freedoms{};  ///< of the bodies
   std::array<int, 12> column{};   ///< theirs
-  std::vector<int> places;        ///< of the local matrix, row by row, in the values of the solver
+  Array<int> places;              ///< of the local matrix, row by row, in the values of the solver
 };
 
 /// A force along a rope in segments: it acts at the place follows l + more of the chain, whose length is l.
 struct ChainLoad {
-  Contact as;              ///< its node, body, copies and load_length; no contact of the mechanism
-  std::vector<int> lines;  ///< of the chain, along the path
-  int count = 0;           ///< how many
+  Contact as;        ///< its node, body, copies and load_length; no contact of the mechanism
+  Array<int> lines;  ///< of the chain, along the path
+  int count = 0;     ///< how many
   double follows = 0, more = 0;
   double bristle = 1;  ///< stiffness of its bristle, of a segment's
 };
@@ -161,24 +161,24 @@ enum class Grip : std::int8_t {
 /// The compiled machine.
 struct Mechanism {
   const machine::Model* model = nullptr;
-  std::vector<Body> bodies;
-  std::vector<Line> lines;
-  std::vector<Contact> contacts;
-  std::vector<Spin> spins;
-  std::vector<std::pair<int, int>> first_line;  ///< by reeving: first line and count
-  std::vector<std::vector<int>> inside;         ///< by reeving: bodies that are inner nodes
-  std::vector<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
-  std::vector<ChainLoad> chain_loads;           ///< along ropes in segments
-  std::vector<Couple> couples;                  ///< contacts of the model on faces, then its actuators
-  std::vector<int> body_place_first;            ///< by body: where its block begins in body_places
-  std::vector<int> body_places;
-  std::vector<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row
-  int body_columns = 0;                            ///< the first ones
-  double stiffest = 0;                             ///< of all lines, N
-  bool simple = false;                             ///< point masses and lines between points alone
-  bool rope_loads = false;                         ///< there are forces along its ropes
-  bool lossless = false;                           ///< nothing in it takes or gives energy
-  int sagging = 0;                                 ///< so many lines hang as catenaries
+  Array<Body> bodies;
+  Array<Line> lines;
+  Array<Contact> contacts;
+  Array<Spin> spins;
+  Array<std::pair<int, int>> first_line;  ///< by reeving: first line and count
+  Array<Array<int>> inside;               ///< by reeving: bodies that are inner nodes
+  Array<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
+  Array<ChainLoad> chain_loads;           ///< along ropes in segments
+  Array<Couple> couples;                  ///< contacts of the model on faces, then its actuators
+  Array<int> body_place_first;            ///< by body: where its block begins in body_places
+  Array<int> body_places;
+  Array<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row
+  int body_columns = 0;                      ///< the first ones
+  double stiffest = 0;                       ///< of all lines, N
+  bool simple = false;                       ///< point masses and lines between points alone
+  bool rope_loads = false;                   ///< there are forces along its ropes
+  bool lossless = false;                     ///< nothing in it takes or gives energy
+  int sagging = 0;                           ///< so many lines hang as catenaries
   int size = 0;
   double size_of_machine = 1;  ///< m
   StaticLu solver;

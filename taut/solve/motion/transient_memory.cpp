@@ -5,6 +5,8 @@
 #include <string>
 #include <type_traits>
 
+#include "taut/base/array.hpp"
+
 namespace taut::solve::dynamics {
 namespace {
 
@@ -139,7 +141,7 @@ void walk_run(W& w, Run& run) {
 constexpr double layout = 3;  ///< of the list: another one is not understood
 
 /// What the numbers belong to: how many they are, the method, its damping, the kinds of steps.
-std::vector<double> head_of(Run& run) {
+Array<double> head_of(Run& run) {
   double count = 0;
   auto see = [&](double&) { ++count; };
   Walk walk(see);
@@ -159,7 +161,7 @@ double mark_of(const std::string& name) {
   return static_cast<double>(hash >> 12U);
 }
 
-void keep_measures(const Run& run, std::vector<double>& memory) {
+void keep_measures(const Run& run, Array<double>& memory) {
   memory.push_back(static_cast<double>(run.model.observed.size()));
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
     const Run::Mean& mean = run.means[i];
@@ -168,7 +170,7 @@ void keep_measures(const Run& run, std::vector<double>& memory) {
   }
 }
 
-void take_measures(Run& run, const std::vector<double>& memory, std::size_t first, std::size_t kept) {
+void take_measures(Run& run, const Array<double>& memory, std::size_t first, std::size_t kept) {
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
     const double mark = mark_of(run.model.observed[i].name);
     for (std::size_t k = first; k < first + kept * per_measure; k += per_measure) {
@@ -181,8 +183,8 @@ void take_measures(Run& run, const std::vector<double>& memory, std::size_t firs
 
 }  // namespace
 
-std::vector<double> memory_of(Run& run) {
-  std::vector<double> memory = head_of(run);
+Array<double> memory_of(Run& run) {
+  Array<double> memory = head_of(run);
   auto see = [&](double& x) { memory.push_back(x); };
   Walk walk(see);
   walk_run(walk, run);
@@ -191,9 +193,9 @@ std::vector<double> memory_of(Run& run) {
   return memory;
 }
 
-bool take_memory(Run& run, const std::vector<double>& memory) {
+bool take_memory(Run& run, const Array<double>& memory) {
   run.L_first.resize(run.m.lines.size());
-  const std::vector<double> head = head_of(run);
+  const Array<double> head = head_of(run);
   if (memory.size() < head.size() || !std::equal(head.begin(), head.end(), memory.begin())) return false;
   std::size_t next = head.size();
   const std::size_t measures = next + static_cast<std::size_t>(head[1]);

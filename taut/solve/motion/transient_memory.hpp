@@ -1,13 +1,14 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
 namespace taut::solve::dynamics {
 
 /// All that the integrator remembers at the time reached, as a list of numbers: with it a run goes on as if it had
 /// never stopped, to the last bit when its steps are given.
-std::vector<double> memory_of(Run& run);
+Array<double> memory_of(Run& run);
 
 /// Takes such a list. False, and nothing is changed, when it is of another machine, method or share of damping.
-bool take_memory(Run& run, const std::vector<double>& memory);
+bool take_memory(Run& run, const Array<double>& memory);
 
 }  // namespace taut::solve::dynamics

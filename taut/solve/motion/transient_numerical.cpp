@@ -22,9 +22,9 @@ double taken_by_bodies(const Mechanism& m, const Values& before, const Values& n
     const Spin& spin = m.spins[i];
     double alpha = now.spins[i].alpha, omega = now.spins[i].omega;
     if (spin.body >= 0) {
-      const Vector3 axis = now.bodies[at(spin.body)].R * spin.axis;
+      const Vector3 axis = now.bodies[spin.body].R * spin.axis;
       alpha += axis.dot(acceleration(m, spin.body, now).second);
-      omega += axis.dot(now.bodies[at(spin.body)].w);
+      omega += axis.dot(now.bodies[spin.body].w);
     }
     power += spin.inertia * alpha * omega;
   }
@@ -55,7 +55,7 @@ double taken_by_line(const Mechanism& m, std::size_t i, const Values& before, co
   double apart = 0;
   for (const std::size_t end : {0U, 1U}) {
     if (line.body[end] < 0) continue;
-    const Motion3& body = now.bodies[at(line.body[end])];
+    const Motion3& body = now.bodies[line.body[end]];
     apart += (end == 1 ? 1 : -1) * b.t.dot(body.v + body.w.cross(b.touch[end] - body.x));
   }
   const double way = line.share * (now.t - before.t) * apart;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 /// The ropes of a step for given places of bodies. The more rope a contact passes on, the less tension is behind it and
@@ -21,7 +23,7 @@ struct PassingRope {
 };
 
 void pass_rope(const PassingRope& of, std::size_t i, double q, bool stuck) {
-  of.now.q[at(of.m.contacts[i].column)] = q;
+  of.now.q[of.m.contacts[i].column] = q;
   of.now.contacts[i].grip = stuck ? Grip::stuck : Grip::equal;
   follow_contact(of.m, of.s, of.before, of.w, i, of.now);
 }
@@ -29,7 +31,7 @@ void pass_rope(const PassingRope& of, std::size_t i, double q, bool stuck) {
 /// Rope passed where it goes with the rim.
 double pass_with_rim(const PassingRope& of, std::size_t i) {
   const ContactValues& is = of.now.contacts[i];
-  const std::size_t c = at(of.m.contacts[i].column);
+  const std::size_t c = as_size(of.m.contacts[i].column);
   const auto rolled = [&] { return of.before.contacts[i].slipped + of.w.q_star[c] + of.s.reach * is.roll_rate; };
   double q = rolled();
   // the stretch of the rope that comes decides how much of it the rim takes along
@@ -59,9 +61,9 @@ double steepest_bound(const PassingRope& of, std::size_t i) {
   double slope = 0;
   for (const int k : {contact.in, contact.out}) {
     if (k < 0) continue;
-    const Line& line = of.m.lines[at(k)];
-    slope += line.stiffness * of.now.lines[at(k)].gone * std::max(2.0, 1 + line.damping * of.s.slip_now) /
-             some_length(of.now.lines[at(k)]);
+    const Line& line = of.m.lines[k];
+    slope += line.stiffness * of.now.lines[k].gone * std::max(2.0, 1 + line.damping * of.s.slip_now) /
+             some_length(of.now.lines[k]);
   }
   return slope * of.now.contacts[i].ratio;
 }
@@ -69,7 +71,7 @@ double steepest_bound(const PassingRope& of, std::size_t i) {
 /// The rope passed where `law` changes its sign, next to `from`; on a level at 0 its near end.
 template <class Law>
 void pass_until(const PassingRope& of, std::size_t i, double from, double at_from, double slope, Law law) {
-  const double room = left_in(of.now.lines[at(at_from > 0 ? of.m.contacts[i].in : of.m.contacts[i].out)]);
+  const double room = left_in(of.now.lines[at_from > 0 ? of.m.contacts[i].in : of.m.contacts[i].out]);
   const double sign = at_from > 0 ? 1 : -1;
   double low = 0, g_low = std::abs(at_from), step = g_low / slope, high = 0;
   double g_high = g_low;
@@ -110,8 +112,8 @@ void pass_at_round(const PassingRope& of, std::size_t i) {
     pass_with_rim(of, i);
     return;
   }
-  const double kept = of.before.q[at(contact.column)] +
-                      (of.s.fresh ? 0 : of.s.h * loose_flow(contact, of.before.contacts[i], of.before));
+  const double kept =
+      of.before.q[contact.column] + (of.s.fresh ? 0 : of.s.h * loose_flow(contact, of.before.contacts[i], of.before));
   const bool held = contact.load && of.now.contacts[i].holds && of.now.contacts[i].drop > 0;
   pass_rope(of, i, kept, false);
   if (!held && loose(contact, of.now)) {
@@ -139,14 +141,14 @@ void pass_at_drum(const PassingRope& of, std::size_t i) {
     pass_with_rim(of, i);
     return;
   }
-  const std::size_t line = at(contact.in >= 0 ? contact.in : contact.out), end = contact.in >= 0 ? 1 : 0;
+  const std::size_t line = as_size(contact.in >= 0 ? contact.in : contact.out), end = contact.in >= 0 ? 1 : 0;
   const double sense = contact.in >= 0 ? -1 : 1;
   const auto law = [&] {
     const LineValues& is = of.now.lines[line];
     const double EA = of.m.lines[line].stiffness * is.gone;
     return sense * ((is.T <= 0 ? EA * is.e : is.end_T[end]) - *given);
   };
-  const double from = of.now.q[at(contact.column)];
+  const double from = of.now.q[contact.column];
   pass_rope(of, i, from, false);
   const double g = law();
   const Line& rope = of.m.lines[line];
@@ -183,7 +185,7 @@ bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const
                 Values& now) {
   const PassingRope of{m, s, before, w, now};
   const std::size_t n = m.contacts.size();
-  std::vector<double> T(m.lines.size());
+  Array<double> T(m.lines.size());
   for (int round = 0; round < most_rounds_of_passing; ++round) {
     for (std::size_t k = 0; k < m.lines.size(); ++k) T[k] = now.lines[k].T;
     for (std::size_t k = 0; k < n; ++k) {

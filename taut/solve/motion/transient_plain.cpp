@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 // Lines between points of bodies that only shift: most of a chain, of a tackle drawn with points. The same laws as for
@@ -14,8 +16,8 @@ void plain_columns(const Mechanism& m, const Line& line, const LineValues& now, 
   std::size_t k = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.body[end] < 0) continue;
-    const Body& shape = m.bodies[at(line.body[end])];
-    for (std::size_t f = 0; f < at(shape.count); ++f, ++k) {
+    const Body& shape = m.bodies[line.body[end]];
+    for (std::size_t f = 0; f < as_size(shape.count); ++f, ++k) {
       PlainColumn& c = columns[k];
       c.along = &shape.along[f];
       c.sign = end == 1 ? 1 : -1;
@@ -25,11 +27,11 @@ void plain_columns(const Mechanism& m, const Line& line, const LineValues& now, 
 }
 
 /// Derivatives of strain, tension and unstretched length by every local unknown.
-void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, const std::vector<ContactValues>& contacts,
+void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, const Array<ContactValues>& contacts,
                   const PlainColumns& columns, LineTangent& tangent, Work& w) {
   const double square = s.reach * s.reach, per = 1 / now.L;
   const double apart = now.T_rate == 0 ? 0 : dot(now.t, now.apart);
-  for (std::size_t k = 0; k < at(line.freedoms[0] + line.freedoms[1]); ++k) {
+  for (std::size_t k = 0; k < as_size(line.freedoms[0] + line.freedoms[1]); ++k) {
     const PlainColumn& c = columns[k];
     const double e = square * c.sign * c.share * per;
     double T = now.T_e * e;
@@ -43,8 +45,8 @@ void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, cons
   }
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.flow[end] < 0) continue;
-    const std::size_t k = at(line.flow[end]);
-    const bool stuck = contacts[at(line.contact[end])].grip == Grip::stuck;
+    const std::size_t k = as_size(line.flow[end]);
+    const bool stuck = contacts[line.contact[end]].grip == Grip::stuck;
     const double by_flow = stuck ? (s.reach > 0 ? 1 / s.reach : 0) : s.slip_now;
     const double sign = end == 0 ? 1 : -1;
     tangent.e[k] = -sign * (1 + now.e) * per;
@@ -57,14 +59,14 @@ void plain_slopes(const Scheme& s, const Line& line, const LineValues& now, cons
 void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& now, const PlainColumns& columns,
                          const Work& w, LineTangent& tangent) {
   if (line.weight == 0) {
-    for (std::size_t k = 0; k < at(line.columns); ++k) tangent.end_T[0][k] = tangent.end_T[1][k] = w.T_slope[k];
+    for (std::size_t k = 0; k < as_size(line.columns); ++k) tangent.end_T[0][k] = tangent.end_T[1][k] = w.T_slope[k];
     return;
   }
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   const double square = s.reach * s.reach, half = line.weight * now.L * now.t.z() / 2;
-  for (std::size_t k = 0; k < at(line.columns); ++k) {
+  for (std::size_t k = 0; k < as_size(line.columns); ++k) {
     double lifts = 0;  // of the line's steepness
-    if (k < at(freedoms)) {
+    if (k < as_size(freedoms)) {
       const PlainColumn& c = columns[k];
       lifts = square * now.L * (c.sign * (c.along->z() - c.share * now.t.z()) / now.l);
     }
@@ -79,9 +81,9 @@ void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& no
 void add_plain_pull(const Line& line, const LineValues& now, const PlainColumns& columns, Work& w) {
   const double half = line.copies * line.weight * now.L / 2;
   const std::array<double, 2> T{-line.copies * body_pull(now, 0), line.copies * body_pull(now, 1)};
-  for (std::size_t k = 0; k < at(line.freedoms[0] + line.freedoms[1]); ++k) {
+  for (std::size_t k = 0; k < as_size(line.freedoms[0] + line.freedoms[1]); ++k) {
     const PlainColumn& c = columns[k];
-    w.residual[at(line.column[k])] += T[k < at(line.freedoms[0]) ? 0 : 1] * c.share + half * c.along->z();
+    w.residual[line.column[k]] += T[k < as_size(line.freedoms[0]) ? 0 : 1] * c.share + half * c.along->z();
   }
 }
 
@@ -92,7 +94,7 @@ bool follow_plain(const Mechanism& m, std::size_t line, Values& now) {
   LineValues& is = now.lines[line];
   for (std::size_t end = 0; end < 2; ++end) {
     is.touch[end] = of.offset[end];
-    if (of.body[end] >= 0) is.touch[end] += now.bodies[at(of.body[end])].x;
+    if (of.body[end] >= 0) is.touch[end] += now.bodies[of.body[end]].x;
   }
   const double x = is.touch[1][0] - is.touch[0][0], y = is.touch[1][1] - is.touch[0][1],
                z = is.touch[1][2] - is.touch[0][2];
@@ -117,10 +119,10 @@ void assemble_plain(Mechanism& m, const Scheme& s, std::size_t line_index, const
   plain_slopes(s, line, now, values_now.contacts, plain, tangent, w);
   if (line.contact[0] >= 0 || line.contact[1] >= 0) end_slopes_of_plain(s, line, now, plain, w, tangent);
   double* const values = m.solver.values().data();
-  const std::size_t columns = at(line.columns), freedoms = at(line.freedoms[0] + line.freedoms[1]);
+  const std::size_t columns = as_size(line.columns), freedoms = as_size(line.freedoms[0] + line.freedoms[1]);
   for (std::size_t r = 0; r < freedoms; ++r) {
     const PlainColumn& row = plain[r];
-    const double T = body_pull(now, r < at(line.freedoms[0]) ? 0 : 1), sign = line.copies * row.sign;
+    const double T = body_pull(now, r < as_size(line.freedoms[0]) ? 0 : 1), sign = line.copies * row.sign;
     const double pulled = T == 0 ? 0 : sign * row.share, turned = sign * s.reach * s.reach * T / now.l;
     const double hangs = line.copies * line.weight / 2 * row.along->z();
     const int* const places = line.places.data() + r * columns;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_stable.hpp"
 
 namespace taut::solve::dynamics {
@@ -23,8 +24,8 @@ void gather(const Run& run, Points& p) {
       p.x[i] = run.before.bodies[b].x[static_cast<int>(k)];
       p.dead[i] = body.dead[static_cast<int>(k)];
       if (!moves) continue;
-      p.v[i] = run.before.nu[at(body.first) + k];
-      p.a[i] = run.before.rate[at(body.first) + k];
+      p.v[i] = run.before.nu[as_size(body.first) + k];
+      p.a[i] = run.before.rate[as_size(body.first) + k];
     }
   }
   p.links.resize(m.lines.size());
@@ -47,7 +48,7 @@ void gather(const Run& run, Points& p) {
                   line.damping,
                   line.copies,
                   line.segment < 0 ? half : 0};
-    for (const int body : line.body) p.dead[3 * at(body + 1) + 2] -= line.copies * half;
+    for (const int body : line.body) p.dead[3 * as_size(body + 1) + 2] -= line.copies * half;
     p.e[i] = is.e;
     p.T[i] = is.T;
     p.change[i] = run.T_rate[i] * run.options.step;
@@ -67,7 +68,7 @@ RopeStep pull_rope(Points& p, int first, int count, double& work) {
   RopeStep step;
   double* const F = p.force.data();
   const double *const X = p.x.data(), *const V = p.v.data();
-  for (std::size_t i = at(first); i < at(first + count); ++i) {
+  for (std::size_t i = as_size(first); i < as_size(first + count); ++i) {
     const Points::Link& link = p.links[i];
     const int a = 3 * link.from, b = 3 * link.to;
     const double x = X[b] - X[a] + link.dx, y = X[b + 1] - X[a + 1] + link.dy, z = X[b + 2] - X[a + 2] + link.dz;
@@ -121,12 +122,12 @@ void pull_all(Run& run, Points& p, double t, double h) {
   for (std::size_t r = 0; r < run.m.first_line.size(); ++r) {
     const auto [first, count] = run.m.first_line[r];
     if (count == 0) continue;
-    const bool damped = p.links[at(first)].damping > 0;
+    const bool damped = p.links[first].damping > 0;
     const RopeStep step = damped ? pull_rope<true>(p, first, count, run.ledger.damped)
                                  : pull_rope<false>(p, first, count, run.ledger.damped);
     extend_rope(run, r, step, t);
     run.T_error[r] = std::max(run.T_error[r], step.error);
-    for (std::size_t i = at(first); step.turned && i < at(first + count); ++i) {
+    for (std::size_t i = as_size(first); step.turned && i < as_size(first + count); ++i) {
       if (p.links[i].stiffness > 0) note_slack(run, i, p.e_last[i], p.e[i], t - h, h);
     }
   }
@@ -140,7 +141,7 @@ void scatter(Run& run, const Points& p, double t) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     if (m.bodies[b].count == 0) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t c = at(m.bodies[b].first) + k, i = 3 * (b + 1) + k;
+      const std::size_t c = as_size(m.bodies[b].first) + k, i = 3 * (b + 1) + k;
       v.q[c] += p.x[i] - v.bodies[b].x[static_cast<int>(k)];
       v.bodies[b].x[static_cast<int>(k)] = p.x[i];
       v.bodies[b].v[static_cast<int>(k)] = v.nu[c] = p.v[i];
@@ -153,7 +154,7 @@ void scatter(Run& run, const Points& p, double t) {
     is.e = p.e[i];
     is.T = p.T[i];
     is.l = (1 + is.e) * is.L;
-    const auto end_z = [&](std::size_t end) { return p.x[3 * at(line.body[end] + 1) + 2] + line.offset[end].z(); };
+    const auto end_z = [&](std::size_t end) { return p.x[3 * as_size(line.body[end] + 1) + 2] + line.offset[end].z(); };
     const double hangs = hung_at_ends(p.links[i].hangs * (end_z(1) - end_z(0)) / is.l, is.T);
     is.end_T = {is.T - hangs, is.T + hangs};
   }

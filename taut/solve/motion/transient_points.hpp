@@ -1,12 +1,13 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_run.hpp"
 
 namespace taut::solve::dynamics {
 
 /// Point masses and the lines between them side by side, for many explicit steps in a row. Node 0 is the ground.
 struct Points {
-  std::vector<double> x, v, a, dead;  ///< by node, three each: m, m/s, m/s2; dead: forces that do not change, N
-  std::vector<double> inverse_mass;   ///< by node, 1/kg; 0: does not move
+  Array<double> x, v, a, dead;  ///< by node, three each: m, m/s, m/s2; dead: forces that do not change, N
+  Array<double> inverse_mass;   ///< by node, 1/kg; 0: does not move
   struct Link {
     int from = 0, to = 0;
     double dx = 0, dy = 0, dz = 0;  ///< from the origin of one end's body to the other's, beside their places, m
@@ -16,11 +17,11 @@ struct Points {
     double copies = 1;
     double hangs = 0;  ///< half of its weight, of one copy, N
   };
-  std::vector<Link> links;        ///< by line
-  std::vector<double> e, e_last;  ///< by line: strain now and before
-  std::vector<double> T;          ///< by line: of one copy, N
-  std::vector<double> change;     ///< by line: of that in the last step, N
-  std::vector<double> force;      ///< by node, three each, N
+  Array<Link> links;        ///< by line
+  Array<double> e, e_last;  ///< by line: strain now and before
+  Array<double> T;          ///< by line: of one copy, N
+  Array<double> change;     ///< by line: of that in the last step, N
+  Array<double> force;      ///< by node, three each, N
 };
 
 /// Whether the steps to come may be taken so: Verlet, nothing but points, no break under way, no condition to watch.

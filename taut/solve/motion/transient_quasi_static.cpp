@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
 namespace taut::solve::dynamics {
@@ -27,10 +29,10 @@ Scheme creeping(double reach, double elapsed) {
 
 /// `ahead`: the way looked for first, by column.
 StepEnd from_rest(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton,
-                  const std::vector<double>* ahead = nullptr) {
+                  const Array<double>* ahead = nullptr) {
   std::fill(before.nu.begin(), before.nu.end(), 0.0);
   std::fill(now.rate.begin(), now.rate.end(), 0.0);
-  for (std::size_t c = 0; ahead != nullptr && c < at(m.body_columns); ++c)
+  for (std::size_t c = 0; ahead != nullptr && c < as_size(m.body_columns); ++c)
     now.rate[c] = (*ahead)[c] / (s.reach * s.reach);
   for (std::size_t i = 0; i < now.spins.size(); ++i) now.spins[i].turns = before.spins[i].turns;
   return solve_step(m, s, before, t, now, w, newton);
@@ -39,7 +41,7 @@ StepEnd from_rest(Mechanism& m, const Scheme& s, Values& before, double t, Value
 /// What has moved slowly stands `by` farther, the way of a small step of it.
 void shift_slid(const Run& run, const Slid& slid, double by, Values& v) {
   if (!slid.drum) {
-    v.actuators[at(slid.index)].hold += by;
+    v.actuators[slid.index].hold += by;
     return;
   }
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
@@ -55,8 +57,8 @@ void note_fall(Run& run, const Values& from, const Values& to) {
   constexpr double worth_noting = 1e-3;  // of the machine's size
   const LargestWay largest = largest_way(run.m, from, to);
   if (largest.way < worth_noting * run.m.size_of_machine || largest.body < 0) return;
-  const int body = run.m.bodies[at(largest.body)].model;
-  note(run, to.t, "fall", body < 0 ? "rope" : run.model.bodies[at(body)].name, {{"way", largest.way}});
+  const int body = run.m.bodies[largest.body].model;
+  note(run, to.t, "fall", body < 0 ? "rope" : run.model.bodies[body].name, {{"way", largest.way}});
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ LargestWay largest_way(const Mechanism& m, const Values& before, const Values& n
     if (way > largest.way) largest = {way, static_cast<int>(b)};
   }
   for (const Contact& contact : m.contacts) {
-    const double way = std::abs(now.q[at(contact.column)] - before.q[at(contact.column)]);
+    const double way = std::abs(now.q[contact.column] - before.q[contact.column]);
     if (way > largest.way) largest = {way, -1};
   }
   return largest;
@@ -78,12 +80,12 @@ LargestWay largest_way(const Mechanism& m, const Values& before, const Values& n
 StepEnd quasi_static_step(Mechanism& m, double elapsed, Values& before, double t, Values& now, Work& w,
                           Newton& newton) {
   const Scheme s = creeping(without_inertia, elapsed);
-  const std::vector<double> speed = before.nu;
+  const Array<double> speed = before.nu;
   const auto near = [&](StepEnd end) {
     if (end != StepEnd::ok) return end;
     return largest_way(m, before, now).way < far_away * m.size_of_machine ? end : StepEnd::not_converged;
   };
-  std::vector<double> ahead = speed;
+  Array<double> ahead = speed;
   for (double& way : ahead) way *= elapsed;
   const bool moves = std::any_of(ahead.begin(), ahead.end(), [](double way) { return way != 0; });
   // what hangs on stiff ropes is not found from where it hung: it goes on as it went
@@ -127,9 +129,9 @@ void set_mean_velocities(const Mechanism& m, double elapsed, const Values& befor
     now.bodies[b].v = (now.bodies[b].x - before.bodies[b].x) / elapsed;
     now.bodies[b].w = now.bodies[b].turned / elapsed;
   }
-  for (int c = 0; c < m.body_columns; ++c) now.nu[at(c)] = (now.q[at(c)] - before.q[at(c)]) / elapsed;
+  for (int c = 0; c < m.body_columns; ++c) now.nu[c] = (now.q[c] - before.q[c]) / elapsed;
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
-    const std::size_t c = at(m.spins[i].column);
+    const std::size_t c = as_size(m.spins[i].column);
     now.nu[c] = now.spins[i].omega = (now.q[c] - before.q[c]) / elapsed;
     now.rate[c] = now.spins[i].alpha = 0;
   }
@@ -140,11 +142,11 @@ void set_mean_velocities(const Mechanism& m, double elapsed, const Values& befor
     is.flow = is.roll_rate + is.slip_rate;
   }
   for (std::size_t i = 0; i < now.faces.size(); ++i) {
-    const Vector3& normal = m.model->faces[at(m.model->contacts[i].face)].normal;
+    const Vector3& normal = m.model->faces[m.model->contacts[i].face].normal;
     const Vector3 moved = now.faces[i].arm - before.faces[i].arm;
     const int body = m.couples[i].body[1];
     const Vector3 along = (moved - normal * normal.dot(moved)) / elapsed;
-    now.faces[i].slide = body < 0 ? along : Vector3(now.bodies[at(body)].R * along);
+    now.faces[i].slide = body < 0 ? along : Vector3(now.bodies[body].R * along);
   }
   for (std::size_t i = 0; i < now.actuators.size(); ++i) {
     now.actuators[i].speed = (now.actuators[i].length - before.actuators[i].length) / elapsed;

@@ -11,6 +11,9 @@
 #include <limits>
 #include <utility>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
+
 namespace taut::solve::dynamics {
 namespace {
 
@@ -47,14 +50,14 @@ struct ReferenceState {
   Owned<N_Vector> y, rates, differential, allowed;
   Owned<SUNMatrix> matrix;
   Owned<SUNLinearSolver> solver;
-  std::vector<Wound> wound;
-  std::vector<double> length;  ///< of each line, but for what flows and winds, m
-  int again = 0;               ///< how often it had to begin anew
-  Values base;                 ///< poses where it began; angles and entries of the last step
-  Values trial;                ///< room for one evaluation
-  Scheme scheme;               ///< no step: laws at one time
-  double limit = 0;            ///< signals are taken just before it
-  std::vector<double> first;   ///< unknowns and rates where it began, until a step is done
+  Array<Wound> wound;
+  Array<double> length;  ///< of each line, but for what flows and winds, m
+  int again = 0;         ///< how often it had to begin anew
+  Values base;           ///< poses where it began; angles and entries of the last step
+  Values trial;          ///< room for one evaluation
+  Scheme scheme;         ///< no step: laws at one time
+  double limit = 0;      ///< signals are taken just before it
+  Array<double> first;   ///< unknowns and rates where it began, until a step is done
 
   ReferenceState() = default;
   ReferenceState(const ReferenceState&) = delete;
@@ -65,7 +68,7 @@ struct ReferenceState {
     for (auto* v : {&y, &rates, &differential, &allowed}) v->reset();
     if (context != nullptr) SUNContext_Free(&context);
   }
-  std::size_t size() const { return at(run->m.size); }
+  std::size_t size() const { return as_size(run->m.size); }
   sunindextype unknowns() const { return static_cast<sunindextype>(2 * size() + wound.size()); }
 };
 
@@ -81,9 +84,9 @@ void put(ReferenceState& of, const double* place, const double* rate, Values& no
   std::copy(place, place + size, w.q_star.begin());
   std::copy(place + size, place + 2 * size, w.nu_star.begin());
   now.q = w.q_star;
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) now.rate[c] = rate[size + c];
+  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) now.rate[c] = rate[size + c];
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
-    const std::size_t c = at(m.spins[i].column);
+    const std::size_t c = as_size(m.spins[i].column);
     now.rate[c] = rate[size + c];
     now.spins[i].turns = of.base.spins[i].turns;
   }
@@ -92,7 +95,7 @@ void put(ReferenceState& of, const double* place, const double* rate, Values& no
     of.base.lines[of.wound[k].line].L += (of.wound[k].end == 0 ? -1 : 1) * place[2 * size + k];
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-    const std::size_t c = at(m.contacts[i].column);
+    const std::size_t c = as_size(m.contacts[i].column);
     now.contacts[i].grip = of.base.contacts[i].grip;
     of.base.contacts[i].slip_mean = rolls(of, i) ? 0 : rate[c];
     of.base.contacts[i].steady = rate[c];
@@ -116,11 +119,11 @@ bool evaluate(ReferenceState& of, double t, const double* place, const double* r
   if (slips && !follow(m, of.scheme, of.base, of.run->w, t, now)) return false;
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     SpinValues& is = now.spins[i];
-    const std::size_t c = at(m.spins[i].column);
+    const std::size_t c = as_size(m.spins[i].column);
     now.q[c] = is.angle = place[c];
     is.capacity = 0;
     for (const auto& one : m.spins[i].contacts) {
-      is.capacity += bearing_slope(m, m.contacts[at(one.first)], of.base, now).capacity;
+      is.capacity += bearing_slope(m, m.contacts[one.first], of.base, now).capacity;
     }
   }
   return true;
@@ -134,16 +137,16 @@ double winding_rate(const ReferenceState& of, const Wound& one, const Values& no
   std::array<LineColumn, 14> columns;
   line_columns(line, m.bodies, now.bodies, now.lines[one.line], columns);
   double rate = 0;
-  for (std::size_t k = 0; k < at(line.freedoms[0] + line.freedoms[1]); ++k) {
-    rate += columns[k].angle[one.end] * now.nu[at(line.column[k])];
+  for (std::size_t k = 0; k < as_size(line.freedoms[0] + line.freedoms[1]); ++k) {
+    rate += columns[k].angle[one.end] * now.nu[line.column[k]];
   }
-  return now.lines[one.line].radius[one.end] / now.contacts[at(line.contact[one.end])].lambda * rate;
+  return now.lines[one.line].radius[one.end] / now.contacts[line.contact[one.end]].lambda * rate;
 }
 
 void contact_rows(ReferenceState& of, std::size_t i, const double* rate, double* out) {
   const Contact& contact = of.run->m.contacts[i];
   const ContactValues& is = of.trial.contacts[i];
-  const std::size_t c = at(contact.column);
+  const std::size_t c = as_size(contact.column);
   out[of.size() + c] = rate[of.size() + c] - is.roll_rate;
   if (rolls(of, i)) {
     out[c] = rate[c] - is.roll_rate;
@@ -167,9 +170,9 @@ int residual(realtype t, N_Vector y, N_Vector rates, N_Vector rows, void* data) 
     out[c] = rate[c] - place[size + c];
     out[size + c] = of.run->w.residual[c];
   };
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) moves(c);
+  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) moves(c);
   for (const Spin& spin : m.spins) {
-    const std::size_t c = at(spin.column);
+    const std::size_t c = as_size(spin.column);
     moves(c);
     if (const auto set = prescribed(m, spin, of.base, of.trial.when)) out[size + c] = place[size + c] - set->omega;
   }
@@ -189,7 +192,7 @@ bool step_of_ida(ReferenceState& of, double limit, double& t) {
   bool done = IDASolve(of.ida, limit, &t, of.y.get(), of.rates.get(), IDA_ONE_STEP) >= 0;
   if (!done && ++of.again > most_again) return false;
   const double start = of.run->before.t;
-  std::vector<double> from = std::exchange(of.first, {});
+  Array<double> from = std::exchange(of.first, {});
   double *const y = N_VGetArrayPointer(of.y.get()), *const rates = N_VGetArrayPointer(of.rates.get());
   for (double first_step = 1e-5; !done && first_step > 1e-9; first_step /= 10) {
     if (from.empty()) {  // IDA knows where it stands
@@ -213,7 +216,7 @@ bool law_ends(ReferenceState& of, Values& now) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if ((of.base.lines[i].e > 0) != (now.lines[i].e > 0) && now.lines[i].gone > 0) return true;
   }
-  std::vector<double> slipped;
+  Array<double> slipped;
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     slipped.push_back(of.base.contacts[i].slipped);
     of.base.contacts[i].slipped = now.contacts[i].slipped;
@@ -258,16 +261,16 @@ void fill(ReferenceState& of, double tolerance) {
     allowed[size + c] = tolerance;
   }
   for (const Spin& spin : m.spins) {
-    if (prescribed(m, spin, v, v.when)) differential[size + at(spin.column)] = 0;
+    if (prescribed(m, spin, v, v.when)) differential[size + as_size(spin.column)] = 0;
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Contact& contact = m.contacts[i];
-    const std::size_t c = at(contact.column);
+    const std::size_t c = as_size(contact.column);
     y[size + c] = v.contacts[i].rolled;
     rate[c] = v.contacts[i].flow;
     rate[size + c] = v.contacts[i].roll_rate;
     allowed[size + c] = allowed[c];
-    const double damping = m.lines[at(contact.in >= 0 ? contact.in : contact.out)].damping;
+    const double damping = m.lines[contact.in >= 0 ? contact.in : contact.out].damping;
     if (!rolls(of, i) && damping == 0 && !loose(contact, v)) differential[c] = 0;
   }
 }
@@ -374,17 +377,17 @@ Outcome reference_refuses(const Mechanism& m) {
     return infeasible("the reference does without contacts on faces and actuators; take 'method: implicit'");
   for (const Body& body : m.bodies) {
     int turns = body.driven ? 1 : 0;
-    for (int f = 0; f < body.count; ++f) turns += body.about[at(f)] != Vector3::Zero() ? 1 : 0;
+    for (int f = 0; f < body.count; ++f) turns += body.about[as_size(f)] != Vector3::Zero() ? 1 : 0;
     if (turns <= 1) continue;
     return infeasible(fmt::format("'{}' turns about more than one axis, or is driven and turns: not in the reference",
-                                  m.model->bodies[at(body.model)].name));
+                                  m.model->bodies[body.model].name));
   }
   for (const Line& line : m.lines) {
     for (const std::size_t end : {0U, 1U}) {
-      const bool driven = line.body[end] >= 0 && m.bodies[at(line.body[end])].driven;
+      const bool driven = line.body[end] >= 0 && m.bodies[line.body[end]].driven;
       if (!driven || (line.radius[0] == 0 && line.radius[1] == 0)) continue;
       return infeasible(fmt::format("'{}' is driven and carries a round or its rope: not in the reference",
-                                    m.model->bodies[at(m.bodies[at(line.body[end])].model)].name));
+                                    m.model->bodies[m.bodies[line.body[end]].model].name));
     }
   }
   for (const machine::Drum& drum : m.model->drums) {

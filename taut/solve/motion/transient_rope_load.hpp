@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_build.hpp"
 
 /// Forces along a running rope (a node of kind load). Such a force acts at a place of the free line between two rounds:
@@ -40,8 +41,8 @@ double asked_difference(const ContactValues& is);
 
 /// What the turning of the whole line adds to the strain rate of a part: the part's share of the free length follows
 /// both rounds, what is wound comes from the part beside the round. 1/s. Lines of kind skew go without.
-double turned_strain_rate(const Line& line, const std::vector<Motion3>& bodies,
-                          const std::vector<ContactValues>& contacts, const LineValues& now);
+double turned_strain_rate(const Line& line, const Array<Motion3>& bodies, const Array<ContactValues>& contacts,
+                          const LineValues& now);
 
 /// Force of a part on what carries an end of its free line, N: the tension where the part reaches that end, and what
 /// its weight has across the line (along it the tensions bear it).

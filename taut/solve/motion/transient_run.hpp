@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_build.hpp"
 #include "taut/solve/motion/transient_ledger.hpp"
 #include "taut/solve/motion/transient_step.hpp"
@@ -16,14 +17,14 @@ struct Run {
   Scheme scheme{};
   Ledger ledger{};
   TransientResult result{};
-  DynamicState origin{};         ///< what the state is completed from
-  std::vector<double> stops{};   ///< times to step onto, growing
-  std::vector<char> happened{};  ///< by event
+  DynamicState origin{};   ///< what the state is completed from
+  Array<double> stops{};   ///< times to step onto, growing
+  Array<char> happened{};  ///< by event
   struct Breaking {
     int line = 0;
     double from = 0, over = 0;  ///< s
   };
-  std::vector<Breaking> breaking{};
+  Array<Breaking> breaking{};
   double end = 0;
   double h = 0;
   double floor = 0;                     ///< where a law changes no step need be shorter, s
@@ -36,28 +37,27 @@ struct Run {
   bool resumed = false;                 ///< from the memory of an earlier run
   int since_asked = 0;                  ///< tries of a step since `progress` was asked
   // what the control of the error looks back on
-  int known = 0;                             ///< steps since the last restart
-  std::vector<double> nu_old{}, rate_old{};  ///< at the start of the last step
-  std::vector<double> T_old{}, T_older{};    ///< by line
+  int known = 0;                       ///< steps since the last restart
+  Array<double> nu_old{}, rate_old{};  ///< at the start of the last step
+  Array<double> T_old{}, T_older{};    ///< by line
   double h_last = 0, h_older = 0;
-  int careful = 0;                  ///< steps that still grow a little at a time
-  std::vector<double> T_largest{};  ///< by reeving, N
-  std::vector<double> L_first{};    ///< by line, m
-  double lacks = 0;                 ///< largest residual of the ledger at an output step, J
+  int careful = 0;            ///< steps that still grow a little at a time
+  Array<double> T_largest{};  ///< by reeving, N
+  Array<double> L_first{};    ///< by line, m
+  double lacks = 0;           ///< largest residual of the ledger at an output step, J
   // of Verlet's steps
-  std::vector<double> T_rate{};   ///< by line: change of its tension in the last step over that step, N/s; NaN: none
-  std::vector<double> T_error{};  ///< by reeving: largest error of its tensions, N
-  std::vector<double>
-      T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
+  Array<double> T_rate{};      ///< by line: change of its tension in the last step over that step, N/s; NaN: none
+  Array<double> T_error{};     ///< by reeving: largest error of its tensions, N
+  Array<double> T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
   // of measures
   struct Mean {
     double integral = 0, duration = 0;  ///< of the value over time, s
     double last_t = 0, last_value = 0;
     bool inside = false;  ///< at the step before
   };
-  double last_time = -1;            ///< of the step before, s
-  std::vector<double> reference{};  ///< by what is observed; NaN: none yet
-  std::vector<Mean> means{};
+  double last_time = -1;      ///< of the step before, s
+  Array<double> reference{};  ///< by what is observed; NaN: none yet
+  Array<Mean> means{};
 };
 
 /// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
@@ -88,8 +88,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v);
 void note_changes(Run& run);
 /// A line that became slack or taut in the step of h from t.
 void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h);
-void note(Run& run, double t, std::string what, std::string where,
-          std::vector<std::pair<std::string, double>> values = {});
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values = {});
 
 /// Events of the model: those due at t happen. Whether any did (a restart is needed); `stop`: the run is over.
 bool happen(Run& run, Values& v, bool& stop);
@@ -100,7 +99,7 @@ bool change_layers(Run& run, Values& v);
 /// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
-std::vector<double> stops_of(const machine::Model& model, double from, double to);
+Array<double> stops_of(const machine::Model& model, double from, double to);
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
 #include "taut/rope/catenary_shape.hpp"
 #include "taut/rope/span.hpp"
@@ -19,11 +21,11 @@ constexpr double hanging_open = 1e-10;    ///< with more it is no solution
 
 using Ends = std::array<mechanics::BranchEnd, 2>;
 
-Matrix3 sag_turned(const std::vector<Motion3>& bodies, int body) {
-  return body < 0 ? Matrix3(Matrix3::Identity()) : bodies[at(body)].R;
+Matrix3 sag_turned(const Array<Motion3>& bodies, int body) {
+  return body < 0 ? Matrix3(Matrix3::Identity()) : bodies[body].R;
 }
 
-Ends sag_ends(const Line& line, const std::vector<Motion3>& bodies, const LineValues& now) {
+Ends sag_ends(const Line& line, const Array<Motion3>& bodies, const LineValues& now) {
   Ends ends;
   for (const std::size_t e : {0U, 1U}) {
     ends[e].centre = now.centre[e];
@@ -172,8 +174,8 @@ bool close_from_afar(const ToHang& of, Vector3& chord, double& length, std::arra
 
 }  // namespace
 
-bool hang(const Line& line, const std::vector<Motion3>& bodies, const std::array<double, 2>& winding,
-          const SagValues& before, double fed, const std::array<double, 2>& angle, LineValues& now, SagValues& is) {
+bool hang(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding, const SagValues& before,
+          double fed, const std::array<double, 2>& angle, LineValues& now, SagValues& is) {
   const Ends ends = sag_ends(line, bodies, now);
   const Vector3 X = now.centre[1] - now.centre[0];
   if (!(fed > 0) || !std::isfinite(fed) || !X.allFinite()) return false;
@@ -216,7 +218,7 @@ struct SagRates {
   double x_g = 0, z_g = 0;        ///< chord without the stretch that a middle force would give, m
 };
 
-SagRates sag_rates(const Line& line, const std::vector<Motion3>& bodies, const std::array<double, 2>& winding,
+SagRates sag_rates(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding,
                    const LineValues& now, const SagValues& is) {
   SagRates r;
   r.ends = sag_ends(line, bodies, now);
@@ -287,7 +289,7 @@ void fill_column(const Line& line, const SagRates& r, const LineValues& now, con
 
 }  // namespace
 
-SagColumn sag_let_in(const Line& line, const std::vector<Motion3>& bodies, const std::array<double, 2>& winding,
+SagColumn sag_let_in(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding,
                      const LineValues& now, const SagValues& is) {
   SagColumn c;
   const std::array<Vector3, 2> seen{Vector3::Zero(), Vector3::Zero()};
@@ -295,16 +297,16 @@ SagColumn sag_let_in(const Line& line, const std::vector<Motion3>& bodies, const
   return c;
 }
 
-void sag_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
+void sag_columns(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies,
                  const std::array<double, 2>& winding, const LineValues& now, const SagValues& is,
                  SagColumns& columns) {
   const SagRates r = sag_rates(line, bodies, winding, now, is);
   std::size_t k = 0;
   for (const std::size_t e : {0U, 1U}) {
     if (line.body[e] < 0) continue;
-    const Body& shape = shapes[at(line.body[e])];
-    const Vector3& origin = bodies[at(line.body[e])].x;
-    for (std::size_t f = 0; f < at(shape.count); ++f, ++k) {
+    const Body& shape = shapes[line.body[e]];
+    const Vector3& origin = bodies[line.body[e]].x;
+    for (std::size_t f = 0; f < as_size(shape.count); ++f, ++k) {
       SagColumn& c = columns[k];
       c = {};
       const Vector3 &along = shape.along[f], &about = shape.about[f];
@@ -319,7 +321,7 @@ void sag_columns(const Line& line, const std::vector<Body>& shapes, const std::v
   }
   for (const std::size_t e : {0U, 1U}) {
     if (line.flow[e] < 0) continue;
-    SagColumn& c = columns[at(line.flow[e])];
+    SagColumn& c = columns[as_size(line.flow[e])];
     c = {};
     fill_column(line, r, now, is, Vector3::Zero(), e == 0 ? 1 : -1, {Vector3::Zero(), Vector3::Zero()}, c);
   }
@@ -336,8 +338,8 @@ SagEnergy sag_energy(const Line& line, const LineValues& now, const SagValues& i
   return energy;
 }
 
-std::vector<Vector3> sag_curve(const Line& line, const LineValues& now, const SagValues& is, int parts) {
-  std::vector<Vector3> points;
+Array<Vector3> sag_curve(const Line& line, const LineValues& now, const SagValues& is, int parts) {
+  Array<Vector3> points;
   const rope::Span span = sag_span(line, now, is);
   for (int i = 1; i < parts; ++i) points.emplace_back(now.touch[0] + rope::point_at(span, now.L * i / parts));
   return points;
@@ -347,8 +349,8 @@ double sag_stretched(const Line& line, const LineValues& now, const SagValues& i
   return rope::stretched_length(sag_span(line, now, is));
 }
 
-void hang_on_new_radius(const Line& line, const std::vector<Motion3>& bodies, std::size_t end, double radius,
-                        LineValues& of, SagValues& is) {
+void hang_on_new_radius(const Line& line, const Array<Motion3>& bodies, std::size_t end, double radius, LineValues& of,
+                        SagValues& is) {
   LineValues was = of, straight = of;
   if (!place_line(line, bodies, was, straight)) return;
   was.radius[end] = radius;

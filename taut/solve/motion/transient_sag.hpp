@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_line.hpp"
 
 /// Branches that sag while the machine moves: the elastic catenary between the places where the rope leaves one round
@@ -36,8 +37,8 @@ inline bool sags(const Line& line, const LineValues& now) { return line.sag >= 0
 /// leaves and arrives as it did in `before`, seen from its bodies; `winding`: stretch of what lies on each round,
 /// infinite where the turning of the line takes no rope. Fills touch, t, l, L, e, angle (from `angle`) and the shape.
 /// False: there is none.
-bool hang(const Line& line, const std::vector<Motion3>& bodies, const std::array<double, 2>& winding,
-          const SagValues& before, double fed, const std::array<double, 2>& angle, LineValues& now, SagValues& is);
+bool hang(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding, const SagValues& before,
+          double fed, const std::array<double, 2>& angle, LineValues& now, SagValues& is);
 
 /// Tensions at its ends, with the damper's; `damping` beta, s.
 void pull_sagging(const Line& line, double damping, LineValues& now, SagValues& is);
@@ -59,11 +60,11 @@ struct SagColumn {
   std::array<double, 2> T{0, 0}, angle{0, 0};
 };
 using SagColumns = std::array<SagColumn, 14>;
-void sag_columns(const Line& line, const std::vector<Body>& shapes, const std::vector<Motion3>& bodies,
+void sag_columns(const Line& line, const Array<Body>& shapes, const Array<Motion3>& bodies,
                  const std::array<double, 2>& winding, const LineValues& now, const SagValues& is, SagColumns& columns);
 
 /// The same for rope let in.
-SagColumn sag_let_in(const Line& line, const std::vector<Motion3>& bodies, const std::array<double, 2>& winding,
+SagColumn sag_let_in(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding,
                      const LineValues& now, const SagValues& is);
 
 /// Elastic energy of one copy, and that of its weight against both halves hanging at its ends, J.
@@ -73,16 +74,16 @@ struct SagEnergy {
 SagEnergy sag_energy(const Line& line, const LineValues& now, const SagValues& is);
 
 /// Points on the rope between its ends, m, and its stretched length, m.
-std::vector<Vector3> sag_curve(const Line& line, const LineValues& now, const SagValues& is, int parts);
+Array<Vector3> sag_curve(const Line& line, const LineValues& now, const SagValues& is, int parts);
 double sag_stretched(const Line& line, const LineValues& now, const SagValues& is);
 
 /// A round of another radius (a drum's next layer): the rope's force stays.
-void hang_on_new_radius(const Line& line, const std::vector<Motion3>& bodies, std::size_t end, double radius,
-                        LineValues& of, SagValues& is);
+void hang_on_new_radius(const Line& line, const Array<Motion3>& bodies, std::size_t end, double radius, LineValues& of,
+                        SagValues& is);
 
 /// How a line begins. Directions of a saved state or of an equilibrium are kept with its length; without them
 /// `now.L` is what is free along the straight line.
-bool begin_to_hang(const Line& line, const std::vector<Motion3>& bodies, const DynamicState& start, int branch,
+bool begin_to_hang(const Line& line, const Array<Motion3>& bodies, const DynamicState& start, int branch,
                    LineValues& now, SagValues& is);
 /// Whether the weight of a branch is more than `light` times its tension where the motion begins, or whether it hung
 /// where a saved one left off.

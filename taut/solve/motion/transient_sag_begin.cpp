@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/mechanics/branch.hpp"
 #include "taut/solve/motion/transient_sag.hpp"
 
@@ -16,7 +18,7 @@ Matrix3 turned_at_start(const DynamicState& start, int body) {
 
 Vector3 centre_at_start(const Line& line, const DynamicState& start, std::size_t end) {
   if (line.body[end] < 0) return line.place[end];
-  return start.bodies[at(line.body[end])].position + turned_at_start(start, line.body[end]) * line.place[end];
+  return start.bodies[line.body[end]].position + turned_at_start(start, line.body[end]) * line.place[end];
 }
 
 mechanics::BranchEnd end_at_start(const Line& line, const DynamicState& start, const std::array<double, 2>& radius,
@@ -32,11 +34,11 @@ struct DirectionsAtStart {
 };
 
 DirectionsAtStart known_directions(const DynamicState& start, int reeving, int branch) {
-  const DynamicState::Rope& rope = start.ropes[at(reeving)];
+  const DynamicState::Rope& rope = start.ropes[reeving];
   DirectionsAtStart known;
-  if (at(branch) < rope.leaves.size() && at(branch) < rope.arrives.size()) {
-    known.leaves = rope.leaves[at(branch)];
-    known.arrives = rope.arrives[at(branch)];
+  if (as_size(branch) < rope.leaves.size() && as_size(branch) < rope.arrives.size()) {
+    known.leaves = rope.leaves[branch];
+    known.arrives = rope.arrives[branch];
   }
   known.any = known.leaves != Vector3::Zero() && known.arrives != Vector3::Zero();
   return known;
@@ -44,7 +46,7 @@ DirectionsAtStart known_directions(const DynamicState& start, int reeving, int b
 
 }  // namespace
 
-bool begin_to_hang(const Line& line, const std::vector<Motion3>& bodies, const DynamicState& start, int branch,
+bool begin_to_hang(const Line& line, const Array<Motion3>& bodies, const DynamicState& start, int branch,
                    LineValues& now, SagValues& is) {
   const DirectionsAtStart known = known_directions(start, line.reeving, branch);
   std::array<Vector3, 2> direction{known.leaves, known.arrives};
@@ -68,7 +70,7 @@ bool begin_to_hang(const Line& line, const std::vector<Motion3>& bodies, const D
 }
 
 bool sags_by_weight(const Line& line, const DynamicState& start, int branch, double length, double light) {
-  const bool goes_on = !start.ropes[at(line.reeving)].passed.empty();
+  const bool goes_on = !start.ropes[line.reeving].passed.empty();
   const DirectionsAtStart known = known_directions(start, line.reeving, branch);
   if (goes_on) return known.any;
   if (!(length > 0)) return false;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 // What sagging lines pull their ends with, and their rows.
@@ -28,10 +29,10 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
   const double square = s.reach * s.reach, lambda = now.l / now.L;
   const double flows = (now.t.dot(now.apart) - is.chord_rate * now.L) / lambda;
   for (int k = 0; k < line.columns; ++k) {
-    const SagColumn& c = columns[at(k)];
+    const SagColumn& c = columns[as_size(k)];
     const double scale = k < freedoms ? square : 1;
     if (is.bounded != 0) {
-      slopes[at(k)] = is.bounded * now.gone * scale * c.lowest;
+      slopes[as_size(k)] = is.bounded * now.gone * scale * c.lowest;
       continue;
     }
     if (is.damper_rate == 0) continue;
@@ -40,18 +41,18 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
     for (const std::size_t end : {0U, 1U}) {  // what turns carries its tangent point along
       if (line.body[end] < 0) continue;
       const bool own = k < freedoms && (k < line.freedoms[0]) == (end == 0);
-      const Vector3 moved = values_now.bodies[at(line.body[end])].w.cross(c.touch[end]);
+      const Vector3 moved = values_now.bodies[line.body[end]].w.cross(c.touch[end]);
       apart += (end == 0 ? -1 : 1) * (scale * now.t.dot(moved) + (own ? s.reach * now.t.dot(c.velocity) : 0));
     }
     apart += scale * now.apart.dot(c.chord - l * now.t) / std::max(now.l, 1e-300);
     double rate = (apart - scale * (l - lambda * c.L) / now.L * flows - is.chord_rate * scale * c.L) / now.L;
     for (const std::size_t end : {0U, 1U}) {
       if (line.flow[end] != k) continue;
-      const bool stuck = values_now.contacts[at(line.contact[end])].grip == Grip::stuck;
+      const bool stuck = values_now.contacts[line.contact[end]].grip == Grip::stuck;
       const double by_flow = stuck ? (s.reach > 0 ? 1 / s.reach : 0) : s.slip_now;
       rate -= (end == 0 ? 1 : -1) * lambda * by_flow / now.L;
     }
-    slopes[at(k)] = is.damper_rate * rate + is.damper_share * scale * c.stretches;
+    slopes[as_size(k)] = is.damper_rate * rate + is.damper_share * scale * c.stretches;
   }
   return slopes;
 }
@@ -61,7 +62,7 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
 std::array<double, 2> windings_of(const Line& line, const Values& before) {
   std::array<double, 2> winding{1, 1};
   for (const std::size_t end : {0U, 1U}) {
-    if (line.contact[end] >= 0) winding[end] = before.contacts[at(line.contact[end])].winding;
+    if (line.contact[end] >= 0) winding[end] = before.contacts[line.contact[end]].winding;
   }
   return winding;
 }
@@ -98,13 +99,13 @@ void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::
                       Work& w) {
   const Line& line = m.lines[i];
   const LineValues& now = values_now.lines[i];
-  const SagValues& is = values_now.sags[at(line.sag)];
+  const SagValues& is = values_now.sags[line.sag];
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   line_velocities(line, m.bodies, values_now.bodies, now, w.columns);
   const std::array<Vector3, 2> force{sagging_force(line, now, is, 0), sagging_force(line, now, is, 1)};
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
-    w.residual[at(line.column[at(r)])] -= line.copies * force[end].dot(w.columns[at(r)].velocity);
+    w.residual[line.column[as_size(r)]] -= line.copies * force[end].dot(w.columns[as_size(r)].velocity);
   }
   if (!w.tangent) return;
   SagColumns columns;
@@ -114,33 +115,33 @@ void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::
   const double square = s.reach * s.reach;
   const std::array<AlongChord, 2> along{along_chord(now, is, 0), along_chord(now, is, 1)};
   for (int k = 0; k < line.columns; ++k) {
-    const SagColumn& c = columns[at(k)];
+    const SagColumn& c = columns[as_size(k)];
     const double scale = k < freedoms ? square : 1;
-    tangent.e[at(k)] = scale * c.e;
+    tangent.e[as_size(k)] = scale * c.e;
     for (const std::size_t end : {0U, 1U}) {
-      tangent.end_T[end][at(k)] = scale * now.gone * c.T[end] + damper[at(k)];
-      tangent.end_e[end][at(k)] = scale * c.T[end] / line.stiffness;
-      tangent.angle[end][at(k)] = scale * c.angle[end];
+      tangent.end_T[end][as_size(k)] = scale * now.gone * c.T[end] + damper[as_size(k)];
+      tangent.end_e[end][as_size(k)] = scale * c.T[end] / line.stiffness;
+      tangent.angle[end][as_size(k)] = scale * c.angle[end];
     }
   }
   auto& values = m.solver.values();
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const double sign = end == 0 ? 1 : -1;
-    const std::size_t f = at(end == 0 ? r : r - line.freedoms[0]);
-    const Body& shape = m.bodies[at(line.body[end])];
-    const Vector3& V = w.columns[at(r)].velocity;
+    const std::size_t f = as_size(end == 0 ? r : r - line.freedoms[0]);
+    const Body& shape = m.bodies[line.body[end]];
+    const Vector3& V = w.columns[as_size(r)].velocity;
     const Vector3 moment = shape.turns ? Vector3(force[end].cross(shape.about[f])) : Vector3(Vector3::Zero());
     const int* const places = line.places.data() + static_cast<std::ptrdiff_t>(r) * line.columns;
     for (int k = 0; k < line.columns; ++k) {
-      const SagColumn& c = columns[at(k)];
+      const SagColumn& c = columns[as_size(k)];
       const double scale = k < freedoms ? square : 1;
-      const double T = along[end].bounded ? -now.gone * scale * c.lowest : damper[at(k)];
+      const double T = along[end].bounded ? -now.gone * scale * c.lowest : damper[as_size(k)];
       const Vector3 swing = along[end].T / std::max(now.l, 1e-300) * (c.chord - now.t.dot(c.chord) * now.t);
       const Vector3 pull = scale * (now.gone * c.pull[end] + swing) + T * now.t;
       double Q = sign * pull.dot(V) + scale * moment.dot(c.touch[end]);
       Q -= (1 - now.gone) * line.weight * scale * c.L / 2 * V.z();
-      values[at(places[k])] -= line.copies * Q;
+      values[places[k]] -= line.copies * Q;
     }
   }
 }
@@ -150,20 +151,20 @@ double sag_winding_rate(const Mechanism& m, std::size_t line_index, std::size_t 
   const LineValues& is = now.lines[line_index];
   std::array<double, 2> winding{1, 1};
   for (const std::size_t e : {0U, 1U}) {
-    if (line.contact[e] >= 0) winding[e] = now.contacts[at(line.contact[e])].lambda;
+    if (line.contact[e] >= 0) winding[e] = now.contacts[line.contact[e]].lambda;
   }
   SagColumns columns;
-  sag_columns(line, m.bodies, now.bodies, winding, is, now.sags[at(line.sag)], columns);
+  sag_columns(line, m.bodies, now.bodies, winding, is, now.sags[line.sag], columns);
   double rate = 0;
   for (int k = 0; k < line.freedoms[0] + line.freedoms[1]; ++k) {
-    rate += columns[at(k)].angle[end] * now.nu[at(line.column[at(k)])];
+    rate += columns[as_size(k)].angle[end] * now.nu[line.column[as_size(k)]];
   }
   for (const std::size_t e : {0U, 1U}) {
-    if (line.flow[e] >= 0) rate += columns[at(line.flow[e])].angle[end] * now.contacts[at(line.contact[e])].flow;
+    if (line.flow[e] >= 0) rate += columns[as_size(line.flow[e])].angle[end] * now.contacts[line.contact[e]].flow;
   }
   for (std::size_t k = 0; line.tensioned && k < m.tensioner.size(); ++k) {
     if (m.tensioner[k].first != static_cast<int>(line_index)) continue;
-    rate += sag_let_in(line, now.bodies, winding, is, now.sags[at(line.sag)]).angle[end] * now.tension_rate[k];
+    rate += sag_let_in(line, now.bodies, winding, is, now.sags[line.sag]).angle[end] * now.tension_rate[k];
   }
   return is.radius[end] / winding[end] * rate;
 }

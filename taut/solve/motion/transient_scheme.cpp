@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_values.hpp"
 
 // The method of integration: its numbers, what it makes of the last step before the next one begins.
@@ -24,7 +25,7 @@ void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work&
     w.q_star = before.q;
     std::fill(w.nu_star.begin(), w.nu_star.end(), 0.0);
     for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-      w.q_star[at(m.contacts[i].column)] = before.contacts[i].rolled;
+      w.q_star[m.contacts[i].column] = before.contacts[i].rolled;
     }
     return;
   }
@@ -32,12 +33,12 @@ void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work&
   // the auxiliary rates stand (alpha_m - alpha_f) h beyond the start of the step
   const double reach = w.mean_step > 0 ? s.h / w.mean_step : 1;
   const auto mean = [&](double of_last, double now) { return now + reach * (of_last - now); };
-  for (std::size_t c = 0; c < at(m.size); ++c) {
+  for (std::size_t c = 0; c < as_size(m.size); ++c) {
     w.q_star[c] = before.q[c] + of_mean * mean(w.q_mean[c], before.nu[c]) + of_rate * before.nu[c];
     w.nu_star[c] = before.nu[c] + of_mean * mean(w.nu_mean[c], before.rate[c]) + of_rate * before.rate[c];
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-    const std::size_t c = at(m.contacts[i].column);
+    const std::size_t c = as_size(m.contacts[i].column);
     const double rate = before.contacts[i].roll_rate;
     w.q_star[c] = before.contacts[i].rolled + of_mean * mean(w.q_mean[c], rate) + of_rate * rate;
   }
@@ -48,7 +49,7 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
   const auto next = [&](double mean, double was, double is) {
     return (s.alpha_f * is + (1 - s.alpha_f) * was - (1 - s.alpha_m) * (was + reach * (mean - was))) / s.alpha_m;
   };
-  for (std::size_t c = 0; c < at(m.size); ++c) {
+  for (std::size_t c = 0; c < as_size(m.size); ++c) {
     w.q_mean[c] = next(w.q_mean[c], before.nu[c], now.nu[c]);
     w.nu_mean[c] = next(w.nu_mean[c], before.rate[c], now.rate[c]);
   }

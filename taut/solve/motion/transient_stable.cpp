@@ -30,7 +30,7 @@ void note_tension_errors(Run& run) {
     const double held = sags(line, is) ? 0 : is.T - elastic_tension(line, is);
     const double held_before = sags(line, was) ? 0 : was.T - elastic_tension(line, was);
     const double error = step_error(is.T - was.T, run.T_rate[i] * h, held - held_before);
-    double& largest = run.T_error[static_cast<std::size_t>(line.reeving)];
+    double& largest = run.T_error[line.reeving];
     if (error > largest) largest = error;  // not where no step is known before
     run.T_rate[i] = (is.T - was.T) / h;
   }

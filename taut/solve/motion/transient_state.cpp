@@ -2,6 +2,8 @@
 #include <numbers>
 #include <optional>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/rope/tangent.hpp"
 #include "taut/solve/motion/transient_build.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
@@ -12,7 +14,7 @@ namespace {
 rope::Round round_at(const machine::State& state, const machine::Node& node) {
   const Vector3 centre = machine::in_ground(state, node.at);
   if (node.radius == 0) return rope::point(centre);
-  const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[at(node.at.body)].orientation;
+  const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[node.at.body].orientation;
   return rope::sheave(centre, turned * node.axis, node.radius, node.side);
 }
 
@@ -41,9 +43,9 @@ std::optional<double> given_tension(const machine::Reeving& rope, std::size_t br
 
 /// Unstretched lengths of a rope's branches at the start: by the tensions that are given, the others share what is
 /// left.
-std::vector<double> lengths_of(const machine::State& state, const machine::Reeving& rope,
-                               const std::vector<machine::BranchState>& found) {
-  std::vector<double> lengths;
+Array<double> lengths_of(const machine::State& state, const machine::Reeving& rope,
+                         const Array<machine::BranchState>& found) {
+  Array<double> lengths;
   double whole = 0, known = 0, others = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const machine::Node &from = rope.nodes[k], &to = rope.nodes[(k + 1) % rope.nodes.size()];
@@ -71,7 +73,7 @@ DynamicState state_from(const machine::Model& model, const machine::State& state
     const machine::Reeving& given = model.reevings[r];
     DynamicState::Rope rope;
     const int segments = std::max(1, given.segments);
-    const std::vector<double> lengths = lengths_of(state, given, state.branches[r]);
+    const Array<double> lengths = lengths_of(state, given, state.branches[r]);
     for (std::size_t k = 0; k < state.branches[r].size(); ++k) {
       const machine::Node &from = given.nodes[k], &to = given.nodes[(k + 1) % given.nodes.size()];
       for (int s = 0; s < segments; ++s) rope.length.push_back(lengths[k] / segments);
@@ -108,7 +110,7 @@ void keep_clamps(const machine::Model& model, machine::State& state) {
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     const machine::Reeving& rope = model.reevings[r];
     if (rope.given != machine::Given::length || rope.also || rope.closed) continue;
-    std::vector<machine::BranchState>& branches = state.branches[r];
+    Array<machine::BranchState>& branches = state.branches[r];
     double from = 0, free = 0, arcs = 0;
     std::size_t first = 0;
     for (std::size_t node = 1; node < rope.nodes.size(); ++node) {
@@ -146,18 +148,18 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     DynamicState::Rope& rope = state.ropes[r];
     const auto [first, lines] = m.first_line[r];
-    rope.whole.resize(at(lines));
+    rope.whole.resize(as_size(lines));
     if (std::max(1, model.reevings[r].segments) == 1) {
-      rope.leaves.assign(at(lines), Vector3::Zero());
+      rope.leaves.assign(as_size(lines), Vector3::Zero());
       rope.arrives = rope.leaves;
     }
     for (int i = 0; i < lines; ++i) {
-      rope.length[at(i)] = v.lines[at(first + i)].L;
-      rope.whole[at(i)] = v.lines[at(first + i)].gone > 0 ? 1 : 0;
-      if (!sags(m.lines[at(first + i)], v.lines[at(first + i)])) continue;
-      const SagValues& shape = v.sags[at(m.lines[at(first + i)].sag)];
-      rope.leaves[at(i)] = shape.direction[0];
-      rope.arrives[at(i)] = shape.direction[1];
+      rope.length[i] = v.lines[first + i].L;
+      rope.whole[i] = v.lines[first + i].gone > 0 ? 1 : 0;
+      if (!sags(m.lines[first + i], v.lines[first + i])) continue;
+      const SagValues& shape = v.sags[m.lines[first + i].sag];
+      rope.leaves[i] = shape.direction[0];
+      rope.arrives[i] = shape.direction[1];
     }
     const std::size_t nodes = model.reevings[r].nodes.size();
     rope.angle.assign(nodes, 0.0);
@@ -165,18 +167,18 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     rope.inside.clear();
     rope.inside_velocity.clear();
     for (const int body : m.inside[r]) {
-      rope.inside.push_back(v.bodies[at(body)].x);
-      rope.inside_velocity.push_back(v.bodies[at(body)].v);
+      rope.inside.push_back(v.bodies[body].x);
+      rope.inside_velocity.push_back(v.bodies[body].v);
     }
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Contact& contact = m.contacts[i];
-    DynamicState::Rope& rope = state.ropes[at(contact.reeving)];
-    rope.passed[at(contact.node)] = v.q[at(contact.column)];
-    rope.wrap[at(contact.node)] = wrap_of(m, i, v);
+    DynamicState::Rope& rope = state.ropes[contact.reeving];
+    rope.passed[contact.node] = v.q[contact.column];
+    rope.wrap[contact.node] = wrap_of(m, i, v);
     if (contact.spin < 0) continue;
-    rope.angle[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].angle;
-    rope.spin[at(contact.node)] = contact.sense * v.spins[at(contact.spin)].omega;
+    rope.angle[contact.node] = contact.sense * v.spins[contact.spin].angle;
+    rope.spin[contact.node] = contact.sense * v.spins[contact.spin].omega;
   }
   state.drums.clear();
   for (const DrumValues& drum : v.drums) state.drums.push_back({drum.content, drum.layer, drum.strain});

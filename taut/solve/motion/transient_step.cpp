@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/transient_couple.hpp"
 
 namespace taut::solve::dynamics {
@@ -27,7 +29,7 @@ constexpr int most_retreats = 8;       ///< halvings of an iteration that goes w
 /// rate.
 double flow_ahead(const Scheme& s, const Contact& contact, const ContactValues& was, const Values& before) {
   const double more = s.h > 0 ? -s.slip_before : 0;
-  const auto taut = [&](int line) { return line >= 0 && before.lines[at(line)].T > 0; };
+  const auto taut = [&](int line) { return line >= 0 && before.lines[line].T > 0; };
   if (s.creeps) return was.flow;
   if (more >= 1 || !taut(contact.in) || !taut(contact.out)) return loose_flow(contact, was, before);
   return was.flow + more / (1 - more) * (was.slip_rate - was.slip_mean);
@@ -40,7 +42,7 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
   };
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const ContactValues& was = before.contacts[i];
-    const std::size_t c = at(m.contacts[i].column);
+    const std::size_t c = as_size(m.contacts[i].column);
     now.contacts[i].grip = was.grip;
     const double reach = s.creeps ? s.elapsed : s.reach, h = s.creeps ? s.elapsed : s.h;
     now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate
@@ -51,10 +53,10 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
 }
 
 /// A share of the step; of the ropes' flows that share of it.
-void apply(const Mechanism& m, const std::vector<double>& step, double share, double of_flows, Values& now) {
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) now.rate[c] -= share * step[c];
-  for (const Contact& contact : m.contacts) now.q[at(contact.column)] -= share * of_flows * step[at(contact.column)];
-  for (const Spin& spin : m.spins) now.rate[at(spin.column)] -= share * step[at(spin.column)];
+void apply(const Mechanism& m, const Array<double>& step, double share, double of_flows, Values& now) {
+  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) now.rate[c] -= share * step[c];
+  for (const Contact& contact : m.contacts) now.q[contact.column] -= share * of_flows * step[contact.column];
+  for (const Spin& spin : m.spins) now.rate[spin.column] -= share * step[spin.column];
 }
 
 /// Two branches that are slack and taut in turn: half a step finds the place between.
@@ -95,7 +97,7 @@ struct Taken {
 
 /// Takes half of the last iteration back: it went too far, rounds inside each other, or more rope passed on than there
 /// is. False: that has been done often enough.
-bool retreat(const Mechanism& m, const std::vector<double>& step, Taken& taken, Values& now) {
+bool retreat(const Mechanism& m, const Array<double>& step, Taken& taken, Values& now) {
   if (taken.share == 0 || ++taken.retreats > most_retreats) return false;
   taken.share /= 2;
   apply(m, step, -taken.share, taken.of_flows, now);
@@ -120,11 +122,11 @@ bool puts_back(const Mechanism& m, const Scheme& s, const Values& before, double
 }
 
 /// Largest move of a freedom and of a contact's rope by the step.
-double move_of(const Mechanism& m, const Scheme& s, const std::vector<double>& step) {
+double move_of(const Mechanism& m, const Scheme& s, const Array<double>& step) {
   double largest = 0;
-  for (std::size_t c = 0; c < at(m.body_columns); ++c) largest = std::max(largest, std::abs(step[c]));
+  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) largest = std::max(largest, std::abs(step[c]));
   largest *= s.reach * s.reach;
-  for (const Contact& contact : m.contacts) largest = std::max(largest, std::abs(step[at(contact.column)]));
+  for (const Contact& contact : m.contacts) largest = std::max(largest, std::abs(step[contact.column]));
   return largest;
 }
 
@@ -232,10 +234,10 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
 
 Work work_for(const Mechanism& m) {
   Work w;
-  const std::vector<double> zero(at(m.size), 0.0);
+  const Array<double> zero(as_size(m.size), 0.0);
   w.q_star = w.nu_star = w.q_mean = w.nu_mean = w.residual = zero;
   w.tangents.resize(m.lines.size());
-  w.hangs.assign(at(m.sagging), 0);
+  w.hangs.assign(as_size(m.sagging), 0);
   return w;
 }
 
@@ -275,7 +277,7 @@ StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Ne
   s.slip_now = 1 / moment;
   s.slip_before = 1;
   now.rate = before.rate;
-  const std::vector<SpinValues> spins = now.spins;
+  const Array<SpinValues> spins = now.spins;
   s.only_rates = true;
   s.only_rates = std::any_of(m.contacts.begin(), m.contacts.end(),
                              [&](const Contact& contact) { return slips_later(m, s, contact); });
@@ -293,7 +295,7 @@ StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Ne
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (!slips_later(m, s, m.contacts[i])) continue;
-    now.q[at(m.contacts[i].column)] = before.q[at(m.contacts[i].column)];
+    now.q[m.contacts[i].column] = before.q[m.contacts[i].column];
     now.contacts[i].slipped = before.contacts[i].slipped;
   }
   w.mean_step = 0;
@@ -326,11 +328,11 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
     double moved = 0;
     for (const Body& body : m.bodies) {
       for (int c = body.first; c < body.first + body.count; ++c) {
-        moved = std::max(moved, std::abs(now.q[at(c)] - before.q[at(c)]));
+        moved = std::max(moved, std::abs(now.q[c] - before.q[c]));
       }
     }
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-      moved = std::max(moved, std::abs(now.q[at(m.contacts[k].column)] - before.q[at(m.contacts[k].column)]));
+      moved = std::max(moved, std::abs(now.q[m.contacts[k].column] - before.q[m.contacts[k].column]));
     }
     std::swap(before, now);
     quiet = moved < 1e-13 * m.size_of_machine ? quiet + 1 : 0;
@@ -345,19 +347,19 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
 
 double highest_frequency(const Mechanism& m, const Values& v) {
   // each mass is shared by the lines at it in proportion to their stiffness
-  std::vector<double> share(m.bodies.size(), 0.0);
+  Array<double> share(m.bodies.size(), 0.0);
   const auto stiffness = [&](std::size_t i) { return m.lines[i].copies * m.lines[i].stiffness / v.lines[i].L; };
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     for (const int body : m.lines[i].body) {
-      if (body >= 0) share[at(body)] += stiffness(i);
+      if (body >= 0) share[body] += stiffness(i);
     }
   }
   double largest = 0;
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     double square = 0;
     for (const int body : m.lines[i].body) {
-      if (body < 0 || m.bodies[at(body)].count == 0) continue;
-      if (m.bodies[at(body)].mass > 0) square += share[at(body)] / m.bodies[at(body)].mass;
+      if (body < 0 || m.bodies[body].count == 0) continue;
+      if (m.bodies[body].mass > 0) square += share[body] / m.bodies[body].mass;
     }
     largest = std::max(largest, square);
   }
@@ -365,9 +367,9 @@ double highest_frequency(const Mechanism& m, const Values& v) {
     if (!(spin.inertia > 0)) continue;
     double k = 0;
     for (const auto& one : spin.contacts) {
-      const Contact& contact = m.contacts[at(one.first)];
+      const Contact& contact = m.contacts[one.first];
       for (const int line : {contact.in, contact.out}) {
-        if (line >= 0) k += stiffness(at(line)) * contact.radius * contact.radius;
+        if (line >= 0) k += stiffness(as_size(line)) * contact.radius * contact.radius;
       }
     }
     largest = std::max(largest, 2 * k / spin.inertia);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_line.hpp"
 #include "taut/solve/motion/transient_mechanism.hpp"
 #include "taut/solve/motion/transient_sag.hpp"
@@ -82,7 +83,7 @@ struct ChainLoadValues {
 struct DrumValues {
   double content = 0;  ///< unstretched rope on it, m
   int layer = 1;
-  std::vector<double> strain;  ///< of the rope in each layer
+  Array<double> strain;  ///< of the rope in each layer
 };
 
 /// All that changes, at one time. By column: q position (of a flow: rope passed), nu velocity (of a flow: roll_rate),
@@ -90,20 +91,20 @@ struct DrumValues {
 struct Values {
   double t = 0;
   double when = 0;  ///< for signals: just before t at the end of a step, t itself after a restart
-  std::vector<Motion3> bodies;
-  std::vector<double> q, nu, rate;
-  std::vector<LineValues> lines;
-  std::vector<SagValues> sags;  ///< of the lines that hang as catenaries
-  std::vector<ContactValues> contacts;
-  std::vector<SpinValues> spins;
-  std::vector<DrumValues> drums;
-  std::vector<ChainLoadValues> chain_loads;
-  std::vector<FaceValues> faces;                ///< by contact of the model
-  std::vector<ActuatorValues> actuators;        ///< by actuator of the model
-  std::vector<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
-  std::vector<machine::Drive> drum_drive, motor_drive;
+  Array<Motion3> bodies;
+  Array<double> q, nu, rate;
+  Array<LineValues> lines;
+  Array<SagValues> sags;  ///< of the lines that hang as catenaries
+  Array<ContactValues> contacts;
+  Array<SpinValues> spins;
+  Array<DrumValues> drums;
+  Array<ChainLoadValues> chain_loads;
+  Array<FaceValues> faces;                ///< by contact of the model
+  Array<ActuatorValues> actuators;        ///< by actuator of the model
+  Array<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
+  Array<machine::Drive> drum_drive, motor_drive;
   const machine::Drive& drive(const Spin& spin) const {
-    return spin.drum >= 0 ? drum_drive[at(spin.drum)] : motor_drive[at(spin.motor)];
+    return spin.drum >= 0 ? drum_drive[spin.drum] : motor_drive[spin.motor];
   }
 };
 
@@ -144,32 +145,32 @@ struct PlainColumn {
 
 /// Room to work in.
 struct Work {
-  std::vector<double> q_star, nu_star;  ///< by column
-  std::vector<double> q_mean, nu_mean;  ///< the method's auxiliary rates at the start of the step
-  double mean_step = 0;                 ///< the step to which they belong, s; 0: they are the rates
-  std::vector<double> residual;         ///< by column, N, N m
-  std::vector<LineTangent> tangents;
-  std::vector<char> hangs;  ///< of each sagging line: whether its tangent is that of a catenary
+  Array<double> q_star, nu_star;  ///< by column
+  Array<double> q_mean, nu_mean;  ///< the method's auxiliary rates at the start of the step
+  double mean_step = 0;           ///< the step to which they belong, s; 0: they are the rates
+  Array<double> residual;         ///< by column, N, N m
+  Array<LineTangent> tangents;
+  Array<char> hangs;  ///< of each sagging line: whether its tangent is that of a catenary
   std::array<LineColumn, 14> columns;
   std::array<PlainColumn, 12> plain;
   std::array<double, 14> T_slope{}, L_slope{};  ///< of a line by its local unknowns
-  std::vector<double> tension;                  ///< by line, of the last iteration
+  Array<double> tension;                        ///< by line, of the last iteration
   bool tangent = true;                          ///< derivatives are wanted too
-  std::vector<double> push;                     ///< forces of couples, of the last iteration
-  std::vector<std::uint8_t> push_state;         ///< of contacts on faces: 0 apart, 1 slides, 2 sticks
-  std::vector<Vector3> slid;                    ///< of points on faces, beyond their bristle, in the last iteration
+  Array<double> push;                           ///< forces of couples, of the last iteration
+  Array<std::uint8_t> push_state;               ///< of contacts on faces: 0 apart, 1 slides, 2 sticks
+  Array<Vector3> slid;                          ///< of points on faces, beyond their bristle, in the last iteration
 };
 
 /// Direction of the rope at an end of a line, along the path.
 inline const Vector3& direction(const Mechanism& m, const Values& v, int line, std::size_t end) {
-  const LineValues& is = v.lines[at(line)];
-  return sags(m.lines[at(line)], is) ? v.sags[at(m.lines[at(line)].sag)].direction[end] : is.t;
+  const LineValues& is = v.lines[line];
+  return sags(m.lines[line], is) ? v.sags[m.lines[line].sag].direction[end] : is.t;
 }
 /// Strain of the rope there, without what dampers hold.
 inline double end_strain(const Mechanism& m, const Values& v, int line, std::size_t end) {
-  const LineValues& is = v.lines[at(line)];
-  if (!sags(m.lines[at(line)], is)) return is.e;
-  return v.sags[at(m.lines[at(line)].sag)].pull[end].norm() / m.lines[at(line)].stiffness;
+  const LineValues& is = v.lines[line];
+  if (!sags(m.lines[line], is)) return is.e;
+  return v.sags[m.lines[line].sag].pull[end].norm() / m.lines[line].stiffness;
 }
 /// Of the rope that comes to a contact.
 inline double entry_strain(const Mechanism& m, const Values& v, const Contact& contact, int entry) {
@@ -225,17 +226,17 @@ double loose_flow(const Contact& contact, const ContactValues& was, const Values
 inline Pressure pressure(const Contact& of, const Values& now) {
   Pressure p;
   if (of.in >= 0) {
-    const LineValues& line = now.lines[at(of.in)];
+    const LineValues& line = now.lines[of.in];
     p.in = line.end_T[1] - line.thrust[1];
   }
   if (of.out >= 0) {
-    const LineValues& line = now.lines[at(of.out)];
+    const LineValues& line = now.lines[of.out];
     p.out = line.end_T[0] - line.thrust[0];
   }
   return p;
 }
 inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
-  return pressure(m.contacts[at(contact)], now);
+  return pressure(m.contacts[contact], now);
 }
 
 /// Rope between slack branches that an iteration has moved farther from where it lay than need be goes back, as long as
@@ -244,18 +245,18 @@ bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, V
 
 /// Takes out of an iteration's `step` what contacts in a row between two slack branches, or dead ends, would pass on
 /// together: nothing but what is left of the tension between them says how much that is.
-void hold_between_slack(const Mechanism& m, const Values& now, std::vector<double>& step);
+void hold_between_slack(const Mechanism& m, const Values& now, Array<double>& step);
 
 /// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
-                      std::vector<double>& step);
+                      Array<double>& step);
 /// Whether ropes that slip at all of their contacts do so by their laws, to `allowed`, N: where these contradict each
 /// other, an iteration may stand still without an answer.
 bool loops_hold(const Mechanism& m, const Values& before, const Values& now, double allowed);
 
 /// Stiffness of both its lines, N/m.
 inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {
-  const auto of = [&](int i) { return i < 0 ? 0 : m.lines[at(i)].stiffness / some_length(now.lines[at(i)]); };
+  const auto of = [&](int i) { return i < 0 ? 0 : m.lines[i].stiffness / some_length(now.lines[i]); };
   return of(contact.in) + of(contact.out);
 }
 

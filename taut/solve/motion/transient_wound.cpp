@@ -37,7 +37,7 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       if (has_run_off(before.lines[i])) continue;
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
-      const double winding = before.contacts[at(line.contact[end])].winding;
+      const double winding = before.contacts[line.contact[end]].winding;
       const auto tension = [&](const Values& values) {
         const LineValues& v = values.lines[i];
         return sags(line, v) ? v.end_T[end] : v.T;

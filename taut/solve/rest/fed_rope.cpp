@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 
 namespace taut::solve {
 namespace {
@@ -14,14 +14,13 @@ bool stops_feed(const mechanics::System& s, const mechanics::Layout::Turn& turn)
   return node.kind == machine::NodeKind::drive && (turn.row < 0 || !node.tension_drop);
 }
 
-void add_fed_end(const mechanics::System& s, int r, machine::Given given, double tension, int row,
-                 std::vector<FedEnd>& all) {
+void add_fed_end(const mechanics::System& s, int r, machine::Given given, double tension, int row, Array<FedEnd>& all) {
   if (given != machine::Given::tension_at_start && given != machine::Given::tension_at_end) return;
   if (row == s.layout.coordinate_row || row == s.layout.height_row) return;
-  const mechanics::Layout::Rope& rope = s.layout.ropes[at(r)];
+  const mechanics::Layout::Rope& rope = s.layout.ropes[r];
   FedEnd end{r, row, rope.first, rope.first + rope.count - 1, given == machine::Given::tension_at_end, tension};
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
-    const mechanics::Layout::Turn& turn = s.layout.turns[at(t)];
+    const mechanics::Layout::Turn& turn = s.layout.turns[t];
     if (!stops_feed(s, turn)) continue;
     if (!end.at_end) {
       end.last = turn.before;
@@ -34,33 +33,33 @@ void add_fed_end(const mechanics::System& s, int r, machine::Given given, double
 
 }  // namespace
 
-std::vector<FedEnd> fed_ends(const mechanics::System& s) {
-  std::vector<FedEnd> all;
+Array<FedEnd> fed_ends(const mechanics::System& s) {
+  Array<FedEnd> all;
   for (int r = 0; r < static_cast<int>(s.layout.ropes.size()); ++r) {
-    const machine::Reeving& reeving = s.model.reevings[at(r)];
+    const machine::Reeving& reeving = s.model.reevings[r];
     const bool length_too =
         reeving.also && (reeving.given == machine::Given::length || reeving.also->first == machine::Given::length);
     if (length_too) continue;
-    add_fed_end(s, r, reeving.given, reeving.value, s.layout.ropes[at(r)].row, all);
-    const int drive = s.layout.ropes[at(r)].drive;
+    add_fed_end(s, r, reeving.given, reeving.value, s.layout.ropes[r].row, all);
+    const int drive = s.layout.ropes[r].drive;
     if (drive < 0 || !reeving.also) continue;
-    add_fed_end(s, r, reeving.also->first, reeving.also->second, s.layout.turns[at(drive)].row, all);
+    add_fed_end(s, r, reeving.also->first, reeving.also->second, s.layout.turns[drive].row, all);
   }
   return all;
 }
 
 double tension_rate(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                     int link) {
-  const mechanics::Layout::Link& l = s.layout.links[at(link)];
-  const machine::Reeving& rope = s.model.reevings[at(l.reeving)];
-  const mechanics::Branch& b = e.branches[at(link)];
-  const mechanics::BranchRates r = mechanics::rates(mechanics::rope_of(rope, c.links[at(link)].length),
-                                                    mechanics::end_at(rope.nodes[at(l.from)], c.bodies),
-                                                    mechanics::end_at(rope.nodes[at(l.to)], c.bodies), b);
+  const mechanics::Layout::Link& l = s.layout.links[link];
+  const machine::Reeving& rope = s.model.reevings[l.reeving];
+  const mechanics::Branch& b = e.branches[link];
+  const mechanics::BranchRates r =
+      mechanics::rates(mechanics::rope_of(rope, c.links[link].length), mechanics::end_at(rope.nodes[l.from], c.bodies),
+                       mechanics::end_at(rope.nodes[l.to], c.bodies), b);
   return b.leaves.dot(r.pull_from_u);
 }
 
-int deep_link(const mechanics::System& s, const std::vector<FedEnd>& fed, const mechanics::Configuration& c,
+int deep_link(const mechanics::System& s, const Array<FedEnd>& fed, const mechanics::Configuration& c,
               const mechanics::Evaluation& e) {
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
@@ -74,22 +73,21 @@ int deep_mainline_link(const mechanics::System& s, const mechanics::Configuratio
   for (const mechanics::Layout::Rope& rope : s.layout.ropes) {
     if (rope.row != s.layout.coordinate_row) continue;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
-      if (s.model.reevings[at(s.layout.links[at(k)].reeving)].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
+      if (s.model.reevings[s.layout.links[k].reeving].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
     }
   }
   return -1;
 }
 
-void draw_fed_taut(const mechanics::System& s, const std::vector<FedEnd>& fed, mechanics::Configuration& c) {
+void draw_fed_taut(const mechanics::System& s, const Array<FedEnd>& fed, mechanics::Configuration& c) {
   const machine::State state{c.bodies, {}, {}, {}};
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
-      const mechanics::Layout::Link& link = s.layout.links[at(k)];
-      const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
-      const double length =
-          machine::taut_length(state, rope, rope.nodes[at(link.from)], rope.nodes[at(link.to)], end.tension);
-      c.links[at(k)] = {};
-      c.links[at(k)].length = length;
+      const mechanics::Layout::Link& link = s.layout.links[k];
+      const machine::Reeving& rope = s.model.reevings[link.reeving];
+      const double length = machine::taut_length(state, rope, rope.nodes[link.from], rope.nodes[link.to], end.tension);
+      c.links[k] = {};
+      c.links[k].length = length;
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
@@ -18,7 +19,7 @@ struct FedEnd {
 };
 
 /// All of them but those whose equation a prescribed coordinate takes.
-std::vector<FedEnd> fed_ends(const mechanics::System& system);
+Array<FedEnd> fed_ends(const mechanics::System& system);
 
 /// The tensions at the two ends of a branch follow the rope fed into it by this many N/m, the places of its ends kept.
 /// Here at its start; at its end it has the same sign, since P differs there by the weight of rope over a fixed height.
@@ -29,7 +30,7 @@ double tension_rate(const mechanics::System& system, const mechanics::Configurat
 /// fixed ends the energy U(L) + P L of a rope held at the tension T (P = T + T^2/(2 EA)) has the second derivative
 /// -(1 + T/EA) dT/dL; where that is negative the rope runs out, or in, at the least push, so that this second root of
 /// the given tension is no answer. -1: none.
-int deep_link(const mechanics::System& system, const std::vector<FedEnd>& fed, const mechanics::Configuration& c,
+int deep_link(const mechanics::System& system, const Array<FedEnd>& fed, const mechanics::Configuration& c,
               const mechanics::Evaluation& e);
 
 /// The same of the rope whose length follows from where a carriage is put (its mainline). There a deep loop is no
@@ -40,6 +41,6 @@ int deep_mainline_link(const mechanics::System& system, const mechanics::Configu
 
 /// Gives every link of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.
-void draw_fed_taut(const mechanics::System& system, const std::vector<FedEnd>& fed, mechanics::Configuration& c);
+void draw_fed_taut(const mechanics::System& system, const Array<FedEnd>& fed, mechanics::Configuration& c);
 
 }  // namespace taut::solve

@@ -15,9 +15,9 @@ constexpr double pull_of_weight = 0.2;  ///< a mainline's first tension, of the 
 /// beside it.
 std::optional<Vector3> on_line(const machine::Model& model, const machine::Carriage& carriage,
                                const machine::Prescribed& prescribed) {
-  const machine::Reeving& rope = model.reevings[at(carriage.reeving)];
-  if (rope.closed || carriage.node < 1 || at(carriage.node) + 1 >= rope.nodes.size()) return std::nullopt;
-  const machine::Node &before = rope.nodes[at(carriage.node - 1)], &after = rope.nodes[at(carriage.node + 1)];
+  const machine::Reeving& rope = model.reevings[carriage.reeving];
+  if (rope.closed || carriage.node < 1 || as_size(carriage.node) + 1 >= rope.nodes.size()) return std::nullopt;
+  const machine::Node &before = rope.nodes[carriage.node - 1], &after = rope.nodes[carriage.node + 1];
   if (before.at.body != machine::ground || after.at.body != machine::ground) return std::nullopt;
   const Vector3 &from = before.at.at, &to = after.at.at;
   const Vector3& along = prescribed.along;
@@ -39,19 +39,19 @@ void move_to(const Vector3& place, machine::Body& body) {
 
 machine::State first_state(const machine::Model& model, const EquilibriumOptions& options) {
   if (!options.prescribed) return machine::initial_state(model);
-  const machine::Carriage& carriage = model.carriages.at(at(options.prescribed->carriage));
+  const machine::Carriage& carriage = model.carriages.at(as_size(options.prescribed->carriage));
   const machine::Prescribed& prescribed = *options.prescribed;
-  const bool moves = prescribed.along.dot(model.bodies[at(carriage.body)].position) != prescribed.x;
+  const bool moves = prescribed.along.dot(model.bodies[carriage.body].position) != prescribed.x;
   const auto place = moves ? on_line(model, carriage, prescribed) : std::nullopt;
   if (!place && carriage.mainline < 0) return machine::initial_state(model);
   machine::Model there = model;
-  if (place) move_to(*place, there.bodies[at(carriage.body)]);
+  if (place) move_to(*place, there.bodies[carriage.body]);
   machine::State state = machine::initial_state(there);
   if (carriage.mainline < 0) return state;
-  const machine::Reeving& mainline = there.reevings[at(carriage.mainline)];
-  double weight = there.bodies[at(carriage.body)].mass * there.gravity;
+  const machine::Reeving& mainline = there.reevings[carriage.mainline];
+  double weight = there.bodies[carriage.body].mass * there.gravity;
   for (const machine::Load& load : there.loads) weight += load.at.body == carriage.body ? load.force.norm() : 0;
-  auto& branches = state.branches[at(carriage.mainline)];
+  auto& branches = state.branches[carriage.mainline];
   for (std::size_t k = 0; k < branches.size(); ++k) {
     const double straight =
         machine::straight_length(state, mainline.nodes[k], mainline.nodes[(k + 1) % mainline.nodes.size()]);

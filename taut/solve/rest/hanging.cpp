@@ -4,13 +4,11 @@
 
 #include <algorithm>
 
-#include "taut/math/index.hpp"
-
 namespace taut::solve {
 namespace {
 
 bool pitches(const mechanics::System& s, int body) {
-  const auto& free = s.model.bodies[at(body)].free;
+  const auto& free = s.model.bodies[body].free;
   return std::any_of(free.begin(), free.end(), [](const auto& way) { return way.about != Vector3::Zero(); });
 }
 
@@ -19,7 +17,7 @@ double lift_of(const mechanics::System& s, const mechanics::Evaluation& e, const
   double up = 0;
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
     if (t.reeving != car.reeving || t.node < car.node || t.node >= car.node + car.rollers) continue;
-    const mechanics::Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+    const mechanics::Branch &in = e.branches[t.before], &out = e.branches[t.after];
     if (!in.slack) up -= in.pull_to.z();
     if (!out.slack) up += out.pull_from.z();
   }
@@ -31,9 +29,9 @@ double lift_of(const mechanics::System& s, const mechanics::Evaluation& e, const
 Hanging hanging(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Hanging result;
   for (const machine::Carriage& car : s.model.carriages) {
-    const machine::Node& node = s.model.reevings[at(car.reeving)].nodes[at(car.node)];
+    const machine::Node& node = s.model.reevings[car.reeving].nodes[car.node];
     if (node.kind != machine::NodeKind::contact) continue;
-    if (pitches(s, car.body) && c.bodies[at(car.body)].orientation(2, 2) < 0) {
+    if (pitches(s, car.body) && c.bodies[car.body].orientation(2, 2) < 0) {
       result.outcome = infeasible(fmt::format(
           "carriage '{}' would turn over: the ropes that pull at it outweigh the load below its rollers; give "
           "them less pull, or less height of the rollers",
@@ -47,7 +45,7 @@ Hanging hanging(const mechanics::System& s, const mechanics::Configuration& c, c
     result.lifted = true;
     result.outcome =
         infeasible(fmt::format("carriage '{}' would lift off '{}', which would have to press it down with {:.6g} N",
-                               car.name, s.model.reevings[at(car.reeving)].name, -up));
+                               car.name, s.model.reevings[car.reeving].name, -up));
   }
   return result;
 }

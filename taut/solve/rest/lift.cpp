@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 #include "taut/rope/span.hpp"
 
 namespace taut::solve {
@@ -19,18 +19,18 @@ bool may_lift(const machine::Node& node) {
 
 /// The rope's force on a support in the direction away from it, N.
 double pull(const mechanics::System& s, const mechanics::Evaluation& e, const mechanics::Layout::Turn& t) {
-  const mechanics::Branch &in = e.branches[at(t.before)], &out = e.branches[at(t.after)];
+  const mechanics::Branch &in = e.branches[t.before], &out = e.branches[t.after];
   if (in.slack || out.slack) return 0;
-  const Vector3& support = s.model.reevings[at(t.reeving)].nodes[at(t.node)].support;
+  const Vector3& support = s.model.reevings[t.reeving].nodes[t.node].support;
   return (out.pull_from - in.pull_to).dot(support) - lift_rounding * (in.T_to + out.T_from);
 }
 
 void release(const mechanics::Layout::Turn& t, const mechanics::Layout::Link& before, machine::State& state) {
-  auto& branches = state.branches[at(t.reeving)];
-  machine::BranchState& whole = branches[at(before.from)];
-  whole = {whole.length + branches[at(t.node)].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
-  branches[at(t.node)] = {};
-  state.touched[at(t.reeving)][at(t.node)] = false;
+  auto& branches = state.branches[t.reeving];
+  machine::BranchState& whole = branches[before.from];
+  whole = {whole.length + branches[t.node].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  branches[t.node] = {};
+  state.touched[t.reeving][t.node] = false;
 }
 
 /// Where a lifted node lies beside its rope.
@@ -62,17 +62,17 @@ Return deepest(const mechanics::System& s, const mechanics::Configuration& c, co
   Return worst;
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = s.model.reevings[link.reeving];
     const int nodes = static_cast<int>(rope.nodes.size());
     for (int n = (link.from + 1) % nodes; n != link.to; n = (n + 1) % nodes) {
-      const machine::Node& node = rope.nodes[at(n)];
+      const machine::Node& node = rope.nodes[n];
       if (!may_lift(node)) continue;
       const mechanics::Branch& b = e.branches[k];
       const auto span = link.force >= 0
                             ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
                             : rope::solve_span(mechanics::rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
       if (!span) continue;
-      const Vector3 start = mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre + b.offset_from;
+      const Vector3 start = mechanics::end_at(rope.nodes[link.from], c.bodies).centre + b.offset_from;
       const Vector3 top = mechanics::end_at(node, c.bodies).centre + node.radius * node.support;
       const Beside where = beside(top, node.support, start, *span);
       if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length)) worst = {&link, n, where};
@@ -84,30 +84,30 @@ Return deepest(const mechanics::System& s, const mechanics::Configuration& c, co
 }  // namespace
 
 bool change_touch(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                  machine::State& state, std::vector<std::vector<int>>& let_go) {
+                  machine::State& state, Array<Array<int>>& let_go) {
   const mechanics::Layout::Turn* lifts = nullptr;
   double most = 0;
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
-    if (!may_lift(s.model.reevings[at(t.reeving)].nodes[at(t.node)])) continue;
-    if (let_go[at(t.reeving)][at(t.node)] >= most_releases) continue;
+    if (!may_lift(s.model.reevings[t.reeving].nodes[t.node])) continue;
+    if (let_go[t.reeving][t.node] >= most_releases) continue;
     const double force = pull(s, e, t);
     if (force <= most) continue;
     most = force;
     lifts = &t;
   }
   if (lifts) {
-    ++let_go[at(lifts->reeving)][at(lifts->node)];
-    release(*lifts, s.layout.links[at(lifts->before)], state);
+    ++let_go[lifts->reeving][lifts->node];
+    release(*lifts, s.layout.links[lifts->before], state);
     return true;
   }
   const Return back = deepest(s, c, e);
   if (!back.link) return false;
-  auto& branches = state.branches[at(back.link->reeving)];
-  const double whole = branches[at(back.link->from)].length;
+  auto& branches = state.branches[back.link->reeving];
+  const double whole = branches[back.link->from].length;
   const double before = std::clamp(back.where.s, 0.01 * whole, 0.99 * whole);
-  branches[at(back.link->from)] = {before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
-  branches[at(back.node)] = {whole - before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
-  state.touched[at(back.link->reeving)][at(back.node)] = true;
+  branches[back.link->from] = {before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  branches[back.node] = {whole - before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  state.touched[back.link->reeving][back.node] = true;
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
@@ -10,6 +11,6 @@ namespace taut::solve {
 /// `may_lift` and have a direction. `let_go`: [reeving][node], how often a node has let go, counted here; one that did
 /// so three times and got its rope back each time keeps it, and is reported as pulled. False: nothing to change.
 bool change_touch(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                  machine::State& state, std::vector<std::vector<int>>& let_go);
+                  machine::State& state, Array<Array<int>>& let_go);
 
 }  // namespace taut::solve

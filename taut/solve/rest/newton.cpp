@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/array.hpp"
 #include "taut/math/dense_lu.hpp"
-#include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
@@ -30,7 +30,7 @@ void for_each_force(const mechanics::System& s, const F& f) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const mechanics::Layout::Link& link = s.layout.links[k];
     if (link.force < 0) continue;
-    const int count = mechanics::force_count(s.model.reevings[at(link.reeving)]);
+    const int count = mechanics::force_count(s.model.reevings[link.reeving]);
     for (int i = 0; i < count; ++i) f(static_cast<int>(k), link.force + i);
   }
 }
@@ -39,7 +39,7 @@ void for_each_force(const mechanics::System& s, const F& f) {
 double force_change(const mechanics::System& s, const mechanics::Evaluation& e, const Eigen::VectorXd& change) {
   double most = 0;
   for_each_force(s, [&](int link, int unknown) {
-    if (!e.branches[at(link)].slack) most = std::max(most, std::abs(change[unknown]));
+    if (!e.branches[link].slack) most = std::max(most, std::abs(change[unknown]));
   });
   return most > 0 ? most / e.largest_force : 0;
 }
@@ -62,7 +62,7 @@ class Linear {
   /// Takes the forces that are unknowns in parts of what they are now.
   void scale_forces(const mechanics::System& s, const mechanics::Configuration& c) {
     for_each_force(s, [&](int link, int unknown) {
-      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[at(link)].norm()});
+      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[link].norm()});
     });
   }
 
@@ -121,10 +121,10 @@ int undetermined_branch(const mechanics::System& s, const Linear& linear) {
 
 /// The part of a step that leaves a rope with weight a share of its pull.
 double longest_fall(const mechanics::System& s, const mechanics::Configuration& c, int k, const Eigen::VectorXd& step) {
-  const mechanics::Layout::Link& link = s.layout.links[at(k)];
-  if (link.force < 0 || s.model.reevings[at(link.reeving)].weight == 0) return 1;
-  const Vector3& force = c.forces[at(k)];
-  const double weight = s.model.reevings[at(link.reeving)].weight * c.links[at(k)].length;
+  const mechanics::Layout::Link& link = s.layout.links[k];
+  if (link.force < 0 || s.model.reevings[link.reeving].weight == 0) return 1;
+  const Vector3& force = c.forces[k];
+  const double weight = s.model.reevings[link.reeving].weight * c.links[k].length;
   const double falls = -force.normalized().dot(step.segment<3>(link.force)), most = most_fall * (force.norm() + weight);
   return falls > most ? most / falls : 1;
 }
@@ -161,26 +161,25 @@ bool settled(const mechanics::System& s, const mechanics::Evaluation& e, double 
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
 /// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
 /// on the side of its fixed end have lost. A fed rope is paid out while its tension is above the given one.
-void add_drag(const mechanics::System& s, const std::vector<FedEnd>& fed, double drag, double ropes,
-              Eigen::MatrixXd& J) {
+void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag, double ropes, Eigen::MatrixXd& J) {
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const auto k = static_cast<Eigen::Index>(i);
     J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
   }
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
-    const machine::Reeving& reeving = s.model.reevings[static_cast<std::size_t>(t.reeving)];
-    if (reeving.nodes[static_cast<std::size_t>(t.node)].kind != machine::NodeKind::contact) continue;
-    const mechanics::Layout::Rope& rope = s.layout.ropes[static_cast<std::size_t>(t.reeving)];
+    const machine::Reeving& reeving = s.model.reevings[t.reeving];
+    if (reeving.nodes[t.node].kind != machine::NodeKind::contact) continue;
+    const mechanics::Layout::Rope& rope = s.layout.ropes[t.reeving];
     const bool fixed_at_end = reeving.given == machine::Given::tension_at_start;
     const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
     for (int k = first; k < last; ++k) {
-      J(t.row, s.layout.links[static_cast<std::size_t>(k)].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
+      J(t.row, s.layout.links[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
     }
   }
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
-      J(end.row, s.layout.links[static_cast<std::size_t>(k)].unknown) -= ropes * drag;
+      J(end.row, s.layout.links[k].unknown) -= ropes * drag;
     }
   }
 }
@@ -215,9 +214,9 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
-  const std::vector<FedEnd> fed = fed_ends(s);
+  const Array<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  Array<mechanics::BranchColumns> columns;
   Trial tried{c, {}};
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, tolerance)) {
@@ -254,7 +253,7 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  Array<mechanics::BranchColumns> columns;
   Trial tried{c, {}};
   double before = HUGE_VAL;
   for (; it.steps < most_steps; ++it.steps) {
@@ -291,9 +290,9 @@ Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechani
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
-  const std::vector<FedEnd> fed = fed_ends(s);
+  const Array<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
-  std::vector<mechanics::BranchColumns> columns;
+  Array<mechanics::BranchColumns> columns;
   mechanics::Configuration tried = c;
   mechanics::Evaluation there;
   double drag = e.largest_force / s.layout.length;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/state.hpp"
-#include "taut/math/index.hpp"
 
 namespace taut::solve {
 namespace {
@@ -28,20 +28,20 @@ const machine::Node* next(const machine::Reeving& rope, int from, int step, cons
   for (int k = 1; k < count; ++k) {
     const int n = from + k * step;
     if (!rope.closed && (n < 0 || n >= count)) return nullptr;
-    const machine::Node& node = rope.nodes[at((n + count) % count)];
+    const machine::Node& node = rope.nodes[(n + count) % count];
     if (fits(node)) return &node;
   }
   return nullptr;
 }
 
-double coordinate(const mechanics::System& s, const std::vector<machine::Pose>& bodies, const machine::Node& node) {
+double coordinate(const mechanics::System& s, const Array<machine::Pose>& bodies, const machine::Node& node) {
   return s.layout.coordinate_along.dot(mechanics::end_at(node, bodies).centre);
 }
 
 /// Of a carriage's nodes on a rope, from `first` to `last`.
 std::string past_on(const mechanics::System& s, const mechanics::Configuration& c, const machine::Carriage& car,
                     int reeving, int first, int last) {
-  const machine::Reeving& rope = s.model.reevings[at(reeving)];
+  const machine::Reeving& rope = s.model.reevings[reeving];
   const auto stops = [&](const machine::Node& node) { return is_stop(s, node); };
   const auto elsewhere = [&](const machine::Node& node) {
     return node.at.body != car.body && node.kind != machine::NodeKind::load;
@@ -51,7 +51,7 @@ std::string past_on(const mechanics::System& s, const mechanics::Configuration& 
     const machine::Node* stop = next(rope, own, step, stops);
     const machine::Node* other = next(rope, step < 0 ? last : first, -step, elsewhere);
     if (stop == nullptr || other == nullptr) continue;
-    const double place = coordinate(s, c.bodies, rope.nodes[at(own)]), there = coordinate(s, c.bodies, *stop);
+    const double place = coordinate(s, c.bodies, rope.nodes[own]), there = coordinate(s, c.bodies, *stop);
     const double before = coordinate(s, c.bodies, *other);
     const double past = there > before ? place - there : there - place;
     if (there == before || past <= past_by * s.layout.length) continue;
@@ -79,8 +79,8 @@ std::string section_past_stop(const mechanics::System& s) {
   if (s.layout.coordinate_row < 0) return {};
   const auto starts = machine::initial_state(s.model).bodies;
   for (const machine::Carriage& car : s.model.carriages) {
-    const machine::Reeving& rope = s.model.reevings[at(car.reeving)];
-    const machine::Node& clamp = rope.nodes[at(car.node)];
+    const machine::Reeving& rope = s.model.reevings[car.reeving];
+    const machine::Node& clamp = rope.nodes[car.node];
     if (car.body == s.layout.coordinate_body || clamp.kind != machine::NodeKind::clamp) continue;
     for (const int step : {-1, 1}) {
       const machine::Node* stop =
@@ -97,7 +97,7 @@ std::string section_past_stop(const mechanics::System& s) {
       return fmt::format(
           "carriage '{}' hangs {:.4g} m of rope '{}' beside '{}', which is put {:.4g} m before '{}': it would lie past "
           "'{}'; choose a place farther from it",
-          car.name, length, rope.name, s.model.bodies[at(s.layout.coordinate_body)].name, room, stop->name, stop->name);
+          car.name, length, rope.name, s.model.bodies[s.layout.coordinate_body].name, room, stop->name, stop->name);
     }
   }
   return {};

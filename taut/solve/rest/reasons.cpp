@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "taut/math/index.hpp"
+#include "taut/base/array.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
 namespace taut::solve {
@@ -28,32 +28,32 @@ std::string direction(const machine::Freedom& way) {
 }
 
 std::string branch_words(const mechanics::System& s, int link_index) {
-  const mechanics::Layout::Link& link = s.layout.links[at(link_index)];
-  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
-  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[at(link.from)].name,
-                     rope.nodes[at(link.to)].name);
+  const mechanics::Layout::Link& link = s.layout.links[link_index];
+  const machine::Reeving& rope = s.model.reevings[link.reeving];
+  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[link.from].name,
+                     rope.nodes[link.to].name);
 }
 
 Outcome no_branch(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::NoBranch& no) {
-  const mechanics::Layout::Link& link = s.layout.links[at(no.link)];
-  const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
-  const Vector3 chord = mechanics::end_at(rope.nodes[at(link.to)], c.bodies).centre -
-                        mechanics::end_at(rope.nodes[at(link.from)], c.bodies).centre;
+  const mechanics::Layout::Link& link = s.layout.links[no.link];
+  const machine::Reeving& rope = s.model.reevings[link.reeving];
+  const Vector3 chord = mechanics::end_at(rope.nodes[link.to], c.bodies).centre -
+                        mechanics::end_at(rope.nodes[link.from], c.bodies).centre;
   if (no.why == rope::NoCatenary::too_short) {
     return infeasible(fmt::format(
         "{} does not reach: {:.6g} m of a rope that does not stretch over {:.6g} m; give it more length or a stiffness",
-        branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
+        branch_words(s, no.link), c.links[no.link].length, chord.norm()));
   }
-  const double radii = rope.nodes[at(link.to)].radius + rope.nodes[at(link.from)].radius;
+  const double radii = rope.nodes[link.to].radius + rope.nodes[link.from].radius;
   if (radii > 0 && chord.norm() <= radii) {
     for (const bool first : {false, true}) {
-      const machine::Node &own = rope.nodes[at(first ? link.from : link.to)],
-                          &other = rope.nodes[at(first ? link.to : link.from)];
-      if (own.at.body == machine::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      const machine::Node &own = rope.nodes[first ? link.from : link.to],
+                          &other = rope.nodes[first ? link.to : link.from];
+      if (own.at.body == machine::ground || s.model.bodies[own.at.body].free.empty()) continue;
       return infeasible(fmt::format(
           "body '{}' is drawn up to '{}': {} has no room there (the centres {:.3g} m apart, the radii add up "
           "to {:.3g} m); make it heavier, give the rope more length, or put it farther away",
-          s.model.bodies[at(own.at.body)].name, other.name, branch_words(s, no.link), chord.norm(), radii));
+          s.model.bodies[own.at.body].name, other.name, branch_words(s, no.link), chord.norm(), radii));
     }
     return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
                                   branch_words(s, no.link), chord.norm(), radii));
@@ -61,7 +61,7 @@ Outcome no_branch(const mechanics::System& s, const mechanics::Configuration& c,
   return not_converged(fmt::format(
       "no equilibrium found: {} finds no line on the way there ({:.6g} m of rope, centres {:.6g} m apart); hold the "
       "bodies it runs to, or change its length",
-      branch_words(s, no.link), c.links[at(no.link)].length, chord.norm()));
+      branch_words(s, no.link), c.links[no.link].length, chord.norm()));
 }
 
 /// The ropes that carry nothing, as words; empty if none.
@@ -70,7 +70,7 @@ std::string slack_ropes(const mechanics::System& s, const mechanics::Evaluation&
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
     const mechanics::Layout::Rope& rope = s.layout.ropes[r];
     bool slack = true;
-    for (int k = rope.first; k < rope.first + rope.count; ++k) slack = slack && e.branches[at(k)].slack;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) slack = slack && e.branches[k].slack;
     if (slack) words += fmt::format("{}'{}'", words.empty() ? "" : ", ", s.model.reevings[r].name);
   }
   return words;
@@ -81,7 +81,7 @@ int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
   int worst = -1;
   double most = -1;
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
-    const bool turns = s.layout.dofs[at(i)].way.about != Vector3::Zero();
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const double size = std::abs(e.residual[i]) / (turns ? s.layout.length : 1);
     if (size > most) {
       most = size;
@@ -94,9 +94,9 @@ int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
 /// The branch that all but vanished beside a body that rolls on the rope, -1 without one.
 int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
-    if (s.model.reevings[at(t.reeving)].nodes[at(t.node)].at.body == machine::ground) continue;
+    if (s.model.reevings[t.reeving].nodes[t.node].at.body == machine::ground) continue;
     for (const int link : {t.before, t.after}) {
-      if (c.links[at(link)].length < vanishing * s.layout.length) return link;
+      if (c.links[link].length < vanishing * s.layout.length) return link;
     }
   }
   return -1;
@@ -106,16 +106,16 @@ int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
 std::string drawn_up(const mechanics::System& s, const mechanics::Configuration& c) {
   for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
     const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[at(link.reeving)];
+    const machine::Reeving& rope = s.model.reevings[link.reeving];
     if (c.links[k].length >= vanishing * s.layout.length) continue;
     for (const bool first : {true, false}) {
-      const machine::Node &own = rope.nodes[at(first ? link.from : link.to)],
-                          &other = rope.nodes[at(first ? link.to : link.from)];
-      if (own.at.body == machine::ground || s.model.bodies[at(own.at.body)].free.empty()) continue;
+      const machine::Node &own = rope.nodes[first ? link.from : link.to],
+                          &other = rope.nodes[first ? link.to : link.from];
+      if (own.at.body == machine::ground || s.model.bodies[own.at.body].free.empty()) continue;
       return fmt::format(
           "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
           "give the rope more length, or pull less",
-          s.model.bodies[at(own.at.body)].name, other.name, rope.name, c.links[k].length);
+          s.model.bodies[own.at.body].name, other.name, rope.name, c.links[k].length);
     }
   }
   return {};
@@ -126,11 +126,11 @@ std::string off_the_line(const mechanics::System& s) {
   if (s.layout.coordinate_row < 0) return {};
   for (const machine::Carriage& car : s.model.carriages) {
     if (car.body != s.layout.coordinate_body) continue;
-    const std::vector<machine::Node>& nodes = s.model.reevings[at(car.reeving)].nodes;
+    const Array<machine::Node>& nodes = s.model.reevings[car.reeving].nodes;
     const machine::Node* ends[] = {nullptr, nullptr};  // the neighbours on the ground, by their x
     for (const int n : {car.node - 1, car.node + car.rollers}) {
-      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[at(n)].at.body != machine::ground) return {};
-      ends[n < car.node ? 0 : 1] = &nodes[at(n)];
+      if (n < 0 || n >= static_cast<int>(nodes.size()) || nodes[n].at.body != machine::ground) return {};
+      ends[n < car.node ? 0 : 1] = &nodes[n];
     }
     const auto x_of = [&](const machine::Node* n) { return s.layout.coordinate_along.dot(n->at.at); };
     if (x_of(ends[0]) > x_of(ends[1])) std::swap(ends[0], ends[1]);
@@ -156,7 +156,7 @@ bool hangs_on_given_tension(const mechanics::System& s, int body) {
 
 int too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& iteration) {
   if (iteration.deep < 0) return -1;
-  const int rope = s.layout.links[at(iteration.deep)].reeving;
+  const int rope = s.layout.links[iteration.deep].reeving;
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
   }
@@ -166,7 +166,7 @@ int too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const 
 Outcome too_heavy_outcome(const mechanics::System& s, int reeving, double least) {
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope != reeving) continue;
-    const machine::Reeving& rope = s.model.reevings[at(reeving)];
+    const machine::Reeving& rope = s.model.reevings[reeving];
     const std::string known = least > 0 ? fmt::format(" (at least {:.4g} N)", least) : std::string();
     return infeasible(fmt::format(
         "rope '{}' does not come down to {:.6g} N at '{}': its own weight pulls harder{}, and with more rope harder "
@@ -190,8 +190,8 @@ Outcome reason(const mechanics::System& s, const mechanics::Configuration& c, co
                     "lengths and tensions possible on these paths?",
                     m.force, m.length));
   }
-  const mechanics::Layout::Dof& dof = s.layout.dofs[at(worst)];
-  const std::string& body = s.model.bodies[at(dof.body)].name;
+  const mechanics::Layout::Dof& dof = s.layout.dofs[worst];
+  const std::string& body = s.model.bodies[dof.body].name;
   const double open = e.residual[worst];
   const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
   if (const int link = vanished(s, c); link >= 0) {

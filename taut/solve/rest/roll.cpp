@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::solve {
@@ -18,9 +19,9 @@ constexpr std::array<double, 17> places = {0.003, 0.01, 0.03, 0.07, 0.13, 0.2,  
 constexpr int roll_halvings = 12;
 
 bool rolls_free(const machine::Model& model, const machine::Carriage& car) {
-  const machine::Reeving& rides = model.reevings[at(car.reeving)];
+  const machine::Reeving& rides = model.reevings[car.reeving];
   if (car.mainline >= 0 || car.haulback >= 0 || car.grip_reeving >= 0) return false;
-  if (rides.nodes[at(car.node)].kind != machine::NodeKind::contact) return false;
+  if (rides.nodes[car.node].kind != machine::NodeKind::contact) return false;
   for (const machine::Reeving& rope : model.reevings) {
     for (const machine::Node& node : rope.nodes) {
       // a rope fixed to it, or over a sheave on it, may hold it
@@ -37,7 +38,7 @@ std::string runs_to(const machine::Model& model, const machine::Carriage& car, c
       "nothing holds carriage '{}' on '{}', and nowhere between '{}' and '{}' does it stand by itself: it runs to {}; "
       "give "
       "it a mainline, clamp it, or put it at an x",
-      car.name, model.reevings[at(car.reeving)].name, first.name, last.name, end);
+      car.name, model.reevings[car.reeving].name, first.name, last.name, end);
 }
 
 /// The neighbours of a carriage on its rope.
@@ -46,15 +47,15 @@ struct Neighbours {
 };
 
 Neighbours neighbours(const machine::Model& model, const machine::Carriage& car) {
-  const machine::Reeving& rope = model.reevings[at(car.reeving)];
+  const machine::Reeving& rope = model.reevings[car.reeving];
   const std::size_t count = rope.nodes.size();
-  return {&rope.nodes[(at(car.node) + count - 1) % count], &rope.nodes[at(car.node + car.rollers) % count]};
+  return {&rope.nodes[(as_size(car.node) + count - 1) % count], &rope.nodes[as_size(car.node + car.rollers) % count]};
 }
 
 class Roll {
  public:
   Roll(const machine::Model& model, int carriage, EquilibriumOptions options)
-      : model_(model), options_(std::move(options)), car_(model.carriages[at(carriage)]) {
+      : model_(model), options_(std::move(options)), car_(model.carriages[carriage]) {
     options_.band = false;
     options_.held = true;
     options_.prescribed = machine::Prescribed{carriage, 0};
@@ -72,7 +73,7 @@ class Roll {
     if (chord_.norm() == 0) return std::nullopt;
     Rest rest;
     rest.carriage = carriage;
-    std::vector<std::pair<double, double>> holds;  // place, force
+    Array<std::pair<double, double>> holds;  // place, force
     for (const double part : places) {
       const double force = hold(part);
       if (std::isnan(force)) continue;
@@ -140,7 +141,7 @@ std::string rolled_away(const machine::Model& model, const machine::State& state
     const Vector3 from = machine::in_ground(state, beside.first->at);
     Vector3 way = machine::in_ground(state, beside.last->at) - from;
     way.z() = 0;
-    const double passed = (state.bodies[at(car.body)].position - from).dot(way);
+    const double passed = (state.bodies[car.body].position - from).dot(way);
     if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) continue;
     const std::string& end = (passed < 0 ? beside.first : beside.last)->name;
     return runs_to(model, car, *beside.first, *beside.last, fmt::format("the end at '{}'", end));

@@ -9,19 +9,20 @@
 #include <utility>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::solve {
 namespace {
 
-using Sides = std::vector<std::vector<int>>;
+using Sides = Array<Array<int>>;
 
 constexpr double hardly_bent = 1e-9;  ///< rad
 
 Sides sides_of(const machine::Model& model) {
   Sides sides;
   for (const machine::Reeving& rope : model.reevings) {
-    std::vector<int>& own = sides.emplace_back();
+    Array<int>& own = sides.emplace_back();
     for (const machine::Node& node : rope.nodes) own.push_back(node.side);
   }
   return sides;
@@ -51,13 +52,13 @@ double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
 /// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
 double outside(const machine::Model& model, const machine::State& state, const ContactResult& contact,
                const PassingRope& rope) {
-  const std::vector<machine::Node>& nodes = model.reevings[at(contact.reeving)].nodes;
-  const machine::Node& node = nodes[at(contact.node)];
+  const Array<machine::Node>& nodes = model.reevings[contact.reeving].nodes;
+  const machine::Node& node = nodes[contact.node];
   const Vector3 centre = machine::in_ground(state, node.at);
-  const Vector3 in = centre - machine::in_ground(state, nodes[at(rope.before->from)].at);
-  const Vector3 out = machine::in_ground(state, nodes[at(rope.after->to)].at) - centre;
+  const Vector3 in = centre - machine::in_ground(state, nodes[rope.before->from].at);
+  const Vector3 out = machine::in_ground(state, nodes[rope.after->to].at) - centre;
   Vector3 axis = node.side < 0 ? Vector3(-node.axis) : node.axis;
-  if (node.at.body != machine::ground) axis = state.bodies[at(node.at.body)].orientation * axis;
+  if (node.at.body != machine::ground) axis = state.bodies[node.at.body].orientation * axis;
   // the wrap of a rope without radii, with the sag that it has
   const double wrap = contact.wrap - 2 * std::numbers::pi * node.turns;
   const double bend = wrap - turn_about(axis, rope.before->end - rope.before->start, in) +
@@ -70,13 +71,13 @@ double outside(const machine::Model& model, const machine::State& state, const C
 
 /// The state with the rope beside a sheave to be found anew.
 machine::State turned_over(const machine::Model& model, machine::State state, const WrongSide& wrong) {
-  std::vector<machine::BranchState>& branches = state.branches[at(wrong.reeving)];
-  const std::vector<bool>& touched = state.touched[at(wrong.reeving)];
-  const auto count = static_cast<int>(model.reevings[at(wrong.reeving)].nodes.size());
+  Array<machine::BranchState>& branches = state.branches[wrong.reeving];
+  const Array<bool>& touched = state.touched[wrong.reeving];
+  const auto count = static_cast<int>(model.reevings[wrong.reeving].nodes.size());
   int before = (wrong.node + count - 1) % count;
-  while (!touched[at(before)] && before != wrong.node) before = (before + count - 1) % count;
+  while (!touched[before] && before != wrong.node) before = (before + count - 1) % count;
   for (const int k : {before, wrong.node}) {
-    if (at(k) < branches.size()) branches[at(k)] = {branches[at(k)].length, Vector3::Zero(), Vector3::Zero(), {}};
+    if (as_size(k) < branches.size()) branches[k] = {branches[k].length, Vector3::Zero(), Vector3::Zero(), {}};
   }
   return state;
 }
@@ -84,12 +85,12 @@ machine::State turned_over(const machine::Model& model, machine::State state, co
 /// Not ok where a rope would have to be pressed towards a sheave from outside.
 Outcome presses_inwards(const machine::Model& model, const EquilibriumResult& result) {
   for (const ContactResult& c : result.contacts) {
-    const machine::Node& node = model.reevings[at(c.reeving)].nodes[at(c.node)];
+    const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     if (!node.side_open || c.wrap >= -hardly_bent || c.force.norm() == 0) continue;
     return infeasible(
         fmt::format("rope '{}' finds no side of '{}': on both it would have to be pressed towards the sheave from "
                     "outside; give its 'side', or put the sheave nearer to the rope",
-                    model.reevings[at(c.reeving)].name, node.name));
+                    model.reevings[c.reeving].name, node.name));
   }
   return {};
 }
@@ -105,7 +106,7 @@ bool has_open_sides(const machine::Model& model) {
 std::optional<WrongSide> wrong_side(const machine::Model& model, const EquilibriumResult& result) {
   std::optional<WrongSide> worst;
   for (const ContactResult& contact : result.contacts) {
-    const machine::Node& node = model.reevings[at(contact.reeving)].nodes[at(contact.node)];
+    const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
     if (!node.side_open || contact.state == ContactState::lifted) continue;
     const PassingRope rope = passing_rope(result, contact);
     if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
@@ -121,7 +122,7 @@ EquilibriumResult on_inner_sides(
   if (!has_open_sides(model)) return solve(model, start);
   machine::Model sided = start ? machine::with_sides(model, *start) : model;
   std::optional<machine::State> near = start;
-  std::vector<Sides> tried;
+  Array<Sides> tried;
   std::optional<std::pair<EquilibriumResult, double>> best;
   int steps = 0;
   do {
@@ -135,7 +136,7 @@ EquilibriumResult on_inner_sides(
     if (!wrong) return result;
     near = turned_over(sided, result.state, *wrong);
     if (!best || wrong->by < best->second) best = {std::move(result), wrong->by};
-    int& side = sided.reevings[at(wrong->reeving)].nodes[at(wrong->node)].side;
+    int& side = sided.reevings[wrong->reeving].nodes[wrong->node].side;
     side = -side;
   } while (std::find(tried.begin(), tried.end(), sides_of(sided)) == tried.end());
   best->first.outcome = presses_inwards(model, best->first);

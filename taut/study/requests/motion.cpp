@@ -25,8 +25,8 @@ int flow_of(solve::Motion motion, const machine::Reeving& rope) {
   return motion == solve::Motion::hoist || motion == solve::Motion::in ? rope.haul : -rope.haul;
 }
 
-std::vector<std::vector<int>> flow_of(solve::Motion motion, const machine::Model& model) {
-  std::vector<std::vector<int>> all;
+Array<Array<int>> flow_of(solve::Motion motion, const machine::Model& model) {
+  Array<Array<int>> all;
   all.reserve(model.reevings.size());
   for (const machine::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
   return all;
