@@ -60,7 +60,8 @@ tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv_
                  {"text"},
                  {"source"},
                  {"trust"},
-                 {"trust_text", false}});
+                 {"trust_text", false},
+                 {"up_to", false}});
   std::vector<RuleRow> rows;
   while (csv.next()) {
     RuleRow row;
@@ -72,6 +73,7 @@ tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv_
     row.source = csv.required_text("source");
     row.trust = csv.trust("trust");
     row.trust_text = csv.text("trust_text");
+    row.up_to = csv.optional_positive("up_to");
     read_numbers(csv, row);
     rows.push_back(std::move(row));
   }

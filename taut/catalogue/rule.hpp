@@ -24,10 +24,11 @@ struct RuleRow {
   std::string source;
   Trust trust = Trust::unverified;
   std::string trust_text;
+  std::optional<double> up_to;  ///< of a table by a count: the largest one for which the row holds
 };
 
 /// Reads a table of rules. Columns: id, field, item, class, low, high, unit (1, deg, m, GPa, MPa, s/m), text, source,
-/// trust, and, if wanted, trust_text. low and high are both there or both empty; an empty pair needs a text.
+/// trust, and, if wanted, trust_text and up_to. low and high are both there or both empty; an empty pair needs a text.
 tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv, std::string file);
 
 /// The built-in rules (data/rules/*.csv). Topics: safety (factors of ropes by field), ratio (D/d), groove, friction,

@@ -14,7 +14,7 @@ namespace {
 
 using catalogue::RuleRow;
 
-const double not_told = std::nan("");
+const double not_given = std::nan("");
 
 std::string trust_words(const RuleRow& row) {
   return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
@@ -29,7 +29,7 @@ int class_number(const RopeCheckRequest& request) {
 /// The row for so many wires in the outer strands.
 std::optional<RuleRow> row_for(const std::string& topic, int wires) {
   for (RuleRow& row : catalogue::rules_of(topic)) {
-    if (wires <= std::stoi(row.id.substr(row.id.rfind('.') + 1))) return std::move(row);
+    if (row.up_to && wires <= *row.up_to) return std::move(row);
   }
   return std::nullopt;
 }
@@ -52,7 +52,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table&
       const double most = twice ? 2 * count : count;
       std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
       if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
-      t.rows.push_back({row->item, length * (use.rope.diameter > 0 ? use.rope.diameter : not_told), most, not_told,
+      t.rows.push_back({row->item, length * (use.rope.diameter > 0 ? use.rope.diameter : not_given), most, not_given,
                         fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
                                     turns ? "" : " in the outer strands", why),
                         trust_words(*row)});
@@ -67,11 +67,11 @@ void add_diameter(const rope::RopeUse& use, Table& t) {
   // of a core that nobody knows the one that allows least
   const auto row = catalogue::find_rule("discard.diameter." + (core.empty() ? std::string("IWRC") : core));
   if (!row || !row->low) return;
-  const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : not_told;
+  const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : not_given;
   std::string words = row->text;
   if (!std::isnan(least)) words += fmt::format(": {:.4g} mm", least * 1e3);
   if (core.empty()) words += "; core not known";
-  t.rows.push_back({row->item, not_told, not_told, least, std::move(words), trust_words(*row)});
+  t.rows.push_back({row->item, not_given, not_given, least, std::move(words), trust_words(*row)});
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Resu
   add_diameter(use, t);
   for (const RuleRow& row : catalogue::rules_of("discard")) {
     if (row.low) continue;  // reported above
-    t.rows.push_back({row.item, not_told, not_told, not_told, row.text, trust_words(row)});
+    t.rows.push_back({row.item, not_given, not_given, not_given, row.text, trust_words(row)});
   }
   if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
     r.warnings.push_back(fmt::format(
