@@ -37,9 +37,11 @@ TEST(Builder, TellsMistakesAtTheirPlaces) {
   b.description().reevings[0].path[2].over = "jakc";
   const auto model = b.model();
   ASSERT_FALSE(model.has_value());
-  EXPECT_TRUE(std::any_of(model.error().begin(), model.error().end(), [](const Complaint& c) {
-    return c.path == "reevings[0].path[2].over" && c.message.find("jack") != std::string::npos;
-  })) << model.error().front().path << ": " << model.error().front().message;
+  EXPECT_TRUE(std::any_of(model.error().begin(), model.error().end(),
+                          [](const Complaint& c) {
+                            return c.path == "reevings[0].path[2].over" && c.message.find("jack") != std::string::npos;
+                          }))
+      << model.error().front().path << ": " << model.error().front().message;
 }
 
 TEST(Builder, FallsAreBranchesBetweenTheBlocks) {
