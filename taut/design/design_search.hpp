@@ -27,7 +27,7 @@ struct DesignFound {
 /// At every place of the grid the least choice, tried in the order of cost where the cost is known before (masses,
 /// prices, sizes), all of them where it is a result (tension, reserve). Then, unless `refine: false`, each choice that
 /// is cheaper than the best and failed by little, and the best one itself from its three best places, within the ranges
-/// by NLopt (analysis/constrained.hpp): to the least cost, or, where the unknowns do not change it, to the most
+/// by NLopt (constrained.hpp): to the least cost, or, where the unknowns do not change it, to the most
 /// reserve.
 DesignFound search_design(const DesignTask& task);
 
