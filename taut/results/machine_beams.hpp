@@ -4,6 +4,7 @@
 #include "taut/calc/figure.hpp"
 #include "taut/calc/num.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/machine/description/machine.hpp"
 #include "taut/results/machine_run.hpp"
 
 /// What a machine's elastic beams add to its result.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/machine/description/machine.hpp"
 #include "taut/results/machine_run.hpp"
 
 namespace taut::results {

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "taut/base/array.hpp"
+#include "taut/calc/outcome.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {

@@ -1,5 +1,6 @@
 #pragma once
 #include "taut/mechanics/system.hpp"
+#include "taut/solve/equilibrium.hpp"
 
 namespace taut::solve {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/calc/progress.hpp"
+#include "taut/calc/result.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/requests/transient_deck.hpp"
 #include "taut/study/transient_record.hpp"

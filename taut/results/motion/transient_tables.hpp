@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/calc/result.hpp"
 #include "taut/results/motion/transient_run.hpp"
 
 namespace taut::results {

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/calc/outcome.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {

@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/calc/outcome.hpp"
 #include "taut/solve/rest/newton.hpp"
 
 namespace taut::solve {
