@@ -19,7 +19,6 @@ set(public_headers
   taut/study/load_path.hpp
   taut/study/payload.hpp
   taut/study/limits.hpp
-  taut/study/installation.hpp
   taut/methods/mast_section/mast_section.hpp
   taut/methods/closed_loop/closed_loop.hpp
   taut/methods/friction_drive/friction_drive.hpp

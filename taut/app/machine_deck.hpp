@@ -10,7 +10,7 @@
 #include "taut/checks/checks_deck.hpp"
 #include "taut/design/design_deck.hpp"
 #include "taut/machine/description/machine.hpp"
-#include "taut/study/requests/machine_analyses.hpp"
+#include "taut/study/analyses.hpp"
 
 namespace taut::app {
 

@@ -5,7 +5,7 @@
 #include "taut/machine/model.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
-#include "taut/study/rope_clearance.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::checks {
 

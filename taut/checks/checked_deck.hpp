@@ -7,7 +7,7 @@
 #include "taut/catalogue/rope.hpp"
 #include "taut/checks/checks_deck.hpp"
 #include "taut/machine/description/machine.hpp"
-#include "taut/study/requests/machine_analyses.hpp"
+#include "taut/study/analyses.hpp"
 
 namespace taut::checks {
 

@@ -9,8 +9,8 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
-#include "taut/study/rope_clearance.hpp"
 
 namespace taut::checks {
 namespace {

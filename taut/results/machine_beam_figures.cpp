@@ -33,7 +33,7 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
   plot.x = {"along the beam from its base", si::m};
   plot.y = y;
   bool dashed = false;
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
     for (const solve::BeamResult& b : one.result.beams) {
       Curve c;

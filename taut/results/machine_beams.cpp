@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/calc/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/checks/checked_parts.hpp"
+#include "taut/solve/quantities.hpp"
 
 namespace taut::results {
 namespace {
@@ -19,63 +19,22 @@ using solve::EquilibriumResult;
 
 constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
 
-const std::string& name_of(const machine::Model& m, const solve::BeamResult& b) { return m.beams[b.beam].name; }
-
-double critical_force(const solve::BeamResult& b) {
-  return std::isfinite(b.critical_factor) && b.compression > 0 ? b.critical_factor * b.compression : none;
+Table beams(const machine::Model& m, const EquilibriumResult& e) {
+  std::vector<solve::BeamPointRow> rows;
+  for (const BeamResult& b : e.beams) {
+    for (const BeamPoint& p : b.points) rows.push_back({m, b, p});
+  }
+  return make_table("beams",
+                    "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",
+                    solve::beam_point_quantities(), rows);
 }
 
-Table beams(const machine::Model& m, const solve::EquilibriumResult& e) {
-  Table t{"beams",
-          "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",
-          {{"name", si::one},
-           {"s", si::m},
-           {"x", si::m},
-           {"y", si::m},
-           {"z", si::m},
-           {"N", si::N},
-           {"V", si::N},
-           {"M", si::N_m},
-           {"torsion", si::N_m},
-           {"stress", si::Pa},
-           {"w", si::m.in("mm")}},
-          {}};
-  for (const solve::BeamResult& b : e.beams) {
-    for (const solve::BeamPoint& p : b.points) {
-      t.rows.push_back(
-          {name_of(m, b), p.s, p.place.x(), p.place.y(), p.place.z(), p.N, p.V, p.M, p.torsion, p.stress, p.w});
-    }
-  }
-  return t;
-}
-
-Table ends(const machine::Model& m, const solve::EquilibriumResult& e) {
-  Table t{"beam_ends",
-          "Beams: largest values, force and moment of what the base stands on, critical axial force",
-          {{"name", si::one},
-           {"M_max", si::N_m},
-           {"at", si::m},
-           {"N_base", si::N},
-           {"N_max", si::N},
-           {"stress_max", si::Pa},
-           {"top_displacement", si::m.in("mm")},
-           {"N_cr", si::N},
-           {"alpha_cr", si::one},
-           {"Rx", si::N},
-           {"Ry", si::N},
-           {"Rz", si::N},
-           {"Mx", si::N_m},
-           {"My", si::N_m},
-           {"Mz", si::N_m}},
-          {}};
-  for (const solve::BeamResult& b : e.beams) {
-    const Vector3 &F = b.base_force, &M = b.base_moment;
-    t.rows.push_back({name_of(m, b), b.points[b.most_bent].M, b.points[b.most_bent].s, b.points.front().N,
-                      std::abs(b.points[b.most_pressed].N), b.points[b.most_stressed].stress, b.top_displacement,
-                      critical_force(b), std::isfinite(b.critical_factor) ? b.critical_factor : none, F.x(), F.y(),
-                      F.z(), M.x(), M.y(), M.z()});
-  }
-  return t;
+Table ends(const machine::Model& m, const EquilibriumResult& e) {
+  std::vector<solve::BeamRow> rows;
+  for (const BeamResult& b : e.beams) rows.push_back({m, e, b});
+  return make_table("beam_ends",
+                    "Beams: largest values, force and moment of what the base stands on, critical axial force",
+                    solve::beam_quantities(), rows);
 }
 
 /// Yield and buckling can only fail: a beam that passes them has no limit yet.
@@ -130,42 +89,37 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
 }
 
 void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
-  const auto add = [&](const char* key, const checks::WorstOf& w, const Unit& unit, const char* words) {
+  const auto add = [&](const char* key, const checks::WorstOf& w) {
     if (std::isnan(w.value)) return;
+    const QuantityWords& about = named(solve::beam_quantities(), key).about;
     const std::string name = fmt::format("{}.{}", given.name, key);
-    r.values.push_back({name, w.value, unit, name, fmt::format("{} of {} ({})", words, given.name, w.when), {}});
+    r.values.push_back(
+        {name, w.value, about.unit, name, fmt::format("{} of {} ({})", about.words, given.name, w.when), {}});
   };
-  add("M_max", worst.M, si::N_m, "largest bending moment");
-  add("N_max", worst.N, si::N, "largest axial force, pulled or pressed,");
-  add("stress_max", worst.stress, si::Pa, "largest |N|/A + M/W");
-  add("top_displacement", worst.top_displacement, si::m.in("mm"), "displacement of the far end");
-  add("N_cr", worst.N_cr, si::N, "least critical axial force");
-  add("alpha_cr", worst.alpha_cr, si::one, "critical over present axial force");
+  add("M_max", worst.M);
+  add("N_max", worst.N);
+  add("stress_max", worst.stress);
+  add("top_displacement", worst.top_displacement);
+  add("N_cr", worst.N_cr);
+  add("alpha_cr", worst.alpha_cr);
   check_stress(given, worst.stress, r);
   check_buckling(given, worst.alpha_cr, r);
 }
 
 void add_base(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
   const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
-                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+                                  [](const study::EquilibriumRun& one) { return one.result.outcome.ok(); });
   if (first == run.equilibria.end()) return;
-  const solve::BeamResult& b = first->result.beams[i];
-  const auto add = [&](const char* key, double value, const Unit& unit, const char* words) {
-    const std::string name = fmt::format("{}.{}", given.name, key);
-    r.values.push_back({name, value, unit, name, fmt::format("{} of {} ({})", words, given.name, first->words), {}});
-  };
-  add("N_base", b.points.front().N, si::N, "axial force at the base, tension positive,");
-  const std::array<const char*, 3> forces = {"Rx", "Ry", "Rz"}, moments = {"Mx", "My", "Mz"};
-  for (int k = 0; k < 3; ++k) {
-    add(forces[static_cast<std::size_t>(k)], b.base_force[k], si::N, "force on the base");
-    add(moments[static_cast<std::size_t>(k)], b.base_moment[k], si::N_m, "moment on the base");
+  const solve::BeamRow row{first->model, first->result, first->result.beams[i]};
+  for (const char* key : {"N_base", "Rx", "Mx", "Ry", "My", "Rz", "Mz"}) {
+    r.values.push_back(make_value(named(solve::beam_quantities(), key), row, given.name, "", first->words));
   }
 }
 
 /// A bow or lean that the load takes back helps; the other sense is the one to look at.
 void warn_of_sense(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {
   if (!given.imperfection) return;
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
     const auto& pieces = run.model.beams[i].pieces;
     const solve::BeamResult& b = one.result.beams[i];
@@ -194,7 +148,7 @@ void warn_of_sense(const machine::description::Beam& given, const MachineRun& ru
 bool is_listed(const machine::Body& body) { return body.beam < 0 || body.name.ends_with(".top"); }
 
 void add_beam_tables(const MachineRun& run, Result& r) {
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || one.result.beams.empty()) continue;
     for (Table t : {beams(one.model, one.result), ends(one.model, one.result)}) {
       t.name += one.ending;

@@ -13,7 +13,8 @@
 #include "taut/calc/none.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
-#include "taut/study/rope_clearance.hpp"
+#include "taut/solve/quantities.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::results {
 namespace {
@@ -85,8 +86,8 @@ std::map<std::string, Held> held_of(const machine::Model& m, const solve::Equili
     return m.reevings[reeving].nodes[n].kind == machine::NodeKind::anchor;
   };
   for (const auto& s : e.spans) {
-    if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, pull_on_start(s));
-    if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, pull_on_end(s));
+    if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, solve::pull_on_start(s));
+    if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, solve::pull_on_end(s));
   }
   for (const auto& c : e.contacts) {
     const auto& rope = m.reevings[c.reeving];
@@ -254,7 +255,7 @@ void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, co
   r.figures.emplace_back(drawing_of(m, e, {Vector3::UnitX(), Vector3::UnitY(), true}, words));
 }
 
-Plot plot(const LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
+Plot plot(const study::LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
   Plot p;
   p.name = name + run.ending;
   p.title = fmt::format("{}, {}", title, run.words);
@@ -264,11 +265,11 @@ Plot plot(const LoadPathRun& run, const std::string& name, const std::string& ti
 }
 
 template <class Of>
-Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dashed = false) {
+Curve curve(const study::LoadPathRun& run, const std::string& label, Of&& of, bool dashed = false) {
   Curve c;
   c.label = label;
   c.dashed = dashed;
-  for (const LoadPathPart& part : run.parts) {
+  for (const study::LoadPathPart& part : run.parts) {
     for (const auto& point : part.result.points) {
       c.x.push_back(point.x);
       c.y.push_back(point.at.outcome.ok() ? of(point) : none);
@@ -277,7 +278,7 @@ Curve curve(const LoadPathRun& run, const std::string& label, Of&& of, bool dash
   return c;
 }
 
-void add_plots(const machine::Model& m, const LoadPathRun& run, Result& r) {
+void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r) {
   Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {"tension", si::N});
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
@@ -310,8 +311,8 @@ double largest_tension(const solve::EquilibriumResult& e) {
 std::optional<Vector3> line_of(const MachineRun& run) {
   const Vector3 x = Vector3::UnitX();
   if (!run.model.terrain.empty() && run.model.terrain_along != x) return run.model.terrain_along;
-  for (const LoadPathRun& path : run.paths) {
-    if (path.along != x) return path.along;
+  for (const study::LoadPathRun& path : run.paths) {
+    if (path.way.along != x) return path.way.along;
   }
   return std::nullopt;
 }
@@ -328,7 +329,7 @@ void add_figures(const MachineRun& run, Result& r) {
       });
   add_drawings(*drawn.model, *drawn.result, line_of(run),
                (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
-  for (const LoadPathRun& path : run.paths) add_plots(run.model, path, r);
+  for (const study::LoadPathRun& path : run.paths) add_plots(run.model, path, r);
   add_path_plots(run, r);
 }
 

@@ -87,7 +87,7 @@ void place_marks(const Curve& curve, std::vector<Mark> marks, Plot& p) {
 void add_one_rope(const MachineRun& run, Result& r) {
   Plot p = path_plot("path_tensions", fmt::format("Tension along {}", run.model.reevings.front().name));
   std::vector<Mark> marks;
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || p.curves.size() == most_curves) continue;
     p.curves.push_back(along(one.model, one.result, 0, p.curves.empty() ? &marks : nullptr));
     p.curves.back().label = one.words;
@@ -97,7 +97,7 @@ void add_one_rope(const MachineRun& run, Result& r) {
   r.figures.emplace_back(std::move(p));
 }
 
-void add_all_ropes(const EquilibriumRun& one, Result& r) {
+void add_all_ropes(const study::EquilibriumRun& one, Result& r) {
   Plot p = path_plot("path_tensions" + one.ending, fmt::format("Tension along the ropes, {}", one.words));
   for (std::size_t i = 0; i < one.model.reevings.size() && p.curves.size() < most_curves; ++i) {
     p.curves.push_back(along(one.model, one.result, static_cast<int>(i), nullptr));
@@ -111,7 +111,7 @@ void add_all_ropes(const EquilibriumRun& one, Result& r) {
 void add_path_plots(const MachineRun& run, Result& r) {
   if (!run.paths.empty() || run.equilibria.empty()) return;
   if (run.model.reevings.size() == 1) return add_one_rope(run, r);
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (one.result.outcome.ok()) add_all_ropes(one, r);
   }
 }

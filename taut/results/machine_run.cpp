@@ -8,11 +8,11 @@ namespace taut::results {
 
 std::vector<Answer> answers_of(const MachineRun& run) {
   std::vector<Answer> all;
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words});
   }
-  for (const LoadPathRun& one : run.paths) {
-    for (const LoadPathPart& part : one.parts) {
+  for (const study::LoadPathRun& one : run.paths) {
+    for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
         all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x)});
@@ -30,7 +30,7 @@ std::vector<Answer> answers_of(const MachineRun& run) {
 }
 
 void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || !one.judged) continue;
     const std::string name = checks::analysis_name(one.ending, "equilibrium");
     const std::string words = one.ending.empty()
@@ -38,9 +38,9 @@ void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
                                   : fmt::format("{}, {}", checks::analysis_words(one.ending, "equilibrium"), one.words);
     checked.take(one.model, one.result, words, name);
   }
-  for (const LoadPathRun& one : run.paths) {
+  for (const study::LoadPathRun& one : run.paths) {
     if (!one.judged) continue;
-    for (const LoadPathPart& part : one.parts) {
+    for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
         const std::string words =

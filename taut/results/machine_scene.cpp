@@ -34,7 +34,7 @@ SceneLine line_of(const machine::Model& m, const solve::SpanResult& s) {
   return line;
 }
 
-Scene scene_of(const EquilibriumRun& one) {
+Scene scene_of(const study::EquilibriumRun& one) {
   Scene scene;
   scene.name = "machine" + one.ending;
   scene.t = {0};
@@ -56,7 +56,7 @@ Scene scene_of(const EquilibriumRun& one) {
 }  // namespace
 
 void add_scenes(const MachineRun& run, Result& r) {
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (one.result.outcome.ok()) r.scenes.push_back(scene_of(one));
   }
 }

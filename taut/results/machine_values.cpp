@@ -5,57 +5,44 @@
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
+#include "taut/solve/quantities.hpp"
 
 namespace taut::results {
 namespace {
 
 void add_places(const MachineRun& run, Result& r) {
   const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
-                                  [](const EquilibriumRun& one) { return one.result.outcome.ok(); });
+                                  [](const study::EquilibriumRun& one) { return one.result.outcome.ok(); });
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
     if (body.free.empty() || body.of_rope || !is_listed(body)) continue;
-    const Vector3& p = first->result.state.bodies[i].position;
-    const auto add = [&](const char* axis, double value) {
-      const std::string name = fmt::format("{}.{}", body.name, axis);
-      r.values.push_back({name, value, si::m, name, fmt::format("place of {} ({})", body.name, first->words), {}});
-    };
-    add("x", p.x());
-    add("y", p.y());
-    add("z", p.z());
+    const solve::BodyRow row{first->model, first->result, static_cast<int>(i)};
+    for (const char* axis : {"x", "y", "z"}) {
+      r.values.push_back(make_value(named(solve::body_quantities(), axis), row, body.name, "", first->words));
+    }
   }
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
-    const std::string name = fmt::format("{}.unstretched", run.model.reevings[i].name);
-    r.values.push_back({name,
-                        first->result.ropes[i].unstretched,
-                        si::m,
-                        name,
-                        fmt::format("unstretched length of {} ({})", run.model.reevings[i].name, first->words),
-                        {}});
+    const solve::RopeRow row{first->model, first->result, static_cast<int>(i)};
+    const std::string& name = run.model.reevings[i].name;
+    r.values.push_back(make_value(named(solve::rope_quantities(), "unstretched"), row, name, "", first->words));
   }
 }
 
 /// Tensions at both ends of each rope, of every equilibrium.
 void add_ends(const MachineRun& run, Result& r) {
-  for (const EquilibriumRun& one : run.equilibria) {
+  for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
     for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
-      const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
-      const auto first = std::find_if(one.result.spans.begin(), one.result.spans.end(), own);
-      const auto last = std::find_if(one.result.spans.rbegin(), one.result.spans.rend(), own);
-      const auto add = [&](const char* end, int n, double T) {
-        const machine::Reeving& rope = one.model.reevings[i];
-        const std::string name = fmt::format("{}.{}{}", rope.name, end, one.ending);
-        r.values.push_back({name,
-                            T,
-                            si::N,
-                            name,
-                            fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[n].name, one.words),
-                            {}});
-      };
-      add("T_start", first->from, first->T_from);
-      add("T_end", last->to, last->T_to);
+      const machine::Reeving& rope = one.model.reevings[i];
+      const solve::RopeRow row{one.model, one.result, static_cast<int>(i)};
+      for (const auto& q : solve::rope_end_tensions()) {
+        Value value = make_value(q, row, rope.name, one.ending, one.words);
+        const int end = q.about.name == "T_start" ? solve::first_branch(one.result, row.reeving).from
+                                                  : solve::last_branch(one.result, row.reeving).to;
+        value.label = fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[end].name, one.words);
+        r.values.push_back(std::move(value));
+      }
     }
   }
 }

@@ -41,39 +41,13 @@ bool can_hold(const machine::Machine& machine, const machine::Model& model, cons
 
 }  // namespace
 
-Outcome put_up_lines(machine::Model& model, std::vector<study::PutUpLine>& lines) {
-  lines = study::put_up(model);
-  return lines.empty() ? Outcome{} : lines.back().at.outcome;
-}
-
-std::string put_up_words(const machine::Model& model, const study::PutUpLine& line) {
-  const machine::Reeving& rope = model.reevings[line.reeving];
-  std::vector<std::string> with;
-  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[body].name);
-  return with.empty() ? fmt::format("{} as put up, empty", rope.name)
-                      : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
-}
-
 void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines, Result& r) {
   if (lines.empty()) return;
-  Table t{
-      "put_up",
-      "Lines as they are put up; lengths at the reference temperature, as cut, and under these tensions; the length "
-      "is kept from there on",
-      {{"rope", si::one},
-       {"state", si::one},
-       {"T_start", si::N},
-       {"T_end", si::N},
-       {"H", si::N},
-       {"unstretched", si::m},
-       {"installed", si::m},
-       {"stretched", si::m}},
-      {}};
+  std::vector<study::PutUpRow> rows;
   for (const study::PutUpLine& one : lines) {
     const std::string& name = model.reevings[one.reeving].name;
     const std::string words = put_up_words(model, one);
-    t.rows.push_back(
-        {name, words, one.at.T_start, one.at.T_end, one.at.H, one.at.unstretched, one.at.cut, one.at.stretched});
+    rows.push_back({model, one});
     const auto value = [&](const char* what, double v, const Unit& unit, const std::string& label) {
       const std::string full = fmt::format("{}.{}", name, what);
       r.values.push_back({full, v, unit, full, label, {}});
@@ -84,7 +58,11 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
           fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up; kept from there on",
                       name));
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(
+      make_table("put_up",
+                 "Lines as they are put up; lengths at the reference temperature, as cut, and under these tensions; "
+                 "the length is kept from there on",
+                 study::put_up_quantities(), rows));
 }
 
 void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines,

@@ -12,13 +12,7 @@ struct CheckedParts;
 
 namespace taut::results {
 
-/// Puts up the ropes of a machine that have `install:`; `model` keeps their lengths.
-Outcome put_up_lines(machine::Model& model, std::vector<study::PutUpLine>& lines);
-
-/// The state of a line as it is put up: "skyline as put up", or with what hangs on it meanwhile.
-std::string put_up_words(const machine::Model& model, const study::PutUpLine& line);
-
-/// Their table `put_up`, and of each NAME.base_tension and NAME.cut_length.
+/// Of ropes that were put up (`install:`): their table `put_up`, and of each NAME.base_tension and NAME.cut_length.
 void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines, Result& r);
 
 /// Shows their states to the checks.

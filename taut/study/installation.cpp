@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
+#include "taut/study/deck/bounds.hpp"
+#include "taut/study/deck/names.hpp"
+#include "taut/study/deck/temperature.hpp"
 
 namespace taut::study {
 namespace {
@@ -74,6 +78,49 @@ void keep_carriages(machine::Model& model, int reeving, const Array<bool>& gone,
     if (car.grip_reeving >= 0) car.grip_node = node(car.grip_reeving, car.grip_node);
     for (int* r : {&car.reeving, &car.mainline, &car.grip_reeving, &car.haulback}) *r = rope(*r);
     if (car.grip_reeving < 0) car.grip_node = -1;
+  }
+}
+
+using Kind = solve::Condition::Kind;
+
+/// What the machine itself has given of the rope.
+solve::Condition own_condition(const machine::Reeving& rope) {
+  switch (rope.given) {
+    case machine::Given::tension_at_start:
+      return {Kind::tension_at_start, 0, rope.value, 0};
+    case machine::Given::tension_at_end:
+      return {Kind::tension_at_end, 0, rope.value, 0};
+    case machine::Given::length:
+    case machine::Given::torque:
+      break;
+  }
+  return {Kind::length, 0, rope.value, 0};
+}
+
+solve::Condition condition_of(const InstallationRun& run, const EmptyLine& line) {
+  if (!run.given) return own_condition(line.model.reevings[line.reeving]);
+  const InstallationGivenRequest& g = *run.given;
+  if (g.tension) return {g.at == RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
+  if (g.length) return {Kind::length, 0, *g.length, 0};
+  return {Kind::sag_of_span, 0, *g.sag, g.span ? *g.span - 1 : longest_span(line.model, line.reeving)};
+}
+
+void resolve_temperatures(const InstallationRequest& request, const std::string& path, Names& p, InstallationRun& run) {
+  run.temperatures = request.temperatures;
+  if (request.from.has_value() != request.to.has_value() || (request.steps && !request.from)) {
+    p.complaints.push_back({path, "'from' and 'to' belong together, with or without 'steps'"});
+  } else if (request.from && !request.temperatures.empty()) {
+    p.complaints.push_back({path + ".from", "give either 'temperatures' or 'from' and 'to'"});
+  } else if (request.from) {
+    const int steps = request.steps.value_or(10);
+    for (int i = 0; i <= steps; ++i) {
+      run.temperatures.push_back(*request.from + (*request.to - *request.from) * i / steps);
+    }
+  }
+  const std::string key = request.from ? ".from" : ".temperatures";
+  if (!run.temperatures.empty()) require_references(p.machine, path + key, p.complaints);
+  if (request.given && request.given->temperature) {
+    require_references(p.machine, path + ".given.temperature", p.complaints);
   }
 }
 
@@ -167,6 +214,145 @@ Installation installation(const EmptyLine& line, const solve::Condition& given,
   i.cut = lengths.cut;
   i.stretched = lengths.stretched;
   return i;
+}
+
+const Description& InstallationGivenRequest::describe() {
+  static const Description d =
+      Describe<InstallationGivenRequest>()
+          .field(&InstallationGivenRequest::tension, "tension", "T", si::N, "of the empty rope at one end")
+          .above(0)
+          .at_most(strongest)
+          .field(&InstallationGivenRequest::length, "length", "L", si::m,
+                 "unstretched, at the reference temperature; without any of the three the machine's own")
+          .above(0)
+          .at_most(farthest)
+          .field(&InstallationGivenRequest::sag, "sag", "f", si::m,
+                 "of a free span at half its horizontal length, below its chord")
+          .above(0)
+          .at_most(farthest)
+          .choice(&InstallationGivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
+                  "end of the path at which the tension is")
+          .field(&InstallationGivenRequest::span, "span", "", si::one,
+                 "number of the free span that has the sag, from 1; without it the longest")
+          .at_least(1)
+          .field(&InstallationGivenRequest::temperature, "temperature", "", si::K.in("degC"),
+                 "at which it holds, the length found is kept at all others; without it it holds at each temperature "
+                 "and the length follows")
+          .above(0)
+          .at_most(2000)
+          .exactly_one({"tension", "length", "sag"});
+  return d;
+}
+
+const Description& InstallationRequest::describe() {
+  static const Description d =
+      Describe<InstallationRequest>()
+          .field(&InstallationRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&InstallationRequest::judge, "judge", "false: its states do not count for the verdict")
+          .field(&InstallationRequest::reeving, "reeving",
+                 "the rope that is put up empty: without its carriages, and "
+                 "without what hangs on them")
+          .required()
+          .field(&InstallationRequest::temperatures, "temperatures", "", si::K.in("degC"),
+                 "at each of these, such as 15 degC; without them the machine's")
+          .above(0)
+          .at_most(2000)
+          .field(&InstallationRequest::from, "from", "", si::K.in("degC"), "first temperature, in place of a list")
+          .above(0)
+          .at_most(2000)
+          .field(&InstallationRequest::to, "to", "", si::K.in("degC"), "last temperature")
+          .above(0)
+          .at_most(2000)
+          .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them")
+          .at_least(1)
+          .at_most(10000)
+          .record(&InstallationRequest::given, "given", "tension, length or sag; without it what the machine gives");
+  return d;
+}
+
+InstallationRun resolve(const InstallationRequest& request, const std::string& path, Names& names) {
+  InstallationRun run;
+  run.ending = ending_of(names, "installation", request.name, path);
+  run.words = request.reeving;
+  run.reeving = reeving_of(names, request.reeving, path + ".reeving");
+  run.given = request.given;
+  run.machine = &names.machine;
+  resolve_temperatures(request, path, names, run);
+  if (run.reeving < 0) return run;
+  const EmptyLine line = empty_line(names.model, run.reeving);
+  if (!line.outcome.ok()) names.complaints.push_back({path + ".reeving", line.outcome.message});
+  if (names.model.reevings[run.reeving].closed && request.given && !request.given->length) {
+    names.complaints.push_back({path + ".given", "an endless rope is given by its 'length'"});
+  }
+  if (names.model.reevings[run.reeving].given == machine::Given::torque && !request.given) {
+    names.complaints.push_back({path, "the rope is given by a torque: say what is given when it is put up"});
+  }
+  if (request.given && request.given->span) {
+    const auto spans = line.model.reevings[line.reeving].nodes.size() - 1;
+    if (!request.given->sag) names.complaints.push_back({path + ".given.span", "belongs to a 'sag'"});
+    if (line.outcome.ok() && static_cast<std::size_t>(*request.given->span) > spans) {
+      names.complaints.push_back({path + ".given.span", fmt::format("the empty rope has {} free spans", spans)});
+    }
+  }
+  return run;
+}
+
+void solve(const machine::Model& model, InstallationRun& run) {
+  const auto line_at = [&](double temperature) {
+    machine::Model warm = model;
+    if (!std::isnan(temperature)) set_temperature(warm, *run.machine, temperature);
+    return empty_line(warm, run.reeving);
+  };
+  std::vector<double> temperatures = run.temperatures;
+  if (temperatures.empty()) temperatures.push_back(run.machine->temperature.value_or(none));
+  EmptyLine first = line_at(temperatures.front());
+  if (!first.outcome.ok()) {
+    run.rows.emplace_back().at.outcome = first.outcome;
+    return;
+  }
+  solve::Condition condition = condition_of(run, first);
+  std::optional<machine::State> near;
+  if (run.given && run.given->temperature) {
+    const auto there = installation(line_at(*run.given->temperature), condition);
+    if (!there.outcome.ok()) {
+      run.rows.push_back({*run.given->temperature, there});
+      return;
+    }
+    condition = {Kind::length, 0, there.unstretched, 0};
+    near = there.at.result.state;
+  }
+  for (const double temperature : temperatures) {
+    InstallationAt& row = run.rows.emplace_back();
+    row.temperature = temperature;
+    row.at = installation(line_at(temperature), condition, near);
+    if (row.at.outcome.ok()) near = row.at.at.result.state;
+  }
+}
+
+const Quantities<InstallationAt>& installation_quantities() {
+  using Row = InstallationAt;
+  const auto known = [](double Installation::*of) {
+    return [of](const Row& r) { return r.at.outcome.ok() ? r.at.*of : none; };
+  };
+  static const Quantities<Row> all = {
+      {"temperature", "", si::K.in("degC"), "of all ropes", &Row::temperature},
+      {"T_start", "T_start", si::N, "tension at its start", known(&Installation::T_start)},
+      {"T_end", "T_end", si::N, "tension at its end", known(&Installation::T_end)},
+      {"H", "H", si::N, "horizontal part in the first span", known(&Installation::H)},
+      {"unstretched", "L", si::m, "unstretched length at the reference temperature", known(&Installation::unstretched)},
+      {"installed", "", si::m, "the same at this temperature: as cut", known(&Installation::cut)},
+      {"stretched", "l", si::m, "length under its tension", known(&Installation::stretched)}};
+  return all;
+}
+
+const Quantities<RopeLengths>& length_quantities() {
+  static const Quantities<RopeLengths> all = {
+      {"unstretched", "L", si::m, "unstretched length at the reference temperature", &RopeLengths::unstretched},
+      {"installed", "", si::m, "the same at this temperature: as cut", &RopeLengths::cut},
+      {"stretched", "l", si::m, "length under its tension", &RopeLengths::stretched},
+      {"free", "", si::m, "part of it between sheaves", &RopeLengths::free},
+      {"on_sheaves", "", si::m, "part of it on sheaves, saddles and drives", &RopeLengths::on_sheaves}};
+  return all;
 }
 
 }  // namespace taut::study

@@ -3,9 +3,36 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
-#include "taut/solve/condition.hpp"
+#include "taut/calc/none.hpp"
+#include "taut/calc/quantity.hpp"
+#include "taut/machine/description/machine.hpp"
+#include "taut/study/deck/given.hpp"
 
 namespace taut::study {
+
+struct Names;
+
+struct InstallationGivenRequest {
+  std::optional<double> tension;      ///< N
+  RopeEnd at = RopeEnd::start;        ///< of a tension
+  std::optional<double> length;       ///< m
+  std::optional<double> sag;          ///< m
+  std::optional<int> span;            ///< of a sag, from 1
+  std::optional<double> temperature;  ///< K: where it holds; the length is kept from there
+  static const Description& describe();
+};
+
+/// An empty rope as it is put up, as a deck asks for it.
+struct InstallationRequest {
+  std::optional<std::string> name;
+  std::string reeving;
+  std::vector<double> temperatures;  ///< K
+  std::optional<double> from, to;    ///< K
+  std::optional<int> steps;
+  std::optional<InstallationGivenRequest> given;
+  bool judge = true;  ///< false: its states do not count for the verdict
+  static const Description& describe();
+};
 
 /// A machine with one rope empty, as when it is rigged.
 struct EmptyLine {
@@ -51,5 +78,33 @@ struct RopeLengths {
   double on_sheaves = 0;   ///< of `stretched`: lying on sheaves, saddles and drives
 };
 RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& result, int reeving);
+
+/// The rope at one temperature, K; NaN: the machine's, whatever that is.
+struct InstallationAt {
+  double temperature = none;
+  Installation at;
+};
+
+/// What a deck asks, and the answer by temperature.
+struct InstallationRun {
+  std::string ending;
+  std::string words;  ///< name of the rope
+  int reeving = 0;
+  std::vector<double> temperatures;  ///< K; empty: the machine's, whatever it is
+  std::optional<InstallationGivenRequest> given;
+  const machine::Machine* machine = nullptr;
+  std::vector<InstallationAt> rows;
+};
+
+/// The request with its names resolved; complaints below `path`.
+InstallationRun resolve(const InstallationRequest& request, const std::string& path, Names& names);
+
+/// Fills `run.rows`; one alone where the rope can't be put up at all.
+void solve(const machine::Model& model, InstallationRun& run);
+
+/// What a rope has at each temperature; sags of its spans besides.
+const Quantities<InstallationAt>& installation_quantities();
+/// Lengths of one rope.
+const Quantities<RopeLengths>& length_quantities();
 
 }  // namespace taut::study

@@ -9,7 +9,9 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/math/index.hpp"
+#include "taut/study/deck/bounds.hpp"
 
 namespace taut::study {
 namespace {
@@ -148,6 +150,32 @@ bool go_nearer(CaseSet& set, const Array<int>& chosen, double least, double miss
   return false;
 }
 
+/// The machine with the loads of a case besides its own; complaints at the case.
+std::optional<machine::Model> model_of_case(const machine::Machine& machine, const LoadCaseRequest& request,
+                                            const std::string& path, std::vector<Complaint>& complaints) {
+  machine::Machine loaded = machine;
+  loaded.loads.insert(loaded.loads.end(), request.loads.begin(), request.loads.end());
+  auto model = machine::compile(loaded);
+  if (model) return std::move(*model);
+  for (Complaint& c : model.error()) {
+    for (std::size_t i = 0; i < request.loads.size(); ++i) {
+      const std::string its = fmt::format("loads[{}]", machine.loads.size() + i);
+      if (!c.path.starts_with(its)) continue;
+      complaints.push_back({fmt::format("{}.loads[{}]{}", path, i, c.path.substr(its.size())), c.message});
+    }
+  }
+  return std::nullopt;
+}
+
+/// Guys and lines have been put up; they keep those lengths where they are not chosen.
+void keep_lengths(const LeastTensionRun& run, const machine::Model& installed, machine::Model& model) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    if (i < run.guys_from && !model.reevings[i].put_up) continue;
+    model.reevings[i].given = installed.reevings[i].given;
+    model.reevings[i].value = installed.reevings[i].value;
+  }
+}
+
 }  // namespace
 
 double least_tension_of(const solve::EquilibriumResult& result, int reeving) {
@@ -216,6 +244,84 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
   r.at = std::move(set.results);
   r.models = std::move(set.models);
   return r;
+}
+
+const Description& LoadCaseRequest::describe() {
+  static const Description d =
+      Describe<LoadCaseRequest>()
+          .field(&LoadCaseRequest::name, "name", "of the case, for the tables")
+          .required()
+          .record(&LoadCaseRequest::loads, "loads", "beside those of the machine, after the ropes are up");
+  return d;
+}
+
+const Description& LeastTensionRequest::describe() {
+  static const Description d = Describe<LeastTensionRequest>()
+                                   .field(&LeastTensionRequest::ropes, "ropes", "reevings or guys whose lengths follow")
+                                   .required()
+                                   .field(&LeastTensionRequest::tension, "tension", "s", si::N,
+                                          "that each of them has where and when it is slackest")
+                                   .above(0)
+                                   .at_most(strongest)
+                                   .required()
+                                   .record(&LeastTensionRequest::cases, "cases",
+                                           "loads under which they are to stay taut; without any: as put up");
+  return d;
+}
+
+LeastTensionRun resolve(const LeastTensionRequest& request, const std::string& path, Names& names) {
+  LeastTensionRun run;
+  run.tension = request.tension;
+  run.guys_from = names.machine.reevings.size();
+  if (request.ropes.empty()) names.complaints.push_back({path + ".ropes", "names no rope"});
+  for (std::size_t i = 0; i < request.ropes.size(); ++i) {
+    const std::string its = fmt::format("{}.ropes[{}]", path, i);
+    const int rope = reeving_of(names, request.ropes[i], its);
+    if (rope >= 0 && names.model.reevings[rope].closed) {
+      names.complaints.push_back({its, "an endless rope is tightened by its 'take_up'"});
+    }
+    if (std::find(run.chosen.begin(), run.chosen.end(), rope) != run.chosen.end()) {
+      names.complaints.push_back({its, "is named twice"});
+    }
+    run.chosen.push_back(rope);
+  }
+  if (!names.model.contacts.empty() || !names.model.actuators.empty()) {
+    names.complaints.push_back(
+        {path, "is computed at rest, without contacts and actuators: pull the ropes in turn ('pull')"});
+  }
+  run.cases.emplace_back("as put up");
+  run.models.push_back(names.model);
+  for (std::size_t c = 0; c < request.cases.size(); ++c) {
+    const LoadCaseRequest& one = request.cases[c];
+    const std::string its = fmt::format("{}.cases[{}]", path, c);
+    if (one.loads.empty()) names.complaints.push_back({its, "has no loads"});
+    if (std::find(run.cases.begin(), run.cases.end(), one.name) != run.cases.end()) {
+      names.complaints.push_back({its + ".name", "another case has that name"});
+    }
+    run.cases.push_back(one.name);
+    if (auto model = model_of_case(names.machine, one, its, names.complaints)) run.models.push_back(std::move(*model));
+  }
+  return run;
+}
+
+void solve(const machine::Model& model, LeastTensionRun& run, const std::function<bool()>& go_on) {
+  Array<machine::Model> cases = run.models;
+  cases.front() = model;
+  for (machine::Model& one : cases) keep_lengths(run, model, one);
+  run.answer = least_tension(cases, run.chosen, run.tension, go_on);
+}
+
+const Quantities<LeastTensionRow>& least_tension_quantities() {
+  using Row = LeastTensionRow;
+  static const Quantities<Row> all = {
+      {"rope", "", si::one, "the rope",
+       [](const Row& r) { return r.run.models.front().reevings[r.rope.reeving].name; }},
+      {"unstretched", "L", si::m, "unstretched length", [](const Row& r) { return r.rope.unstretched; }},
+      {"taken_out", "dL", si::m, "rope taken out", [](const Row& r) { return r.rope.taken_out; }},
+      {"T_least", "T_min", si::N, "least tension over all cases", [](const Row& r) { return r.rope.T_least; }},
+      {"governed_by", "", si::one, "the case where that is",
+       [](const Row& r) { return r.run.cases[r.rope.governing]; }}};
+  return all;
 }
 
 }  // namespace taut::study

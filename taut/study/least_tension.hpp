@@ -4,9 +4,26 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/solve/equilibrium.hpp"
+#include "taut/study/deck/names.hpp"
 
 namespace taut::study {
+
+/// Loads that act together after the ropes are up.
+struct LoadCaseRequest {
+  std::string name;
+  std::vector<machine::description::Load> loads;  ///< beside those of the machine
+  static const Description& describe();
+};
+
+/// Ropes just so tight that none of them gets slacker than that in any case.
+struct LeastTensionRequest {
+  std::vector<std::string> ropes;
+  double tension = 0;  ///< N
+  std::vector<LoadCaseRequest> cases;
+  static const Description& describe();
+};
 
 /// A rope whose length was found.
 struct LeastTension {
@@ -37,5 +54,30 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
 
 /// Least tension anywhere in a rope, N.
 double least_tension_of(const solve::EquilibriumResult& result, int reeving);
+
+/// What a deck asks, and the answer.
+struct LeastTensionRun {
+  std::string ending;
+  std::string words;
+  Array<int> chosen;
+  double tension = 0;            ///< N
+  Array<std::string> cases;      ///< their names; the first: as put up
+  Array<machine::Model> models;  ///< by case
+  std::size_t guys_from = 0;     ///< reevings from there on are guys
+  LeastTensionResult answer;
+};
+
+/// The request, a part of another one, with its names resolved; complaints below `path`.
+LeastTensionRun resolve(const LeastTensionRequest& request, const std::string& path, Names& names);
+
+/// Fills `run.answer`. `model`: with guys and lines put up, which keep their lengths where they are not chosen.
+void solve(const machine::Model& model, LeastTensionRun& run, const std::function<bool()>& go_on);
+
+/// A rope whose length was found; least tensions by case besides.
+struct LeastTensionRow {
+  const LeastTensionRun& run;
+  const LeastTension& rope;
+};
+const Quantities<LeastTensionRow>& least_tension_quantities();
 
 }  // namespace taut::study

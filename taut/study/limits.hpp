@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
-#include "taut/study/rope_clearance.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::study {
 

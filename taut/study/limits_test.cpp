@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
 #include "taut/study/payload.hpp"
-#include "taut/study/rope_clearance.hpp"
 #include "test/support/machines.hpp"
 
 namespace limits_test {

@@ -8,6 +8,23 @@
 
 namespace taut::study {
 
+/// Positions of a carriage, `steps` + 1 of them from `from` to `to`.
+struct Way {
+  int carriage = 0;
+  double from = 0, to = 0;  ///< m
+  int steps = 1;
+  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
+  double x(int i) const { return from + (to - from) * i / steps; }
+};
+
+/// Positions first .. last within one span, with the carriage in that span's place of its rope's path. `support`: the
+/// single position lies on it, in no span.
+struct WayPart {
+  machine::Model model;
+  int first = 0, last = 0;
+  const machine::Node* support = nullptr;  ///< of the model that the parts were made of
+};
+
 /// A carriage moved along its line, at equal steps of x.
 struct LoadPathOptions {
   int carriage = 0;

@@ -4,11 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/base/suggest.hpp"
+#include "taut/calc/none.hpp"
+#include "taut/calc/quantity.hpp"
+#include "taut/catalogue/rule.hpp"
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
+#include "taut/study/deck/bounds.hpp"
+#include "taut/study/deck/names.hpp"
+#include "taut/study/deck/watch.hpp"
+#include "taut/study/line/carriage_way.hpp"
 
 namespace taut::study {
 namespace {
@@ -69,6 +78,132 @@ LimitState governing_of(const PayloadSearch& search, const Array<LimitState>& he
     return one.kind == stopped.kind && one.reeving == stopped.reeving && one.node == stopped.node;
   });
   return stopped.fails || same == held.end() ? stopped : *same;
+}
+
+/// Resolves the limits of one name.
+class NamedLimit {
+ public:
+  NamedLimit(const RopeLimitRequest& request, std::string path, Names& p, PayloadRun& run)
+      : request_(request), path_(std::move(path)), p_(p), run_(run) {}
+
+  void resolve() {
+    const auto& reevings = p_.model.reevings;
+    const auto rope =
+        std::find_if(reevings.begin(), reevings.end(), [&](const auto& one) { return one.name == request_.name; });
+    const auto& drums = p_.machine.drums;
+    const bool drum =
+        std::any_of(drums.begin(), drums.end(), [&](const auto& one) { return one.name == request_.name; });
+    if (rope != reevings.end()) {
+      of_rope(static_cast<int>(rope - reevings.begin()));
+    } else if (drum) {
+      of_drum();
+    } else {
+      std::vector<std::string> names;
+      names.reserve(reevings.size() + drums.size());
+      for (const auto& one : reevings) names.push_back(one.name);
+      for (const auto& one : drums) names.push_back(one.name);
+      complain("",
+               fmt::format("there is no rope and no drum '{}'{}", request_.name, did_you_mean(request_.name, names)));
+    }
+  }
+
+ private:
+  void complain(const std::string& key, std::string message) {
+    p_.complaints.push_back({key.empty() ? path_ : path_ + "." + key, std::move(message)});
+  }
+
+  void of_rope(int reeving) {
+    const machine::Reeving& rope = p_.model.reevings[reeving];
+    if (request_.pull) complain("pull", "is a limit of a drum; a rope has 'tension'");
+    if (!request_.tension && !request_.safety_factor && !request_.rule && !request_.clearance) {
+      complain("", "says no limit: give tension, safety_factor, rule or clearance");
+    }
+    if ((request_.safety_factor || request_.rule) && rope.breaking_force <= 0) {
+      complain(request_.safety_factor ? "safety_factor" : "rule",
+               fmt::format("the breaking force of '{}' is not known: give its rope a 'breaking_force'", rope.name));
+      return;
+    }
+    double most = request_.tension.value_or(std::numeric_limits<double>::infinity());
+    if (request_.safety_factor) most = std::min(most, rope.breaking_force / *request_.safety_factor);
+    if (request_.rule) most = by_rule(reeving, most);
+    run_.limits.tension[reeving] = most;
+    if (request_.clearance) run_.limits.rope_clearance[reeving] = *request_.clearance;
+  }
+
+  /// The limit, the rule's own where there is no other.
+  double by_rule(int reeving, double most) {
+    const auto row = catalogue::find_rule(*request_.rule);
+    if (!row) {
+      complain("rule", catalogue::to_text(row.error()));
+      return most;
+    }
+    const auto factor = catalogue::value_of(*row);
+    if (!row->id.starts_with("safety.") || row->unit != "1") {
+      complain("rule", fmt::format("'{}' is not a safety factor; 'taut list rules --name safety' shows them", row->id));
+    } else if (!factor) {
+      complain("rule", fmt::format("{}; give a 'safety_factor' within it", factor.error().message));
+    } else {
+      const auto& table = catalogue::rules();
+      const auto same = std::find_if(table.begin(), table.end(), [&](const auto& one) { return one.id == row->id; });
+      run_.rules.push_back({reeving, *factor, &*same});
+      if (std::isinf(most)) return p_.model.reevings[reeving].breaking_force / *factor;
+    }
+    return most;
+  }
+
+  void of_drum() {
+    if (!request_.pull) complain("", "says no limit: a drum has 'pull'");
+    for (const auto& [given, key] : {std::pair{request_.tension.has_value(), "tension"},
+                                     {request_.safety_factor.has_value(), "safety_factor"},
+                                     {request_.rule.has_value(), "rule"},
+                                     {request_.clearance.has_value(), "clearance"}}) {
+      if (given) complain(key, "is a limit of a rope; a drum has 'pull'");
+    }
+    bool winds = false;
+    for (std::size_t r = 0; r < p_.model.reevings.size(); ++r) {
+      const auto& nodes = p_.model.reevings[r].nodes;
+      for (const bool at_end : {false, true}) {
+        const machine::Node& node = at_end ? nodes.back() : nodes.front();
+        if (node.kind != machine::NodeKind::anchor || node.name != request_.name) continue;
+        winds = true;
+        run_.limits.ends.push_back({static_cast<int>(r), at_end, request_.pull.value_or(1)});
+      }
+    }
+    if (!winds) complain("", fmt::format("no rope is wound on '{}'", request_.name));
+  }
+
+  const RopeLimitRequest& request_;
+  std::string path_;
+  Names& p_;
+  PayloadRun& run_;
+};
+
+void resolve_limits(const LimitsRequest& request, const std::string& path, Names& p, PayloadRun& run) {
+  PayloadLimits& l = run.limits;
+  l.tension.assign(p.model.reevings.size(), std::numeric_limits<double>::infinity());
+  l.rope_clearance.assign(p.model.reevings.size(), -std::numeric_limits<double>::infinity());
+  if (request.clearance) l.clearance = *request.clearance;
+  if (request.break_angle) l.break_angle = *request.break_angle;
+  if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
+  l.lift_off = request.lift_off;
+  l.rope_between = {run.way.along, run.way.from, run.way.to};
+  if (request.rope_clearance && run.way.carriage >= 0) {
+    l.rope_clearance[p.model.carriages[run.way.carriage].reeving] = *request.rope_clearance;
+  }
+  for (const RopeLimitRequest& one : request.named) {
+    NamedLimit(one, fmt::format("{}.{}", path, one.name), p, run).resolve();
+  }
+  const auto needs_ground = [&](bool asked, const std::string& key) {
+    if (asked && p.model.terrain.empty()) {
+      p.complaints.push_back({path + "." + key, "there is no 'terrain' to be clear of"});
+    }
+  };
+  needs_ground(request.clearance.has_value(), "clearance");
+  needs_ground(request.rope_clearance.has_value(), "rope_clearance");
+  for (const RopeLimitRequest& one : request.named) needs_ground(one.clearance.has_value(), one.name + ".clearance");
+  const bool any = !request.named.empty() || request.clearance || request.rope_clearance || request.break_angle ||
+                   request.least_break_angle || request.lift_off;
+  if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 
 }  // namespace
@@ -137,6 +272,138 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
     points.push_back(std::move(point));
   }
   return points;
+}
+
+const Description& RopeLimitRequest::describe() {
+  static const Description d =
+      Describe<RopeLimitRequest>()
+          .field(&RopeLimitRequest::tension, "tension", "T", si::N, "of a rope: its largest tension, anywhere in it")
+          .above(0)
+          .at_most(strongest)
+          .field(&RopeLimitRequest::safety_factor, "safety_factor", "S", si::one,
+                 "of a rope: breaking force over its largest tension, at least")
+          .above(0)
+          .at_most(1000)
+          .field(&RopeLimitRequest::rule, "rule",
+                 "of a rope: id of a safety factor of the catalogue ('taut list rules'); checked, and the limit where "
+                 "no other is given")
+          .field(&RopeLimitRequest::clearance, "clearance", "c", si::m,
+                 "of a rope: its least height over the ground between 'from' and 'to'")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .field(&RopeLimitRequest::pull, "pull", "F", si::N, "of a drum: its largest pull")
+          .above(0)
+          .at_most(strongest);
+  return d;
+}
+
+const Description& LimitsRequest::describe() {
+  static const Description d =
+      Describe<LimitsRequest>()
+          .field(&LimitsRequest::clearance, "clearance", "c", si::m, "least height of the carriage over the ground")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .field(&LimitsRequest::rope_clearance, "rope_clearance", "c", si::m,
+                 "least height over the ground of the rope that it rides on, between 'from' and 'to'")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .field(&LimitsRequest::break_angle, "break_angle", "", si::rad,
+                 "largest angle by which a rope bends over a support")
+          .above(0)
+          .at_most(6.4)
+          .field(&LimitsRequest::least_break_angle, "least_break_angle", "", si::rad,
+                 "smallest angle by which a rope bends over a support: keeps it in its saddle")
+          .at_least(-1.6)
+          .at_most(6.4)
+          .field(&LimitsRequest::lift_off, "lift_off", "true: no rope may pull a support upwards or leave it")
+          .named_records(&LimitsRequest::named, "ropes", "limits of a rope, or of a drum's pull, by its name")
+          .rest();
+  return d;
+}
+
+const Description& PayloadRequest::describe() {
+  static const Description d =
+      Describe<PayloadRequest>()
+          .field(&PayloadRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PayloadRequest::judge, "judge", "false: its states do not count for the verdict")
+          .field(&PayloadRequest::carriage, "carriage", "the carriage that carries the payload")
+          .required()
+          .field(&PayloadRequest::from, "from", "x", si::m, "first place of the carriage")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .required()
+          .field(&PayloadRequest::to, "to", "x", si::m, "last place; the same as 'from' for one place")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .required()
+          .field(&PayloadRequest::steps, "steps", "n", si::one, "equal steps between them")
+          .at_least(1)
+          .at_most(10000)
+          .field(&PayloadRequest::along, "along", "", si::one, "as for a load path")
+          .named_records(&PayloadRequest::motion, "motion", "as for an equilibrium; at rest the band counts")
+          .shorthand("sense")
+          .one_for_all()
+          .field(&PayloadRequest::held, "held", "as for an equilibrium, at every position")
+          .record(&PayloadRequest::limits, "limits", "what must not be exceeded")
+          .required()
+          .field(&PayloadRequest::most, "most", "m", si::kg, "no payload above this is looked for")
+          .above(0)
+          .at_most(heaviest);
+  return d;
+}
+
+PayloadRun resolve(const PayloadRequest& request, const std::string& path, Names& names) {
+  PayloadRun run;
+  run.ending = ending_of(names, "payload", request.name, path);
+  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.words = run.motion.words;
+  run.one_place = request.from == request.to;
+  run.way = way_of(request.carriage, request.along, path, names);
+  run.way.from = request.from;
+  run.way.to = request.to;
+  run.way.steps = run.one_place ? 1 : request.steps;
+  run.limits.most = request.most;
+  run.held = request.held;
+  resolve_limits(request.limits, path + ".limits", names, run);
+  return run;
+}
+
+void solve(const machine::Model& model, PayloadRun& run, Watch& watch) {
+  run.parts = parts_of(model, run.way);
+  for (const WayPart& part : run.parts) {
+    if (watch.ended()) break;
+    if (part.support != nullptr) {
+      PayloadPosition& on = run.positions.emplace_back();
+      on.model = &part.model;
+      on.support = part.support->name;
+      on.point.x = run.way.x(part.first);
+      continue;
+    }
+    LoadPathOptions options = path_over(run.way, part);
+    options.equilibrium = run.motion.options(part.model);
+    options.equilibrium.held = run.held;
+    options.go_on = [&](double x) { return watch.go_on_at(x); };
+    auto points = payload_path(part.model, run.limits, options);
+    if (part.last == part.first && points.size() > 1) points.resize(1);
+    const int body = part.model.carriages[run.way.carriage].body;
+    for (PayloadPoint& point : points) {
+      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at);
+      run.positions.push_back({&part.model, std::move(point), std::move(states), {}});
+    }
+  }
+  if (run.one_place && run.positions.size() > 1) run.positions.resize(1);
+}
+
+const Quantities<PayloadPosition>& payload_quantities() {
+  using Row = PayloadPosition;
+  static const Quantities<Row> all = {
+      {"payload", "m", si::kg, "largest mass that may be added to the carriage",
+       [](const Row& p) { return p.answered() ? p.point.payload.mass : none; }},
+      {"governing", "", si::one, "the limit that is reached first, or why there is no answer", [](const Row& p) {
+         if (!p.support.empty()) return fmt::format("on '{}'", p.support);
+         return p.answered() ? p.point.payload.governing : p.point.payload.outcome.message;
+       }}};
+  return all;
 }
 
 }  // namespace taut::study

@@ -3,10 +3,59 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/study/deck/rope_motion.hpp"
 #include "taut/study/limits.hpp"
 #include "taut/study/load_path.hpp"
 
+namespace taut {
+template <class Row>
+struct Quantity;
+}
+namespace taut::catalogue {
+struct RuleRow;
+}
+
 namespace taut::study {
+
+class Watch;
+struct Names;
+
+/// Limits of one rope, or of the pull of one drum, by its name.
+struct RopeLimitRequest {
+  std::string name;
+  std::optional<double> tension;        ///< N
+  std::optional<double> safety_factor;  ///< breaking force over tension
+  std::optional<std::string> rule;      ///< id of a rule of the catalogue, a safety factor
+  std::optional<double> clearance;      ///< of the rope over the ground, m
+  std::optional<double> pull;           ///< of a drum, N
+  static const Description& describe();
+};
+
+struct LimitsRequest {
+  std::vector<RopeLimitRequest> named;
+  std::optional<double> clearance;       ///< of the carriage over the ground, m
+  std::optional<double> rope_clearance;  ///< of the rope that it rides on, m
+  std::optional<double> break_angle;     ///< rad
+  std::optional<double> least_break_angle;
+  bool lift_off = false;
+  static const Description& describe();
+};
+
+/// The largest load within all limits, as a deck asks for it.
+struct PayloadRequest {
+  std::optional<std::string> name;
+  std::string carriage;
+  double from = 0;
+  double to = 0;
+  int steps = 48;
+  std::vector<double> along = {1, 0};  ///< direction of from and to
+  std::vector<MotionRequest> motion;
+  LimitsRequest limits;
+  double most = 100e3;  ///< kg
+  bool judge = true;    ///< false: its states do not count for the verdict
+  bool held = false;    ///< whatever holds the carriage
+  static const Description& describe();
+};
 
 /// The largest payload at one place.
 struct Payload {
@@ -34,5 +83,46 @@ struct PayloadPoint {
 };
 Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
                                  const LoadPathOptions& options);
+
+/// A rule of the catalogue, a safety factor, that a rope is checked by.
+struct PayloadRule {
+  int reeving = 0;
+  double factor = 1;
+  const catalogue::RuleRow* row = nullptr;
+};
+
+/// One place of the carriage.
+struct PayloadPosition {
+  const machine::Model* model = nullptr;  ///< of PayloadRun::parts
+  PayloadPoint point;
+  Array<LimitState> states;  ///< of all limits with the payload
+  std::string support;       ///< on which it lies, in no span; else empty
+
+  /// Whether it has an equilibrium; where a limit is exceeded even without payload, that is 0.
+  bool answered() const { return support.empty() && point.payload.at.outcome.ok(); }
+};
+
+/// What a deck asks, and the answer place by place.
+struct PayloadRun {
+  std::string ending;
+  std::string words;
+  RopeMotion motion;
+  Way way;
+  bool one_place = false;
+  bool held = false;
+  PayloadLimits limits;
+  std::vector<PayloadRule> rules;
+  Array<WayPart> parts;
+  Array<PayloadPosition> positions;
+};
+
+/// The request with its names resolved; complaints below `path`.
+PayloadRun resolve(const PayloadRequest& request, const std::string& path, Names& names);
+
+/// Fills `run.parts` and `run.positions`; fewer where the watch ends it.
+void solve(const machine::Model& model, PayloadRun& run, Watch& watch);
+
+/// What a place has besides the state of its machine (load_path.hpp).
+const std::vector<Quantity<PayloadPosition>>& payload_quantities();
 
 }  // namespace taut::study

@@ -8,6 +8,11 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/links/links.hpp"
+#include "taut/machine/links/observable.hpp"
+#include "taut/study/deck/bounds.hpp"
+#include "taut/study/deck/motion_checks.hpp"
+#include "taut/units/parse.hpp"
 
 namespace taut::study {
 namespace {
@@ -263,6 +268,48 @@ PretensionResult pull_slowly(const machine::Model& given, const Array<Pull>& pul
   return r;
 }
 
+/// What a pull waits for, with the way that it is to move.
+void resolve_until(const PullRequest& request, const std::string& path, Names& p, Pull& pull) {
+  if (!request.until) {
+    if (request.moves) p.complaints.push_back({path + ".moves", "belongs to 'until'"});
+    return;
+  }
+  if (!request.moves) {
+    p.complaints.push_back({path, "'until' needs 'moves': by how much"});
+    return;
+  }
+  std::vector<Complaint> reported_before;
+  const machine::Links links(p.machine, reported_before);
+  const auto until = machine::observable(*request.until, p.model, links, path + ".until", p.complaints);
+  if (!until) return;
+  const auto moves = parse_quantity(*request.moves, until->unit);
+  if (!moves) {
+    p.complaints.push_back({path + ".moves", moves.error().message});
+  } else if (!(*moves > 0)) {
+    p.complaints.push_back({path + ".moves", "must be above 0"});
+  } else {
+    pull.until = until;
+    pull.moves = *moves;
+  }
+}
+
+Pull resolved_pull(const PullRequest& request, const std::string& path, Names& p) {
+  Pull pull;
+  pull.reeving = reeving_of(p, request.rope, path + ".rope");
+  pull.at_end = request.end == RopeEnd::end;
+  pull.force = request.force;
+  pull.take_up = request.take_up;
+  resolve_until(request, path, p, pull);
+  if (pull.reeving < 0) return pull;
+  const machine::Reeving& rope = p.model.reevings[pull.reeving];
+  if (rope.closed) {
+    p.complaints.push_back({path + ".rope", "an endless rope has no end to be pulled at: tighten it by 'take_up'"});
+  } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum >= 0) {
+    p.complaints.push_back({path + ".rope", "is on a drum at that end, which pulls it: name the other end"});
+  }
+  return pull;
+}
+
 }  // namespace
 
 bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls) {
@@ -276,6 +323,95 @@ PretensionResult pretension(const machine::Model& model, const Array<Pull>& pull
     expects(!one.until || one.moves > 0, "what begins to move moves by something");
   }
   return pulled_slowly(model, pulls) ? pull_slowly(model, pulls, options) : pull_at_rest(model, pulls, options);
+}
+
+const Description& PullRequest::describe() {
+  static const Description d =
+      Describe<PullRequest>()
+          .field(&PullRequest::rope, "rope", "the rope that is pulled: a reeving or a guy")
+          .required()
+          .choice(&PullRequest::end, "end", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
+                  "the end of its path with the tensioner")
+          .field(&PullRequest::force, "force", "F", si::N, "until its tension there is so much")
+          .above(0)
+          .at_most(strongest)
+          .field(&PullRequest::take_up, "take_up", "dL", si::m,
+                 "until so much unstretched rope is taken out; below 0 it is let in")
+          .at_least(-longest_pull)
+          .at_most(longest_pull)
+          .field(&PullRequest::until, "until", "until this begins to move: a path as in 'observe', or a measure")
+          .exactly_one({"force", "take_up", "until"})
+          .field(&PullRequest::moves, "moves", "of 'until': by so much, either way, with its unit");
+  return d;
+}
+
+const Description& PretensionRequest::describe() {
+  static const Description d =
+      Describe<PretensionRequest>()
+          .field(&PretensionRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PretensionRequest::judge, "judge", "false: its states do not count for the verdict")
+          .record(&PretensionRequest::pull, "pull", "ropes pulled tight, one after the other")
+          .record(&PretensionRequest::least, "least", "lengths of ropes for which none gets too slack under any loads")
+          .exactly_one({"pull", "least"})
+          .field(&PretensionRequest::rounds, "rounds", "n", si::one, "so often, always from the first on")
+          .at_least(1)
+          .at_most(1000)
+          .field(&PretensionRequest::longest, "longest", "dL", si::m, "a pull that takes out more finds no end")
+          .above(0)
+          .at_most(longest_pull)
+          .field(&PretensionRequest::tolerance, "tolerance", "", si::one,
+                 "of tensions by the largest of the rope, of places by the machine's size")
+          .at_least(1e-13)
+          .at_most(1e-3)
+          .choice(&PretensionRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
+                  "of a machine with contacts or cylinders: settled: from the equilibrium at rest; assembled: from "
+                  "places and lengths as described, where friction holds what it can");
+  return d;
+}
+
+PretensionRun resolve(const PretensionRequest& request, const std::string& path, Names& names) {
+  PretensionRun run;
+  run.ending = ending_of(names, "pretension", request.name, path);
+  if (request.name) run.words = fmt::format("pretension, {}", *request.name);
+  run.rounds = request.rounds;
+  run.options.longest = request.longest;
+  run.options.tolerance = request.tolerance;
+  const bool settled = request.start == PretensionRequest::Start::settled;
+  run.options.start = settled ? solve::Start::settled : solve::Start::assembled;
+  run.observes = !names.machine.observe.empty();
+  for (std::size_t i = 0; i < request.pull.size(); ++i) {
+    run.pulls.push_back(resolved_pull(request.pull[i], fmt::format("{}.pull[{}]", path, i), names));
+  }
+  if (request.pull.empty()) names.complaints.push_back({path + ".pull", "names no rope"});
+  if (pulled_slowly(names.model, run.pulls)) {
+    if (!names.machine.beams.empty()) {
+      names.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});
+    } else {
+      check_inertia(names.machine, names.model, names.complaints);
+      check_masses(names.machine, names.model, true, names.complaints);
+    }
+  }
+  return run;
+}
+
+void solve(const machine::Model& model, PretensionRun& run,
+           const std::function<bool(std::size_t, std::size_t)>& go_on) {
+  Array<Pull> pulls;
+  for (int i = 0; i < run.rounds; ++i) pulls.insert(pulls.end(), run.pulls.begin(), run.pulls.end());
+  PretensionOptions options = run.options;
+  options.progress = [&](std::size_t i) { return go_on(i, pulls.size()); };
+  run.answer = pretension(model, pulls, options);
+}
+
+const Quantities<PullRow>& pull_quantities() {
+  using Row = PullRow;
+  static const Quantities<Row> all = {
+      {"step", "", si::one, "number of the pull; 0: before any of them", &Row::step},
+      {"pulled", "", si::one, "the rope that is pulled", &Row::pulled},
+      {"taken_out", "dL", si::m, "unstretched rope taken out by this pull", [](const Row& r) { return r.end.taken; }},
+      {"taken_out_in_all", "", si::m, "by all pulls of this rope so far",
+       [](const Row& r) { return r.end.taken_in_all; }}};
+  return all;
 }
 
 }  // namespace taut::study

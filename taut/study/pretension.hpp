@@ -5,10 +5,39 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
+#include "taut/study/deck/given.hpp"
+#include "taut/study/deck/names.hpp"
+#include "taut/study/least_tension.hpp"
 
 namespace taut::study {
+
+/// One rope tightened at one of its ends until something is reached.
+struct PullRequest {
+  std::string rope;
+  RopeEnd end = RopeEnd::start;
+  std::optional<double> force;       ///< N
+  std::optional<double> take_up;     ///< m
+  std::optional<std::string> until;  ///< a path as in `observe`, or a measure, that has moved ...
+  std::optional<std::string> moves;  ///< ... by so much, with its unit
+  static const Description& describe();
+};
+
+/// Ropes pulled tight in turn, or as little as keeps them taut.
+struct PretensionRequest {
+  enum class Start { settled, assembled };
+  std::optional<std::string> name;  ///< ending of its tables' names
+  std::vector<PullRequest> pull;    ///< in this order
+  std::optional<LeastTensionRequest> least;
+  int rounds = 1;        ///< and again from the first
+  double longest = 0.5;  ///< m
+  double tolerance = 1e-9;
+  Start start = Start::settled;
+  bool judge = true;  ///< false: its states do not count for the verdict
+  static const Description& describe();
+};
 
 /// One rope tightened at one of its ends: unstretched rope is taken out there (let out, where it is too tight already)
 /// until one of these is reached.
@@ -60,5 +89,30 @@ bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls);
 /// still, and no events happen. docs/theory/dynamics.md.
 PretensionResult pretension(const machine::Model& model, const Array<Pull>& pulls,
                             const PretensionOptions& options = {});
+
+/// What a deck asks, and the answer.
+struct PretensionRun {
+  std::string ending;
+  std::string words = "pretension";  ///< "pretension, second round"
+  int rounds = 1;                    ///< of all pulls
+  PretensionOptions options;
+  Array<Pull> pulls;      ///< of one round
+  bool observes = false;  ///< the deck names what it observes
+  PretensionResult answer;
+};
+
+/// The request, of pulls, with its names resolved; complaints below `path`.
+PretensionRun resolve(const PretensionRequest& request, const std::string& path, Names& names);
+
+/// Fills `run.answer`. `go_on`: is asked before each pull with its number, from 0, and how many there are.
+void solve(const machine::Model& model, PretensionRun& run, const std::function<bool(std::size_t, std::size_t)>& go_on);
+
+/// A pull as it ends; 0: before any of them. Tensions and what is observed besides.
+struct PullRow {
+  double step = 0;
+  std::string pulled;  ///< the rope
+  const PullEnd& end;
+};
+const Quantities<PullRow>& pull_quantities();
 
 }  // namespace taut::study

@@ -1,6 +1,7 @@
 #include "taut/study/put_up.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "taut/base/array.hpp"
 
@@ -38,6 +39,54 @@ Array<PutUpLine> put_up(machine::Model& model) {
     rope.given = machine::Given::length;
     rope.value = one.at.unstretched;
   }
+  return all;
+}
+
+Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
+  lines = put_up(model);
+  return lines.empty() ? Outcome{} : lines.back().at.outcome;
+}
+
+Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
+  const std::size_t first = machine.reevings.size();
+  machine::Model bare;
+  bare.gravity = model.gravity;
+  bare.bodies = model.bodies;
+  for (machine::Body& body : bare.bodies) body.free.clear();
+  bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
+  if (bare.reevings.empty()) return {};
+  solve::EquilibriumOptions options;
+  options.band = false;
+  const auto result = solve::equilibrium(bare, options);
+  if (!result.outcome.ok()) {
+    return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
+  }
+  const machine::Model done = solve::installed(bare, result);
+  std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
+  return {};
+}
+
+std::string put_up_words(const machine::Model& model, const PutUpLine& line) {
+  const machine::Reeving& rope = model.reevings[line.reeving];
+  std::vector<std::string> with;
+  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[body].name);
+  return with.empty() ? fmt::format("{} as put up, empty", rope.name)
+                      : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
+}
+
+const Quantities<PutUpRow>& put_up_quantities() {
+  using Row = PutUpRow;
+  const auto at = [](double Installation::*of) { return [of](const Row& r) { return r.line.at.*of; }; };
+  static const Quantities<Row> all = {
+      {"rope", "", si::one, "the rope", [](const Row& r) { return r.model.reevings[r.line.reeving].name; }},
+      {"state", "", si::one, "empty, or with what it is put up with",
+       [](const Row& r) { return put_up_words(r.model, r.line); }},
+      {"T_start", "T_start", si::N, "tension at its start", at(&Installation::T_start)},
+      {"T_end", "T_end", si::N, "tension at its end", at(&Installation::T_end)},
+      {"H", "H", si::N, "horizontal part in the first span", at(&Installation::H)},
+      {"unstretched", "L", si::m, "unstretched length at the reference temperature", at(&Installation::unstretched)},
+      {"installed", "", si::m, "the same at the temperature: as cut", at(&Installation::cut)},
+      {"stretched", "l", si::m, "length under its tension", at(&Installation::stretched)}};
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/description/machine.hpp"
 #include "taut/study/installation.hpp"
 
 namespace taut::study {
@@ -19,5 +20,21 @@ struct PutUpLine {
 /// and without those to come; what hangs on it is not there but for what it is put up with. Its length is kept from
 /// there on: `model` has it. Ends with the first that fails.
 Array<PutUpLine> put_up(machine::Model& model);
+
+/// The same; not ok: why one can't be put up.
+Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines);
+
+/// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
+/// then keeps its length.
+Outcome install_guys(const machine::Machine& machine, machine::Model& model);
+
+/// The state of a line as it is put up: "skyline as put up", or with what hangs on it meanwhile.
+std::string put_up_words(const machine::Model& model, const PutUpLine& line);
+
+struct PutUpRow {
+  const machine::Model& model;
+  const PutUpLine& line;
+};
+const Quantities<PutUpRow>& put_up_quantities();
 
 }  // namespace taut::study

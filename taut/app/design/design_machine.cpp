@@ -152,6 +152,7 @@ MachineDeck at_places(const MachineDeck& deck, const std::map<std::size_t, doubl
     study::LoadPathRequest& one = *probe.analyses[i].load_path;
     one.from = one.to = x;
     one.steps = 1;
+    one.one_place = true;
   }
   std::erase_if(probe.analyses, [](const study::AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
   return probe;

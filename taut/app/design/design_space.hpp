@@ -8,7 +8,7 @@
 #include "taut/checks/mast/mast_checks_deck.hpp"
 #include "taut/design/design.hpp"
 #include "taut/io/deck/node.hpp"
-#include "taut/study/parameter.hpp"
+#include "taut/study/deck/parameter.hpp"
 
 namespace taut::app {
 

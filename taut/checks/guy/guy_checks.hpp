@@ -8,7 +8,7 @@
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/guy/guy_checks_deck.hpp"
-#include "taut/study/rope_clearance.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 /// `checks: guys:`, `anchors:`, `lines:` of a machine.
 namespace taut::checks {

@@ -5,7 +5,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
-#include "taut/study/rope_clearance.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::checks {
 namespace {

@@ -2,105 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
-#include "taut/results/analyses/machine_analysis.hpp"
-#include "taut/results/missing.hpp"
-#include "taut/study/installation.hpp"
-#include "taut/study/temperature.hpp"
+#include "taut/results/analyses/analyses.hpp"
+#include "taut/study/deck/missing.hpp"
+#include "taut/study/deck/temperature.hpp"
 
 namespace taut::results {
 namespace {
 
-using Kind = solve::Condition::Kind;
-
-struct InstallationRun {
-  std::string ending;
-  std::string words;
-  int reeving = 0;
-  std::vector<double> temperatures;  ///< K; empty: the machine's, whatever it is
-  std::optional<study::InstallationGivenRequest> given;
-  const machine::Machine* machine = nullptr;
-};
-
-/// One row of the table.
-struct Row {
-  double temperature = none;
-  study::Installation at;
-};
-
-/// The free span with the longest chord: sags refer to it when the deck names none.
-int longest_span(const study::EmptyLine& line) {
-  const machine::State state = machine::initial_state(line.model);
-  const auto& nodes = line.model.reevings[line.reeving].nodes;
-  int longest = 0;
-  double most = -1;
-  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-    const double chord = (machine::in_ground(state, nodes[k + 1].at) - machine::in_ground(state, nodes[k].at)).norm();
-    if (chord <= most) continue;
-    most = chord;
-    longest = static_cast<int>(k);
-  }
-  return longest;
-}
-
-/// What the machine itself has given of the rope.
-solve::Condition own_condition(const machine::Reeving& rope) {
-  switch (rope.given) {
-    case machine::Given::tension_at_start:
-      return {Kind::tension_at_start, 0, rope.value, 0};
-    case machine::Given::tension_at_end:
-      return {Kind::tension_at_end, 0, rope.value, 0};
-    case machine::Given::length:
-    case machine::Given::torque:
-      break;
-  }
-  return {Kind::length, 0, rope.value, 0};
-}
-
-solve::Condition condition_of(const InstallationRun& run, const study::EmptyLine& line) {
-  if (!run.given) return own_condition(line.model.reevings[line.reeving]);
-  const study::InstallationGivenRequest& g = *run.given;
-  if (g.tension) return {g.at == study::RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
-  if (g.length) return {Kind::length, 0, *g.length, 0};
-  return {Kind::sag_of_span, 0, *g.sag, g.span ? *g.span - 1 : longest_span(line)};
-}
-
-std::vector<Row> solve(const machine::Model& model, const InstallationRun& run) {
-  const auto line_at = [&](double temperature) {
-    machine::Model warm = model;
-    if (!std::isnan(temperature)) study::set_temperature(warm, *run.machine, temperature);
-    return study::empty_line(warm, run.reeving);
-  };
-  std::vector<double> temperatures = run.temperatures;
-  if (temperatures.empty()) temperatures.push_back(run.machine->temperature.value_or(none));
-  study::EmptyLine first = line_at(temperatures.front());
-  std::vector<Row> rows;
-  if (!first.outcome.ok()) {
-    rows.emplace_back().at.outcome = first.outcome;
-    return rows;
-  }
-  solve::Condition condition = condition_of(run, first);
-  std::optional<machine::State> near;
-  if (run.given && run.given->temperature) {
-    const auto there = study::installation(line_at(*run.given->temperature), condition);
-    if (!there.outcome.ok()) {
-      rows.emplace_back(Row{*run.given->temperature, there});
-      return rows;
-    }
-    condition = {Kind::length, 0, there.unstretched, 0};
-    near = there.at.result.state;
-  }
-  for (const double temperature : temperatures) {
-    Row& row = rows.emplace_back();
-    row.temperature = temperature;
-    row.at = study::installation(line_at(temperature), condition, near);
-    if (row.at.outcome.ok()) near = row.at.at.result.state;
-  }
-  return rows;
-}
+using study::InstallationRun;
+using Row = study::InstallationAt;
 
 std::string words_of(const Row& row, const InstallationRun& run) {
   return std::isnan(row.temperature)
@@ -109,22 +22,16 @@ std::string words_of(const Row& row, const InstallationRun& run) {
 }
 
 /// "sag_1" and so on, with the span's ends in the title.
-Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const study::Installation& any) {
-  const auto& result = any.at.result;
-  const auto reeving = std::find_if(any.at.model.reevings.begin(), any.at.model.reevings.end(),
+Table installation_table(const InstallationRun& run, const study::Installation& any) {
+  const machine::Model& m = any.at.model;
+  const auto reeving = std::find_if(m.reevings.begin(), m.reevings.end(),
                                     [&](const machine::Reeving& r) { return r.name == run.words; });
-  const auto index = static_cast<int>(reeving - any.at.model.reevings.begin());
+  const auto index = static_cast<int>(reeving - m.reevings.begin());
   Table t{"installation" + run.ending, "", {}, {}};
-  t.columns = {{"temperature", si::K.in("degC")},
-               {"T_start", si::N},
-               {"T_end", si::N},
-               {"H", si::N},
-               {"unstretched", si::m},
-               {"installed", si::m},
-               {"stretched", si::m}};
+  add_columns(t.columns, study::installation_quantities());
   std::string spans;
   int n = 0;
-  for (const auto& s : result.spans) {
+  for (const auto& s : any.at.result.spans) {
     if (s.reeving != index) continue;
     t.columns.push_back({fmt::format("sag_{}", ++n), si::m});
     spans +=
@@ -134,15 +41,11 @@ Table table_of(const InstallationRun& run, const std::vector<Row>& rows, const s
       "Installation of {}, empty; lengths: at the reference temperature, as cut at this one, under "
       "load; sags at half of span {}",
       run.words, spans);
-  for (const Row& row : rows) {
-    std::vector<Cell> cells = {row.temperature};
-    if (row.at.outcome.ok()) {
-      cells.insert(cells.end(),
-                   {row.at.T_start, row.at.T_end, row.at.H, row.at.unstretched, row.at.cut, row.at.stretched});
-      for (const double sag : row.at.sag) cells.emplace_back(sag);
-    }
+  for (const Row& row : run.rows) {
+    std::vector<Cell>& cells = t.rows.emplace_back();
+    add_cells(cells, study::installation_quantities(), row);
+    if (row.at.outcome.ok()) cells.insert(cells.end(), row.at.sag.begin(), row.at.sag.end());
     cells.resize(t.columns.size(), none);
-    t.rows.push_back(std::move(cells));
   }
   return t;
 }
@@ -163,34 +66,48 @@ double on_drums(const machine::Machine& machine, const std::string& rope, double
   return reeving->length ? content + *reeving->length - unstretched : none;
 }
 
+/// One rope of the state in which the table's first row is.
+struct LengthsRow {
+  const InstallationRun& run;
+  const machine::Reeving& rope;
+  study::RopeLengths lengths;
+};
+
+const Quantities<LengthsRow>& lengths_of_ropes() {
+  static const Quantities<LengthsRow> all = [] {
+    Quantities<LengthsRow> quantities = {
+        {"rope", "", si::one, "the rope", [](const LengthsRow& r) { return r.rope.name; }}};
+    for (const auto& q : study::length_quantities()) {
+      quantities.push_back({q.about.name, q.about.symbol, q.about.unit, q.about.words,
+                            [of = q.of](const LengthsRow& r) { return of(r.lengths); }});
+    }
+    quantities.push_back({"copies", "n", si::one, "ropes side by side, each of these lengths",
+                          [](const LengthsRow& r) { return static_cast<double>(r.rope.copies); }});
+    quantities.push_back(
+        {"on_drums", "", si::m, "unstretched rope on its drums, where the deck has a length_on_drum",
+         [](const LengthsRow& r) { return on_drums(*r.run.machine, r.rope.name, r.lengths.unstretched); }});
+    return quantities;
+  }();
+  return all;
+}
+
 /// All ropes of the state in which the table's first row is, by their lengths.
 Table lengths_table(const InstallationRun& run, const Row& row) {
-  Table t{"lengths" + run.ending,
-          fmt::format("Lengths of all ropes that are up ({}): at the reference temperature, as cut, under load, and of "
-                      "that between and on sheaves; unstretched on drums",
-                      words_of(row, run)),
-          {{"rope", si::one},
-           {"unstretched", si::m},
-           {"installed", si::m},
-           {"stretched", si::m},
-           {"free", si::m},
-           {"on_sheaves", si::m},
-           {"copies", si::one},
-           {"on_drums", si::m}},
-          {}};
   const machine::Model& m = row.at.at.model;
+  std::vector<LengthsRow> rows;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-    const auto l = study::lengths_of(m, row.at.at.result, static_cast<int>(i));
-    t.rows.push_back({m.reevings[i].name, l.unstretched, l.cut, l.stretched, l.free, l.on_sheaves,
-                      static_cast<double>(m.reevings[i].copies),
-                      on_drums(*run.machine, m.reevings[i].name, l.unstretched)});
+    rows.push_back({run, m.reevings[i], study::lengths_of(m, row.at.at.result, static_cast<int>(i))});
   }
-  return t;
+  return make_table("lengths" + run.ending,
+                    fmt::format("Lengths of all ropes that are up ({}): at the reference temperature, as cut, under "
+                                "load, and of that between and on sheaves; unstretched on drums",
+                                words_of(row, run)),
+                    lengths_of_ropes(), rows);
 }
 
 template <class Of>
-Plot plot_of(const InstallationRun& run, const std::vector<Row>& rows, const std::string& name, std::string title,
-             const Axis& y, const std::vector<std::pair<std::string, Of>>& curves) {
+Plot plot_of(const InstallationRun& run, const std::string& name, std::string title, const Axis& y,
+             const std::vector<std::pair<std::string, Of>>& curves) {
   Plot p;
   p.name = name + run.ending;
   p.title = std::move(title);
@@ -199,7 +116,7 @@ Plot plot_of(const InstallationRun& run, const std::vector<Row>& rows, const std
   for (const auto& [label, of] : curves) {
     Curve c;
     c.label = label;
-    for (const Row& row : rows) {
+    for (const Row& row : run.rows) {
       c.x.push_back(row.temperature);
       c.y.push_back(row.at.outcome.ok() ? of(row.at) : none);
     }
@@ -208,9 +125,9 @@ Plot plot_of(const InstallationRun& run, const std::vector<Row>& rows, const std
   return p;
 }
 
-void add_plots(const InstallationRun& run, const std::vector<Row>& rows, std::size_t spans, Result& r) {
+void add_plots(const InstallationRun& run, std::size_t spans, Result& r) {
   using Of = std::function<double(const study::Installation&)>;
-  r.figures.emplace_back(plot_of<Of>(run, rows, "installation_tension", fmt::format("Tension of {}, empty", run.words),
+  r.figures.emplace_back(plot_of<Of>(run, "installation_tension", fmt::format("Tension of {}, empty", run.words),
                                      {"tension", si::N},
                                      {{"at its start", [](const auto& i) { return i.T_start; }},
                                       {"at its end", [](const auto& i) { return i.T_end; }}}));
@@ -219,27 +136,26 @@ void add_plots(const InstallationRun& run, const std::vector<Row>& rows, std::si
   for (std::size_t k = 0; k < spans; ++k) {
     sags.emplace_back(fmt::format("span {}", k + 1), [k](const auto& i) { return i.sag[k]; });
   }
-  r.figures.emplace_back(plot_of<Of>(run, rows, "installation_sag",
-                                     fmt::format("Sag of {} at half its spans, empty", run.words), {"sag", si::m},
-                                     sags));
+  r.figures.emplace_back(plot_of<Of>(
+      run, "installation_sag", fmt::format("Sag of {} at half its spans, empty", run.words), {"sag", si::m}, sags));
   const auto ok = [](const Row& row) { return row.at.outcome.ok(); };
-  const auto first = std::find_if(rows.begin(), rows.end(), ok);
-  const bool same = std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+  const auto first = std::find_if(run.rows.begin(), run.rows.end(), ok);
+  const bool same = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
     return !ok(row) || std::abs(row.at.unstretched - first->at.unstretched) < 1e-9 * first->at.unstretched;
   });
   if (same) return;
-  r.figures.emplace_back(plot_of<Of>(
-      run, rows, "installation_length", fmt::format("Length of {} to be installed", run.words), {"length", si::m},
-      {{"unstretched, at the reference temperature", [](const auto& i) { return i.unstretched; }},
-       {"as cut at this temperature", [](const auto& i) { return i.cut; }}}));
+  r.figures.emplace_back(
+      plot_of<Of>(run, "installation_length", fmt::format("Length of {} to be installed", run.words), {"length", si::m},
+                  {{"unstretched, at the reference temperature", [](const auto& i) { return i.unstretched; }},
+                   {"as cut at this temperature", [](const auto& i) { return i.cut; }}}));
 }
 
-void add_results(const InstallationRun& run, const std::vector<Row>& rows, bool judged, Result& r) {
-  Missing missing;
-  for (const Row& row : rows) missing.take(row.at.outcome, words_of(row, run));
+void add_results(const InstallationRun& run, bool judged, Result& r) {
+  study::Missing missing;
+  for (const Row& row : run.rows) missing.take(row.at.outcome, words_of(row, run));
   missing.note(r, "installation" + run.ending, judged);
-  const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.at.outcome.ok(); });
-  if (first == rows.end()) return;
+  const auto first = std::find_if(run.rows.begin(), run.rows.end(), [](const Row& row) { return row.at.outcome.ok(); });
+  if (first == run.rows.end()) return;
   const auto value = [&](const char* name, double v, const Unit& unit, const char* words) {
     r.values.push_back({fmt::format("{}.{}{}", run.words, name, run.ending),
                         v,
@@ -251,65 +167,21 @@ void add_results(const InstallationRun& run, const std::vector<Row>& rows, bool 
   value("install_T_start", first->at.T_start, si::N, "tension at its start");
   value("install_T_end", first->at.T_end, si::N, "tension at its end");
   value("install_length", first->at.cut, si::m, "length as cut");
-  r.tables.push_back(table_of(run, rows, first->at));
+  r.tables.push_back(installation_table(run, first->at));
   r.tables.push_back(lengths_table(run, *first));
-  if (rows.size() > 1) add_plots(run, rows, first->at.sag.size(), r);
-}
-
-void resolve_temperatures(const study::InstallationRequest& request, const std::string& path, Preparation& p,
-                          InstallationRun& run) {
-  run.temperatures = request.temperatures;
-  if (request.from.has_value() != request.to.has_value() || (request.steps && !request.from)) {
-    p.complaints.push_back({path, "'from' and 'to' belong together, with or without 'steps'"});
-  } else if (request.from && !request.temperatures.empty()) {
-    p.complaints.push_back({path + ".from", "give either 'temperatures' or 'from' and 'to'"});
-  } else if (request.from) {
-    const int steps = request.steps.value_or(10);
-    for (int i = 0; i <= steps; ++i) {
-      run.temperatures.push_back(*request.from + (*request.to - *request.from) * i / steps);
-    }
-  }
-  const std::string key = request.from ? ".from" : ".temperatures";
-  if (!run.temperatures.empty()) study::require_references(p.machine, path + key, p.complaints);
-  if (request.given && request.given->temperature) {
-    study::require_references(p.machine, path + ".given.temperature", p.complaints);
-  }
+  if (run.rows.size() > 1) add_plots(run, first->at.sag.size(), r);
 }
 
 }  // namespace
 
-Analysis prepare_installation(const study::InstallationRequest& request, const std::string& path, Preparation& p) {
-  const auto run = std::make_shared<InstallationRun>();
-  run->ending = ending_of(p, "installation", request.name, path);
-  run->words = request.reeving;
-  run->reeving = reeving_of(p, request.reeving, path + ".reeving");
-  run->given = request.given;
-  run->machine = &p.machine;
-  resolve_temperatures(request, path, p, *run);
-  if (run->reeving < 0) return {};
-  const study::EmptyLine line = study::empty_line(p.model, run->reeving);
-  if (!line.outcome.ok()) p.complaints.push_back({path + ".reeving", line.outcome.message});
-  if (p.model.reevings[run->reeving].closed && request.given && !request.given->length) {
-    p.complaints.push_back({path + ".given", "an endless rope is given by its 'length'"});
+void add_answer(const InstallationRun& asked, MachineRun& machine, Result& r) {
+  InstallationRun run = asked;
+  study::solve(machine.model, run);
+  add_results(run, machine.checked->judged, r);
+  for (const Row& row : run.rows) {
+    if (!row.at.outcome.ok()) continue;
+    machine.checked->take_empty(row.at.at.model, row.at.at.result, run.words, words_of(row, run));
   }
-  if (p.model.reevings[run->reeving].given == machine::Given::torque && !request.given) {
-    p.complaints.push_back({path, "the rope is given by a torque: say what is given when it is put up"});
-  }
-  if (request.given && request.given->span) {
-    const auto spans = line.model.reevings[line.reeving].nodes.size() - 1;
-    if (!request.given->sag) p.complaints.push_back({path + ".given.span", "belongs to a 'sag'"});
-    if (line.outcome.ok() && static_cast<std::size_t>(*request.given->span) > spans) {
-      p.complaints.push_back({path + ".given.span", fmt::format("the empty rope has {} free spans", spans)});
-    }
-  }
-  return [run](MachineRun& machine, Result& r) {
-    const std::vector<Row> rows = solve(machine.model, *run);
-    add_results(*run, rows, machine.checked->judged, r);
-    for (const Row& row : rows) {
-      if (!row.at.outcome.ok()) continue;
-      machine.checked->take_empty(row.at.at.model, row.at.at.result, run->words, words_of(row, *run));
-    }
-  };
 }
 
 }  // namespace taut::results

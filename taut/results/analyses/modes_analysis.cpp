@@ -5,101 +5,54 @@
 #include <cmath>
 
 #include "taut/checks/checked_parts.hpp"
-#include "taut/checks/motion_checks.hpp"
-#include "taut/results/analyses/machine_analysis.hpp"
-#include "taut/results/motion/transient_run.hpp"
+#include "taut/results/analyses/analyses.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/solve/modes.hpp"
+#include "taut/study/deck/missing.hpp"
+#include "taut/study/transient.hpp"
 
 namespace taut::results {
 namespace {
 
-using solve::Mode;
-using solve::ModeKind;
-using solve::ModeSet;
-using solve::Sheaves;
-
 constexpr std::size_t most_modes_drawn = 6;
-
-struct ModesRun {
-  std::string ending;
-  study::ModesRequest request;
-  machine::Model model;
-  solve::ModesResult result;
-};
-
-std::string mode_kind_words(solve::ModeKind kind) {
-  switch (kind) {
-    case solve::ModeKind::swings:
-      return "swings";
-    case solve::ModeKind::creeps:
-      return "creeps back";
-    case solve::ModeKind::free:
-      return "nothing brings it back";
-    case solve::ModeKind::unstable:
-      return "unstable";
-  }
-  return {};
-}
-
-std::string sheaves_words(const ModesRun& run, const solve::ModeSet& set) {
-  if (run.result.sets.size() == 1) return "no loss";
-  return set.sheaves == solve::Sheaves::stuck ? "stuck" : "released";
-}
 
 /// "" for the first set, "_released".
 std::string mode_set_ending(const solve::ModeSet& set) {
   return set.sheaves == solve::Sheaves::stuck ? "" : "_released";
 }
 
-void add_modes_table(const ModesRun& run, Result& r) {
-  Table t;
-  t.name = "modes" + run.ending;
-  t.title = "Vibrations: frequencies and damping, ropes stuck on sheaves with a loss and released";
-  t.columns = {{"sheaves", si::one},  {"mode", si::one},          {"frequency", si::per_s}, {"period", si::s},
-               {"damped", si::per_s}, {"damping_ratio", si::one}, {"kind", si::one},        {"moves_most", si::one}};
+void add_modes_table(const study::ModesRun& run, Result& r) {
+  std::vector<study::ModeRow> rows;
   for (const solve::ModeSet& set : run.result.sets) {
-    for (std::size_t i = 0; i < set.modes.size(); ++i) {
-      const solve::Mode& mode = set.modes[i];
-      const double period = mode.frequency > 0 ? 1 / mode.frequency : std::nan("");
-      const std::string who = mode.largest >= 0 ? run.model.bodies[mode.largest].name : "ropes";
-      t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), mode.frequency, period, mode.damped,
-                        mode.kind == solve::ModeKind::free ? std::nan("") : mode.damping, mode_kind_words(mode.kind),
-                        who});
-    }
+    for (std::size_t i = 0; i < set.modes.size(); ++i) rows.push_back({run, set, i});
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(make_table("modes" + run.ending,
+                                "Vibrations: frequencies and damping, ropes stuck on sheaves with a loss and released",
+                                study::mode_quantities(), rows));
 }
 
-constexpr double mode_rounding = 1e-10;  ///< beside the largest shift, which is 1
-
-void add_mode_shapes(const ModesRun& run, Result& r) {
-  Table t;
-  t.name = "mode_shapes" + run.ending;
-  t.title = "Shapes: shifts of the bodies' origins and turns (rad per metre of the largest shift)";
-  t.columns = {{"sheaves", si::one}, {"mode", si::one}, {"body", si::one}, {"x", si::one}, {"y", si::one},
-               {"z", si::one},       {"rx", si::one},   {"ry", si::one},   {"rz", si::one}};
+void add_mode_shapes(const study::ModesRun& run, Result& r) {
+  std::vector<study::ModeShapeRow> rows;
   for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-        if (run.model.bodies[b].free.empty()) continue;
-        const solve::Mode::Motion& m = set.modes[i].bodies[b];
-        t.rows.push_back({sheaves_words(run, set), static_cast<double>(i + 1), run.model.bodies[b].name});
-        for (const Vector3& v : {m.shift, m.turn}) {
-          for (const double x : v) t.rows.back().emplace_back(std::abs(x) < mode_rounding ? 0 : x);
-        }
+        if (!run.model.bodies[b].free.empty()) rows.push_back({{run, set, i}, static_cast<int>(b)});
       }
     }
   }
-  if (!t.rows.empty()) r.tables.push_back(std::move(t));
+  if (rows.empty()) return;
+  r.tables.push_back(make_table("mode_shapes" + run.ending,
+                                "Shapes: shifts of the bodies' origins and turns (rad per metre of the largest shift)",
+                                study::mode_shape_quantities(), rows));
 }
 
-void add_mode_values(const ModesRun& run, Result& r) {
+void add_mode_values(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       const solve::Mode& mode = set.modes[i];
       const std::string end = fmt::format("{}{}{}", i + 1, mode_set_ending(set), run.ending);
-      const std::string words = run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set));
+      const std::string words =
+          run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", study::sheaves_words(run, set));
       r.values.push_back({"frequency_" + end,
                           mode.frequency,
                           si::per_s,
@@ -139,7 +92,7 @@ std::array<int, 2> mode_view(const solve::TransientFrame& rest, const solve::Tra
   return {sideways || size.y() > size.x() ? 1 : 0, 2};
 }
 
-Drawing mode_drawing(const ModesRun& run, const solve::ModeSet& set, std::size_t index) {
+Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std::size_t index) {
   const solve::Mode& mode = set.modes[index];
   const auto axes = mode_view(run.result.rest, mode.shape);
   const auto point = [&](const Vector3& p) { return Point{p[axes[0]], p[axes[1]]}; };
@@ -147,7 +100,7 @@ Drawing mode_drawing(const ModesRun& run, const solve::ModeSet& set, std::size_t
   d.name = fmt::format("mode{}{}_{}", run.ending, mode_set_ending(set), index + 1);
   const std::string period = mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back";
   d.title = fmt::format("Mode {}: {}{}", index + 1, period,
-                        run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", sheaves_words(run, set)));
+                        run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", study::sheaves_words(run, set)));
   d.caption = axes[1] == 2 ? "At rest and displaced, not to scale." : "Plan, at rest and displaced, not to scale.";
   d.legend = {{Role::hidden, "at rest"}, {Role::highlight, "displaced"}};
   const auto lines = [&](const solve::TransientFrame& frame, Role role) {
@@ -182,12 +135,12 @@ Drawing mode_drawing(const ModesRun& run, const solve::ModeSet& set, std::size_t
   return d;
 }
 
-void add_mode_warnings(const ModesRun& run, Result& r) {
+void add_mode_warnings(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       if (set.modes[i].kind != solve::ModeKind::unstable) continue;
       r.warnings.push_back(fmt::format("mode {} grows: the machine does not stay where it is (sheaves {})", i + 1,
-                                       sheaves_words(run, set)));
+                                       study::sheaves_words(run, set)));
     }
   }
   if (run.result.sets.size() < 2) return;
@@ -196,8 +149,8 @@ void add_mode_warnings(const ModesRun& run, Result& r) {
                   fmt::join(run.result.sets.front().held, ", ")));
 }
 
-void add_modes(const ModesRun& run, Result& r) {
-  note_failure(r, run.result.outcome, run.request.name ? fmt::format("modes, {}", *run.request.name) : "modes");
+void add_modes(const study::ModesRun& run, Result& r) {
+  study::note_failure(r, run.result.outcome, run.words);
   if (!run.result.outcome.ok()) return;
   add_modes_table(run, r);
   add_mode_shapes(run, r);
@@ -215,30 +168,15 @@ void add_modes(const ModesRun& run, Result& r) {
 
 }  // namespace
 
-Analysis prepare_modes(const study::ModesRequest& request, const std::string& path, Preparation& p) {
-  ModesRun run;
-  run.ending = ending_of(p, "modes", request.name, path);
-  run.request = request;
-  checks::check_inertia(p.machine, p.model, p.complaints);
-  checks::check_masses(p.machine, p.model, request.rope_mass, p.complaints);
-  return [run](MachineRun& machine, Result& r) {
-    if (r.interrupted) return;
-    ModesRun one = run;
-    one.model = machine.model;
-    solve::ModesOptions o;
-    const bool settled = one.request.start == study::TransientRequest::Start::settled;
-    o.start = settled ? solve::Start::settled : solve::Start::assembled;
-    o.most = one.request.count;
-    o.damping_ratio = one.request.damping_ratio;
-    o.rope_mass = one.request.rope_mass;
-    o.branches = branches_of(one.request.branches);
-    one.result = solve::modes(one.model, o);
-    if (one.result.outcome.ok()) {
-      machine.checked->take_rest(one.model, one.result.rest, o.rope_mass, checks::analysis_words(one.ending, "modes"),
-                                 checks::analysis_name(one.ending, "modes"));
-    }
-    add_modes(one, r);
-  };
+void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r) {
+  if (r.interrupted) return;
+  study::ModesRun run = asked;
+  study::solve(machine.model, run);
+  if (run.result.outcome.ok()) {
+    machine.checked->take_rest(run.model, run.result.rest, run.options.rope_mass,
+                               checks::analysis_words(run.ending, "modes"), checks::analysis_name(run.ending, "modes"));
+  }
+  add_modes(run, r);
 }
 
 }  // namespace taut::results

@@ -1,123 +1,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
-#include "taut/machine/compile.hpp"
-#include "taut/machine/compile/carriage_span.hpp"
-#include "taut/results/analyses/machine_analysis.hpp"
-#include "taut/results/machine_tables.hpp"
-#include "taut/results/put_up.hpp"
-#include "taut/solve/continuation.hpp"
-#include "taut/study/carriage_way.hpp"
-#include "taut/study/parameter.hpp"
-#include "taut/study/temperature.hpp"
-#include "taut/study/watch.hpp"
+#include "taut/results/analyses/analyses.hpp"
+#include "taut/solve/quantities.hpp"
+#include "taut/study/deck/missing.hpp"
+#include "taut/study/deck/watch.hpp"
 #include "taut/units/display.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::results {
 namespace {
 
-using solve::SweepEnd;
-
-struct SweepRun {
-  std::string ending;
-  std::string words;
-  std::string parameter;
-  Unit unit;
-  std::vector<study::MotionRequest> motion;
-  std::optional<machine::Prescribed> prescribed;
-  double from = 0, to = 0;
-  int steps = 1;
-  bool held = false;
-  const machine::Machine* machine = nullptr;
-};
-
-/// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
-/// built otherwise they are put up anew. Lines that are put up (`install:`) are so at every value, as in a deck with
-/// that value; while the temperature changes they keep their lengths.
-bool changes_the_building(const std::string& parameter) {
-  const std::string below = parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
-  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "gravity"}) {
-    if (below.starts_with(kind)) return true;
-  }
-  return false;
+const Quantities<solve::BodyRow>& swept_body() {
+  static const auto all = picked(solve::body_quantities(), {"x", "y", "z"});
+  return all;
 }
 
-std::string below_machine(const std::string& parameter) {
-  return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
+const Quantities<solve::RopeRow>& swept_rope() {
+  static const auto all =
+      joined(solve::rope_end_tensions(), picked(solve::rope_quantities(), {"T_max", "unstretched"}));
+  return all;
 }
 
-tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
-  if (below_machine(run.parameter) == "temperature") {
-    machine::Model warm = installed;
-    study::set_temperature(warm, *run.machine, value);
-    return warm;
-  }
-  machine::Machine machine = *run.machine;
-  const auto parameter = study::find_parameter(machine::Machine::describe(), &machine, run.parameter);
-  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
-  if (!parameter->field->range.contains(value) && !(parameter->unit.is_angle && !parameter->field->unit.is_angle)) {
-    return tl::unexpected(infeasible(fmt::format("'{}' must be {}", run.parameter, range_text(*parameter->field))));
-  }
-  parameter->set(value);
-  auto model = machine::compile(machine);
-  if (!model) return tl::unexpected(infeasible(model.error().front().message));
-  const std::size_t guys = machine.reevings.size();
-  if (changes_the_building(run.parameter)) {
-    const Outcome outcome = install_guys(machine, *model);
-    if (!outcome.ok()) return tl::unexpected(outcome);
-  } else {
-    for (std::size_t i = guys; i < model->reevings.size(); ++i) {
-      model->reevings[i].given = installed.reevings[i].given;
-      model->reevings[i].value = installed.reevings[i].value;
-    }
-  }
-  std::vector<study::PutUpLine> lines;
-  if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
-  if (run.prescribed)
-    *model = machine::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
-  return *model;
-}
+bool is_shown(const machine::Body& body) { return !body.free.empty() && body.beam < 0; }
 
 /// Columns of a point: places of free bodies, and of each rope its tensions and its length.
-std::vector<Column> columns_of(const machine::Model& m) {
-  std::vector<Column> columns;
+std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model& m) {
+  std::vector<Column> columns = {{"value", run.unit}};
   for (const machine::Body& body : m.bodies) {
-    if (body.free.empty() || body.beam >= 0) continue;
-    for (const char* axis : {"x", "y", "z"}) columns.push_back({fmt::format("{}.{}", body.name, axis), si::m});
+    if (is_shown(body)) add_columns(columns, swept_body(), body.name + ".");
   }
-  for (const machine::Reeving& r : m.reevings) {
-    columns.push_back({fmt::format("{}.T_start", r.name), si::N});
-    columns.push_back({fmt::format("{}.T_end", r.name), si::N});
-    columns.push_back({fmt::format("{}.T_max", r.name), si::N});
-    columns.push_back({fmt::format("{}.unstretched", r.name), si::m});
-  }
+  for (const machine::Reeving& r : m.reevings) add_columns(columns, swept_rope(), r.name + ".");
   return columns;
 }
 
 std::vector<Cell> row_of(const solve::SweepPoint& point) {
-  std::vector<Cell> row;
-  for (std::size_t b = 0; b < point.model.bodies.size(); ++b) {
-    if (point.model.bodies[b].free.empty() || point.model.bodies[b].beam >= 0) continue;
-    const Vector3& p = point.at.state.bodies[b].position;
-    row.insert(row.end(), {p.x(), p.y(), p.z()});
+  std::vector<Cell> row = {point.value};
+  for (int b = 0; b < static_cast<int>(point.model.bodies.size()); ++b) {
+    if (is_shown(point.model.bodies[b])) add_cells(row, swept_body(), {point.model, point.at, b});
   }
   for (int i = 0; i < static_cast<int>(point.model.reevings.size()); ++i) {
-    const auto own = [&](const auto& s) { return s.reeving == i; };
-    const auto first = std::find_if(point.at.spans.begin(), point.at.spans.end(), own);
-    const auto last = std::find_if(point.at.spans.rbegin(), point.at.spans.rend(), own);
-    const auto& rope = point.at.ropes[i];
-    row.insert(row.end(), {first->T_from, last->T_to, rope.T_max, rope.unstretched});
+    add_cells(row, swept_rope(), {point.model, point.at, i});
   }
   return row;
 }
 
-std::string end_words(const SweepRun& run, const solve::Sweep& s) {
+std::string end_words(const study::SweepRun& run, const solve::Sweep& s) {
   const std::string value = Display().quantity(s.value, run.unit);
   switch (s.end) {
     case solve::SweepEnd::reached:
@@ -140,7 +70,7 @@ std::string end_words(const SweepRun& run, const solve::Sweep& s) {
   return {};
 }
 
-void add_plots(const SweepRun& run, const machine::Model& m, const solve::Sweep& s, Result& r) {
+void add_plots(const study::SweepRun& run, const machine::Model& m, const solve::Sweep& s, Result& r) {
   const auto plot = [&](const std::string& name, const std::string& title, const Axis& y) {
     Plot p;
     p.name = name + run.ending;
@@ -175,7 +105,7 @@ void add_plots(const SweepRun& run, const machine::Model& m, const solve::Sweep&
 }
 
 /// The values that were asked for beyond the one where the sweep ends.
-void note_values_lost(const SweepRun& run, const solve::Sweep& s, Result& r) {
+void note_values_lost(const study::SweepRun& run, const solve::Sweep& s, Result& r) {
   if (s.end == solve::SweepEnd::reached || s.end == solve::SweepEnd::interrupted) return;
   int lost = 0;
   double first = run.to;
@@ -190,19 +120,18 @@ void note_values_lost(const SweepRun& run, const solve::Sweep& s, Result& r) {
                        fmt::format("{} = {}", run.parameter, Display().quantity(first, run.unit)), s.outcome.message});
 }
 
-void add_results(MachineRun& machine, const SweepRun& run, const solve::Sweep& s, Result& r) {
+void add_results(MachineRun& machine, const study::SweepRun& run, const solve::Sweep& s, Result& r) {
   if (s.points.empty() && s.end == solve::SweepEnd::interrupted) return;
   if (s.points.empty()) {
-    note_failure(r, s.outcome, fmt::format("sweep, {} = {}", run.parameter, Display().quantity(run.from, run.unit)));
+    study::note_failure(r, s.outcome,
+                        fmt::format("sweep, {} = {}", run.parameter, Display().quantity(run.from, run.unit)));
     return;
   }
   const machine::Model& m = s.points.front().model;
   Table t{"sweep" + run.ending, fmt::format("Equilibrium over {}, {}", run.parameter, run.words), {}, {}};
-  t.columns = columns_of(m);
-  t.columns.insert(t.columns.begin(), {"value", run.unit});
+  t.columns = columns_of(run, m);
   for (const auto& point : s.points) {
     std::vector<Cell> row = row_of(point);
-    row.insert(row.begin(), point.value);
     row.resize(t.columns.size(), none);
     t.rows.push_back(std::move(row));
   }
@@ -228,74 +157,14 @@ void add_results(MachineRun& machine, const SweepRun& run, const solve::Sweep& s
        first.at, true});
 }
 
-void resolve_values(const study::SweepRequest& request, const std::string& path, Preparation& p, SweepRun& run) {
-  machine::Machine machine = p.machine;
-  const auto parameter = study::find_parameter(machine::Machine::describe(), &machine, request.parameter);
-  if (!parameter) {
-    p.complaints.push_back({path + ".parameter", parameter.error()});
-    return;
-  }
-  run.unit = parameter->unit;
-  if (std::isnan(parameter->value) && below_machine(request.parameter) != "temperature") {
-    p.complaints.push_back({path + ".parameter", fmt::format("'{}' has no value in the deck that could change: write "
-                                                             "one there",
-                                                             request.parameter)});
-  }
-  const auto read = [&](const std::string& text, const char* key, double& value) {
-    const auto number = parse_quantity(text, parameter->unit);
-    if (!number) {
-      p.complaints.push_back({fmt::format("{}.{}", path, key), number.error().message});
-    } else {
-      value = *number;
-      const bool own = parameter->unit.is_angle == parameter->field->unit.is_angle;
-      if (own && !parameter->field->range.contains(value)) {
-        p.complaints.push_back(
-            {fmt::format("{}.{}", path, key), fmt::format("must be {}, not {}", range_text(*parameter->field), text)});
-      }
-    }
-  };
-  read(request.from, "from", run.from);
-  read(request.to, "to", run.to);
-  if (run.from == run.to) p.complaints.push_back({path + ".to", "is the same value as 'from'"});
-  if (below_machine(request.parameter) == "temperature") {
-    study::require_references(p.machine, path + ".parameter", p.complaints);
-  }
-}
-
 }  // namespace
 
-Analysis prepare_sweep(const study::SweepRequest& request, const std::string& path, Preparation& p) {
-  const auto run = std::make_shared<SweepRun>();
-  run->ending = ending_of(p, "sweep", request.name, path);
-  run->words = words_of(request.motion);
-  run->parameter = request.parameter;
-  run->motion = request.motion;
-  run->steps = request.steps;
-  run->held = request.held;
-  run->machine = &p.machine;
-  study::options_of(request.motion, p.model, path + ".motion", p.complaints);
-  resolve_values(request, path, p, *run);
-  run->prescribed = prescribed_of(request.carriage, request.x, request.along, path, p);
-  return [run](MachineRun& machine, Result& r) {
-    std::vector<Complaint> reported_before;
-    machine::Model base = machine.model;
-    if (run->prescribed)
-      base = machine::with_carriage_at(base, run->prescribed->carriage, run->prescribed->x, run->prescribed->along);
-    solve::SweepOptions options;
-    options.from = run->from;
-    options.to = run->to;
-    options.steps = run->steps;
-    options.equilibrium = study::options_of(run->motion, base, {}, reported_before);
-    options.equilibrium.prescribed = run->prescribed;
-    options.equilibrium.held = run->held;
-    const auto at = [&](double value) { return model_at(*run, base, value); };
-    study::Watch watch(machine.progress, "sweep" + run->ending, run->steps + 1);
-    options.go_on = [&](double value) {
-      return watch.go_on(fmt::format("{} = {}", run->parameter, Display().quantity(value, run->unit)));
-    };
-    add_results(machine, *run, solve::sweep(at, options), r);
-    watch.note(r);
-  };
+void add_answer(const study::SweepRun& asked, MachineRun& machine, Result& r) {
+  study::SweepRun run = asked;
+  study::Watch watch(machine.progress, "sweep" + run.ending, run.steps + 1);
+  study::solve(machine.model, run, watch);
+  add_results(machine, run, run.answer, r);
+  watch.note(r);
 }
 
 }  // namespace taut::results

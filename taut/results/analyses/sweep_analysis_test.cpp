@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "taut/machine/description/machine.hpp"
-#include "taut/study/parameter.hpp"
+#include "taut/study/deck/parameter.hpp"
 #include "test/support/machine_decks.hpp"
 
 namespace sweep_analysis_test {

@@ -36,7 +36,7 @@ struct PlaneView {
 };
 
 /// How far everything comes over the whole motion.
-Vector3 size_of(const TransientRun& run) {
+Vector3 size_of(const study::TransientRun& run) {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 high = -low;
   for (const auto& frame : run.result.frames) {
@@ -49,7 +49,7 @@ Vector3 size_of(const TransientRun& run) {
   return high - low;
 }
 
-std::vector<PlaneView> views_of(const TransientRun& run) {
+std::vector<PlaneView> views_of(const study::TransientRun& run) {
   const Vector3 size = size_of(run);
   std::vector<PlaneView> views = {{size.y() > size.x() ? 1 : 0, 2}};
   if (std::min(size.x(), size.y()) > least_plan_width * size.maxCoeff()) views.push_back({0, 1});
@@ -79,7 +79,7 @@ std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m, const so
   return lines;
 }
 
-Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
+Drawing drawing_of(const study::TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
   const machine::Model& m = run.model;
   const solve::TransientFrame& frame = run.result.frames[index];
   Drawing d;
@@ -111,7 +111,7 @@ Drawing drawing_of(const TransientRun& run, std::size_t index, const PlaneView& 
 }
 
 /// The frame next to the moment of the largest tension of all.
-std::size_t tightest(const TransientRun& run) {
+std::size_t tightest(const study::TransientRun& run) {
   const auto& ropes = run.result.ropes;
   const auto most =
       std::max_element(ropes.begin(), ropes.end(), [](const auto& a, const auto& b) { return a.T.max < b.T.max; });
@@ -123,7 +123,7 @@ std::size_t tightest(const TransientRun& run) {
   return static_cast<std::size_t>(nearest - frames.begin());
 }
 
-void add_drawings(const TransientRun& run, Result& r) {
+void add_drawings(const study::TransientRun& run, Result& r) {
   const std::size_t last = run.result.frames.size() - 1;
   const std::size_t peak = tightest(run);
   const PlaneView view = views_of(run).front();
@@ -148,7 +148,7 @@ std::set<std::string> gripping_places(const machine::Model& model) {
 }
 
 /// The events that change the course of things, without repetition.
-std::vector<std::pair<double, std::string>> main_events(const TransientRun& run) {
+std::vector<std::pair<double, std::string>> main_events(const study::TransientRun& run) {
   static const std::vector<std::string> main = {"break",    "stop",  "drive", "brake",   "actuator",
                                                 "lift_off", "slack", "taut",  "contact", "apart"};
   std::vector<std::pair<double, std::string>> all;
@@ -166,7 +166,7 @@ std::vector<std::pair<double, std::string>> main_events(const TransientRun& run)
 }
 
 /// Those of them whose words have room beside each other; what is done to the machine goes before what follows from it.
-std::vector<std::pair<double, std::string>> marked_events(const TransientRun& run) {
+std::vector<std::pair<double, std::string>> marked_events(const study::TransientRun& run) {
   auto all = main_events(run);
   const auto follows = [](const auto& e) {
     return e.second.starts_with("slack") || e.second.starts_with("taut") || e.second.starts_with("apart");
@@ -182,7 +182,7 @@ std::vector<std::pair<double, std::string>> marked_events(const TransientRun& ru
   return marked;
 }
 
-Animation animation_of(const TransientRun& run, const PlaneView& view) {
+Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   const auto& frames = run.result.frames;
   Animation a;
   a.name = fmt::format("motion{}{}", run.ending, view.above == 2 ? "" : "_plan");
@@ -248,7 +248,8 @@ struct OverTime {
   std::vector<double> values;  ///< at each output step
 };
 
-Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y, const std::vector<OverTime>& curves) {
+Plot plot_of(const study::TransientRun& run, const std::string& title, const Axis& y,
+             const std::vector<OverTime>& curves) {
   Plot p;
   p.title = title;
   p.caption = fmt::format("Every line written down: time{}.csv.", run.ending);
@@ -272,7 +273,7 @@ Plot plot_of(const TransientRun& run, const std::string& title, const Axis& y, c
   return p;
 }
 
-void add_plots(const TransientRun& run, Result& r) {
+void add_plots(const study::TransientRun& run, Result& r) {
   const auto& observed = run.model.observed;
   std::vector<bool> done(observed.size(), false);
   for (std::size_t i = 0; i < observed.size(); ++i) {
@@ -290,7 +291,7 @@ void add_plots(const TransientRun& run, Result& r) {
   }
 }
 
-void add_energy_plot(const TransientRun& run, Result& r) {
+void add_energy_plot(const study::TransientRun& run, Result& r) {
   std::vector<OverTime> curves = {{"kinetic", {}}, {"elastic, change", {}}, {"potential, change", {}}, {"supplied", {}},
                                   {"lost", {}},    {"residual", {}}};
   const LongRows& energy = run.record.energy();
@@ -308,11 +309,11 @@ void add_energy_plot(const TransientRun& run, Result& r) {
 
 }  // namespace
 
-Drawing drawing_at(const TransientRun& run, std::size_t frame, const std::string& title) {
+Drawing drawing_at(const study::TransientRun& run, std::size_t frame, const std::string& title) {
   return drawing_of(run, frame, views_of(run).front(), title);
 }
 
-void add_transient_figures(const TransientRun& run, Result& r) {
+void add_transient_figures(const study::TransientRun& run, Result& r) {
   add_drawings(run, r);
   if (run.result.frames.size() > 1) {
     for (const PlaneView& view : views_of(run)) r.figures.emplace_back(animation_of(run, view));

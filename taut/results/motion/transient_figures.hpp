@@ -1,14 +1,15 @@
 #pragma once
-#include "taut/results/motion/transient_run.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/study/transient.hpp"
 
 namespace taut::results {
 
 /// The machine at the start, at its largest tension and at the end, with the forces of its ropes; the motion as an
 /// animation and as a scene in space; observed quantities over time, those of one unit together, with the main events
 /// marked; the energy over time.
-void add_transient_figures(const TransientRun& run, Result& r);
+void add_transient_figures(const study::TransientRun& run, Result& r);
 
 /// The machine in one frame, seen from its side, with the forces of its ropes.
-Drawing drawing_at(const TransientRun& run, std::size_t frame, const std::string& title);
+Drawing drawing_at(const study::TransientRun& run, std::size_t frame, const std::string& title);
 
 }  // namespace taut::results

@@ -143,7 +143,7 @@ class Parts {
 
 std::array<double, 3> moving_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-void add_lines(const TransientRun& run, Scene& scene) {
+void add_lines(const study::TransientRun& run, Scene& scene) {
   for (std::size_t i = 0; i < run.result.frames.size(); ++i) {
     const std::vector<RopePart> parts = rope_parts(run.model, run.result.frames[i]);
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -162,7 +162,7 @@ void add_lines(const TransientRun& run, Scene& scene) {
   }
 }
 
-void add_points(const TransientRun& run, Scene& scene) {
+void add_points(const study::TransientRun& run, Scene& scene) {
   const auto& frames = run.result.frames;
   for (const auto& body : run.model.bodies) scene.points.push_back({body.name, 0, {}, {}});
   const std::size_t bodies = scene.points.size();
@@ -221,7 +221,7 @@ std::vector<HeldPart> held_parts(const machine::Model& m, const solve::Transient
   return Parts(m, frame, first).all();
 }
 
-Scene scene_of(const TransientRun& run) {
+Scene scene_of(const study::TransientRun& run) {
   Scene scene;
   scene.name = "motion" + run.ending;
   for (const auto& frame : run.result.frames) scene.t.push_back(frame.t);

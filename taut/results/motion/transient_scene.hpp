@@ -1,5 +1,6 @@
 #pragma once
-#include "taut/results/motion/transient_run.hpp"
+#include "taut/calc/result.hpp"
+#include "taut/study/transient.hpp"
 
 namespace taut::results {
 
@@ -27,6 +28,6 @@ std::vector<HeldPart> held_parts(const machine::Model& model, const solve::Trans
                                  const solve::TransientFrame& first);
 
 /// All frames as a scene in space.
-Scene scene_of(const TransientRun& run);
+Scene scene_of(const study::TransientRun& run);
 
 }  // namespace taut::results

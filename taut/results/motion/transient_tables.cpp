@@ -13,7 +13,7 @@ namespace {
 
 using solve::EnergyLedger;
 
-void add_series(const TransientRun& run, Result& r) {
+void add_series(const study::TransientRun& run, Result& r) {
   Table t;
   t.name = "time" + run.ending;
   t.title = "Observed quantities over time";
@@ -23,23 +23,12 @@ void add_series(const TransientRun& run, Result& r) {
   r.series.push_back(std::move(t));
 }
 
-void add_events(const TransientRun& run, Result& r) {
-  Table t;
-  t.name = "events" + run.ending;
-  t.title = "Events";
-  t.columns = {{"t", si::s}, {"what", si::one}, {"where", si::one}, {"values", si::one}};
-  for (const auto& e : run.result.events) {
-    std::string values;
-    for (const auto& [symbol, value] : e.values) {
-      values += fmt::format("{}{} = {:.6g}", values.empty() ? "" : ", ", symbol, value);
-    }
-    t.rows.push_back({e.t, e.what, e.where, std::move(values)});
-  }
-  r.tables.push_back(std::move(t));
+void add_events(const study::TransientRun& run, Result& r) {
+  r.tables.push_back(make_table("events" + run.ending, "Events", study::event_quantities(), run.result.events));
 }
 
 /// What a measure is in one number, under its own name.
-void add_measure(const TransientRun& run, const machine::Observable& o, const solve::Extreme& e, Result& r) {
+void add_measure(const study::TransientRun& run, const machine::Observable& o, const solve::Extreme& e, Result& r) {
   using machine::description::Taken;
   if (o.taken == Taken::automatic) return;
   const auto [x, words] = o.taken == Taken::mean  ? std::pair{e.mean, "mean"}
@@ -55,17 +44,12 @@ void add_measure(const TransientRun& run, const machine::Observable& o, const so
   }
 }
 
-void add_envelope(const TransientRun& run, Result& r) {
-  Table t;
-  t.name = run.envelope + run.ending;
-  t.title = "Envelope: smallest and largest over all steps (SI)";
-  t.columns = {{"quantity", si::one}, {"unit", si::one}, {"min", si::one}, {"t_min", si::s},
-               {"max", si::one},      {"t_max", si::s},  {"end", si::one}};
+void add_envelope(const study::TransientRun& run, Result& r) {
+  std::vector<study::ObservedRow> rows;
   for (std::size_t i = 0; i < run.result.extremes.size(); ++i) {
+    rows.push_back({run, i});
     const machine::Observable& o = run.model.observed[i];
     const solve::Extreme& e = run.result.extremes[i];
-    const std::string unit = o.unit.symbol == "1" ? "" : std::string(o.unit.symbol);
-    t.rows.push_back({o.name, unit, e.min, e.t_min, e.max, e.t_max, e.end});
     const auto value = [&](const char* ending, double x, const std::string& words) {
       if (!std::isfinite(x)) return;
       const std::string name = fmt::format("{}_{}{}", o.name, ending, run.ending);
@@ -76,10 +60,11 @@ void add_envelope(const TransientRun& run, Result& r) {
     value("end", e.end, fmt::format("value at the end, t = {:.6g} s,", run.result.t_end));
     add_measure(run, o, e, r);
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(make_table(run.envelope + run.ending, "Envelope: smallest and largest over all steps (SI)",
+                                study::observed_quantities(), rows));
 }
 
-void add_energy(const TransientRun& run, Result& r) {
+void add_energy(const study::TransientRun& run, Result& r) {
   const solve::EnergyLedger &first = run.result.frames.front().energy, &last = run.result.frames.back().energy;
   Table t;
   t.name = "energy" + run.ending;
@@ -120,7 +105,7 @@ void add_energy(const TransientRun& run, Result& r) {
 }
 
 /// What the steps leave open beyond the tolerance.
-void warn_of_errors(const TransientRun& run, Result& r) {
+void warn_of_errors(const study::TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   const double tolerance = energy_tolerance(run);
   const bool in_steps = run.options.step > 0 || run.options.quasi_static;
@@ -138,49 +123,32 @@ void warn_of_errors(const TransientRun& run, Result& r) {
   }
 }
 
-/// "between head and block"
-std::string branch_words(const machine::Reeving& rope, int branch) {
-  const auto k = static_cast<std::size_t>(std::max(branch, 0) / std::max(1, rope.segments));
-  if (k + 1 > rope.nodes.size()) return {};
-  return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
-}
-
-void add_ropes(const TransientRun& run, Result& r) {
-  Table t;
-  t.name = "dynamic" + run.ending;
-  t.title = "Ropes: peak over static tension";
-  t.columns = {{"rope", si::one},  {"T_static", si::N}, {"T_max", si::N},           {"t_max", si::s},
-               {"where", si::one}, {"T_min", si::N},    {"dynamic_factor", si::one}};
+void add_ropes(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r) {
+  std::vector<study::DynamicRow> rows;
   double worst = 0;
   std::string where;
   for (std::size_t i = 0; i < run.result.ropes.size(); ++i) {
     const solve::RopeExtreme& e = run.result.ropes[i];
     const machine::Reeving& rope = run.model.reevings[i];
-    const double factor = e.T_static > 0 ? e.T.max / e.T_static : std::nan("");
-    t.rows.push_back({rope.name, e.T_static, e.T.max, e.T.t_max, branch_words(rope, e.branch), e.T.min, factor});
-    const std::string name = fmt::format("{}.dynamic_factor{}", rope.name, run.ending);
-    if (std::isfinite(factor)) {
-      r.values.push_back({name,
-                          factor,
-                          si::one,
-                          name,
-                          fmt::format("peak over static tension of {} ({})", rope.name, words_of(run)),
-                          {}});
-    }
+    rows.push_back({run, static_cast<int>(i)});
+    const Value factor = make_value(named(study::dynamic_quantities(), "dynamic_factor"), rows.back(), rope.name,
+                                    run.ending, words_of(run));
+    if (std::isfinite(factor.value)) r.values.push_back(factor);
     if (e.T.max > worst) {
       worst = e.T.max;
-      where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, branch_words(rope, e.branch), e.T.t_max);
+      where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, study::branch_words(rope, e.branch), e.T.t_max);
     }
     if (rope.breaking_force > 0) {
       Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, Sense::at_most,
-                           rope.breaking_force, si::N, "minimum breaking force of the rope", run.strength_trust[i]);
+                           rope.breaking_force, si::N, "minimum breaking force of the rope", strength_trust[i]);
       c.part = rope.name;
       c.limits = false;
       c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
       r.checks.push_back(std::move(c));
     }
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(
+      make_table("dynamic" + run.ending, "Ropes: peak over static tension", study::dynamic_quantities(), rows));
   const auto known = std::find_if(r.values.begin(), r.values.end(), [](const Value& v) { return v.name == "T_max"; });
   if (known != r.values.end() && known->value >= worst) return;
   if (known != r.values.end()) r.values.erase(known);
@@ -189,7 +157,7 @@ void add_ropes(const TransientRun& run, Result& r) {
 }
 
 /// How much of the way of each driven rim its rope did not go along with, over all that was written down.
-void add_slip_shares(const TransientRun& run, Result& r) {
+void add_slip_shares(const study::TransientRun& run, Result& r) {
   const std::vector<study::TransientRecord::Slip>& slips = run.record.slips();
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const auto& first = run.result.frames.front().contacts[c];
@@ -204,7 +172,7 @@ void add_slip_shares(const TransientRun& run, Result& r) {
 }
 
 /// Peak over static against phi2 of EN 13001-2.
-void check_hoist_factor(const TransientRun& run, Result& r) {
+void check_hoist_factor(const study::TransientRun& run, Result& r) {
   if (!run.request.hoist_factor) return;
   const study::HoistFactor& asked = *run.request.hoist_factor;
   const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
@@ -224,7 +192,7 @@ void check_hoist_factor(const TransientRun& run, Result& r) {
                  phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)));
 }
 
-std::string slid_words(const TransientRun& run) {
+std::string slid_words(const study::TransientRun& run) {
   std::string ways;
   for (const solve::Slid& slid : run.options.slid) {
     const auto index = static_cast<std::size_t>(slid.index);
@@ -235,7 +203,7 @@ std::string slid_words(const TransientRun& run) {
   return fmt::format("starts sliding: at rest, with the friction that is left when slowly {}", ways);
 }
 
-std::string start_words(const TransientRun& run) {
+std::string start_words(const study::TransientRun& run) {
   if (run.options.from) return fmt::format("goes on from a saved state at t = {:.6g} s", run.options.from->t);
   switch (run.options.start) {
     case solve::Start::settled:
@@ -248,7 +216,7 @@ std::string start_words(const TransientRun& run) {
   return "starts assembled: as described, at rest";
 }
 
-std::string scheme_words(const TransientRun& run) {
+std::string scheme_words(const study::TransientRun& run) {
   if (run.options.quasi_static) return "quasi-static: an equilibrium at the end of every step, with friction";
   switch (run.options.method) {
     case solve::TimeMethod::verlet:
@@ -262,7 +230,7 @@ std::string scheme_words(const TransientRun& run) {
 }
 
 /// Events that did not happen while the motion lasted: one with a time is reported as a warning.
-void add_missed_events(const TransientRun& run, Result& r) {
+void add_missed_events(const study::TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   if (!result.outcome.ok() || result.interrupted) return;
   const std::string name = words_of(run);
@@ -280,7 +248,7 @@ void add_missed_events(const TransientRun& run, Result& r) {
 }
 
 /// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
-std::string weight_words(const TransientRun& run, std::size_t reeving) {
+std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
   const machine::Reeving& rope = run.model.reevings[reeving];
   if (!run.options.rope_mass || rope.segments > 1 || !(rope.weight > 0)) return {};
   double most = 0;
@@ -296,7 +264,7 @@ std::string weight_words(const TransientRun& run, std::size_t reeving) {
       much);
 }
 
-void add_words(const TransientRun& run, Result& r) {
+void add_words(const study::TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == solve::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
@@ -331,16 +299,16 @@ void add_words(const TransientRun& run, Result& r) {
 
 }  // namespace
 
-std::vector<double> times_of(const TransientRun& run) {
+std::vector<double> times_of(const study::TransientRun& run) {
   std::vector<double> t;
   t.reserve(run.result.frames.size());
   for (const auto& frame : run.result.frames) t.push_back(frame.t);
   return t;
 }
 
-void add_transient_tables(const TransientRun& run, Result& r) {
+void add_transient_tables(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r) {
   add_series(run, r);
-  add_ropes(run, r);
+  add_ropes(run, strength_trust, r);
   check_hoist_factor(run, r);
   add_slip_shares(run, r);
   add_envelope(run, r);

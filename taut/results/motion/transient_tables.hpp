@@ -1,15 +1,19 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "taut/calc/result.hpp"
-#include "taut/results/motion/transient_run.hpp"
+#include "taut/study/transient.hpp"
 
 namespace taut::results {
 
 /// The series `time` (t and every observed quantity), the tables `events`, `envelope`, `energy`, `dynamic` (peak over
 /// static by rope), the values NAME_min, NAME_max, NAME_end and ROPE.dynamic_factor, the check of each rope against its
-/// breaking force, what the numbers rest on, and warnings. All names end as the run does.
-void add_transient_tables(const TransientRun& run, Result& r);
+/// breaking force, what the numbers rest on, and warnings. All names end as the run does. `strength_trust`, by reeving:
+/// of its breaking force.
+void add_transient_tables(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r);
 
 /// Frames' times.
-std::vector<double> times_of(const TransientRun& run);
+std::vector<double> times_of(const study::TransientRun& run);
 
 }  // namespace taut::results

@@ -1,0 +1,18 @@
+#pragma once
+#include "taut/results/machine_run.hpp"
+
+namespace taut::results {
+
+/// The answers of a deck's analyses besides equilibria and load paths, on the machine with its guys put up. Each adds
+/// its tables, values, figures, checks and warnings to the result.
+void add_answer(const study::PayloadRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::InstallationRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::SweepRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::LeastTensionRun& asked, MachineRun& machine, Result& r);
+void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r);
+
+}  // namespace taut::results

@@ -1,0 +1,122 @@
+#include "taut/study/analyses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace taut::study {
+namespace {
+
+/// A carriage that is clamped or fixed needs to know where.
+void check_clamps(const std::vector<EquilibriumRun>& equilibria, Names& names) {
+  for (std::size_t i = 0; i < names.machine.carriages.size(); ++i) {
+    const auto& given = names.machine.carriages[i];
+    const bool clamped = given.hold == machine::description::Hold::clamped;
+    if ((!clamped && !given.fixed_to) || given.length_before) continue;
+    const bool placed = std::all_of(equilibria.begin(), equilibria.end(), [&](const EquilibriumRun& one) {
+      return one.prescribed && one.prescribed->carriage == static_cast<int>(i);
+    });
+    if (placed) continue;
+    names.complaints.push_back(
+        {fmt::format("machine.carriages.{}", given.name),
+         fmt::format("is {} somewhere: give 'length_before', or 'carriage' and 'x' in the equilibrium",
+                     clamped ? "clamped" : "fixed to '" + *given.fixed_to + "'")});
+  }
+}
+
+/// Pulls in turn, or lengths for a least tension.
+Question pretension_of(const PretensionRequest& request, const std::string& path, Names& names) {
+  if (!request.least) return resolve(request, path, names);
+  const std::string ending = ending_of(names, "pretension", request.name, path);
+  LeastTensionRun run = resolve(*request.least, path + ".least", names);
+  run.ending = ending;
+  run.words = request.name ? fmt::format("pretension, {}", *request.name) : "pretension";
+  return run;
+}
+
+/// One deck's analyses, in its order.
+class AnalysesResolver {
+ public:
+  AnalysesResolver(Names& names, bool must_judge) : names_(names), must_judge_(must_judge) {}
+
+  void resolve(const AnalysisRequest& one, const std::string& path) {
+    if (one.equilibrium) {
+      all.equilibria.push_back(study::resolve(*one.equilibrium, path + ".equilibrium", names_));
+      check_judged(one.equilibrium->judge, path + ".equilibrium");
+    }
+    if (one.load_path) {
+      all.paths.push_back(study::resolve(*one.load_path, path + ".load_path", names_));
+      check_judged(one.load_path->judge, path + ".load_path");
+    }
+    add(one.payload, "payload", path);
+    add(one.installation, "installation", path);
+    add(one.cycle, "cycle", path);
+    add(one.envelope, "envelope", path);
+    add(one.sweep, "sweep", path);
+    add(one.transient, "transient", path);
+    add(one.pretension, "pretension", path);
+    add(one.modes, "modes", path);
+  }
+
+  AskedAll all;
+
+ private:
+  void check_judged(bool judge, const std::string& path) {
+    if (judge || !must_judge_) return;
+    names_.complaints.push_back({path + ".judge", "a design is judged in every state: leave 'judge: false' away"});
+  }
+
+  template <class Request>
+  void add(const std::optional<Request>& request, const std::string& kind, const std::string& path) {
+    if (!request) return;
+    const std::string here = path + "." + kind;
+    all.more.push_back({question_of(*request, here), request->name.value_or(kind), request->judge});
+    check_judged(request->judge, here);
+  }
+  template <class Request>
+  Question question_of(const Request& request, const std::string& path) {
+    return study::resolve(request, path, names_);
+  }
+  Question question_of(const PretensionRequest& request, const std::string& path) {
+    return pretension_of(request, path, names_);
+  }
+
+  Names& names_;
+  bool must_judge_;
+};
+
+}  // namespace
+
+const Description& AnalysisRequest::describe() {
+  static const Description d =
+      Describe<AnalysisRequest>()
+          .record(&AnalysisRequest::equilibrium, "equilibrium", "the machine in equilibrium")
+          .record(&AnalysisRequest::load_path, "load_path", "a carriage moved along its line")
+          .record(&AnalysisRequest::payload, "payload", "the largest load within all limits")
+          .record(&AnalysisRequest::installation, "installation",
+                  "an empty rope put up: tensions, sags and lengths by temperature")
+          .record(&AnalysisRequest::cycle, "cycle", "pulls and energies of a working cycle")
+          .record(&AnalysisRequest::envelope, "envelope", "worst cases for sizing")
+          .record(&AnalysisRequest::sweep, "sweep", "the equilibrium over a number of the deck")
+          .record(&AnalysisRequest::transient, "transient", "a motion of the machine")
+          .record(&AnalysisRequest::modes, "modes", "small vibrations: frequencies, damping, shapes")
+          .record(&AnalysisRequest::pretension, "pretension", "ropes pulled tight in turn, as they are put up")
+          .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep",
+                        "transient", "modes", "pretension"});
+  return d;
+}
+
+AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, const machine::Machine& machine,
+                 const machine::Model& model, std::vector<Complaint>& complaints) {
+  std::vector<AnalysisRequest> all = analyses;
+  if (all.empty()) all.emplace_back().equilibrium.emplace();
+  Names names{machine, model, complaints};
+  names.has_envelope =
+      std::any_of(all.begin(), all.end(), [](const AnalysisRequest& one) { return one.envelope.has_value(); });
+  AnalysesResolver resolver(names, must_judge);
+  for (std::size_t i = 0; i < all.size(); ++i) resolver.resolve(all[i], fmt::format("analyses[{}]", i));
+  check_clamps(resolver.all.equilibria, names);
+  return std::move(resolver.all);
+}
+
+}  // namespace taut::study

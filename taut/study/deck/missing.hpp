@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+
+#include "taut/calc/outcome.hpp"
+#include "taut/calc/result.hpp"
+
+namespace taut::study {
+
+/// Counts the states of an analysis that have no answer. What exists is given; what is missing is said and is not
+/// judged. Only an analysis without any state has failed.
+class Missing {
+ public:
+  void take(const Outcome& outcome, const std::string& where);
+  /// Of a carriage at x, m.
+  void take(const Outcome& outcome, double x);
+  /// A state that was asked for and has no answer.
+  void lose(const Outcome& outcome, const std::string& where, int states = 1);
+  bool any() const { return missing_ > 0; }
+  /// "load path, in: no equilibrium at 3 of 96 places, first x = 12 m: ..." as a warning; the status where all miss.
+  /// `judged`: for the verdict too.
+  void note(Result& r, const std::string& analysis, bool judged) const;
+
+ private:
+  int missing_ = 0, places_ = 0;
+  Outcome why_;
+  std::string first_;
+};
+
+/// Notes the first failure of a calculation in the result: its status, and `what` before its message.
+void note_failure(Result& r, const Outcome& outcome, const std::string& what);
+
+}  // namespace taut::study

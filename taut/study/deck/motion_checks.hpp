@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "taut/machine/description/machine.hpp"
+#include "taut/machine/model.hpp"
+
+namespace taut::study {
+
+/// Bodies and carriages that turn freely have inertia: their own, or of masses beside the axis.
+void check_inertia(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints);
+
+/// What else a motion asks of a machine beyond statics, reported at the place in the deck: masses of what shifts freely
+/// and of ropes in segments (`rope_mass`: ropes have mass), ropes that stretch, inertia of sheaves that a torque
+/// drives.
+void check_masses(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
+                  std::vector<Complaint>& complaints);
+
+}  // namespace taut::study

@@ -1,0 +1,183 @@
+#include "taut/study/deck/parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::study {
+namespace {
+
+using Found = tl::expected<Parameter, std::string>;
+
+/// "a.b[2].c" as a, b, 2, c. Names with dots are put together again where they are looked for.
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.' || c == '[') {
+      steps.emplace_back();
+    } else if (c != ']') {
+      steps.back() += c;
+    }
+  }
+  std::erase(steps, std::string{});
+  return steps;
+}
+
+std::optional<std::size_t> number_of(const std::string& text) {
+  std::size_t n = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return n;
+}
+
+std::string text_of(const Field& f, void* object) {
+  const Slot slot = f.slot(object);
+  if (const auto* text = std::get_if<std::string*>(&slot)) return **text;
+  if (const auto* text = std::get_if<std::optional<std::string>*>(&slot)) return (*text)->value_or("");
+  return {};
+}
+
+class Finder {
+ public:
+  explicit Finder(const std::string& path) : path_(path), steps_(steps_of(path)) {}
+
+  Found find(const Description& d, void* object) { return in_struct(d, object, 0); }
+
+ private:
+  /// Words for what is wrong at a step.
+  Found no(std::size_t at, const std::string& why) const {
+    const std::string step = at < steps_.size() ? steps_[at] : std::string{};
+    return tl::unexpected(step.empty() ? fmt::format("'{}': {}", path_, why)
+                                       : fmt::format("'{}': {} {}", path_, fmt::format("'{}'", step), why));
+  }
+
+  Found in_struct(const Description& d, void* object, std::size_t at) {
+    if (at >= steps_.size()) return no(at, "names a group of fields, not a number");
+    const Field* f = d.find(steps_[at]);
+    if (f == nullptr || f->rest)
+      return no(at, fmt::format("is not a field there{}", did_you_mean(steps_[at], d.keys())));
+    return in_field(*f, object, at + 1);
+  }
+
+  Found in_field(const Field& f, void* object, std::size_t at) {
+    const Slot slot = f.slot(object);
+    if (auto* const* x = std::get_if<double*>(&slot)) return number(f, at, **x, [p = *x](double v) { *p = v; });
+    if (auto* const* x = std::get_if<std::optional<double>*>(&slot)) {
+      return number(f, at, (*x)->value_or(std::nan("")), [p = *x](double v) { *p = v; });
+    }
+    if (auto* const* x = std::get_if<Triple*>(&slot)) return component(f, at, **x);
+    if (auto* const* x = std::get_if<std::optional<Triple>*>(&slot)) {
+      return *x != nullptr && (*x)->has_value() ? component(f, at, ***x) : no(at, "is not given in the deck");
+    }
+    if (auto* const* x = std::get_if<std::vector<double>*>(&slot)) return element(f, at, **x);
+    if (const auto* record = std::get_if<Record>(&slot)) return in_record(f, *record, at);
+    if (const auto* named = std::get_if<NamedRecords>(&slot)) return in_named(f, *named, at);
+    if (std::holds_alternative<int*>(slot) || std::holds_alternative<std::optional<int>*>(slot)) {
+      return tl::unexpected(fmt::format("'{}': is a whole number; what changes by steps can't be followed", path_));
+    }
+    return tl::unexpected(fmt::format("'{}': is not a number", path_));
+  }
+
+  Found number(const Field& f, std::size_t at, double now, std::function<void(double)> set) const {
+    if (at < steps_.size()) return no(at, "is beyond a number");
+    return Parameter{&f, f.unit, now, std::move(set), path_};
+  }
+
+  Found component(const Field& f, std::size_t at, Triple& v) const {
+    if (at >= steps_.size()) return no(at, "is a vector: name a component, [0], [1], [2] or x, y, z, or its angle");
+    if (at + 1 < steps_.size()) return no(at + 1, "is beyond a component");
+    Triple* const p = &v;
+    if (steps_[at] == "angle") {
+      const double length = std::hypot(v[0], v[2]);
+      if (!(length > 0)) return no(at, "of a vector without length in the plane of x and z");
+      return Parameter{&f, si::rad, std::atan2(v[2], v[0]),
+                       [p, length](double angle) {
+                         (*p)[0] = length * std::cos(angle);
+                         (*p)[2] = length * std::sin(angle);
+                       },
+                       path_};
+    }
+    auto i = number_of(steps_[at]);
+    if (steps_[at] == "x") i = 0;
+    if (steps_[at] == "y") i = 1;
+    if (steps_[at] == "z") i = 2;
+    if (!i || *i > 2) return no(at, "is not a component: x, y, z, [0], [1], [2] or angle");
+    return Parameter{&f, f.unit, v[*i], [p, k = *i](double x) { (*p)[k] = x; }, path_};
+  }
+
+  Found element(const Field& f, std::size_t at, std::vector<double>& v) const {
+    const auto i = at < steps_.size() ? number_of(steps_[at]) : std::nullopt;
+    if (!i || *i >= v.size()) return no(at, fmt::format("is not one of its {} numbers, [0] and so on", v.size()));
+    if (at + 1 < steps_.size()) return no(at + 1, "is beyond a number");
+    return Parameter{&f, f.unit, v[*i], [p = &v, k = *i](double x) { (*p)[k] = x; }, path_};
+  }
+
+  Found in_record(const Field& f, const Record& record, std::size_t at) {
+    const auto all = record.all();
+    // the slot was made of an object that may be changed
+    const auto changeable = [](const void* one) { return const_cast<void*>(one); };
+    if (!f.is_list) {
+      if (all.empty()) return no(at, "is part of something that the deck does not have");
+      return in_struct(*f.record, changeable(all.front()), at);
+    }
+    if (at >= steps_.size()) return no(at, "is a list: name an entry, [0] and so on");
+    if (const auto i = number_of(steps_[at])) {
+      if (*i >= all.size()) return no(at, fmt::format("is not one of its {} entries", all.size()));
+      return in_struct(*f.record, changeable(all[*i]), at + 1);
+    }
+    std::vector<std::string> known;
+    for (const char* key : {"name", "rope", "at", "body"}) {
+      const Field* text = f.record->find(key);
+      if (text == nullptr || text->kind != FieldKind::text) continue;
+      for (const void* one : all) {
+        known.push_back(text_of(*text, changeable(one)));
+        if (const std::size_t count = fits(known.back(), at)) return in_struct(*f.record, changeable(one), at + count);
+      }
+    }
+    return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
+  }
+
+  Found in_named(const Field& f, const NamedRecords& named, std::size_t at) {
+    if (at >= steps_.size()) return no(at, "is a map of names: name one");
+    std::vector<std::string> known;
+    for (const auto& [name, one] : named.all()) {
+      known.push_back(name);
+      const std::size_t count = fits(name, at);
+      if (count == 0) continue;
+      const std::size_t next = at + count;
+      auto* const object = const_cast<void*>(one);
+      const Field* alone = f.shorthand.empty() ? nullptr : f.record->find(f.shorthand);
+      const bool short_form = alone != nullptr && (next >= steps_.size() || f.record->find(steps_[next]) == nullptr);
+      return short_form ? in_field(*alone, object, next) : in_struct(*f.record, object, next);
+    }
+    return no(at, fmt::format("is not among them{}", did_you_mean(steps_[at], known)));
+  }
+
+  /// How many steps from there on are this name, which may have dots; 0: they are not.
+  std::size_t fits(const std::string& name, std::size_t at) const {
+    const auto own = steps_of(name);
+    const bool same = steps_.size() - at >= own.size() &&
+                      std::equal(own.begin(), own.end(), steps_.begin() + static_cast<std::ptrdiff_t>(at));
+    return same ? own.size() : 0;
+  }
+
+  std::string path_;
+  std::vector<std::string> steps_;
+};
+
+}  // namespace
+
+tl::expected<Parameter, std::string> find_parameter(const Description& description, void* object,
+                                                    const std::string& path) {
+  std::string below = path.starts_with("machine.") ? path.substr(8) : path;
+  return Finder(below).find(description, object);
+}
+
+}  // namespace taut::study

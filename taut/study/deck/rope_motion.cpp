@@ -1,0 +1,127 @@
+#include "taut/study/deck/rope_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::study {
+namespace {
+
+using solve::Motion;
+
+const std::map<std::string, solve::Motion> motions = {{"at_rest", solve::Motion::at_rest},
+                                                      {"hoist", solve::Motion::hoist},
+                                                      {"lower", solve::Motion::lower},
+                                                      {"in", solve::Motion::in},
+                                                      {"out", solve::Motion::out}};
+const std::map<std::string, int> signs = {{"1", 1}, {"+1", 1}, {"+", 1}, {"-1", -1}, {"-", -1}, {"0", 0}};
+
+/// As words of a state have it.
+std::string sense_words(const std::string& sense) { return sense == "at_rest" ? "at rest" : sense; }
+
+/// The flow through the contacts of one rope at a motion of the whole machine.
+int flow_of(solve::Motion motion, const machine::Reeving& rope) {
+  if (motion == solve::Motion::at_rest) return 0;
+  return motion == solve::Motion::hoist || motion == solve::Motion::in ? rope.haul : -rope.haul;
+}
+
+Array<Array<int>> flow_of(solve::Motion motion, const machine::Model& model) {
+  Array<Array<int>> all;
+  all.reserve(model.reevings.size());
+  for (const machine::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
+  return all;
+}
+
+bool runs_over(const machine::Node& node) {
+  return node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::load;
+}
+
+/// The sense of a word or a sign; none where it is neither.
+std::optional<std::variant<solve::Motion, int>> sense_of(const std::string& text) {
+  if (const auto motion = motions.find(text); motion != motions.end()) return motion->second;
+  if (const auto sign = signs.find(text); sign != signs.end()) return sign->second;
+  return std::nullopt;
+}
+
+std::string unknown_motion(const std::string& text) {
+  std::vector<std::string> senses;
+  senses.reserve(motions.size());
+  for (const auto& [name, sense] : motions) senses.push_back(name);
+  const std::string hint = did_you_mean(text, senses);
+  return fmt::format("there is no motion '{}'{}", text,
+                     hint.empty() ? "; write hoist, lower, in, out, at_rest, 1, -1 or 0" : hint);
+}
+
+/// A complaint where no contact and no rope has the name.
+std::optional<std::string> unknown_contact(const std::string& name, const machine::Model& model) {
+  std::vector<std::string> contacts;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (!runs_over(node)) continue;
+      if (node.name == name || rope.name == name) return std::nullopt;
+      contacts.push_back(node.name);
+    }
+  }
+  return fmt::format("there is no sheave, support or rope of this name{}", did_you_mean(name, contacts));
+}
+
+}  // namespace
+
+const Description& MotionRequest::describe() {
+  static const Description d = Describe<MotionRequest>()
+                                   .field(&MotionRequest::sense, "sense", "hoist, lower, in, out, at_rest, or a sign")
+                                   .required();
+  return d;
+}
+
+solve::EquilibriumOptions RopeMotion::options(const machine::Model& model) const {
+  solve::EquilibriumOptions options;
+  for (const Part& part : parts) {
+    const auto* const motion = std::get_if<solve::Motion>(&part.sense);
+    if (part.name.empty() && motion != nullptr) {
+      options.motion = *motion;
+      continue;
+    }
+    if (options.flow.empty()) options.flow = flow_of(solve::Motion::at_rest, model);
+    for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+      const machine::Reeving& rope = model.reevings[r];
+      for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
+        if (!runs_over(rope.nodes[n])) continue;
+        if (!part.name.empty() && rope.nodes[n].name != part.name && rope.name != part.name) continue;
+        options.flow[r][n] = motion != nullptr ? flow_of(*motion, rope) : std::get<int>(part.sense);
+      }
+    }
+  }
+  return options;
+}
+
+RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::Model& model, const std::string& path,
+                       std::vector<Complaint>& complaints) {
+  RopeMotion all;
+  if (!motion.empty()) all.words.clear();
+  for (const MotionRequest& one : motion) {
+    const std::string at = one.name.empty() ? path : fmt::format("{}.{}", path, one.name);
+    all.words += fmt::format("{}{}{}", all.words.empty() ? "" : ", ", one.name.empty() ? "" : one.name + " ",
+                             sense_words(one.sense));
+    const auto sense = sense_of(one.sense);
+    if (!sense) {
+      complaints.push_back({at, unknown_motion(one.sense)});
+      continue;
+    }
+    if (!one.name.empty()) {
+      if (auto wrong = unknown_contact(one.name, model)) complaints.push_back({at, std::move(*wrong)});
+    }
+    all.parts.push_back({one.name, *sense});
+  }
+  return all;
+}
+
+RopeMotion rope_motion(solve::Motion motion) {
+  const auto word = std::find_if(motions.begin(), motions.end(), [&](const auto& m) { return m.second == motion; });
+  return {{{"", motion}}, sense_words(word->first)};
+}
+
+}  // namespace taut::study

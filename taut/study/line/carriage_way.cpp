@@ -1,0 +1,78 @@
+#include "taut/study/line/carriage_way.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/base/array.hpp"
+#include "taut/machine/compile/carriage_span.hpp"
+#include "taut/study/deck/names.hpp"
+
+namespace taut::study {
+
+const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along) {
+  const machine::Carriage& car = model.carriages[carriage];
+  for (const machine::Node& node : model.reevings[car.reeving].nodes) {
+    if (node.at.body == machine::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
+      return &node;
+  }
+  return nullptr;
+}
+
+Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
+  const auto node = [&](const machine::Model& m) { return m.carriages[way.carriage].node; };
+  Array<WayPart> parts;
+  for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
+    WayPart part{machine::with_carriage_at(model, way.carriage, way.x(i), way.along), i, i,
+                 support_at(model, way.carriage, way.x(i), way.along)};
+    while (part.support == nullptr && part.last < way.steps &&
+           support_at(model, way.carriage, way.x(part.last + 1), way.along) == nullptr &&
+           node(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along)) == node(part.model)) {
+      ++part.last;
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+LoadPathOptions path_over(const Way& way, const WayPart& part) {
+  LoadPathOptions options;
+  options.carriage = way.carriage;
+  options.from = way.x(part.first);
+  options.to = way.x(part.last);
+  options.along = way.along;
+  options.steps = std::max(1, part.last - part.first);
+  return options;
+}
+
+Way way_of(const std::string& carriage, const std::vector<double>& along, const std::string& path, Names& names) {
+  Way way;
+  way.carriage = carriage_of(names, carriage, path + ".carriage");
+  check_hold(names.model, way.carriage, names.complaints);
+  way.along = direction_of(along, path + ".along", names.complaints);
+  return way;
+}
+
+Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints) {
+  if (along.size() == 2 && std::hypot(along[0], along[1]) > 0) return Vector3(along[0], along[1], 0).normalized();
+  complaints.push_back({path, "a horizontal direction [x, y] is expected, not zero"});
+  return Vector3::UnitX();
+}
+
+void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints) {
+  if (carriage < 0) return;
+  const machine::Carriage& car = model.carriages[carriage];
+  const auto rope = [&](int i) -> const machine::Reeving& { return model.reevings[i]; };
+  const auto by_length = [&](int i) { return i >= 0 && rope(i).given == machine::Given::length; };
+  if (!by_length(car.mainline) || !by_length(car.haulback) || car.grip_reeving >= 0) return;
+  const std::string at = fmt::format("machine.carriages.{}.haulback", car.name);
+  if (std::any_of(complaints.begin(), complaints.end(), [&](const auto& c) { return c.path == at; })) return;
+  complaints.push_back(
+      {at, fmt::format("an analysis puts '{}' somewhere: then give the pull of '{}' or of '{}', not the "
+                       "lengths of both",
+                       car.name, rope(car.haulback).name, rope(car.mainline).name)});
+}
+
+}  // namespace taut::study

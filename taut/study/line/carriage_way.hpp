@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/base/array.hpp"
+#include "taut/calc/field.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/study/load_path.hpp"
+
+namespace taut::study {
+
+struct Names;
+
+/// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
+/// span there. nullptr in a span.
+const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along);
+
+/// A way span by span, in the order of its positions.
+Array<WayPart> parts_of(const machine::Model& model, const Way& way);
+
+/// A load path over the positions of a part; of a single position it has two, both there.
+LoadPathOptions path_over(const Way& way, const WayPart& part);
+
+/// The way of a carriage that a deck names, from one end to the other; complaints below `path`.
+Way way_of(const std::string& carriage, const std::vector<double>& along, const std::string& path, Names& names);
+
+/// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
+Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints);
+
+/// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, reported once.
+void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints);
+
+}  // namespace taut::study

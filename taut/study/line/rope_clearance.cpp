@@ -1,0 +1,214 @@
+#include "taut/study/line/rope_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "taut/base/array.hpp"
+#include "taut/study/load_path.hpp"
+
+namespace taut::study {
+namespace {
+
+constexpr double near = 1e-9;  ///< of a span's length
+
+bool moves(const machine::Model& model, const solve::SpanResult& span, int node) {
+  const machine::Place& place = model.reevings[span.reeving].nodes[node].at;
+  return place.body != machine::ground && !model.bodies[place.body].free.empty();
+}
+
+/// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
+struct Under {
+  double from = 0, rate = 0;
+};
+
+/// A part of a span in plan, m from its start.
+struct Part {
+  double first = 0, last = 0;
+
+  bool empty() const { return !(first <= last); }
+
+  /// What is left of it where a coordinate lies between a and b.
+  Part within(const Under& u, double a, double b) const {
+    if (u.rate == 0) return u.from >= a && u.from <= b ? *this : Part{1, 0};
+    const double p = (a - u.from) / u.rate, q = (b - u.from) / u.rate;
+    return {std::max(first, std::min(p, q)), std::min(last, std::max(p, q))};
+  }
+};
+
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const machine::Model& model, const solve::SpanResult& span)
+      : model_(model), span_(span), ground_(model.terrain) {
+    under_ = {terrain_x(model, span.start), model.terrain_along.dot(span.shape.along)};
+    length_ = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+  }
+
+  /// Of the free rope.
+  RopeClearance least() {
+    if (moves(model_, span_, span_.from)) take(under_.from, span_.start);
+    if (moves(model_, span_, span_.to)) take(x_at(length_), span_.end);
+    // at a fixed end, but for rounding
+    between({near * length_, (1 - near) * length_});
+    return found_;
+  }
+
+  /// Of what is in a window, ends counted.
+  RopeClearance least(const RopeWindow& window) {
+    const auto [low, high] = std::minmax(window.from, window.to);
+    const Under across{window.along.dot(span_.start), window.along.dot(span_.shape.along)};
+    const Part part = Part{0, length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
+    if (part.empty()) return found_;
+    take_at(part.first);
+    take_at(part.last);
+    if (length_ == 0) take(under_.from, span_.end);
+    between(part);
+    return found_;
+  }
+
+ private:
+  bool straight() const { return span_.slack || span_.shape.rope.weight <= 0 || span_.shape.force.H <= 0; }
+  double x_at(double h) const { return under_.from + under_.rate * h; }
+
+  /// Compares a place of the rope with the ground at x below it.
+  void take(double x, const Vector3& place) {
+    const double inside = std::clamp(x, ground_.front().x, ground_.back().x);
+    const double rounding = near * std::max(1.0, length_);
+    const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
+    if (std::isnan(height) || height >= found_.height) return;
+    found_ = {height, place};
+  }
+
+  /// The rope at the distance h: by its sag under the chord.
+  void take_at(double h) {
+    if (length_ == 0) return take(under_.from, span_.start);
+    const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(span_.shape, h));
+    take(x_at(h), span_.start + h / length_ * span_.shape.chord + below);
+  }
+
+  void between(const Part& part) {
+    for (std::size_t k = 0; k + 1 < ground_.size(); ++k) parallel(ground_[k], ground_[k + 1], part);
+    for (std::size_t k = 1; k + 1 < ground_.size(); ++k) hilltop(k, part);
+  }
+
+  /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
+  void parallel(const machine::GroundPoint& a, const machine::GroundPoint& b, const Part& part) {
+    if (straight()) return;
+    const rope::CatenaryRope& rope = span_.shape.rope;
+    const double slope = under_.rate * (b.z - a.z) / (b.x - a.x);
+    const double s = rope.length / 2 + (slope * span_.shape.force.H - span_.shape.force.V) / rope.weight;
+    if (!(s > 0 && s < rope.length)) return;
+    const Vector3 place = rope::point_at(span_.shape, s);
+    const double h = place.dot(span_.shape.along), x = x_at(h);
+    if (h > part.first && h < part.last && x >= a.x && x <= b.x) take(x, span_.start + place);
+  }
+
+  void hilltop(std::size_t k, const Part& part) {
+    if (under_.rate == 0) return;
+    const machine::GroundPoint &a = ground_[k - 1], &b = ground_[k], &c = ground_[k + 1];
+    if ((b.z - a.z) * (c.x - b.x) <= (c.z - b.z) * (b.x - a.x)) return;
+    const double h = (b.x - under_.from) / under_.rate;
+    if (h > part.first && h < part.last) take_at(h);
+  }
+
+  const machine::Model& model_;
+  const solve::SpanResult& span_;
+  const Array<machine::GroundPoint>& ground_;
+  Under under_;        ///< the terrain's x
+  double length_ = 0;  ///< of the span in plan, m
+  RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
+};
+
+/// What the terrain's x of a rope runs over.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  bool empty() const { return !(low <= high); }
+  void take(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// The part of a span in a window. A rope lies over its chord in plan.
+void take_extent(const machine::Model& model, const solve::SpanResult& span, const RopeWindow& window, Extent& extent) {
+  const double length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+  const auto [low, high] = std::minmax(window.from, window.to);
+  const Under across{window.along.dot(span.start), window.along.dot(span.shape.along)};
+  const Part part = Part{0, length}.within(across, low, high);
+  if (part.empty()) return;
+  const double from = terrain_x(model, span.start), rate = model.terrain_along.dot(span.shape.along);
+  extent.take(from + rate * part.first);
+  extent.take(from + rate * part.last);
+}
+
+RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
+  const bool second = std::isfinite(b.height) && !(a.height <= b.height);
+  return second ? b : a;
+}
+
+}  // namespace
+
+RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResult& span) {
+  if (model.terrain.empty() || span.slack) return {};
+  return lower({}, ClearanceSearch(model, span).least());
+}
+
+RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends) {
+  RopeClearance least;
+  const auto take = [&](const Vector3& place) {
+    least = lower(least, {place.z() - ground_height(model.terrain, terrain_x(model, place)), place});
+  };
+  for (std::size_t i = 0; i < rope.size(); ++i) {
+    if ((i > 0 || begins) && (i + 1 < rope.size() || ends)) take(rope[i]);
+    if (i == 0) continue;
+    const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
+    for (const machine::GroundPoint& top : model.terrain) {
+      if (top.x <= std::min(a, b) || top.x >= std::max(a, b)) continue;
+      take(rope[i - 1] + (top.x - a) / (b - a) * (rope[i] - rope[i - 1]));
+    }
+  }
+  return least;
+}
+
+RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result) {
+  RopeClearance least;
+  for (const solve::SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));
+  return least;
+}
+
+RopeClearance rope_clearance(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+                             const RopeWindow& window) {
+  RopeClearance least;
+  if (model.terrain.empty()) return least;
+  for (const solve::SpanResult& span : spans) {
+    if (span.reeving == reeving) least = lower(least, ClearanceSearch(model, span).least(window));
+  }
+  return least;
+}
+
+TerrainGap terrain_gap(const machine::Model& model, double from, double to) {
+  const auto [low, high] = std::minmax(from, to);
+  if (model.terrain.empty()) return {high - low, 0};
+  const double rounding = near * std::max({1.0, high - low, std::abs(low), std::abs(high)});
+  const auto part = [&](double length) { return length > rounding ? length : 0; };
+  const double first = model.terrain.front().x, last = model.terrain.back().x;
+  return {part(std::min(high, first) - low), part(high - std::max(low, last))};
+}
+
+TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+                       const RopeWindow& window) {
+  Extent extent;
+  for (const solve::SpanResult& span : spans) {
+    if (span.reeving == reeving) take_extent(model, span, window, extent);
+  }
+  return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
+}
+
+TerrainGap terrain_gap(const machine::Model& model, const solve::EquilibriumResult& result) {
+  Extent extent;
+  for (const solve::SpanResult& span : result.spans) take_extent(model, span, {}, extent);
+  return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
+}
+
+}  // namespace taut::study

@@ -1,0 +1,87 @@
+#include "taut/study/line/rope_clearance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/support/machines.hpp"
+
+/// A rope hung as the catenary z = a cosh((x - 50)/a) + const over ground of one kind and another.
+namespace taut_test::rope_clearance_test {
+namespace {
+
+constexpr double a = 200, span = 100, support = 20;  // m: H/w, between supports of one height
+
+double rope_height(double x) { return support - a * (std::cosh(span / 2 / a) - std::cosh((x - span / 2) / a)); }
+
+struct Line {
+  machine::Model machine;
+  taut::solve::SpanResult rope;
+};
+
+Line line_over(std::vector<machine::GroundPoint> ground) {
+  Line line;
+  line.machine.terrain = std::move(ground);
+  line.machine.reevings.push_back(reeve("sky", {anchor("left", {0, 0, support}), anchor("right", {span, 0, support})},
+                                        2 * a * std::sinh(span / 2 / a), 10, 1e13));
+  const auto found = taut::solve::equilibrium(line.machine);
+  EXPECT_TRUE(found.outcome.ok()) << found.outcome.message;
+  line.rope = found.spans.at(0);
+  return line;
+}
+
+// A polyline of the same rope, against the exact search over its catenary: from above by the sag of its pieces alone.
+TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
+  for (const auto& ground : {std::vector<machine::GroundPoint>{{-10, 0}, {110, 0}},
+                             {{0, -5}, {100, 5}},
+                             {{0, -9}, {30, 12}, {31, -9}, {100, 3}}}) {
+    const Line line = line_over(ground);
+    const double exact = taut::study::rope_clearance(line.machine, line.rope).height;
+    for (const int pieces : {16, 160}) {
+      std::vector<Vector3> places;
+      for (int i = 0; i <= pieces; ++i) {
+        const double x = span * i / pieces;
+        places.emplace_back(x, 0, rope_height(x));
+      }
+      const double found = taut::study::rope_clearance(line.machine, places, false, false).height;
+      const double sag = support - rope_height(span / 2);
+      EXPECT_GE(found, exact - 1e-6);
+      EXPECT_LE(found, exact + 1.1 * sag / (pieces * pieces) + 1e-6);
+    }
+  }
+  const Line line = line_over({{-10, 15}, {110, 15}});
+  const std::vector<Vector3> rising = {{0, 0, 15}, {50, 0, 18}, {100, 0, 14}};
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, true, false).height, 0);
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, true).height, -1);
+  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, false).height, 3);
+}
+
+TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
+  const auto least = [](std::vector<machine::GroundPoint> ground) {
+    const Line line = line_over(std::move(ground));
+    return taut::study::rope_clearance(line.machine, line.rope);
+  };
+  const auto flat = least({{-10, 0}, {110, 0}});
+  EXPECT_NEAR(flat.height, rope_height(50), 1e-6);
+  EXPECT_NEAR(flat.place.x(), 50, 1e-4);
+  const auto slope = least({{0, -5}, {100, 5}});
+  const double x = 50 + a * std::asinh(0.1);  // where the catenary rises by 0.1
+  EXPECT_NEAR(slope.place.x(), x, 1e-4);
+  EXPECT_NEAR(slope.height, rope_height(x) - (0.1 * x - 5), 1e-6);
+  const auto hill = least({{0, 0}, {80, 13}, {100, 0}});
+  EXPECT_NEAR(hill.place.x(), 80, 1e-6);
+  EXPECT_NEAR(hill.height, rope_height(80) - 13, 1e-6);
+  EXPECT_LT(least({{0, 0}, {50, 15}, {100, 0}}).height, 0);
+}
+
+/// A rope may well begin at the ground where it is fixed; an end that moves with a body may not come down to it.
+TEST(RopeClearance, CountsEndsThatMove) {
+  Line line = line_over({{0, support}, {10, 0}, {100, 0}});
+  EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, rope_height(50), 1e-6);
+  line.machine.bodies.push_back(body("car", {0, 0, support}, 10, "z"));
+  line.machine.reevings[0].nodes[0] = anchor_on("car", 0);
+  EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, 0, 1e-9);
+  line.machine.terrain = {{-20, 0}, {-10, 0}};
+  EXPECT_TRUE(std::isnan(taut::study::rope_clearance(line.machine, line.rope).height));
+}
+
+}  // namespace
+}  // namespace taut_test::rope_clearance_test

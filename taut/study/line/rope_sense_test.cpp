@@ -1,0 +1,124 @@
+#include "taut/study/line/rope_sense.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/support/machine_decks.hpp"
+
+/// Ropes that run against the motion that a deck declares for them.
+namespace rope_sense_test {
+
+using namespace taut_test;
+using taut::Result;
+using taut::Status;
+using taut::study::contrary_senses;
+using taut::study::RopeSense;
+using taut::study::wrong_senses;
+
+/// A running skyline: the haulback comes in where the carriage goes out.
+std::string running_skyline(const std::string& analysis) {
+  return R"(taut: 1
+machine:
+  points:
+    tower: [0 m, 0 m, 12 m]
+  ropes:
+    haulback: {mass: 0.8 kg/m, stiffness: 9.8 MN}
+    mainline: {mass: 0.6 kg/m, stiffness: 7.2 MN}
+  sheaves:
+    tower_sheave: {at: [0 m, 0 m, 13 m], diameter: 300 mm, efficiency: 0.97}
+    tail_block: {at: [200 m, 0 m, 40 m], diameter: 300 mm, efficiency: 0.95}
+    lead: {at: [1 m, 0 m, 12 m], diameter: 300 mm, efficiency: 0.95}
+  drums:
+    haulback_drum: {at: [-3 m, 0 m, 1 m], core_diameter: 400 mm, drive: {pull: 25 kN}}
+    mainline_drum: {at: [-3 m, 0 m, 2 m], core_diameter: 400 mm}
+  carriages:
+    car: {mass: 250 kg, rides: haulback, hold: rolling, mainline: mainline, at: [100 m, 0 m, 22 m]}
+  reevings:
+    - {rope: haulback, path: [{drum: haulback_drum}, {over: tower_sheave}, {through: car}, {over: tail_block}, {anchor: car}]}
+    - {rope: mainline, path: [{drum: mainline_drum}, {over: lead}, {anchor: car}], length: 112 m}
+  loads:
+    - {at: car, mass: 900 kg}
+analyses:
+)" + analysis;
+}
+
+std::string cycle(const std::string& out, const std::string& in) {
+  return running_skyline(
+      "  - cycle: {carriage: car, from: 60 m, to: 120 m, steps: 6, phases: [{name: out empty, motion: " + out +
+      "}, {name: in loaded, motion: " + in + "}]}\n");
+}
+
+TEST(RopeSense, ACycleAgainstItsRopesIsRefusedWithTheRightSigns) {
+  const Result wrong = run_text(cycle("out", "in"));
+  EXPECT_EQ(wrong.status, Status::infeasible);
+  EXPECT_NE(wrong.message.find("cycle, out empty: haulback runs "), std::string::npos) << wrong.message;
+  EXPECT_NE(wrong.message.find("declare 'motion: {haulback: -1}'"), std::string::npos) << wrong.message;
+  EXPECT_EQ(wrong.find_value("cycle_energy"), nullptr) << "no sum of what is wrong";
+}
+
+TEST(RopeSense, ACycleWithTheRightSignsCostsEnergy) {
+  const Result right = run_text(cycle("{haulback: -1, mainline: 1}", "{haulback: 1, mainline: -1}"));
+  ASSERT_EQ(right.status, Status::ok) << right.message << to_text(right.errors);
+  EXPECT_TRUE(right.unsafe.empty()) << right.unsafe.front();
+  EXPECT_GT(value_of(right, "cycle_energy"), 0);
+}
+
+TEST(RopeSense, ALoadPathWhoseRopesCannotBothRunSoIsUnsafe) {
+  const std::string path = "  - load_path: {carriage: car, from: 60 m, to: 120 m, steps: 6, motion: ";
+  for (const auto& [motion, contrary] : {std::pair{"out", true},
+                                         {"in", true},
+                                         {"{haulback: -1, mainline: 1}", false},
+                                         {"{haulback: 1, mainline: -1}", false}}) {
+    const Result r = run_text(running_skyline(path + motion + "}\n"));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_EQ(!r.unsafe.empty(), contrary) << motion;
+    const std::string first = r.unsafe.empty() ? "" : r.unsafe.front();
+    EXPECT_EQ(first.find("can't both run as declared") != std::string::npos, contrary) << first;
+  }
+  const Result all =
+      run_text(running_skyline("  - envelope: {carriage: car, from: 60 m, to: 120 m, steps: 6, motions: [out]}\n"));
+  ASSERT_EQ(all.status, Status::ok) << all.message << to_text(all.errors);
+  EXPECT_EQ(all.unsafe.size(), 1U);
+}
+
+/// A gravity carriage with rolling friction: the skyline's ends lie still, and it passes the carriage the other way.
+TEST(RopeSense, FrictionOfACarriageThatGivesEnergyIsRefused) {
+  const auto deck = [](const std::string& motion) {
+    return R"(taut: 1
+machine:
+  points: {low: [0 m, 0 m, 0 m], high: [300 m, 0 m, 60 m], winch: [300 m, 0 m, 58 m]}
+  ropes: {sky: {mass: 2 kg/m, stiffness: 30 MN}, main: {mass: 0.5 kg/m, stiffness: 8 MN}}
+  carriages: {car: {mass: 900 kg, rides: sky, hold: rolling, friction: 0.03, mainline: main}}
+  reevings:
+    - {rope: sky, path: [{anchor: low}, {through: car}, {anchor: high}], length: 309 m}
+    - {rope: main, path: [{anchor: winch}, {anchor: car}], length: 100 m}
+analyses:
+  - cycle: {carriage: car, from: 200 m, to: 240 m, steps: 4, phases: [{name: up, motion: )" +
+           motion + "}]}\n";
+  };
+  const Result against = run_text(deck("{car: 1}"));
+  EXPECT_EQ(against.status, Status::infeasible) << to_text(against.errors);
+  EXPECT_NE(against.message.find("sky over car"), std::string::npos) << against.message;
+  EXPECT_NE(against.message.find("'motion: {car: -1}'"), std::string::npos) << against.message;
+  const Result with = run_text(deck("{car: -1}")), none = run_text(deck("{car: 0}"));
+  ASSERT_EQ(with.status, Status::ok) << with.message << to_text(with.errors);
+  ASSERT_EQ(none.status, Status::ok) << none.message << to_text(none.errors);
+  // a word is about the hauled rope, the carriage's own friction takes energy either way
+  for (const char* word : {"in", "out"}) {
+    const Result named = run_text(deck(word));
+    ASSERT_EQ(named.status, Status::ok) << named.message;
+    EXPECT_NEAR(value_of(named, "cycle_energy"), value_of(with, "cycle_energy"), 1e-9 * value_of(with, "cycle_energy"));
+  }
+  EXPECT_GT(value_of(with, "cycle_energy"), 1.05 * value_of(none, "cycle_energy"));
+}
+
+TEST(RopeSense, NamesTheRopeWhereAllOfItIsWrongElseTheContact) {
+  const std::vector<RopeSense> one = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 2, 0}};
+  EXPECT_NE(wrong_senses(one)->find("{a: -1}"), std::string::npos) << *wrong_senses(one);
+  const std::vector<RopeSense> both = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 0, 2}};
+  EXPECT_NE(wrong_senses(both)->find("{line: -1}"), std::string::npos) << *wrong_senses(both);
+  const std::vector<RopeSense> in_part = {{"line", "a", 1, 1, 3}};
+  EXPECT_FALSE(wrong_senses(in_part));
+  EXPECT_FALSE(contrary_senses(in_part));
+}
+
+}  // namespace rope_sense_test

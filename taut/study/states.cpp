@@ -1,0 +1,144 @@
+#include "taut/study/states.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "taut/machine/compile/carriage_span.hpp"
+#include "taut/study/deck/watch.hpp"
+
+namespace taut::study {
+
+const Description& EquilibriumRequest::describe() {
+  static const Description d =
+      Describe<EquilibriumRequest>()
+          .field(&EquilibriumRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EquilibriumRequest::judge, "judge", "false: its states do not count for the verdict")
+          .named_records(&EquilibriumRequest::motion, "motion",
+                         "hoist, lower, in, out, at_rest, or a sign for each sheave by name: 1 along the path, -1 "
+                         "against it, 0 at rest")
+          .shorthand("sense")
+          .one_for_all()
+          .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is put at x")
+          .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage, instead of what holds it")
+          .at_least(-1e6)
+          .at_most(1e6)
+          .field(&EquilibriumRequest::z, "z", "z", si::m,
+                 "its height too, instead of the length (or tension) given of the rope it rides on")
+          .at_least(-1e6)
+          .at_most(1e6)
+          .field(&EquilibriumRequest::along, "along", "", si::one,
+                 "horizontal direction [x, y] along which its x is measured, from the origin")
+          .field(&EquilibriumRequest::held, "held",
+                 "true: something besides the ropes holds the carriage at x; without it there is no answer where "
+                 "only a force along the track would hold it")
+          .record(&EquilibriumRequest::given, "given", "a mode in place of what one rope has given");
+  return d;
+}
+
+EquilibriumRun resolve(const EquilibriumRequest& request, const std::string& path, Names& names) {
+  EquilibriumRun run;
+  run.judged = request.judge;
+  run.ending = ending_of(names, "equilibrium", request.name, path);
+  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.words = run.motion.words;
+  run.held = request.held;
+  run.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names);
+  if (request.z && !request.x) names.complaints.push_back({path, "'z' needs 'carriage' and 'x'"});
+  if (run.prescribed) run.prescribed->z = request.z;
+  if (request.z && request.given) {
+    names.complaints.push_back(
+        {path + ".given", "'z' is in place of what the rope has given already; give one of the two"});
+  }
+  const int placed = run.prescribed ? run.prescribed->carriage : -1;
+  if (request.given) run.given = condition_of(*request.given, placed, path + ".given", names);
+  return run;
+}
+
+void solve(const machine::Model& model, EquilibriumRun& run) {
+  run.model = run.prescribed
+                  ? machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along)
+                  : model;
+  solve::EquilibriumOptions options = run.motion.options(run.model);
+  options.prescribed = run.prescribed;
+  options.held = run.held;
+  if (run.given) {
+    auto found = solve::equilibrium_under(run.model, *run.given, options);
+    run.model = std::move(found.model);
+    run.result = std::move(found.result);
+  } else {
+    run.result = solve::equilibrium(run.model, options);
+  }
+}
+
+const Description& LoadPathRequest::describe() {
+  static const Description d =
+      Describe<LoadPathRequest>()
+          .field(&LoadPathRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&LoadPathRequest::judge, "judge", "false: its states do not count for the verdict")
+          .field(&LoadPathRequest::carriage, "carriage", "the carriage that is moved")
+          .required()
+          .field(&LoadPathRequest::from, "from", "x", si::m, "first place of the carriage")
+          .at_least(-1e6)
+          .at_most(1e6)
+          .required()
+          .field(&LoadPathRequest::to, "to", "x", si::m, "last place")
+          .at_least(-1e6)
+          .at_most(1e6)
+          .required()
+          .field(&LoadPathRequest::steps, "steps", "n", si::one, "equal steps between them")
+          .at_least(1)
+          .at_most(10000)
+          .field(&LoadPathRequest::along, "along", "", si::one,
+                 "horizontal direction [x, y] along which 'from' and 'to' are measured, from the origin")
+          .named_records(&LoadPathRequest::motion, "motion", "as for an equilibrium")
+          .shorthand("sense")
+          .one_for_all()
+          .field(&LoadPathRequest::held, "held", "as for an equilibrium, at every position")
+          .record(&LoadPathRequest::given, "given", "as for an equilibrium, at every position");
+  return d;
+}
+
+LoadPathRun resolve(const LoadPathRequest& request, const std::string& path, Names& names) {
+  LoadPathRun run;
+  run.judged = request.judge;
+  run.ending = ending_of(names, "load_path", request.name, path);
+  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.words = run.motion.words;
+  run.way = way_of(request.carriage, request.along, path, names);
+  run.way.from = request.from;
+  run.way.to = request.to;
+  run.way.steps = request.steps;
+  run.held = request.held;
+  if (request.given) run.given = condition_of(*request.given, run.way.carriage, path + ".given", names);
+  if (request.from == request.to && !request.one_place)
+    names.complaints.push_back({path + ".to", "is the same place as 'from'"});
+  return run;
+}
+
+void solve(const machine::Model& model, LoadPathRun& run, Watch& watch) {
+  for (WayPart& place : parts_of(model, run.way)) {
+    if (watch.ended()) return;
+    LoadPathPart part;
+    if (place.support != nullptr) {
+      LoadPathPoint point;
+      point.x = run.way.x(place.first);
+      point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", place.support->name));
+      part.result.points.push_back(std::move(point));
+    } else {
+      LoadPathOptions options = path_over(run.way, place);
+      options.equilibrium = run.motion.options(place.model);
+      options.equilibrium.band = false;
+      options.equilibrium.held = run.held;
+      options.condition = run.given;
+      options.go_on = [&](double x) { return watch.go_on_at(x); };
+      part.result = load_path(place.model, options);
+      if (part.result.points.empty()) return;
+      if (place.last == place.first) part.result.points.resize(1);
+    }
+    part.model = std::move(place.model);
+    run.parts.push_back(std::move(part));
+  }
+}
+
+}  // namespace taut::study

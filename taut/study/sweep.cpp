@@ -1,0 +1,163 @@
+#include "taut/study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "taut/machine/compile.hpp"
+#include "taut/machine/compile/carriage_span.hpp"
+#include "taut/study/deck/bounds.hpp"
+#include "taut/study/deck/parameter.hpp"
+#include "taut/study/deck/temperature.hpp"
+#include "taut/study/deck/watch.hpp"
+#include "taut/study/put_up.hpp"
+#include "taut/units/display.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::study {
+namespace {
+
+/// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
+/// built otherwise they are put up anew. Lines that are put up (`install:`) are so at every value, as in a deck with
+/// that value; while the temperature changes they keep their lengths.
+bool changes_the_building(const std::string& parameter) {
+  const std::string below = parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
+  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "gravity"}) {
+    if (below.starts_with(kind)) return true;
+  }
+  return false;
+}
+
+std::string below_machine(const std::string& parameter) {
+  return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
+}
+
+tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
+  if (below_machine(run.parameter) == "temperature") {
+    machine::Model warm = installed;
+    set_temperature(warm, *run.machine, value);
+    return warm;
+  }
+  machine::Machine machine = *run.machine;
+  const auto parameter = find_parameter(machine::Machine::describe(), &machine, run.parameter);
+  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
+  if (!parameter->field->range.contains(value) && !(parameter->unit.is_angle && !parameter->field->unit.is_angle)) {
+    return tl::unexpected(infeasible(fmt::format("'{}' must be {}", run.parameter, range_text(*parameter->field))));
+  }
+  parameter->set(value);
+  auto model = machine::compile(machine);
+  if (!model) return tl::unexpected(infeasible(model.error().front().message));
+  const std::size_t guys = machine.reevings.size();
+  if (changes_the_building(run.parameter)) {
+    const Outcome outcome = install_guys(machine, *model);
+    if (!outcome.ok()) return tl::unexpected(outcome);
+  } else {
+    for (std::size_t i = guys; i < model->reevings.size(); ++i) {
+      model->reevings[i].given = installed.reevings[i].given;
+      model->reevings[i].value = installed.reevings[i].value;
+    }
+  }
+  std::vector<PutUpLine> lines;
+  if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
+  if (run.prescribed)
+    *model = machine::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
+  return *model;
+}
+
+void resolve_values(const SweepRequest& request, const std::string& path, Names& p, SweepRun& run) {
+  machine::Machine machine = p.machine;
+  const auto parameter = find_parameter(machine::Machine::describe(), &machine, request.parameter);
+  if (!parameter) {
+    p.complaints.push_back({path + ".parameter", parameter.error()});
+    return;
+  }
+  run.unit = parameter->unit;
+  if (std::isnan(parameter->value) && below_machine(request.parameter) != "temperature") {
+    p.complaints.push_back({path + ".parameter", fmt::format("'{}' has no value in the deck that could change: write "
+                                                             "one there",
+                                                             request.parameter)});
+  }
+  const auto read = [&](const std::string& text, const char* key, double& value) {
+    const auto number = parse_quantity(text, parameter->unit);
+    if (!number) {
+      p.complaints.push_back({fmt::format("{}.{}", path, key), number.error().message});
+    } else {
+      value = *number;
+      const bool own = parameter->unit.is_angle == parameter->field->unit.is_angle;
+      if (own && !parameter->field->range.contains(value)) {
+        p.complaints.push_back(
+            {fmt::format("{}.{}", path, key), fmt::format("must be {}, not {}", range_text(*parameter->field), text)});
+      }
+    }
+  };
+  read(request.from, "from", run.from);
+  read(request.to, "to", run.to);
+  if (run.from == run.to) p.complaints.push_back({path + ".to", "is the same value as 'from'"});
+  if (below_machine(request.parameter) == "temperature") {
+    require_references(p.machine, path + ".parameter", p.complaints);
+  }
+}
+
+}  // namespace
+
+const Description& SweepRequest::describe() {
+  static const Description d =
+      Describe<SweepRequest>()
+          .field(&SweepRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&SweepRequest::judge, "judge", "false: its states do not count for the verdict")
+          .field(&SweepRequest::parameter, "parameter",
+                 "a number of the machine by its path in the deck: 'loads[0].mass', 'reevings.skyline.length', "
+                 "'temperature', 'points.head[2]', 'loads[0].force.angle'")
+          .required()
+          .field(&SweepRequest::from, "from", "first value, with the unit of the parameter")
+          .required()
+          .field(&SweepRequest::to, "to", "last value")
+          .required()
+          .field(&SweepRequest::steps, "steps", "n", si::one, "equal steps between them")
+          .at_least(1)
+          .at_most(10000)
+          .named_records(&SweepRequest::motion, "motion", "as for an equilibrium")
+          .shorthand("sense")
+          .one_for_all()
+          .field(&SweepRequest::carriage, "carriage", "the carriage that is held at x")
+          .field(&SweepRequest::x, "x", "x", si::m, "its place")
+          .at_least(-farthest)
+          .at_most(farthest)
+          .field(&SweepRequest::along, "along", "", si::one, "as for an equilibrium")
+          .field(&SweepRequest::held, "held", "as for an equilibrium");
+  return d;
+}
+
+SweepRun resolve(const SweepRequest& request, const std::string& path, Names& names) {
+  SweepRun run;
+  run.ending = ending_of(names, "sweep", request.name, path);
+  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.words = run.motion.words;
+  run.parameter = request.parameter;
+  run.steps = request.steps;
+  run.held = request.held;
+  run.machine = &names.machine;
+  resolve_values(request, path, names, run);
+  run.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names);
+  return run;
+}
+
+void solve(const machine::Model& model, SweepRun& run, Watch& watch) {
+  machine::Model base = model;
+  if (run.prescribed) {
+    base = machine::with_carriage_at(base, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
+  }
+  solve::SweepOptions options;
+  options.from = run.from;
+  options.to = run.to;
+  options.steps = run.steps;
+  options.equilibrium = run.motion.options(base);
+  options.equilibrium.prescribed = run.prescribed;
+  options.equilibrium.held = run.held;
+  options.go_on = [&](double value) {
+    return watch.go_on(fmt::format("{} = {}", run.parameter, Display().quantity(value, run.unit)));
+  };
+  run.answer = solve::sweep([&](double value) { return model_at(run, base, value); }, options);
+}
+
+}  // namespace taut::study

@@ -1,0 +1,51 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/solve/continuation.hpp"
+#include "taut/study/deck/names.hpp"
+#include "taut/study/deck/rope_motion.hpp"
+
+namespace taut::study {
+
+class Watch;
+
+/// The equilibrium over a number of the deck, as a deck asks for it.
+struct SweepRequest {
+  std::optional<std::string> name;
+  std::string parameter;
+  std::string from, to;  ///< with the parameter's unit
+  int steps = 20;
+  std::vector<MotionRequest> motion;
+  std::optional<std::string> carriage;
+  std::optional<double> x;
+  std::vector<double> along = {1, 0};  ///< direction of x
+  bool judge = true;                   ///< false: its states do not count for the verdict
+  bool held = false;                   ///< whatever holds the carriage
+  static const Description& describe();
+};
+
+/// What a deck asks, and the answer.
+struct SweepRun {
+  std::string ending;
+  std::string words;
+  std::string parameter;  ///< its path in the deck
+  Unit unit;
+  RopeMotion motion;
+  std::optional<machine::Prescribed> prescribed;
+  double from = 0, to = 0;
+  int steps = 1;
+  bool held = false;
+  const machine::Machine* machine = nullptr;
+  solve::Sweep answer;
+};
+
+/// The request with its names resolved; complaints below `path`.
+SweepRun resolve(const SweepRequest& request, const std::string& path, Names& names);
+
+/// Fills `run.answer`. `model`: with its guys put up, which keep their lengths where the parameter does not change what
+/// they are built on.
+void solve(const machine::Model& model, SweepRun& run, Watch& watch);
+
+}  // namespace taut::study
