@@ -408,19 +408,6 @@ struct WithoutMainline {
   bool no_force = false;                    ///< that force is none
 };
 
-/// The branches of a mainline put into a state of the machine without it, straight under a tension.
-machine::State with_mainline(machine::State state, const machine::Reeving& mainline, int index, double tension) {
-  Array<machine::BranchState> own(mainline.nodes.size() - 1);
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    const machine::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
-    own[k].length = tension > 0 ? machine::taut_length(state, mainline, from, to, tension)
-                                : machine::straight_length(state, from, to);
-  }
-  state.branches.insert(state.branches.begin() + index, std::move(own));
-  state.touched.insert(state.touched.begin() + index, Array<bool>(mainline.nodes.size(), true));
-  return state;
-}
-
 WithoutMainline without_mainline(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const machine::Carriage carriage = model.carriages.at(as_size(options.prescribed->carriage));
@@ -451,11 +438,11 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
                       "there: choose another x",
                       carriage.name, options.prescribed->x, mainline.name)};
     }
-    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, 0), true};
+    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, 0), true};
   }
   if (hold.dot(pull) > 0) {
     const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
-    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, tension)};
+    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, tension)};
   }
   return {
       fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
