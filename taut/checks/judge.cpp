@@ -19,8 +19,6 @@ constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
 constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
-using solve::ContactState;
-
 /// "skyline between head and car".
 std::string between(const machine::Model& m, const solve::SpanResult& span) {
   const machine::Reeving& rope = m.reevings[span.reeving];
