@@ -209,8 +209,8 @@ void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
   for (const ComparedRow& row : rows) {
     const auto add = [&](const char* to, double of, double by, const char* rule) {
       if (std::isnan(by)) return;
-      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), Sense::at_most, by,
-                                    row.unit, rule, "user"));
+      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), row.unit,
+                                    {Sense::at_most, by, rule, "user"}));
       r.checks.back().part = case_of_row(row.what);
     };
     add("to the published value", row.published, row.tolerance, "published");

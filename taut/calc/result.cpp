@@ -84,24 +84,29 @@ struct Filler {
   bool operator()(const NamedRecords&) const { return false; }
 };
 
+/// The records in a field's slot, each with its key: "span", "cases[1]", "points.head". Nothing for other fields.
+std::vector<std::pair<std::string, const void*>> records_in(const Field& f, const Slot& slot) {
+  std::vector<std::pair<std::string, const void*>> keyed;
+  if (const auto* record = std::get_if<Record>(&slot)) {
+    const auto present = record->all();
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      keyed.emplace_back(f.is_list ? fmt::format("{}[{}]", f.key, i) : f.key, present[i]);
+    }
+  } else if (const auto* named = std::get_if<NamedRecords>(&slot)) {
+    for (const auto& [name, one] : named->all()) {
+      keyed.emplace_back(f.rest ? name : name.empty() ? f.key : fmt::format("{}.{}", f.key, name), one);
+    }
+  }
+  return keyed;
+}
+
 void collect(std::vector<Given>& all, const std::string& prefix, const Description& d, const void* object) {
   for (const Field& f : d.fields) {
     const Slot slot = slot_of(f, object);
-    if (const auto* record = std::get_if<Record>(&slot)) {
-      const auto present = record->all();
-      for (std::size_t i = 0; i < present.size(); ++i) {
-        const std::string at = f.is_list ? fmt::format("[{}]", i) : std::string{};
-        collect(all, fmt::format("{}{}{}.", prefix, f.key, at), *f.record, present[i]);
-      }
-      continue;
+    for (const auto& [key, one] : records_in(f, slot)) {
+      collect(all, fmt::format("{}{}.", prefix, key), *f.record, one);
     }
-    if (const auto* named = std::get_if<NamedRecords>(&slot)) {
-      for (const auto& [name, one] : named->all()) {
-        const std::string key = f.rest ? name : name.empty() ? f.key : fmt::format("{}.{}", f.key, name);
-        collect(all, fmt::format("{}{}.", prefix, key), *f.record, one);
-      }
-      continue;
-    }
+    if (std::holds_alternative<Record>(slot) || std::holds_alternative<NamedRecords>(slot)) continue;
     Given g = given_head(prefix, d, f);
     const Given by_default = g;
     if (!std::visit(Filler{g}, slot)) continue;
@@ -112,11 +117,17 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
 
 }  // namespace
 
-Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
-                 std::string trust) {
-  Check c{std::move(name), value, limit, unit, sense, 0, false, std::move(rule), std::move(trust), {}, true, {}, false};
-  c.utilisation = sense == Sense::at_most ? value / limit : limit / value;
-  c.passes = sense == Sense::at_most ? value <= limit : value >= limit;
+Check make_check(std::string name, double value, const Unit& unit, Bound bound) {
+  Check c;
+  c.name = std::move(name);
+  c.value = value;
+  c.limit = bound.limit;
+  c.unit = unit;
+  c.sense = bound.sense;
+  c.utilisation = c.sense == Sense::at_most ? value / c.limit : c.limit / value;
+  c.passes = c.sense == Sense::at_most ? value <= c.limit : value >= c.limit;
+  c.rule = std::move(bound.rule);
+  c.trust = std::move(bound.trust);
   return c;
 }
 

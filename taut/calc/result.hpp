@@ -50,9 +50,15 @@ struct Check {
 };
 /// Groups of checks by part, and in each the worst first; the groups by their worst check. Without any part: as it was.
 std::vector<Check> grouped(std::vector<Check> checks);
+/// What a value is held against, by which rule and how far that may be trusted: see Check.
+struct Bound {
+  Sense sense = Sense::at_most;
+  double limit = 0;  ///< SI
+  std::string rule;
+  std::string trust;
+};
 /// Fills utilisation and passes. NaN never passes.
-Check make_check(std::string name, double value, Sense sense, double limit, const Unit& unit, std::string rule,
-                 std::string trust);
+Check make_check(std::string name, double value, const Unit& unit, Bound bound);
 
 /// A result value, SI.
 struct Value {

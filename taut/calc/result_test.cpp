@@ -44,12 +44,12 @@ struct Output {
 };
 
 TEST(Check, PassesUpToTheLimitIncluded) {
-  EXPECT_TRUE(make_check("c", 2, Sense::at_most, 2, si::one, "r", "verified").passes);
-  EXPECT_FALSE(make_check("c", 2.1, Sense::at_most, 2, si::one, "r", "verified").passes);
-  const Check c = make_check("c", 22, Sense::at_least, 20, si::one, "D/d", "verified");
+  EXPECT_TRUE(make_check("c", 2, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
+  EXPECT_FALSE(make_check("c", 2.1, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
+  const Check c = make_check("c", 22, si::one, {Sense::at_least, 20, "D/d", "verified"});
   EXPECT_TRUE(c.passes);
   EXPECT_DOUBLE_EQ(c.utilisation, 20.0 / 22.0);
-  EXPECT_FALSE(make_check("c", std::nan(""), Sense::at_most, 2, si::one, "r", "t").passes);
+  EXPECT_FALSE(make_check("c", std::nan(""), si::one, {Sense::at_most, 2, "r", "t"}).passes);
 }
 
 TEST(Result, ValuesLeaveOutWhatWasNotComputed) {

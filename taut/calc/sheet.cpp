@@ -96,10 +96,10 @@ void Sheet<Num>::add_warning(std::string words) {
   if (std::find(warnings_.begin(), warnings_.end(), words) == warnings_.end()) warnings_.push_back(std::move(words));
 }
 
-void Sheet<Num>::check(const char* name, const Num& x, Sense sense, const Num& limit, const Unit& unit,
-                       const char* rule, const char* trust) {
-  expects(x.dimension() == unit.dimension && limit.dimension() == unit.dimension, "a check compares unlike quantities");
-  checks_.push_back(make_check(name, x.value(), sense, limit.value(), unit, rule, trust));
+void Sheet<Num>::check(const char* name, const Num& x, const Unit& unit, const SheetBound<Num>& bound) {
+  const bool alike = x.dimension() == unit.dimension && bound.limit.dimension() == unit.dimension;
+  expects(alike, "a check compares unlike quantities");
+  checks_.push_back(make_check(name, x.value(), unit, {bound.sense, bound.limit.value(), bound.rule, bound.trust}));
 }
 
 void Sheet<Num>::move_to(Result& r) {

@@ -12,6 +12,15 @@
 
 namespace taut {
 
+/// What a quantity of a sheet is held against; see Bound.
+template <class T>
+struct SheetBound {
+  Sense sense = Sense::at_most;
+  T limit;
+  const char* rule = "";
+  const char* trust = "";
+};
+
 /// A calculation note. A method is written once over the number type `T` and a `Sheet<T>`: with `double` the sheet does
 /// nothing and costs nothing; with `Num` it records each line (formula, numbers, value, unit, equation number) and
 /// checks dimensions.
@@ -35,7 +44,7 @@ class Sheet<double> {
   void note(Words&&) const {}
   template <class Words>
   void warn(Words&&) const {}
-  void check(const char*, double, Sense, double, const Unit&, const char*, const char*) const {}
+  void check(const char*, double, const Unit&, const SheetBound<double>&) const {}
 };
 
 template <>
@@ -80,8 +89,7 @@ class Sheet<Num> {
   void warn(Words&& words) {
     add_warning(text(std::forward<Words>(words)));
   }
-  void check(const char* name, const Num& x, Sense sense, const Num& limit, const Unit& unit, const char* rule,
-             const char* trust);
+  void check(const char* name, const Num& x, const Unit& unit, const SheetBound<Num>& bound);
 
   const std::vector<Step>& steps() const { return steps_; }
   const std::vector<Check>& checks() const { return checks_; }

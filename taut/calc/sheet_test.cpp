@@ -27,7 +27,7 @@ T formula(const Input& in, Sheet<T>& s) {
   const T mu = s.given(in.friction);
   const T e = s.eq("", "e", si::one, exp(mu * 2.0));
   const T P_s = s.eq("15", "P_s", si::N, P_p / (e - 1.0));
-  s.check("pull", P_s, Sense::at_most, s.named("P_max", si::N, 1e6), si::N, "rule", "verified");
+  s.check("pull", P_s, si::N, {Sense::at_most, s.named("P_max", si::N, 1e6), "rule", "verified"});
   s.warn([] { return std::string("once"); });
   s.warn("once");
   const auto b = s.root(
@@ -58,7 +58,7 @@ TEST(Sheet, AWrongDimensionFailsAtItsEquation) {
   const Input in;
   Sheet<Num> s("x", Input::describe(), &in);
   EXPECT_THROW(s.eq("1", "P", si::N, s.given(in.friction)), ContractViolation);
-  EXPECT_THROW(s.check("c", s.given(in.friction), Sense::at_most, s.given(in.cutting_force), si::N, "", ""),
+  EXPECT_THROW(s.check("c", s.given(in.friction), si::N, {Sense::at_most, s.given(in.cutting_force), "", ""}),
                ContractViolation);
 }
 

@@ -7,7 +7,7 @@
 namespace taut::verdict_test {
 
 Check check(const std::string& name, double value, const std::string& trust = "verified") {
-  return make_check(name, value, Sense::at_most, 1, si::one, "rule of " + name, trust);
+  return make_check(name, value, si::one, {Sense::at_most, 1, "rule of " + name, trust});
 }
 
 VerdictKind kind_of(const Result& r) { return verdict_of(r)->kind; }

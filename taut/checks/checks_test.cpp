@@ -19,8 +19,8 @@ using taut_test::run_text;
 Result two_checks() {
   Result r;
   r.checks.push_back(
-      make_check("a.safety_factor", 5, Sense::at_least, 4, si::one, "by practice", "UNVERIFIED: recalled"));
-  r.checks.push_back(make_check("a.termination", 5, Sense::at_least, 4, si::one, "WAC", "verified"));
+      make_check("a.safety_factor", 5, si::one, {Sense::at_least, 4, "by practice", "UNVERIFIED: recalled"}));
+  r.checks.push_back(make_check("a.termination", 5, si::one, {Sense::at_least, 4, "WAC", "verified"}));
   return r;
 }
 

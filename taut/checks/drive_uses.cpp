@@ -27,16 +27,17 @@ bool is_limit(const machine::Model& m, const machine::Reeving& r) {
 void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made) {
   const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
   if (std::isfinite(own.law.friction)) {
-    made.push_back(make_check(own.name + ".grip", d.ratio, Sense::at_most, d.limit, si::one,
-                              d.centrifugal > 0
-                                  ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
-                                  : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
-                              "derived"));
+    made.push_back(make_check(
+        own.name + ".grip", d.ratio, si::one,
+        {Sense::at_most, d.limit,
+         d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
+                           : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
+         "derived"}));
   }
   if (!is_limit(m, m.reevings[d.reeving])) return;
   const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[d.reeving].copies;
-  made.push_back(make_check(own.name + ".torque", std::abs(d.torque), Sense::at_most, most, si::N_m,
-                            "the motor's torque", "user"));
+  made.push_back(make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
+                            {Sense::at_most, most, "the motor's torque", "user"}));
 }
 
 void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
@@ -47,16 +48,16 @@ void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector
     // the rope's tension follows from it, or it is a limit
     if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
       made.push_back(
-          make_check(name + ".torque", d.torque, Sense::at_most, most, si::N_m, "the drum's torque", "user"));
+          make_check(name + ".torque", d.torque, si::N_m, {Sense::at_most, most, "the drum's torque", "user"}));
     }
   }
   if (d.length && d.capacity) {
-    made.push_back(make_check(name + ".capacity", *d.length, Sense::at_most, *d.capacity, si::m,
-                              "rope that the drum takes within its flanges", "derived"));
+    made.push_back(make_check(name + ".capacity", *d.length, si::m,
+                              {Sense::at_most, *d.capacity, "rope that the drum takes within its flanges", "derived"}));
   }
   if (d.length && *d.length < 0) {
-    made.push_back(
-        make_check(name + ".length_on_drum", *d.length, Sense::at_least, 0, si::m, "rope left on the drum", "derived"));
+    made.push_back(make_check(name + ".length_on_drum", *d.length, si::m,
+                              {Sense::at_least, 0, "rope left on the drum", "derived"}));
   }
 }
 

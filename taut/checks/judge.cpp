@@ -19,8 +19,6 @@ constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
 constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
-using solve::ContactState;
-
 /// "skyline between head and car".
 std::string between(const machine::Model& m, const solve::SpanResult& span) {
   const machine::Reeving& rope = m.reevings[span.reeving];
@@ -73,6 +71,29 @@ std::vector<std::string> names_of_all(const Things& things) {
   names.reserve(things.size());
   for (const auto& one : things) names.push_back(one.name);
   return names;
+}
+
+/// A state of a payload lies on its own limit, to the tolerance of its search.
+void pass_on_own_limit(std::vector<Check>& checks) {
+  for (Check& c : checks) {
+    if (c.passes || c.refused || !(std::abs(c.utilisation - 1) <= on_own_limit)) continue;
+    c.value = c.limit;
+    c.utilisation = 1;
+    c.passes = true;
+  }
+}
+
+/// The names of what holds ropes in the ground, each once.
+std::vector<std::string> anchors_in_ground(const machine::Model& m) {
+  std::vector<std::string> anchors;
+  for (const machine::Reeving& rope : m.reevings) {
+    if (rope.closed) continue;
+    for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
+      const bool held = end->kind == machine::NodeKind::anchor && end->drum < 0 && end->at.body == machine::ground;
+      if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
+    }
+  }
+  return anchors;
 }
 
 }  // namespace
@@ -324,8 +345,8 @@ void Judge::add_tensions(Result& r) const {
                         fmt::format("{}.S", rope.name),
                         fmt::format("breaking force over the largest tension of {}", rope.name),
                         {}});
-    Check c = make_check(symbol, own.T_of_share, Sense::at_most, own.breaking_force, si::N,
-                         "minimum breaking force of the rope", strength_trust(i));
+    Check c = make_check(symbol, own.T_of_share, si::N,
+                         {Sense::at_most, own.breaking_force, "minimum breaking force of the rope", strength_trust(i)});
     c.part = rope.name;
     c.limits = false;
     c.where = own.where_of_share;
@@ -343,9 +364,10 @@ void Judge::add_heights(Result& r) const {
       if (!std::isfinite(one.value)) continue;
       if (least == nullptr || one.value < least->value) least = &one;
       if (one.value >= 0) continue;
-      Check c = make_check(part + ".ground", one.value, Sense::at_least, 0, si::m,
-                           fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x),
-                           "user");
+      Check c = make_check(
+          part + ".ground", one.value, si::m,
+          {Sense::at_least, 0,
+           fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x), "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
       c.limits = false;
@@ -393,15 +415,7 @@ void Judge::add_scope(Result& r) const {
   });
   const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
                                    [](const auto& one) { return one.payload.has_value(); });
-  if (payload) {
-    // A state of a payload lies on its own limit, to the tolerance of its search.
-    for (Check& c : r.checks) {
-      if (c.passes || c.refused || !(std::abs(c.utilisation - 1) <= on_own_limit)) continue;
-      c.value = c.limit;
-      c.utilisation = 1;
-      c.passes = true;
-    }
-  }
+  if (payload) pass_on_own_limit(r.checks);
   double largest = 0;
   for (const auto& [name, rope] : ropes_) largest = std::max(largest, rope.T);
   for (const auto& [name, rope] : ropes_) {
@@ -418,15 +432,7 @@ void Judge::add_scope(Result& r) const {
   add_beside("sheaves", names_of_all(deck_->machine.sheaves));
   add_beside("supports", names_of_all(deck_->machine.supports));
   add_beside("carriages", names_of_all(deck_->machine.carriages));
-  std::vector<std::string> anchors;
-  for (const machine::Reeving& rope : model_->reevings) {
-    if (rope.closed) continue;
-    for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
-      const bool held = end->kind == machine::NodeKind::anchor && end->drum < 0 && end->at.body == machine::ground;
-      if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
-    }
-  }
-  add_beside("anchors", anchors);
+  add_beside("anchors", anchors_in_ground(*model_));
 }
 
 }  // namespace taut::checks

@@ -187,9 +187,8 @@ class Search {
 }  // namespace
 
 ConstrainedAnswer least_within(const std::function<std::optional<ConstrainedPoint>(const std::vector<double>&)>& f,
-                               Sought sought, const std::vector<double>& start, const std::vector<double>& low,
-                               const std::vector<double>& high, const std::vector<double>& step,
-                               const ConstrainedOptions& options) {
+                               Sought sought, const ConstrainedUnknowns& unknowns, const ConstrainedOptions& options) {
+  const auto& [start, low, high, step] = unknowns;
   const std::size_t n = start.size();
   expects(n > 0 && low.size() == n && high.size() == n && step.size() == n, "bounds and steps belong to each unknown");
   return Search(f, sought, low, high).from(start, step, options);

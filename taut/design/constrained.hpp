@@ -23,6 +23,12 @@ struct ConstrainedOptions {
   int most_evaluations = 200;
 };
 
+/// The unknowns: where the search begins, from where to where each may lie, and its first step (> 0). All have the
+/// same length, which is not 0; an unknown with low = high stays.
+struct ConstrainedUnknowns {
+  std::vector<double> start, low, high, step;
+};
+
 struct ConstrainedAnswer {
   std::vector<double> x;
   ConstrainedPoint at;    ///< what x gives
@@ -34,11 +40,9 @@ struct ConstrainedAnswer {
 /// The best x within low <= x <= high, from x = start on, for functions of a few unknowns whose derivatives are not
 /// known: linear models of f and of every constraint over a simplex that shrinks (COBYLA: Powell 1994, as in NLopt),
 /// then bisection between the last point and the best one that keeps all constraints. The minimum is a local one; the
-/// same call gives the same bits. f: empty ends the search. All vectors have the same length, which is not 0; `step`:
-/// first step along each axis, > 0; an unknown with low = high stays.
+/// same call gives the same bits. f: empty ends the search.
 ConstrainedAnswer least_within(const std::function<std::optional<ConstrainedPoint>(const std::vector<double>&)>& f,
-                               Sought sought, const std::vector<double>& start, const std::vector<double>& low,
-                               const std::vector<double>& high, const std::vector<double>& step,
+                               Sought sought, const ConstrainedUnknowns& unknowns,
                                const ConstrainedOptions& options = {});
 
 }  // namespace taut::design

@@ -238,7 +238,7 @@ class Searching {
     design::ConstrainedOptions options;
     options.tolerance = until_it_passes || !held.empty() ? coarse : fine;
     if (until_it_passes) options.most_evaluations = trials_of_near_miss;
-    design::least_within(look, sought, start.values, low, high, step, options);
+    design::least_within(look, sought, {start.values, low, high, step}, options);
     return passed;
   }
 

@@ -53,14 +53,25 @@ class InOrder {
   std::priority_queue<Entry> queue_;
 };
 
+void expect_ascending(const std::vector<std::vector<double>>& costs) {
+  for (const auto& list : costs) {
+    expects(!list.empty() && std::is_sorted(list.begin(), list.end()), "lists of costs ascend and are not empty");
+  }
+}
+
+/// Of all that are given one after the other the last `most` stay.
+void keep_last(const SizingCandidate& one, std::size_t most, std::vector<SizingCandidate>& kept) {
+  if (most == 0) return;
+  if (kept.size() == most) kept.erase(kept.begin());
+  kept.push_back(one);
+}
+
 }  // namespace
 
 SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
                       const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                       const SizingOptions& options) {
-  for (const auto& list : costs) {
-    expects(!list.empty() && std::is_sorted(list.begin(), list.end()), "lists of costs ascend and are not empty");
-  }
+  expect_ascending(costs);
   SizingAnswer answer;
   InOrder order(costs);
   SizingCandidate one;
@@ -85,9 +96,8 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       answer.best = one;
     } else if (one.trial.passes) {
       answer.above.push_back(one);
-    } else if (!found && options.neighbours > 0) {
-      if (answer.below.size() == options.neighbours) answer.below.erase(answer.below.begin());
-      answer.below.push_back(one);
+    } else if (!found) {
+      keep_last(one, options.neighbours, answer.below);
     }
   }
   if (!found) answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");

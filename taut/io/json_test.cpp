@@ -19,8 +19,8 @@ Result sample() {
               {"A", std::nan(""), si::m2, "A", "area", "(5)"}};
   r.tables = {
       {"sweep", "Sweep", {{"x", si::m}, {"note", si::one}}, {{1.5, std::string("a")}, {std::nan(""), std::string()}}}};
-  r.checks = {make_check("D/d", 22, Sense::at_least, 20, si::one, "rule", "verified"),
-              make_check("q", 1, Sense::at_most, 0, si::one, "rule", "user")};
+  r.checks = {make_check("D/d", 22, si::one, {Sense::at_least, 20, "rule", "verified"}),
+              make_check("q", 1, si::one, {Sense::at_most, 0, "rule", "user"})};
   r.steps = {{Step::Kind::heading, "", "", {}, 0, si::one, "", "Forces"},
              {Step::Kind::given, "", "m", {}, 1.2, si::one, "input", "ratio"},
              {Step::Kind::equation, "4", "P_s", make_node(Op::multiply, {make_symbol("m", 1.2), make_number(2)}, 2.4),

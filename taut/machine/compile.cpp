@@ -177,7 +177,7 @@ class Compiler {
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
-    set_given(machine_, model_, given, rope_of_reeving_.back(), path, reeving, complaints_);
+    set_given(machine_, model_, {given, rope_of_reeving_.back(), path}, reeving, complaints_);
     stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), path, complaints_));
     model_.reevings.push_back(std::move(reeving));
   }

@@ -64,6 +64,52 @@ double common_tension(const Reeving& reeving, const Array<rope::TangentLine>& li
   return std::exp(low);
 }
 
+/// The straight branches of a rope along its path.
+Array<rope::TangentLine> lines_of(const State& state, const Reeving& reeving) {
+  const auto count = static_cast<std::size_t>(branch_count(reeving));
+  Array<rope::TangentLine> lines;
+  for (std::size_t k = 0; k < count; ++k) {
+    lines.push_back(line_between(state, reeving.nodes[k], reeving.nodes[(k + 1) % reeving.nodes.size()]));
+  }
+  return lines;
+}
+
+/// What lies on its rounds between them, m.
+double arcs_between(const Reeving& reeving, const Array<rope::TangentLine>& lines) {
+  const std::size_t count = lines.size();
+  double arcs = 0;
+  for (std::size_t k = reeving.closed ? 0 : 1; k < count; ++k) {
+    const Node& node = reeving.nodes[k];
+    double wrap = rope::wrap_angle(node.side, lines[(k + count - 1) % count].angle_to, lines[k].angle_from);
+    if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
+    arcs += node.radius * (wrap + 2 * std::numbers::pi * node.turns);
+  }
+  return arcs;
+}
+
+/// The branches that a rope begins with: its length shared among its lines, or that of each at the given tension.
+Array<BranchState> first_branches(const Reeving& reeving, const Array<rope::TangentLine>& lines) {
+  Array<BranchState> branches(lines.size());
+  if (reeving.given == Given::tension_at_start || reeving.given == Given::tension_at_end) {
+    for (std::size_t k = 0; k < lines.size(); ++k) branches[k].length = without_sag(reeving, lines[k], reeving.value);
+    return branches;
+  }
+  double straight = 0;
+  for (const rope::TangentLine& line : lines) straight += line.length;
+  const double left = reeving.value * (1 + reeving.thermal_strain) - arcs_between(reeving, lines);
+  const bool shared = reeving.given == Given::length && left > 0;
+  if (shared && reeving.weight > 0) {
+    const double T = common_tension(reeving, lines, left);
+    double sum = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) sum += branches[k].length = length_at(reeving, lines[k], T);
+    for (BranchState& branch : branches) branch.length *= left / sum;
+    return branches;
+  }
+  const double scale = shared && straight > 0 ? left / straight : 1;
+  for (std::size_t k = 0; k < lines.size(); ++k) branches[k].length = scale * lines[k].length;
+  return branches;
+}
+
 }  // namespace
 
 Model with_sides(Model model, const State& state) {
@@ -89,34 +135,7 @@ State initial_state(const Model& model) {
   for (const Reeving& reeving : model.reevings) {
     expects(reeving.nodes.size() >= 2, "a rope runs from somewhere to somewhere");
     state.touched.emplace_back(reeving.nodes.size(), true);
-    const auto count = static_cast<std::size_t>(branch_count(reeving));
-    Array<rope::TangentLine> lines;
-    double straight = 0, arcs = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      lines.push_back(line_between(state, reeving.nodes[k], reeving.nodes[(k + 1) % reeving.nodes.size()]));
-      straight += lines.back().length;
-    }
-    for (std::size_t k = reeving.closed ? 0 : 1; k < count; ++k) {
-      const Node& node = reeving.nodes[k];
-      double wrap = rope::wrap_angle(node.side, lines[(k + count - 1) % count].angle_to, lines[k].angle_from);
-      if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
-      arcs += node.radius * (wrap + 2 * std::numbers::pi * node.turns);
-    }
-    const double left = reeving.value * (1 + reeving.thermal_strain) - arcs;
-    const double scale = reeving.given == Given::length && straight > 0 && left > 0 ? left / straight : 1;
-    Array<BranchState> branches(count);
-    const bool given_tension = reeving.given == Given::tension_at_start || reeving.given == Given::tension_at_end;
-    if (reeving.given == Given::length && reeving.weight > 0 && left > 0) {
-      const double T = common_tension(reeving, lines, left);
-      double sum = 0;
-      for (std::size_t k = 0; k < count; ++k) sum += branches[k].length = length_at(reeving, lines[k], T);
-      for (BranchState& branch : branches) branch.length *= left / sum;
-    } else if (given_tension) {
-      for (std::size_t k = 0; k < count; ++k) branches[k].length = without_sag(reeving, lines[k], reeving.value);
-    } else {
-      for (std::size_t k = 0; k < count; ++k) branches[k].length = scale * lines[k].length;
-    }
-    state.branches.push_back(std::move(branches));
+    state.branches.push_back(first_branches(reeving, lines_of(state, reeving)));
   }
   for (const Beam& beam : model.beams) {
     Array<PieceState>& pieces = state.beams.emplace_back();

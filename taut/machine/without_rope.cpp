@@ -1,6 +1,9 @@
 #include "taut/machine/without_rope.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "taut/base/array.hpp"
 
 namespace taut::machine {
 
@@ -20,6 +23,17 @@ std::optional<Model> without_rope(Model model, int reeving) {
   model.measures.clear();
   model.mean_windows.clear();
   return model;
+}
+
+State with_rope(State state, const Reeving& rope, int reeving, double tension) {
+  Array<BranchState> own(rope.nodes.size() - 1);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const Node &from = rope.nodes[k], &to = rope.nodes[k + 1];
+    own[k].length = tension > 0 ? taut_length(state, rope, from, to, tension) : straight_length(state, from, to);
+  }
+  state.branches.insert(state.branches.begin() + reeving, std::move(own));
+  state.touched.insert(state.touched.begin() + reeving, Array<bool>(rope.nodes.size(), true));
+  return state;
 }
 
 }  // namespace taut::machine

@@ -40,4 +40,26 @@ TEST(WithoutRope, WhatCarriesACarriageStays) {
   EXPECT_FALSE(without_rope(machine(), 3));
 }
 
+TEST(WithRope, ItsBranchesAreStraightAndAsShortAsTheirStretchAsks) {
+  Reeving rope = named("main");
+  rope.stiffness = 1e6;
+  for (const double x : {0.0, 30.0, 100.0}) {
+    Node node;
+    node.at.at = {x, 0, 0};
+    rope.nodes.push_back(node);
+  }
+  State state;
+  state.branches = {Array<BranchState>(1), Array<BranchState>(4)};
+  state.touched = {Array<bool>(2, true), Array<bool>(5, true)};
+  for (const double tension : {0.0, 1e4}) {
+    const State with = with_rope(state, rope, 1, tension);
+    ASSERT_EQ(with.branches.size(), 3U);
+    ASSERT_EQ(with.branches[1].size(), 2U);
+    EXPECT_NEAR(with.branches[1][0].length, 30 / (1 + tension / 1e6), 1e-12);
+    EXPECT_NEAR(with.branches[1][1].length, 70 / (1 + tension / 1e6), 1e-12);
+    EXPECT_EQ(with.branches[2].size(), 4U);
+    EXPECT_EQ(with.touched[1].size(), 3U);
+  }
+}
+
 }  // namespace taut::machine::without_rope_test

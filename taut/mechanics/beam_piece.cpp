@@ -81,13 +81,14 @@ Vector3 end_turn(const Configuration& c, const machine::BeamPiece& piece, const 
   return piece.rod.order == BeamOrder::second ? r : Vector3(end.turn - r);
 }
 
-void add_force(const System& s, const Configuration& c, const machine::Place& place, const Vector3& force,
-               const Vector3& moment, double factor, Eigen::VectorXd& residual) {
+/// The force and moment of a section in the rows of the body that it stands on or ends at.
+void add_force(const System& s, const Configuration& c, const machine::Place& place, const RodState& section,
+               double factor, Eigen::VectorXd& residual) {
   if (place.body == machine::ground) return;
-  const Vector3 all = arm_of(c, place).cross(force) + moment;
+  const Vector3 all = arm_of(c, place).cross(section.force) + section.moment;
   for (int i = s.layout.first_dof[place.body]; i < s.layout.first_dof[as_size(place.body) + 1]; ++i) {
     const machine::Freedom& way = s.layout.dofs[i].way;
-    residual[i] += factor * (force.dot(way.along) + all.dot(way.about));
+    residual[i] += factor * (section.force.dot(way.along) + all.dot(way.about));
   }
 }
 
@@ -105,6 +106,13 @@ struct Input {
   Vector3 reference = Vector3::Zero();                               ///< turn of the geometry as built
   Vector3 force = Vector3::Zero(), moment = Vector3::Zero();         ///< at its start
   double twist = 0;
+};
+
+/// What a section bears, and how that changes with one unknown.
+struct SectionRate {
+  const Vector3& turn;  ///< of the body there
+  const Vector3& force;
+  Vector3 dF, dM;
 };
 
 /// A piece with all its derivatives.
@@ -196,8 +204,8 @@ class PieceRates {
     start << in.reference, first() ? small_by(in) : in.section, in.force, in.moment;
     if (!first()) start.head<3>().setZero();
     const Eigen::Matrix<double, 12, 1> end = rates_ * start;
-    add_force_rows(column, piece_.start, in.start_body, start_.force, in.force, in.moment, 1);
-    add_force_rows(column, piece_.end, in.end_body, end_.force, end.segment<3>(6), end.tail<3>(), -1);
+    add_force_rows(column, piece_.start, {in.start_body, start_.force, in.force, in.moment}, 1);
+    add_force_rows(column, piece_.end, {in.end_body, end_.force, end.segment<3>(6), end.tail<3>()}, -1);
     const int row = p_.unknown;
     J_.block<3, 1>(row, column) += in.start + end.head<3>() - in.end;
     if (piece_.end_hold == BeamHold::hinged) {
@@ -216,14 +224,13 @@ class PieceRates {
     return structure::sine_by_left(small_) * in.section - structure::sine_by_right(small_) * in.reference;
   }
 
-  void add_force_rows(int column, const machine::Place& place, const Vector3& turn, const Vector3& F, const Vector3& dF,
-                      const Vector3& dM, double factor) {
+  void add_force_rows(int column, const machine::Place& place, const SectionRate& by, double factor) {
     if (place.body == machine::ground) return;
     const Vector3 arm = arm_of(c_, place);
-    const Vector3 all = turn.cross(arm).cross(F) + arm.cross(dF) + dM;
+    const Vector3 all = by.turn.cross(arm).cross(by.force) + arm.cross(by.dF) + by.dM;
     for (int i = s_.layout.first_dof[place.body]; i < s_.layout.first_dof[as_size(place.body) + 1]; ++i) {
       const machine::Freedom& way = s_.layout.dofs[i].way;
-      J_(i, column) += factor * (dF.dot(way.along) + all.dot(way.about));
+      J_(i, column) += factor * (by.dF.dot(way.along) + all.dot(way.about));
     }
   }
 
@@ -255,8 +262,8 @@ void add_beams(const System& s, const Configuration& c, Evaluation& e) {
     const machine::BeamPiece& piece = piece_of(s, p);
     const RodState start = start_of(c, piece, c.pieces[k]);
     const RodState end = along(piece.rod, start);
-    add_force(s, c, piece.start, start.force, start.moment, 1, e.residual);
-    add_force(s, c, piece.end, end.force, end.moment, -1, e.residual);
+    add_force(s, c, piece.start, start, 1, e.residual);
+    add_force(s, c, piece.end, end, -1, e.residual);
     e.residual.segment<3>(p.unknown) = end.place - in_ground(c, piece.end);
     e.residual.segment<3>(p.unknown + 3) = piece.end_hold == BeamHold::hinged ? end.moment : end_turn(c, piece, end);
     if (p.hinged) e.residual[p.unknown + 6] = hinge_of(c, piece, c.pieces[k]).twist;

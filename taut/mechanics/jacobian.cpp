@@ -22,12 +22,13 @@ struct Assembly {
 };
 
 /// `ends` gets how the way from centre to centre follows each column.
-void add_columns_of_end(const Assembly& a, const Branch& b, const BranchRates& r, const BranchEnd& end, bool start,
-                        Columns& columns, BranchWays& ends) {
-  const Layout& layout = a.system.layout;
+void add_columns_of_end(const BranchAt& at, const BranchRates& r, const BranchEnd& end, bool start, Columns& columns,
+                        BranchWays& ends) {
+  const Layout& layout = at.system.layout;
+  const Branch& b = at.branch;
   const int body = start ? columns.from_body : columns.to_body;
   if (body == machine::ground) return;
-  const Vector3 arm = end.centre - a.c.bodies[body].position;
+  const Vector3 arm = end.centre - at.c.bodies[body].position;
   for (int i = layout.first_dof[body]; i < layout.first_dof[as_size(body) + 1]; ++i) {
     const machine::Freedom& way = layout.dofs[i].way;
     const int k = columns.count++;
@@ -53,15 +54,15 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[link_index];
+  const BranchAt at{a.system, a.c, link_index, b};
   const bool stiff = link.force >= 0;
-  const BranchRates r = stiff ? stiff_rates(a.system, link_index, a.c, b)
-                              : rates(rope_of(rope, a.c.links[link_index].length), start, end, b);
+  const BranchRates r = stiff ? stiff_rates(at) : rates(rope_of(rope, a.c.links[link_index].length), start, end, b);
   BranchWays ends;
   columns.count = 0;
   columns.from_body = from.at.body;
   columns.to_body = to.at.body;
-  add_columns_of_end(a, b, r, start, true, columns, ends);
-  add_columns_of_end(a, b, r, end, false, columns, ends);
+  add_columns_of_end(at, r, start, true, columns, ends);
+  add_columns_of_end(at, r, end, false, columns, ends);
   const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = link.unknown;
   columns.length[k] = r.length_u;
@@ -71,24 +72,29 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   columns.arrives[k] = r.arrives_u;
   columns.arm_from[k] = r.offset_from_u;
   columns.arm_to[k] = r.offset_to_u;
-  if (stiff) add_stiff_columns(a.system, link_index, a.c, b, ends, columns, a.J);
+  if (stiff) add_stiff_columns(at, ends, columns, a.J);
 }
 
-/// Rows of a body's freedoms from a force F with arm and their derivatives.
-void add_force_rows(Assembly& a, int body, const Vector3& F, const Vector3& arm, const Columns& columns, bool start,
-                    double factor) {
-  if (body == machine::ground) return;
+/// A branch's pull on the body at one of its ends: the force, its arm from the body's origin, and how both follow the
+/// branch's columns.
+struct EndPull {
+  int body;
+  const Vector3& F;
+  Vector3 arm;
+  const BranchWays &dF, &darm;
+};
+
+/// Rows of the body's freedoms from a pull.
+void add_force_rows(Assembly& a, const EndPull& at, const Columns& columns, double factor) {
+  if (at.body == machine::ground) return;
   const Layout& layout = a.system.layout;
-  for (int i = layout.first_dof[body]; i < layout.first_dof[as_size(body) + 1]; ++i) {
+  for (int i = layout.first_dof[at.body]; i < layout.first_dof[as_size(at.body) + 1]; ++i) {
     const machine::Freedom& way = layout.dofs[i].way;
     const bool turns = way.about != Vector3::Zero();
     for (std::size_t k = 0; k < as_size(columns.count); ++k) {
-      const Vector3& dF = start ? columns.pull_from[k] : columns.pull_to[k];
+      const Vector3& dF = at.dF[k];
       double value = dF.dot(way.along);
-      if (turns) {
-        const Vector3& darm = start ? columns.arm_from[k] : columns.arm_to[k];
-        value += way.about.dot(darm.cross(F) + arm.cross(dF));
-      }
+      if (turns) value += way.about.dot(at.darm[k].cross(at.F) + at.arm.cross(dF));
       a.J(i, columns.unknown[k]) += factor * value;
     }
   }
@@ -105,10 +111,11 @@ void add_ropes(Assembly& a) {
       if (body == machine::ground) return Vector3::Zero();
       return end_at(rope.nodes[node], a.c.bodies).centre + offset - a.c.bodies[body].position;
     };
-    add_force_rows(a, columns.from_body, b.pull_from, arm(link.from, columns.from_body, b.offset_from), columns, true,
+    const Vector3 from = arm(link.from, columns.from_body, b.offset_from);
+    const Vector3 to = arm(link.to, columns.to_body, b.offset_to);
+    add_force_rows(a, {columns.from_body, b.pull_from, from, columns.pull_from, columns.arm_from}, columns,
                    rope.copies);
-    add_force_rows(a, columns.to_body, b.pull_to, arm(link.to, columns.to_body, b.offset_to), columns, false,
-                   -rope.copies);
+    add_force_rows(a, {columns.to_body, b.pull_to, to, columns.pull_to, columns.arm_to}, columns, -rope.copies);
   }
 }
 
@@ -203,6 +210,13 @@ void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int 
   }
 }
 
+/// A clamp keeps the length of rope before it.
+void add_clamp(Assembly& a, const Layout::Rope& rope, int turn) {
+  const Layout::Turn& t = a.system.layout.turns[turn];
+  for (int k = rope.first; k < t.after; ++k) add_length(a, k, t.row);
+  for (int before = rope.first_turn; before < turn; ++before) add_arc(a, before, t.row);
+}
+
 void add_laws(Assembly& a) {
   const Layout& layout = a.system.layout;
   for (std::size_t r = 0; r < layout.ropes.size(); ++r) {
@@ -214,9 +228,7 @@ void add_laws(Assembly& a) {
       if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
       const machine::NodeKind kind = reeving.nodes[turn.node].kind;
       if (kind == machine::NodeKind::contact) add_contact(a, t);
-      if (kind != machine::NodeKind::clamp) continue;
-      for (int k = rope.first; k < turn.after; ++k) add_length(a, k, turn.row);
-      for (int before = rope.first_turn; before < t; ++before) add_arc(a, before, turn.row);
+      if (kind == machine::NodeKind::clamp) add_clamp(a, rope, t);
     }
     if (rope.row != layout.coordinate_row && rope.row != layout.height_row) {
       add_given(a, rope, reeving.given, rope.row);

@@ -30,12 +30,18 @@ int sense_of(const machine::Reeving& rope, const machine::RopeLoad& load, int fl
 /// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
 bool has_row(const machine::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
 
-void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bool>& touched, const Array<int>& flow) {
-  check(rope);
+/// The nodes of a path that its rope touches, in their order.
+Array<int> touched_nodes(const machine::Reeving& rope, const Array<bool>& touched) {
   Array<int> nodes;
   for (int k = 0; k < count(rope.nodes.size()); ++k) {
     if (touched[k]) nodes.push_back(k);
   }
+  return nodes;
+}
+
+void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bool>& touched, const Array<int>& flow) {
+  check(rope);
+  const Array<int> nodes = touched_nodes(rope, touched);
   const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
   Layout::Rope r;
   r.first = count(l.links.size());

@@ -78,19 +78,30 @@ void add_rope_loads(const System& s, const Configuration& c, Evaluation& e) {
   }
 }
 
+namespace {
+
+/// The row of a load's place: its share of the free length of its span.
+void add_share_row(const System& s, const Layout::Turn& t, const LoadedSpan& span, const Array<BranchColumns>& columns,
+                   Eigen::MatrixXd& J) {
+  const double share = node_of(s, t).load.share;
+  for (int k = span.first; k <= span.last; ++k) {
+    const BranchColumns& free = columns[k];
+    for (std::size_t i = 0; i < as_size(free.count); ++i) {
+      J(t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - share) * free.length[i];
+    }
+  }
+}
+
+}  // namespace
+
 void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
                     Eigen::MatrixXd& J) {
   for (int turn = 0; turn < static_cast<int>(s.layout.turns.size()); ++turn) {
     const Layout::Turn& t = s.layout.turns[turn];
     if (!is_load(s, t)) continue;
     const machine::RopeLoad& load = node_of(s, t).load;
-    const auto [first, last] = span_of(s, turn);
-    for (int k = first; k <= last; ++k) {
-      const BranchColumns& free = columns[k];
-      for (std::size_t i = 0; i < as_size(free.count); ++i) {
-        J(t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - load.share) * free.length[i];
-      }
-    }
+    const LoadedSpan span = span_of(s, turn);
+    add_share_row(s, t, span, columns, J);
     const Along way = along(t, e);
     const double copies = s.model.reevings[t.reeving].copies;
     const double force = copies * rope_load(s, c, e, turn);
@@ -106,7 +117,7 @@ void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e
     const BranchColumns &in = columns[t.before], &out = columns[t.after];
     for (std::size_t k = 0; k < as_size(in.count); ++k) add(in.unknown[k], turned(in.arrives[k]));
     for (std::size_t k = 0; k < as_size(out.count); ++k) add(out.unknown[k], turned(out.leaves[k]));
-    for (int k = first; k <= last && load.rate != 0; ++k) {
+    for (int k = span.first; k <= span.last && load.rate != 0; ++k) {
       const BranchColumns& free = columns[k];
       for (std::size_t i = 0; i < as_size(free.count); ++i) {
         add(free.unknown[i], copies * t.flow * load.rate * load.part * free.length[i] * way.d);

@@ -114,9 +114,10 @@ std::optional<Branch> stiff_branch(const System& s, int link, const Configuratio
   return b;
 }
 
-BranchRates stiff_rates(const System& s, int link, const Configuration& c, const Branch& b) {
-  const LinkEnds ends = ends_of(s, link, c);
-  if (rope_at(s, link).weight == 0) {
+BranchRates stiff_rates(const BranchAt& at) {
+  const Branch& b = at.branch;
+  const LinkEnds ends = ends_of(at.system, at.link, at.c);
+  if (rope_at(at.system, at.link).weight == 0) {
     BranchRates r = rates(unit_line(b.length), ends.from, ends.to, b);
     r.pull_from_X = r.pull_to_X = b.T_from * r.leaves_X;
     r.pull_from_u = r.pull_to_u = b.T_from * r.leaves_u;
@@ -135,10 +136,10 @@ BranchRates stiff_rates(const System& s, int link, const Configuration& c, const
 
 namespace {
 
-void add_heavy(const System& s, int link, const Configuration& c, const Branch& b, const BranchWays& ends,
-               BranchColumns& columns, Eigen::MatrixXd& J) {
-  const int row = s.layout.links[link].force;
-  const LinkEnds l = ends_of(s, link, c);
+void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+  const Branch& b = at.branch;
+  const int row = at.system.layout.links[at.link].force;
+  const LinkEnds l = ends_of(at.system, at.link, at.c);
   const rope::CatenaryRope& rope = b.span.rope;
   const rope::EndPosition p = rope::end_position(rope, b.span.force);
   const rope::EndRates by_length = rope::end_rates(rope, b.span.force);
@@ -169,10 +170,11 @@ void add_heavy(const System& s, int link, const Configuration& c, const Branch& 
   }
 }
 
-void add_line(const System& s, int link, const Configuration& c, const Branch& b, const BranchWays& ends,
-              BranchColumns& columns, Eigen::MatrixXd& J) {
-  const int row = s.layout.links[link].force;
-  const LinkEnds l = ends_of(s, link, c);
+void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+  const System& s = at.system;
+  const Branch& b = at.branch;
+  const int row = s.layout.links[at.link].force;
+  const LinkEnds l = ends_of(s, at.link, at.c);
   const BranchRates strain = rates(unit_line(b.length), l.from, l.to, b);
   const double scale = s.layout.length;
   const std::size_t own = as_size(columns.count - 1);
@@ -180,7 +182,7 @@ void add_line(const System& s, int link, const Configuration& c, const Branch& b
     J(row, columns.unknown[i]) += scale * b.leaves.dot(strain.pull_from_X * ends[i]);
   }
   J(row, columns.unknown[own]) += scale * b.leaves.dot(strain.pull_from_u);
-  J(row, row) -= scale / stretching(s, rope_at(s, link), b.T_from);
+  J(row, row) -= scale / stretching(s, rope_at(s, at.link), b.T_from);
   const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = row;
   columns.length[k] = 0;
@@ -190,9 +192,8 @@ void add_line(const System& s, int link, const Configuration& c, const Branch& b
 
 }  // namespace
 
-void add_stiff_columns(const System& s, int link, const Configuration& c, const Branch& b, const BranchWays& ends,
-                       BranchColumns& columns, Eigen::MatrixXd& J) {
-  rope_at(s, link).weight > 0 ? add_heavy(s, link, c, b, ends, columns, J) : add_line(s, link, c, b, ends, columns, J);
+void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+  rope_at(at.system, at.link).weight > 0 ? add_heavy(at, ends, columns, J) : add_line(at, ends, columns, J);
 }
 
 Layout with_forces(Layout layout, const machine::Model& model, double limit, double slack_stiffness) {

@@ -16,16 +16,23 @@ int force_count(const machine::Reeving& rope);
 /// The branch at its force; fills what is open of its rows, m. Empty where its rounds leave no line.
 std::optional<Branch> stiff_branch(const System& system, int link, const Configuration& c, Eigen::VectorXd& residual);
 
+/// One branch of a configuration, solved.
+struct BranchAt {
+  const System& system;
+  const Configuration& c;
+  int link;  ///< in Layout::links
+  const Branch& branch;
+};
+
 /// The derivatives of such a branch by what moves its ends and its length, as `rates` gives them of others.
-BranchRates stiff_rates(const System& system, int link, const Configuration& c, const Branch& branch);
+BranchRates stiff_rates(const BranchAt& at);
 
 /// How the way from centre to centre follows each column of a branch.
 using BranchWays = std::array<Vector3, BranchColumns::most>;
 
 /// Adds its forces to the branch's columns, and the derivatives of its own rows by all of them. The columns before
 /// them are those of its bodies and its length.
-void add_stiff_columns(const System& system, int link, const Configuration& c, const Branch& branch,
-                       const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J);
+void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J);
 
 /// The layout with the forces of all branches of ropes stiffer than `limit` (N) among its unknowns. A slack rope
 /// without weight and stiffer than `slack_stiffness` (N) shares its slack among its branches as one of this EA.

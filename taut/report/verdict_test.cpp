@@ -11,7 +11,7 @@ using namespace taut::report;
 
 Result with_check(double value) {
   Result r;
-  r.checks = {make_check("a", value, Sense::at_most, 1, si::one, "rule", "verified")};
+  r.checks = {make_check("a", value, si::one, {Sense::at_most, 1, "rule", "verified"})};
   return r;
 }
 

@@ -63,10 +63,11 @@ void check_stress(const machine::description::Beam& given, const checks::WorstOf
   const std::string trust =
       unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
   add_fact(given.name, stress.when,
-           make_check(given.name + ".stress_max", stress.value, Sense::at_most, yield, si::Pa,
-                      fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
-                                  full_name(*steel), where),
-                      trust),
+           make_check(given.name + ".stress_max", stress.value, si::Pa,
+                      {Sense::at_most, yield,
+                       fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
+                                   full_name(*steel), where),
+                       trust}),
            r);
 }
 
@@ -74,18 +75,21 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
   if (std::isnan(factor.value)) return;
   if (given.order == machine::description::Order::first) {
     add_fact(given.name, factor.when,
-             make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, first_order_factor, si::one,
-                        "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
-                        "verified"),
+             make_check(given.name + ".alpha_cr", factor.value, si::one,
+                        {Sense::at_least, first_order_factor,
+                         "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
+                         "verified"}),
              r);
     return;
   }
-  add_fact(given.name, factor.when,
-           make_check(given.name + ".alpha_cr", factor.value, Sense::at_least, 1, si::one,
-                      "critical over present axial force, in the state found (bending of second order is in the stress "
-                      "already)",
-                      "derived"),
-           r);
+  add_fact(
+      given.name, factor.when,
+      make_check(given.name + ".alpha_cr", factor.value, si::one,
+                 {Sense::at_least, 1,
+                  "critical over present axial force, in the state found (bending of second order is in the stress "
+                  "already)",
+                  "derived"}),
+      r);
 }
 
 void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {

@@ -128,26 +128,30 @@ class StiffnessAssembly {
     for (int i = 0; i < rest_.rows(); ++i) {
       for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, -1, (rest_(i, j) + rest_(j, i)) / 2, 0});
     }
-    for (const Element& e : elements_) {
-      Array<std::pair<int, Vector12>> all;
-      for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
-      for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
-      for (const auto& [i, a] : all) {
-        const Vector12 elastic = e.elastic * a, geometric = e.geometric * a;
-        for (const auto& [j, b] : all) {
-          if (j <= i) terms_.push_back({i, j, e.beam, b.dot(elastic), b.dot(geometric)});
-        }
+    for (const Element& e : elements_) add_terms(e);
+    for (const Arm& arm : arms_) add_terms(arm);
+  }
+
+  void add_terms(const Element& e) {
+    Array<std::pair<int, Vector12>> all;
+    for (const auto& [i, m] : e.from) all.emplace_back(index(i), (Vector12() << m, Vector6::Zero()).finished());
+    for (const auto& [i, m] : e.to) all.emplace_back(index(i), (Vector12() << Vector6::Zero(), m).finished());
+    for (const auto& [i, a] : all) {
+      const Vector12 elastic = e.elastic * a, geometric = e.geometric * a;
+      for (const auto& [j, b] : all) {
+        if (j <= i) terms_.push_back({i, j, e.beam, b.dot(elastic), b.dot(geometric)});
       }
     }
-    for (const Arm& arm : arms_) {
-      for (const auto& [i, a] : arm.body) {
-        for (const auto& [j, b] : arm.body) {
-          if (index(j) > index(i)) continue;
-          const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
-          const double value =
-              -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
-          terms_.push_back({index(i), index(j), arm.beam, 0, value});
-        }
+  }
+
+  void add_terms(const Arm& arm) {
+    for (const auto& [i, a] : arm.body) {
+      for (const auto& [j, b] : arm.body) {
+        if (index(j) > index(i)) continue;
+        const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
+        const double value =
+            -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
+        terms_.push_back({index(i), index(j), arm.beam, 0, value});
       }
     }
   }

@@ -408,19 +408,6 @@ struct WithoutMainline {
   bool no_force = false;                    ///< that force is none
 };
 
-/// The branches of a mainline put into a state of the machine without it, straight under a tension.
-machine::State with_mainline(machine::State state, const machine::Reeving& mainline, int index, double tension) {
-  Array<machine::BranchState> own(mainline.nodes.size() - 1);
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    const machine::Node &from = mainline.nodes[k], &to = mainline.nodes[k + 1];
-    own[k].length = tension > 0 ? machine::taut_length(state, mainline, from, to, tension)
-                                : machine::straight_length(state, from, to);
-  }
-  state.branches.insert(state.branches.begin() + index, std::move(own));
-  state.touched.insert(state.touched.begin() + index, Array<bool>(mainline.nodes.size(), true));
-  return state;
-}
-
 WithoutMainline without_mainline(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const machine::Carriage carriage = model.carriages.at(as_size(options.prescribed->carriage));
@@ -451,11 +438,11 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
                       "there: choose another x",
                       carriage.name, options.prescribed->x, mainline.name)};
     }
-    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, 0), true};
+    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, 0), true};
   }
   if (hold.dot(pull) > 0) {
     const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
-    return {{}, with_mainline(std::move(held), mainline, carriage.mainline, tension)};
+    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, tension)};
   }
   return {
       fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
@@ -499,6 +486,33 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
   }
 }
 
+/// Whether a mainline hangs deep: see deep_mainline_link.
+bool hangs_deep(const machine::Model& model, const Solved& s) {
+  return s.outcome.ok() && deep_mainline_link({model, s.layout, 0}, s.c, s.e) >= 0;
+}
+
+/// A machine without an answer, or with a mainline that hangs deep: the taut answer by way of the machine without its
+/// mainline where there is one, else the reason why there is none.
+void pull_mainline_taut(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow,
+                        machine::State& at, Solved& s) {
+  const bool deep = hangs_deep(model, s);
+  if (s.outcome.ok() && !deep) return;
+  const std::string past =
+      deep ? "" : section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
+  const WithoutMainline found = past.empty() ? without_mainline(model, options, flow) : WithoutMainline{past};
+  if (found.near) {
+    EquilibriumOptions near = options;
+    if (found.no_force) near.tolerance = std::max(options.tolerance, no_force);
+    machine::State state = *found.near;
+    Solved taut = solve_touching(model, state, near, flow);
+    if (taut.outcome.ok() && !(deep && hangs_deep(model, taut))) {
+      s = std::move(taut);
+      at = std::move(state);
+    }
+  }
+  if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
+}
+
 /// The machine with its ropes' flow known; no rope's running counts.
 EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow,
                            const std::optional<machine::State>& start) {
@@ -506,23 +520,7 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
   result.state = start ? *start : first_state(model, options);
   Solved s = solve_touching(model, result.state, options, flow);
   roll(model, options, flow, result.state, s);
-  const bool deep = s.outcome.ok() && deep_mainline_link({model, s.layout, 0}, s.c, s.e) >= 0;
-  if (deep || !s.outcome.ok()) {
-    const std::string why =
-        deep ? "" : section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
-    const WithoutMainline found = why.empty() ? without_mainline(model, options, flow) : WithoutMainline{why};
-    if (found.near) {
-      EquilibriumOptions near = options;
-      if (found.no_force) near.tolerance = std::max(options.tolerance, no_force);
-      machine::State state = *found.near;
-      Solved taut = solve_touching(model, state, near, flow);
-      if (taut.outcome.ok() && !(deep && deep_mainline_link({model, taut.layout, 0}, taut.c, taut.e) >= 0)) {
-        s = std::move(taut);
-        result.state = std::move(state);
-      }
-    }
-    if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
-  }
+  pull_mainline_taut(model, options, flow, result.state, s);
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
   if (!result.outcome.ok()) return result;

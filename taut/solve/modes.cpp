@@ -42,20 +42,25 @@ machine::Model at_rest(const machine::Model& model) {
   return still;
 }
 
+/// How a rope is on its contact in a set of modes; whether the two sets differ there.
+bool set_grip(const Contact& contact, bool stuck, ContactValues& is) {
+  if (contact.in < 0 || contact.out < 0) return false;  // drums keep their law
+  const bool grips = contact.spin >= 0 && std::isinf(contact.friction);
+  const bool loses =
+      contact.spin >= 0 ? !grips : contact.friction * std::max(0.0, is.wrap) > 0 && contact.efficiency < 1;
+  is.log_ratio = is.log_by_wrap = 0;
+  is.grip = grips || (stuck && loses) ? Grip::stuck : Grip::equal;
+  return loses;
+}
+
 /// How ropes and bearings are in a set of modes; what the two sets do differently.
 std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) {
   std::set<std::string> names;
   const bool stuck = sheaves == Sheaves::stuck;
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Contact& contact = m.contacts[i];
-    ContactValues& is = v.contacts[i];
-    if (contact.in < 0 || contact.out < 0) continue;  // drums keep their law
-    const bool grips = contact.spin >= 0 && std::isinf(contact.friction);
-    const bool loses =
-        contact.spin >= 0 ? !grips : contact.friction * std::max(0.0, is.wrap) > 0 && contact.efficiency < 1;
-    is.log_ratio = is.log_by_wrap = 0;
-    is.grip = grips || (stuck && loses) ? Grip::stuck : Grip::equal;
-    if (loses) names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
+    if (!set_grip(contact, stuck, v.contacts[i])) continue;
+    names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     SpinValues& is = v.spins[i];

@@ -52,10 +52,16 @@ machine::Model span(double weight, double length) {
 
 double chord() { return Vector3(60, 8, -7).norm(); }
 
-/// The end of a rope that starts with the pull `T` and feels w downwards and q along itself, per unstretched metre; at
-/// s = `at` the force F along itself. Runge-Kutta of fourth order, steps that end at the point load.
-Vector3 end_by_integration(Vector3 T, double w, double EA, double L, double q, double from, double to, double F,
-                           double place) {
+/// Along a rope by unstretched metres s: q from one place to another, the force F at a place.
+struct AlongRope {
+  double q = 0, from = 0, to = 0;
+  double F = 0, place = 0;
+};
+
+/// The end of a rope that starts with the pull `T` and feels w downwards and `load` along itself. Runge-Kutta of fourth
+/// order, steps that end at the point load.
+Vector3 end_by_integration(Vector3 T, double w, double EA, double L, const AlongRope& load) {
+  const auto& [q, from, to, F, place] = load;
   const auto rope_rate = [&](double s, const Vector3& t, Vector3& dT) -> Vector3 {
     const Vector3 d = t.normalized();
     dT = w * Vector3::UnitZ() - (s > from && s < to ? q : 0) * d;
@@ -115,7 +121,7 @@ TEST(RopeLoad, HeavyRopeAgreesWithItsDifferentialEquation) {
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       EXPECT_NEAR(r.spans[0].unstretched, 0.3 * length, 1e-8);
       EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, sense * 700, 1e-6);
-      const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, length, 0, 0, 0, sense * 700, 0.3 * length);
+      const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, length, {0, 0, 0, sense * 700.0, 0.3 * length});
       EXPECT_LT((end - Vector3(60, 8, -7)).norm(), 1e-6 * length) << length << ' ' << sense;
     }
   }
@@ -130,7 +136,7 @@ double miss_of_rate(int elements) {
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.spans.back().T_from - r.spans.front().T_to - 30 * (r.spans.back().start - r.spans.front().end).z(),
               40 * 0.5 * 62, 0.02 * 40 * 31);
-  const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, 62, -40, 0.2 * 62, 0.7 * 62, 0, 0);
+  const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, 62, {-40, 0.2 * 62, 0.7 * 62});
   return (end - Vector3(60, 8, -7)).norm();
 }
 

@@ -176,7 +176,8 @@ bool positive(Band K) {
   return true;
 }
 
-bool stays(const Column& c, double factor) {
+/// The stiffness of the column without its supports, by w and slope of each node.
+Band tangent(const Column& c, double factor) {
   const double height = c.height();
   std::size_t nodes = 1;
   for (const ColumnPiece& p : c.pieces) nodes += static_cast<std::size_t>(elements_of(p.length, height));
@@ -199,19 +200,27 @@ bool stays(const Column& c, double factor) {
     }
     for (const ColumnLoad& load : c.loads) N -= load.piece == i ? load.down * factor : 0;
   }
-  const auto hold = [&](std::size_t i) {
-    for (std::size_t k = 1; k < 4; ++k) {
-      K[i].at(k) = 0;
-      if (i >= k) K[i - k].at(k) = 0;
-    }
-    K[i][0] = 1;
-  };
-  hold(0);
-  if (c.clamped_base) hold(1);
+  return K;
+}
+
+/// Takes a coordinate out.
+void hold(Band& K, std::size_t i) {
+  for (std::size_t k = 1; k < 4; ++k) {
+    K[i].at(k) = 0;
+    if (i >= k) K[i - k].at(k) = 0;
+  }
+  K[i][0] = 1;
+}
+
+bool stays(const Column& c, double factor) {
+  Band K = tangent(c, factor);
+  const std::size_t top = K.size() - 2;
+  hold(K, 0);
+  if (c.clamped_base) hold(K, 1);
   if (std::isinf(c.top_stiffness)) {
-    hold(2 * nodes - 2);
+    hold(K, top);
   } else {
-    K[2 * nodes - 2][0] += c.top_stiffness;
+    K[top][0] += c.top_stiffness;
   }
   return positive(std::move(K));
 }

@@ -127,14 +127,20 @@ double round_plastic(const T& M_Rd, const T& n, double M_Ed, CrossSectionUse& u,
   return value(s.eq("6.31", "eta_NM", si::one, s.named("M_Ed", si::N_m, M_Ed) / M_N, "EN 1993-1-1, (6.31)"));
 }
 
+/// M_Rd about both axes.
+template <class T>
+struct Moments {
+  T y, z;
+};
+
 /// Classes 1, 2: a box.
 template <class T>
-double box_plastic(const Shared<T>& q, const T& M_y_Rd, const T& M_z_Rd, const T& n, const CrossForces& f,
-                   CrossSectionUse& u, Sheet<T>& s) {
+double box_plastic(const Shared<T>& q, const Moments<T>& M_Rd, const T& n, const CrossForces& f, CrossSectionUse& u,
+                   Sheet<T>& s) {
   const T a_w = s.eq("", "a_w", si::one, min((q.A - 2 * q.b * q.t) / q.A, T(0.5)), "EN 1993-1-1, 6.2.9.1 (5)");
   const T a_f = s.eq("", "a_f", si::one, min((q.A - 2 * q.h * q.t) / q.A, T(0.5)), "EN 1993-1-1, 6.2.9.1 (5)");
-  const T M_Ny = s.eq("6.39", "M_Ny", si::N_m, min(M_y_Rd * (1 - n) / (1 - 0.5 * a_w), M_y_Rd), "EN 1993-1-1, (6.39)");
-  const T M_Nz = s.eq("6.40", "M_Nz", si::N_m, min(M_z_Rd * (1 - n) / (1 - 0.5 * a_f), M_z_Rd), "EN 1993-1-1, (6.40)");
+  const T M_Ny = s.eq("6.39", "M_Ny", si::N_m, min(M_Rd.y * (1 - n) / (1 - 0.5 * a_w), M_Rd.y), "EN 1993-1-1, (6.39)");
+  const T M_Nz = s.eq("6.40", "M_Nz", si::N_m, min(M_Rd.z * (1 - n) / (1 - 0.5 * a_f), M_Rd.z), "EN 1993-1-1, (6.40)");
   u.M_Ny = value(M_Ny);
   u.M_Nz = value(M_Nz);
   const T M_y = s.named("M_y_Ed", si::N_m, std::abs(f.M_y)), M_z = s.named("M_z_Ed", si::N_m, std::abs(f.M_z));
@@ -186,9 +192,9 @@ CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet
   u.N_pl = m.section.area * m.yield / m.gamma.M0;
   const T N_Rd = axial(q, y, z, s);
   const T M_y_Rd = bending(q, 'y', r.W_pl_y, r.W_el_y, z, s);
-  const T M_z_Rd = q.round ? M_y_Rd : bending(q, 'z', r.W_pl_z, r.W_el_z, y, s);
-  u.M_y_Rd = value(M_y_Rd);
-  u.M_z_Rd = value(M_z_Rd);
+  const Moments<T> M_Rd{M_y_Rd, q.round ? M_y_Rd : bending(q, 'z', r.W_pl_z, r.W_el_z, y, s)};
+  u.M_y_Rd = value(M_Rd.y);
+  u.M_z_Rd = value(M_Rd.z);
   if (value(N_Rd) <= 0 || u.M_y_Rd <= 0 || u.M_z_Rd <= 0) {
     u.n = u.utilisation = no_resistance;
     return u;
@@ -202,7 +208,7 @@ CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet
     u.utilisation = u.n + (q.round ? std::hypot(M_y, M_z) : M_y + M_z);
   } else {
     const double moments =
-        q.round ? round_plastic(M_y_Rd, n, std::hypot(f.M_y, f.M_z), u, s) : box_plastic(q, M_y_Rd, M_z_Rd, n, f, u, s);
+        q.round ? round_plastic(M_Rd.y, n, std::hypot(f.M_y, f.M_z), u, s) : box_plastic(q, M_Rd, n, f, u, s);
     u.utilisation = std::max(u.n, moments);
   }
   return u;

@@ -22,25 +22,39 @@ struct MemberAxis {
   double N_cr = 0;
 };
 
+/// Both axes.
 template <class T>
-T critical_force(const Member& m, const BucklingAxis& axis, double I, const char* letter, Sheet<T>& s) {
-  const auto name = [&](const char* symbol) { return std::string(symbol) + "_" + letter; };
-  if (axis.critical_force || !axis.length) {
-    return s.named(name("N_cr"), si::N, axis.critical_force.value_or(std::numeric_limits<double>::infinity()));
+struct MemberAxes {
+  MemberAxis<T> y, z;
+};
+
+/// What is given of one axis: how the member may buckle about it, and the section's I.
+struct GivenAxis {
+  const BucklingAxis& buckles;
+  double I;  ///< m4
+  const char* letter;
+};
+
+template <class T>
+T critical_force(const Member& m, const GivenAxis& axis, Sheet<T>& s) {
+  const auto name = [&](const char* symbol) { return std::string(symbol) + "_" + axis.letter; };
+  const BucklingAxis& by = axis.buckles;
+  if (by.critical_force || !by.length) {
+    return s.named(name("N_cr"), si::N, by.critical_force.value_or(std::numeric_limits<double>::infinity()));
   }
-  const T E = s.named("E", si::Pa.in("GPa"), m.steel.E), I_axis = s.named(name("I"), si::m4, I);
-  const T L = s.named(name("L_cr"), si::m, *axis.length), pi = s.named("pi", si::one, std::numbers::pi);
+  const T E = s.named("E", si::Pa.in("GPa"), m.steel.E), I_axis = s.named(name("I"), si::m4, axis.I);
+  const T L = s.named(name("L_cr"), si::m, *by.length), pi = s.named("pi", si::one, std::numbers::pi);
   return s.eq("", name("N_cr"), si::N, square(pi) * E * I_axis / square(L), "Euler");
 }
 
 template <class T>
-MemberAxis<T> axis_of(const Member& m, const BucklingAxis& given, double I, const char* letter, const T& N,
-                      const T& N_Rk, Sheet<T>& s) {
+MemberAxis<T> axis_of(const Member& m, const GivenAxis& given, const T& N, const T& N_Rk, Sheet<T>& s) {
   const Curve curve = m.curve.value_or(curve_of(m.steel.section, m.steel.yield));
-  const T N_cr = critical_force(m, given, I, letter, s);
-  const Buckling<T> b = flexural_buckling(N_Rk, N_cr, curve, letter, s);
+  const T N_cr = critical_force(m, given, s);
+  const Buckling<T> b = flexural_buckling(N_Rk, N_cr, curve, given.letter, s);
   const T gamma_M1 = s.named("gamma_M1", si::one, m.steel.gamma.M1);
-  const T n = s.eq("6.46", std::string("n_") + letter, si::one, N * gamma_M1 / (b.chi * N_Rk), "EN 1993-1-1, (6.46)");
+  const T n =
+      s.eq("6.46", std::string("n_") + given.letter, si::one, N * gamma_M1 / (b.chi * N_Rk), "EN 1993-1-1, (6.46)");
   return {b.slenderness, b.chi, n, value(N_cr)};
 }
 
@@ -66,9 +80,10 @@ T share(const Member& m, double M, double W, const char* letter, bool plastic, S
 }
 
 template <class T>
-void round_member(const Member& m, const MemberAxis<T>& y, const MemberAxis<T>& z, const CrossForces& f, bool plastic,
-                  MemberUse& u, Sheet<T>& s) {
+void round_member(const Member& m, const MemberAxes<T>& axes, const CrossForces& f, bool plastic, MemberUse& u,
+                  Sheet<T>& s) {
   const auto& r = m.steel.section;
+  const auto& [y, z] = axes;
   const bool by_y = value(y.n) >= value(z.n);  // one section, two ways to be held
   const T k = own_factor(by_y ? y : z, std::max(m.y.C_m, m.z.C_m), plastic, by_y ? "y" : "z", s);
   const T M = share(m, std::hypot(f.M_y, f.M_z), plastic ? r.W_pl_y : r.W_el_y, by_y ? "y" : "z", plastic, s);
@@ -78,9 +93,10 @@ void round_member(const Member& m, const MemberAxis<T>& y, const MemberAxis<T>& 
 }
 
 template <class T>
-void box_member(const Member& m, const MemberAxis<T>& y, const MemberAxis<T>& z, const CrossForces& f, bool plastic,
-                MemberUse& u, Sheet<T>& s) {
+void box_member(const Member& m, const MemberAxes<T>& axes, const CrossForces& f, bool plastic, MemberUse& u,
+                Sheet<T>& s) {
   const auto& r = m.steel.section;
+  const auto& [y, z] = axes;
   const T k_yy = own_factor(y, m.y.C_m, plastic, "y", s), k_zz = own_factor(z, m.z.C_m, plastic, "z", s);
   const T k_yz = s.eq("", "k_yz", si::one, plastic ? 0.6 * k_zz : 1 * k_zz, annex_b);
   const T k_zy = s.eq("", "k_zy", si::one, plastic ? 0.6 * k_yy : 0.8 * k_yy, annex_b);
@@ -121,8 +137,9 @@ MemberUse member_use(const Member& m, const CrossForces& f, Sheet<T>& s) {
   const T N = s.named("N_Ed", si::N, f.N);
   const bool alike =
       r.shape == SectionShape::chs && m.y.length == m.z.length && m.y.critical_force == m.z.critical_force;
-  const MemberAxis<T> y = axis_of(m, m.y, r.I_y, "y", N, N_Rk, s);
-  const MemberAxis<T> z = alike ? y : axis_of(m, m.z, r.I_z, "z", N, N_Rk, s);
+  const MemberAxis<T> y = axis_of(m, {m.y, r.I_y, "y"}, N, N_Rk, s);
+  const MemberAxes<T> axes{y, alike ? y : axis_of(m, {m.z, r.I_z, "z"}, N, N_Rk, s)};
+  const MemberAxis<T>& z = axes.z;
   u.N_cr_y = y.N_cr;
   u.N_cr_z = z.N_cr;
   u.lambda_y = value(y.lambda);
@@ -131,9 +148,9 @@ MemberUse member_use(const Member& m, const CrossForces& f, Sheet<T>& s) {
   u.chi_z = value(z.chi);
   u.flexural = std::max(value(y.n), value(z.n));
   if (r.shape == SectionShape::chs) {
-    round_member(m, y, z, f, section_class < 3, u, s);
+    round_member(m, axes, f, section_class < 3, u, s);
   } else {
-    box_member(m, y, z, f, section_class < 3, u, s);
+    box_member(m, axes, f, section_class < 3, u, s);
   }
   return u;
 }

@@ -33,53 +33,74 @@ struct Catenary {
   double T_right() const { return H * std::sqrt(1 + right * right); }
 };
 
+template <std::size_t N>
+double size_of(const std::array<double, N>& r) {
+  double s = 0;
+  for (double v : r) s += v * v;
+  return std::sqrt(s);
+}
+
+/// A square system with its right side as last column.
+template <std::size_t N>
+using Augmented = std::array<std::array<double, N + 1>, N>;
+
+/// Derivatives of f by central differences, and -r.
+template <std::size_t N, class F>
+Augmented<N> linearised(const F& f, const std::array<double, N>& z, const std::array<double, N>& r) {
+  Augmented<N> a{};
+  for (std::size_t j = 0; j < N; ++j) {
+    auto up = z;
+    auto down = z;
+    up[j] += 1e-6;
+    down[j] -= 1e-6;
+    const auto r_up = f(up);
+    const auto r_down = f(down);
+    for (std::size_t i = 0; i < N; ++i) a[i][j] = (r_up[i] - r_down[i]) / 2e-6;
+  }
+  for (std::size_t i = 0; i < N; ++i) a[i][N] = -r[i];
+  return a;
+}
+
+/// Gauss and Jordan with pivots of columns.
+template <std::size_t N>
+std::array<double, N> solved(Augmented<N> a) {
+  for (std::size_t c = 0; c < N; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t i = c; i < N; ++i) pivot = std::abs(a[i][c]) > std::abs(a[pivot][c]) ? i : pivot;
+    std::swap(a[c], a[pivot]);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (i == c) continue;
+      const double factor = a[i][c] / a[c][c];
+      for (std::size_t k = c; k <= N; ++k) a[i][k] -= factor * a[c][k];
+    }
+  }
+  std::array<double, N> x{};
+  for (std::size_t i = 0; i < N; ++i) x[i] = a[i][N] / a[i][i];
+  return x;
+}
+
 /// Newton with a difference Jacobian and step halving; f maps N unknowns to N residuals of order 1.
 template <std::size_t N, class F>
 bool newton(const F& f, std::array<double, N>& z) {
-  const auto size = [](const std::array<double, N>& r) {
-    double s = 0;
-    for (double v : r) s += v * v;
-    return std::sqrt(s);
-  };
   auto r = f(z);
   for (int step = 0; step < 60; ++step) {
-    if (!(size(r) < 1e300)) return false;
-    if (size(r) < 1e-12) return true;
-    std::array<std::array<double, N + 1>, N> a{};
-    for (std::size_t j = 0; j < N; ++j) {
-      auto up = z;
-      auto down = z;
-      up[j] += 1e-6;
-      down[j] -= 1e-6;
-      const auto r_up = f(up);
-      const auto r_down = f(down);
-      for (std::size_t i = 0; i < N; ++i) a[i][j] = (r_up[i] - r_down[i]) / 2e-6;
-    }
-    for (std::size_t i = 0; i < N; ++i) a[i][N] = -r[i];
-    for (std::size_t c = 0; c < N; ++c) {
-      std::size_t pivot = c;
-      for (std::size_t i = c; i < N; ++i) pivot = std::abs(a[i][c]) > std::abs(a[pivot][c]) ? i : pivot;
-      std::swap(a[c], a[pivot]);
-      for (std::size_t i = 0; i < N; ++i) {
-        if (i == c) continue;
-        const double factor = a[i][c] / a[c][c];
-        for (std::size_t k = c; k <= N; ++k) a[i][k] -= factor * a[c][k];
-      }
-    }
+    if (!(size_of(r) < 1e300)) return false;
+    if (size_of(r) < 1e-12) return true;
+    const std::array<double, N> way = solved<N>(linearised(f, z, r));
     double t = 1;
     auto next = z;
     for (int halving = 0; halving < 30; ++halving, t /= 2) {
-      for (std::size_t i = 0; i < N; ++i) next[i] = z[i] + t * a[i][N] / a[i][i];
+      for (std::size_t i = 0; i < N; ++i) next[i] = z[i] + t * way[i];
       const auto r_next = f(next);
-      if (size(r_next) < size(r)) {
+      if (size_of(r_next) < size_of(r)) {
         z = next;
         r = r_next;
         break;
       }
-      if (halving == 29) return size(r) < 1e-9;
+      if (halving == 29) return size_of(r) < 1e-9;
     }
   }
-  return size(r) < 1e-9;
+  return size_of(r) < 1e-9;
 }
 
 /// Forces of a loop from its spans: lower ones at A and B, upper ones at A and B.

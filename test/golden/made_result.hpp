@@ -69,11 +69,13 @@ inline void add_steps(taut::Result& r, const MadeInput& in) {
       "16", "b", si::m.in("mm"), [&](const Num& x) { return allow * pow(x, 3) - n * x - 6 * m; }, 0.0, 3.0);
   const Num w = s.eq("", "W", si::m3, pow(*b, 3) / 6, "bending of a square");
   const Num sigma = s.eq("12", "sigma_max", si::Pa, n / pow(*b, 2) + m / w);
-  s.check("stress at the clamp", sigma, Sense::at_most, allow * 1.05, si::Pa, "N/A + M/W <= 1.05 [sigma], (12)",
-          "verified");
-  s.check("drum D/d", s.named("q", si::one, 18), Sense::at_least, Num(20), si::one,
-          "smallest ratio of drum to rope diameter, ISO 16625 table 2", "UNVERIFIED: read from a secondary source");
-  s.check("rope safety", s.named("S", si::one, 4.6), Sense::at_least, Num(3.5), si::one, "OR-OSHA rope factor", "user");
+  s.check("stress at the clamp", sigma, si::Pa,
+          {Sense::at_most, allow * 1.05, "N/A + M/W <= 1.05 [sigma], (12)", "verified"});
+  s.check("drum D/d", s.named("q", si::one, 18), si::one,
+          {Sense::at_least, Num(20), "smallest ratio of drum to rope diameter, ISO 16625 table 2",
+           "UNVERIFIED: read from a secondary source"});
+  s.check("rope safety", s.named("S", si::one, 4.6), si::one,
+          {Sense::at_least, Num(3.5), "OR-OSHA rope factor", "user"});
   s.warn("block_friction is outside 0.10..0.16 <script>alert('x')</script>");
   s.warn("The printed D_tube is 0.6 % too small: the paper rounds 32/pi to 10. Build by the exact coefficients.");
   s.move_to(r);

@@ -203,19 +203,20 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
 
 void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
   if (!asks_for_exact(in)) return;  // the method has checked it by second order
-  Check strength = make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, Sense::at_most,
-                              section.allowable, si::Pa,
-                              "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
-                              "directions of the ropes",
-                              section.trust);
+  Check strength = make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, si::Pa,
+                              {Sense::at_most, section.allowable,
+                               "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
+                               "directions of the ropes",
+                               section.trust});
   strength.part = "mast";
   r.checks.push_back(std::move(strength));
   const auto rule = catalogue::find_rule("safety.guyline.ch_at");
   if (std::isnan(e.guy_safety_min_exact) || !rule || !rule->low) return;
   const bool unverified = rule->trust == catalogue::Trust::unverified;
-  r.checks.push_back(make_check("guylines do not break", e.guy_safety_min_exact, Sense::at_least, *rule->low, si::one,
-                                fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
-                                unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))));
+  r.checks.push_back(
+      make_check("guylines do not break", e.guy_safety_min_exact, si::one,
+                 {Sense::at_least, *rule->low, fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
+                  unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))}));
 }
 
 void add_words(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {

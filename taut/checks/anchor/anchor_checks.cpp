@@ -117,10 +117,12 @@ void check_holding(const AnchorStates& s, Result& r) {
   const AnchorCheckRequest& one = *s.request;
   const std::string where = with_factor(s.where, s.factor);
   if (one.strength) {
-    add_part_check(one.name, "anchor_strength", *one.strength / s.force, Sense::at_least, one.safety_factor, si::one,
-                   fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
-                               s.force / 1e3, where),
-                   "user", r);
+    add_part_check(one.name, "anchor_strength", *one.strength / s.force, si::one,
+                   {Sense::at_least, one.safety_factor,
+                    fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
+                                s.force / 1e3, where),
+                    "user"},
+                   r);
   }
   if (one.as_strong_as_rope) {
     if (s.strength_unknown) {
@@ -129,17 +131,20 @@ void check_holding(const AnchorStates& s, Result& r) {
                       "others",
                       one.name));
     }
-    add_part_check(one.name, "anchor_as_rope", *one.strength, Sense::at_least, s.strongest_rope, si::N,
-                   "strength of the anchor not below the breaking force of the strongest rope fixed to it", "derived",
+    add_part_check(one.name, "anchor_as_rope", *one.strength, si::N,
+                   {Sense::at_least, s.strongest_rope,
+                    "strength of the anchor not below the breaking force of the strongest rope fixed to it", "derived"},
                    r);
   }
   if (one.tree_diameter) {
     const RuleLimit rule = rule_limit("layout.anchor_tree", false);
     const double share = *one.tree_diameter / rule_diameter;
-    add_part_check(one.name, "anchor_tree", s.force, Sense::at_most, rule.value * share * share, si::N,
-                   fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
-                               *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
-                   rule.trust, r);
+    add_part_check(one.name, "anchor_tree", s.force, si::N,
+                   {Sense::at_most, rule.value * share * share,
+                    fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
+                                *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
+                    rule.trust},
+                   r);
   }
 }
 
@@ -149,7 +154,7 @@ void check_fastening(const AnchorStates& s, Result& r) {
   const auto check = [&](const std::optional<double>& have, const char* name, const std::string& id) {
     if (!have) return;
     const RuleLimit rule = rule_limit(id, true);
-    add_part_check(s.request->name, name, *have, Sense::at_least, rule.value, si::one, rule.words, rule.trust, r);
+    add_part_check(s.request->name, name, *have, si::one, {Sense::at_least, rule.value, rule.words, rule.trust}, r);
   };
   check(f.wraps, "anchor_wraps", "layout.anchor_wraps");
   check(f.spikes, "anchor_spikes", "layout.anchor_spikes");
@@ -176,12 +181,14 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
     check_fastening(s, r);
     const AnchorCheckRequest& one = *s.request;
     if (one.uplift) {
-      add_part_check(one.name, "anchor_uplift", s.uplift, Sense::at_most, *one.uplift, si::N,
-                     fmt::format("pull upwards ({})", s.where_uplift), "user", r);
+      add_part_check(one.name, "anchor_uplift", s.uplift, si::N,
+                     {Sense::at_most, *one.uplift, fmt::format("pull upwards ({})", s.where_uplift), "user"}, r);
     }
     if (one.angle) {
-      add_part_check(one.name, "anchor_angle", s.angle, Sense::at_most, *one.angle, si::rad,
-                     fmt::format("angle of the pull above the horizontal ({})", s.where_angle), "user", r);
+      add_part_check(one.name, "anchor_angle", s.angle, si::rad,
+                     {Sense::at_most, *one.angle,
+                      fmt::format("angle of the pull above the horizontal ({})", s.where_angle), "user"},
+                     r);
     }
   }
 }

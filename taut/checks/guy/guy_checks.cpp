@@ -53,10 +53,12 @@ void check_safety(const GuyStates& guy, const std::string& name, double strength
   RuleLimit limit{2, "partial factor of guys, EN 1993-3-1", by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
   if (request.safety_factor) limit = {*request.safety_factor, "the deck's own", "user"};
-  add_part_check(name, "guy_safety", strength / guy.T_max, Sense::at_least, limit.value, si::one,
-                 fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}", strength / 1e3,
-                             guy.T_max / 1e3, guy.where_max, limit.words),
-                 limit.trust, r);
+  add_part_check(name, "guy_safety", strength / guy.T_max, si::one,
+                 {Sense::at_least, limit.value,
+                  fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}", strength / 1e3,
+                              guy.T_max / 1e3, guy.where_max, limit.words),
+                  limit.trust},
+                 r);
 }
 
 void check_pretension(const GuyCheckRequest& request, const std::string& name, double tension, double strength,
@@ -66,8 +68,16 @@ void check_pretension(const GuyCheckRequest& request, const std::string& name, d
   const std::string words = fmt::format("tension as put up, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}",
                                         tension / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
   const std::string trust = own ? "user" : by_recalled_window;
-  add_part_check(name, "pretension_min", tension / strength, Sense::at_least, low, si::one, words, trust, r);
-  add_part_check(name, "pretension_max", tension / strength, Sense::at_most, high, si::one, words, trust, r);
+  add_part_check(name, "pretension_min", tension / strength, si::one, {Sense::at_least, low, words, trust}, r);
+  add_part_check(name, "pretension_max", tension / strength, si::one, {Sense::at_most, high, words, trust}, r);
+}
+
+/// Why a rule of the catalogue gives no safety factor; empty when it does.
+std::string wrong_safety_rule(const std::string& id) {
+  const auto row = catalogue::find_rule(id);
+  if (!row) return catalogue::to_text(row.error());
+  if (row->low && row->id.starts_with("safety.")) return {};
+  return fmt::format("'{}' is no safety factor with a number", row->id);
 }
 
 }  // namespace
@@ -87,9 +97,9 @@ std::string with_factor(const std::string& words, double factor) {
   return factor == 1 ? words : fmt::format("{}, times {:.4g}", words, factor);
 }
 
-void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
-                    const Unit& unit, std::string rule, std::string trust, Result& r) {
-  Check c = make_check(fmt::format("{}.{}", part, name), value, sense, limit, unit, std::move(rule), std::move(trust));
+void add_part_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
+                    Result& r) {
+  Check c = make_check(fmt::format("{}.{}", part, name), value, unit, std::move(bound));
   c.part = part;
   r.checks.push_back(std::move(c));
 }
@@ -109,12 +119,8 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
     }
     if (one.safety_factor && one.rule) complaints.push_back({path + ".rule", "either 'safety_factor' or 'rule'"});
     if (one.rule) {
-      const auto row = catalogue::find_rule(*one.rule);
-      if (!row) {
-        complaints.push_back({path + ".rule", catalogue::to_text(row.error())});
-      } else if (!row->low || !row->id.starts_with("safety.")) {
-        complaints.push_back({path + ".rule", fmt::format("'{}' is no safety factor with a number", row->id)});
-      }
+      const std::string wrong = wrong_safety_rule(*one.rule);
+      if (!wrong.empty()) complaints.push_back({path + ".rule", wrong});
     }
     if (!one.pretension.empty() && (one.pretension.size() != 2 || one.pretension[0] >= one.pretension[1])) {
       complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
@@ -178,11 +184,13 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
       r.warnings.push_back(r.unmade.back());
     }
     if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
-      add_part_check(rope.name, "slackness", one.T_least, Sense::at_least, one.T_slack, si::N,
-                     fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
-                                 "slack and holds nothing ({})",
-                                 one.where_least),
-                     "derived", r);
+      add_part_check(rope.name, "slackness", one.T_least, si::N,
+                     {Sense::at_least, one.T_slack,
+                      fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
+                                  "slack and holds nothing ({})",
+                                  one.where_least),
+                      "derived"},
+                     r);
     }
     const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
                                   [&](const auto& g) { return g.name == rope.name; });

@@ -97,7 +97,7 @@ RuleLimit rule_limit(const std::string& id, bool high_end);
 std::string with_factor(const std::string& words, double factor);
 
 /// A check that belongs to a part.
-void add_part_check(const std::string& part, const std::string& name, double value, Sense sense, double limit,
-                    const Unit& unit, std::string rule, std::string trust, Result& r);
+void add_part_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
+                    Result& r);
 
 }  // namespace taut::checks

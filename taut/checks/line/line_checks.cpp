@@ -112,8 +112,9 @@ void check_clearance(const LineStates& line, Result& r) {
     r.unmade.push_back(gap_words(request.name, line.gap));
     r.warnings.push_back(r.unmade.back());
   }
-  add_part_check(request.name, "clearance", line.clearance.value, Sense::at_least, limit.value, si::m,
-                 fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust,
+  add_part_check(request.name, "clearance", line.clearance.value, si::m,
+                 {Sense::at_least, limit.value,
+                  fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust},
                  r);
 }
 
@@ -124,8 +125,9 @@ void check_tail(const LineStates& line, Result& r) {
     if (std::isnan(x.value)) return;
     RuleLimit limit = rule_limit(rule, false);
     if (own) limit = {*own, "the deck's own", "user"};
-    add_part_check(request.name, name, x.value, Sense::at_most, limit.value, si::rad,
-                   fmt::format("{} ({}); {}", words, x.where, limit.words), limit.trust, r);
+    add_part_check(request.name, name, x.value, si::rad,
+                   {Sense::at_most, limit.value, fmt::format("{} ({}); {}", words, x.where, limit.words), limit.trust},
+                   r);
   };
   add("tail_angle", line.tail_angle, request.tail_angle, "layout.tail_tree_angle",
       "from the horizontal, between the tail tree and the anchor");
@@ -141,18 +143,21 @@ void check_bends(const LineStates& line, Result& r) {
     if (!std::isnan(bend.most.value)) {
       const RuleLimit high =
           rule_limit(end ? "layout.break_angle_loaded_end" : "layout.break_angle_loaded_support", false);
-      add_part_check(request.name, bend.support + ".break_angle", bend.most.value, Sense::at_most, high.value, si::rad,
-                     fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words),
-                     high.trust, r);
+      add_part_check(
+          request.name, bend.support + ".break_angle", bend.most.value, si::rad,
+          {Sense::at_most, high.value,
+           fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words), high.trust},
+          r);
     }
     if (!std::isnan(bend.least.value)) {
       const RuleLimit low =
           rule_limit(request.hold_down ? "layout.break_angle_hold_down" : "layout.break_angle_empty", true);
-      add_part_check(request.name, bend.support + ".least_break_angle", bend.least.value, Sense::at_least, low.value,
-                     si::rad,
-                     fmt::format("least bend over '{}', with the empty line among the states ({}); {}", bend.support,
-                                 bend.least.where, low.words),
-                     low.trust, r);
+      add_part_check(request.name, bend.support + ".least_break_angle", bend.least.value, si::rad,
+                     {Sense::at_least, low.value,
+                      fmt::format("least bend over '{}', with the empty line among the states ({}); {}", bend.support,
+                                  bend.least.where, low.words),
+                      low.trust},
+                     r);
     }
   }
 }
@@ -161,17 +166,42 @@ void check_rating(const LineCheckRequest& request, const machine::Model& model, 
   const double strength = request.breaking_force.value_or(line_named(model, request.name)->breaking_force);
   const char* trust = "verified";
   if (request.limiter) {
-    add_part_check(request.name, "limiter", *request.limiter, Sense::at_most, *request.spar_rating, si::N,
-                   fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
-                               "breaks at {:.4g} kN (WAC 296-54-553)",
-                               strength / 1e3),
-                   trust, r);
+    add_part_check(request.name, "limiter", *request.limiter, si::N,
+                   {Sense::at_most, *request.spar_rating,
+                    fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
+                                "breaks at {:.4g} kN (WAC 296-54-553)",
+                                strength / 1e3),
+                    trust},
+                   r);
     return;
   }
-  add_part_check(request.name, "spar_rating", strength, Sense::at_most, *request.spar_rating, si::N,
-                 "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
-                 "fuse (WAC 296-54-553)",
-                 trust, r);
+  add_part_check(request.name, "spar_rating", strength, si::N,
+                 {Sense::at_most, *request.spar_rating,
+                  "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
+                  "fuse (WAC 296-54-553)",
+                  trust},
+                 r);
+}
+
+/// The supports that a request names, against those that its line runs over.
+void complain_of_supports(const LineCheckRequest& one, const std::vector<std::string>& supports,
+                          const std::string& path, std::vector<Complaint>& complaints) {
+  if (one.tail_tree &&
+      (supports.empty() || (*one.tail_tree != supports.front() && *one.tail_tree != supports.back()))) {
+    complaints.push_back(
+        {path + ".tail_tree", fmt::format("'{}' is not the first or last support of '{}'{}", *one.tail_tree, one.name,
+                                          did_you_mean(*one.tail_tree, supports))});
+  }
+  if (!one.tail_tree && (one.tail_angle || one.off_line)) {
+    complaints.push_back({path, "'tail_angle' and 'off_line' need 'tail_tree'"});
+  }
+  for (std::size_t i = 0; i < one.end_masts.size(); ++i) {
+    const std::string& name = one.end_masts[i];
+    if (std::find(supports.begin(), supports.end(), name) != supports.end()) continue;
+    complaints.push_back(
+        {fmt::format("{}.end_masts[{}]", path, i),
+         fmt::format("'{}' does not run over a support '{}'{}", one.name, name, did_you_mean(name, supports))});
+  }
 }
 
 }  // namespace
@@ -188,25 +218,7 @@ void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine
       complaints.push_back({path, fmt::format("there is no reeving '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
     }
-    const std::vector<std::string> supports = supports_of(model, *rope);
-    const auto known = [&](const std::string& name) {
-      return std::find(supports.begin(), supports.end(), name) != supports.end();
-    };
-    if (one.tail_tree &&
-        (supports.empty() || (*one.tail_tree != supports.front() && *one.tail_tree != supports.back()))) {
-      complaints.push_back(
-          {path + ".tail_tree", fmt::format("'{}' is not the first or last support of '{}'{}", *one.tail_tree, one.name,
-                                            did_you_mean(*one.tail_tree, supports))});
-    }
-    if (!one.tail_tree && (one.tail_angle || one.off_line)) {
-      complaints.push_back({path, "'tail_angle' and 'off_line' need 'tail_tree'"});
-    }
-    for (std::size_t i = 0; i < one.end_masts.size(); ++i) {
-      if (known(one.end_masts[i])) continue;
-      complaints.push_back({fmt::format("{}.end_masts[{}]", path, i),
-                            fmt::format("'{}' does not run over a support '{}'{}", one.name, one.end_masts[i],
-                                        did_you_mean(one.end_masts[i], supports))});
-    }
+    complain_of_supports(one, supports_of(model, *rope), path, complaints);
     if ((one.clearance || one.least_clearance) && model.terrain.empty()) {
       complaints.push_back({path, "a clearance needs the machine's 'terrain'"});
     }

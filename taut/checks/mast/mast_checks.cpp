@@ -7,6 +7,7 @@
 
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
 #include "taut/structure/hollow_section.hpp"
 
 namespace taut::checks {
@@ -30,24 +31,18 @@ std::string place_words(const LoadedMast& m, const MastPlace& at) {
   return fmt::format("{:.4g} m above its base, {}", station_at(m, at).height, case_at(m, at).words);
 }
 
-void add_check(const std::string& part, const char* name, double value, double limit, const Unit& unit,
-               std::string rule, std::string trust, Result& r) {
-  Check c = make_check(fmt::format("{}.{}", part, name), value, Sense::at_most, limit, unit, std::move(rule),
-                       std::move(trust));
-  c.part = part;
-  r.checks.push_back(std::move(c));
-}
-
 void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
   if (u.slenderness.value == 0) return;  // pulled everywhere
   const MastPlace& at = u.slenderness.at;
   const auto& steel = report.loaded.mast.parts[at.part].member.steel;
   const structure::WallClass wall =
       structure::section_class(steel.section, steel.yield, station_at(report.loaded, at).design);
-  add_check(report.name, "wall", wall.slenderness, wall.slenderness / u.slenderness.value, si::one,
-            fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
-                        wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
-            recalled_section, r);
+  add_part_check(report.name, "wall", wall.slenderness, si::one,
+                 {Sense::at_most, wall.slenderness / u.slenderness.value,
+                  fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
+                              wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
+                  recalled_section},
+                 r);
 }
 
 void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
@@ -55,14 +50,18 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const auto& steel = m.mast.parts[u.section.at.part].member.steel;
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
-  add_check(report.name, "section", u.section.value, 1, si::one,
-            fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
-                        steel.section.name, section_class, steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)",
-                        place_words(m, u.section.at)),
-            recalled_section, r);
-  add_check(report.name, "shear", u.shear.value, 1, si::one,
-            fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
-            "UNVERIFIED: shear areas as recalled", r);
+  add_part_check(report.name, "section", u.section.value, si::one,
+                 {Sense::at_most, 1,
+                  fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                              steel.section.name, section_class, steel.yield / 1e6,
+                              section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+                  recalled_section},
+                 r);
+  add_part_check(
+      report.name, "shear", u.shear.value, si::one,
+      {Sense::at_most, 1, fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+       "UNVERIFIED: shear areas as recalled"},
+      r);
 }
 
 void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
@@ -72,15 +71,19 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
     const auto& member = m.mast.parts[at.part].member;
     return to_text(member.curve.value_or(structure::curve_of(member.steel.section, member.steel.yield)));
   };
-  add_check(report.name, "buckling", u.flexural.value, 1, si::one,
-            fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}", curve(u.flexural.at),
-                        case_at(m, u.flexural.at).words),
-            recalled_curve, r);
+  add_part_check(report.name, "buckling", u.flexural.value, si::one,
+                 {Sense::at_most, 1,
+                  fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}", curve(u.flexural.at),
+                              case_at(m, u.flexural.at).words),
+                  recalled_curve},
+                 r);
   if (!m.mast.members) return;
-  add_check(report.name, "member", u.member.value, 1, si::one,
-            fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
-                        curve(u.member.at), case_at(m, u.member.at).words),
-            recalled_curve, r);
+  add_part_check(report.name, "member", u.member.value, si::one,
+                 {Sense::at_most, 1,
+                  fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
+                              curve(u.member.at), case_at(m, u.member.at).words),
+                  recalled_curve},
+                 r);
 }
 
 /// [sigma] of the deck, or as good as the yield stress that it is a share of.
@@ -94,10 +97,12 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
   const LoadedMast& m = report.loaded;
   const MastPlace& at = u.stress_use.at;
   const double allowed = *m.mast.parts[at.part].allowable_stress;
-  add_check(
-      report.name, "allowable_stress", u.stress_use.value * allowed, allowed, si::Pa,
-      fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}", place_words(m, at)),
-      trust_of_stress(request, report, at.part), r);
+  add_part_check(report.name, "allowable_stress", u.stress_use.value * allowed, si::Pa,
+                 {Sense::at_most, allowed,
+                  fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
+                              place_words(m, at)),
+                  trust_of_stress(request, report, at.part)},
+                 r);
 }
 
 void add_row(const MastReport& report, const MastUse& u, Result& r) {
@@ -276,7 +281,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
                     report.name));
   }
   if (!report.refused.empty()) {
-    add_check(report.name, "section", std::nan(""), 1, si::one, report.refused, "derived", r);
+    add_part_check(report.name, "section", std::nan(""), si::one, {Sense::at_most, 1, report.refused, "derived"}, r);
     r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
     add_mast_choice(request, report, r);
     return;

@@ -71,12 +71,14 @@ void add_top_check(const MastStates& mast, double bending, const machine::Model&
   for (const std::size_t beam : mast.beams) height += model.beams[beam].length;
   const double wanted = *request.top_criterion * structure::euler_load(1, bending, height) / height;
   add_part_check(
-      request.name, "top_stiffness", std::isfinite(mast.guy_stiffness) ? mast.guy_stiffness : 0, Sense::at_least,
-      wanted, si::N_per_m.in("kN/m"),
-      fmt::format("horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
-                  "mast hinged at both ends; {}",
-                  *request.top_criterion, mast.where_stiffness.empty() ? "no guy holds it" : mast.where_stiffness),
-      "UNVERIFIED: 3 to 4 recalled practice", r);
+      request.name, "top_stiffness", std::isfinite(mast.guy_stiffness) ? mast.guy_stiffness : 0, si::N_per_m.in("kN/m"),
+      {Sense::at_least, wanted,
+       fmt::format(
+           "horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
+           "mast hinged at both ends; {}",
+           *request.top_criterion, mast.where_stiffness.empty() ? "no guy holds it" : mast.where_stiffness),
+       "UNVERIFIED: 3 to 4 recalled practice"},
+      r);
 }
 
 void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model,
@@ -84,8 +86,10 @@ void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, 
   if (!request.plate) return;
   const MastGuys guys = guys_of(request, deck, model);
   if (request.plate->guys) {
-    add_part_check(request.name, "guys_by_plate", guys.number, Sense::at_least, *request.plate->guys, si::one,
-                   "number of guylines against the plate of the spar (WAC 296-54-553)", "verified", r);
+    add_part_check(request.name, "guys_by_plate", guys.number, si::one,
+                   {Sense::at_least, *request.plate->guys,
+                    "number of guylines against the plate of the spar (WAC 296-54-553)", "verified"},
+                   r);
   }
   if (!request.plate->guy_strength || guys.number == 0) return;
   if (guys.weakest == 0) {
@@ -94,9 +98,10 @@ void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, 
     r.warnings.push_back(r.unmade.back());
     return;
   }
-  add_part_check(request.name, "guy_strength_by_plate", guys.weakest, Sense::at_least, *request.plate->guy_strength,
-                 si::N, "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)",
-                 "verified", r);
+  add_part_check(request.name, "guy_strength_by_plate", guys.weakest, si::N,
+                 {Sense::at_least, *request.plate->guy_strength,
+                  "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)", "verified"},
+                 r);
 }
 
 }  // namespace taut::checks

@@ -109,11 +109,12 @@ std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& lif
 void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,
                     const rope::RopeUse& use, Result& r) {
   const std::string name = use.name + ".life";
-  Check c = make_check(name, life.damage, Sense::at_most, 1, si::one,
-                       fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
-                                   life.constants->count, life.constants->words,
-                                   rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
-                       rope::trust_with_rope(trust, use.rope));
+  Check c = make_check(name, life.damage, si::one,
+                       {Sense::at_most, 1,
+                        fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
+                                    life.constants->count, life.constants->words,
+                                    rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
+                        rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
   r.checks.push_back(std::move(c));
   r.values.push_back({name + "_damage",
@@ -136,8 +137,9 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
     if (bend.kind != rope::BendKind::saddle) most = std::max(most, bend.tension);
   }
   if (!(most > 0)) return;
-  Check c = make_check(use.name + ".donandt", rules.dynamic_factor * most, Sense::at_most, force, si::N,
-                       "Donandt force: above it wires yield in bending and the life falls off", "user");
+  Check c = make_check(
+      use.name + ".donandt", rules.dynamic_factor * most, si::N,
+      {Sense::at_most, force, "Donandt force: above it wires yield in bending and the life falls off", "user"});
   c.part = use.name;
   r.checks.push_back(std::move(c));
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -17,9 +18,6 @@ namespace {
 
 constexpr int deepest_parentheses = 64;
 constexpr int largest_exponent = 8;
-const std::vector<std::string> function_names = {"sqrt", "abs",  "min",  "max",  "sin",  "cos",
-                                                 "tan",  "asin", "acos", "atan", "atan2"};
-
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool in_name(char c) { return starts_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -28,16 +26,74 @@ bool is_unit(std::string_view name) {
   return std::any_of(all.begin(), all.end(), [&](const UnitName& unit) { return unit.name == name; });
 }
 
-bool is_function(std::string_view name) {
-  return std::find(function_names.begin(), function_names.end(), name) != function_names.end();
-}
-
 bool is_plain_measure(const Measure& m) { return is_plain_number(m.dimension) && !m.is_angle; }
 bool same_measure(const Measure& a, const Measure& b) { return a.dimension == b.dimension && a.is_angle == b.is_angle; }
 
 std::string measure_kind(const Measure& m) {
   if (m.is_angle) return "an angle";
   return is_plain_number(m.dimension) ? "a plain number" : fmt::format("in {}", to_text(m.dimension));
+}
+
+/// What a function gives, or what is wrong with its values in words.
+using Applied = tl::expected<Measure, std::string>;
+
+Applied root(const Measure& a) {
+  if (a.value < 0) return tl::unexpected(std::string("the value is below 0"));
+  return Measure{std::sqrt(a.value), power(a.dimension, 1, 2), false};
+}
+
+Applied of_angle(double (*f)(double), const Measure& a) {
+  if (!a.is_angle) return tl::unexpected(fmt::format("an angle is expected, the value is {}", measure_kind(a)));
+  return Measure{f(a.value), {}, false};
+}
+
+Applied angle_of(double (*f)(double), const Measure& a, double most) {
+  if (!is_plain_measure(a)) {
+    return tl::unexpected(fmt::format("a plain number is expected, the value is {}", measure_kind(a)));
+  }
+  if (std::abs(a.value) > most) return tl::unexpected(std::string("the value is outside -1 to 1"));
+  return Measure{f(a.value), {}, true};
+}
+
+/// A function of one value, which it gets twice, or of two of the same kind.
+struct Function {
+  const char* name;
+  std::size_t values;
+  Applied (*of)(const Measure& a, const Measure& b);
+};
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr std::array<Function, 11> functions{{
+    {"sqrt", 1, [](const Measure& a, const Measure&) { return root(a); }},
+    {"abs", 1,
+     [](const Measure& a, const Measure&) -> Applied {
+       return Measure{std::abs(a.value), a.dimension, a.is_angle};
+     }},
+    {"min", 2, [](const Measure& a, const Measure& b) -> Applied { return a.value <= b.value ? a : b; }},
+    {"max", 2, [](const Measure& a, const Measure& b) -> Applied { return a.value >= b.value ? a : b; }},
+    {"sin", 1, [](const Measure& a, const Measure&) { return of_angle(std::sin, a); }},
+    {"cos", 1, [](const Measure& a, const Measure&) { return of_angle(std::cos, a); }},
+    {"tan", 1, [](const Measure& a, const Measure&) { return of_angle(std::tan, a); }},
+    {"asin", 1, [](const Measure& a, const Measure&) { return angle_of(std::asin, a, 1); }},
+    {"acos", 1, [](const Measure& a, const Measure&) { return angle_of(std::acos, a, 1); }},
+    {"atan", 1, [](const Measure& a, const Measure&) { return angle_of(std::atan, a, unbounded); }},
+    {"atan2", 2,
+     [](const Measure& a, const Measure& b) -> Applied {
+       return Measure{std::atan2(a.value, b.value), {}, true};
+     }},
+}};
+
+/// The function of that name; null: there is none.
+const Function* function_named(std::string_view name) {
+  const auto at =
+      std::find_if(functions.begin(), functions.end(), [&](const Function& one) { return one.name == name; });
+  return at == functions.end() ? nullptr : at;
+}
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names;
+  names.reserve(functions.size());
+  for (const Function& one : functions) names.emplace_back(one.name);
+  return names;
 }
 
 /// Recursive descent over the text; throws its UnitError, which `evaluate` gives back.
@@ -217,8 +273,9 @@ class ExpressionParser {
   }
 
   Measure call(std::string_view word, std::size_t from) {
-    if (!is_function(word)) {
-      fail(fmt::format("there is no function {}{}", in_quotes(word), did_you_mean(word, function_names)), from,
+    const Function* function = function_named(word);
+    if (function == nullptr) {
+      fail(fmt::format("there is no function {}{}", in_quotes(word), did_you_mean(word, function_names())), from,
            word.size());
     }
     take('(');
@@ -230,26 +287,15 @@ class ExpressionParser {
     const auto refuse = [&](std::string_view message) {
       fail(fmt::format("{}: {}", word, message), from, word.size());
     };
-    const bool two = word == "min" || word == "max" || word == "atan2";
-    if (given.size() != (two ? 2U : 1U)) refuse(two ? "two values are expected" : "one value is expected");
+    if (given.size() != function->values) {
+      refuse(function->values == 2 ? "two values are expected" : "one value is expected");
+    }
     const Measure a = given.front(), b = given.back();
     if (!same_measure(a, b))
       refuse(fmt::format("the first value is {}, the second one {}", measure_kind(a), measure_kind(b)));
-    if (word == "min") return a.value <= b.value ? a : b;
-    if (word == "max") return a.value >= b.value ? a : b;
-    if (word == "abs") return {std::abs(a.value), a.dimension, a.is_angle};
-    if (word == "atan2") return {std::atan2(a.value, b.value), {}, true};
-    if (word == "sqrt") {
-      if (a.value < 0) refuse("the value is below 0");
-      return {std::sqrt(a.value), power(a.dimension, 1, 2), false};
-    }
-    if (word == "sin" || word == "cos" || word == "tan") {
-      if (!a.is_angle) refuse(fmt::format("an angle is expected, the value is {}", measure_kind(a)));
-      return {word == "sin" ? std::sin(a.value) : word == "cos" ? std::cos(a.value) : std::tan(a.value), {}, false};
-    }
-    if (!is_plain_measure(a)) refuse(fmt::format("a plain number is expected, the value is {}", measure_kind(a)));
-    if (word != "atan" && std::abs(a.value) > 1) refuse("the value is outside -1 to 1");
-    return {word == "asin" ? std::asin(a.value) : word == "acos" ? std::acos(a.value) : std::atan(a.value), {}, true};
+    const Applied applied = function->of(a, b);
+    if (!applied) refuse(applied.error());
+    return *applied;
   }
 
   std::string_view text_;
@@ -272,7 +318,7 @@ tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeani
 
 bool is_free_name(std::string_view name) {
   const bool letters = !name.empty() && starts_name(name.front()) && std::all_of(name.begin(), name.end(), in_name);
-  return letters && !is_unit(name) && !is_function(name) && name != "pi";
+  return letters && !is_unit(name) && function_named(name) == nullptr && name != "pi";
 }
 
 std::string to_text(const Measure& measure) {

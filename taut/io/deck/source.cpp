@@ -21,22 +21,35 @@ unsigned char byte(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : static_cast<unsigned char>(0);
 }
 
+/// First bytes of a UTF-8 character, how many it has, and which second byte they take; all further ones are 80 to BF.
+struct FirstByte {
+  unsigned first, last;
+  std::size_t length;
+  unsigned second_low, second_high;
+};
+constexpr std::array<FirstByte, 8> first_bytes{{{0xC2U, 0xDFU, 2, 0x80U, 0xBFU},
+                                                {0xE0U, 0xE0U, 3, 0xA0U, 0xBFU},  // less would be overlong
+                                                {0xE1U, 0xECU, 3, 0x80U, 0xBFU},
+                                                {0xEDU, 0xEDU, 3, 0x80U, 0x9FU},  // more would be a surrogate
+                                                {0xEEU, 0xEFU, 3, 0x80U, 0xBFU},
+                                                {0xF0U, 0xF0U, 4, 0x90U, 0xBFU},  // less would be overlong
+                                                {0xF1U, 0xF3U, 4, 0x80U, 0xBFU},
+                                                {0xF4U, 0xF4U, 4, 0x80U, 0x8FU}}};  // Unicode ends at 10FFFF
+
 /// Length of the UTF-8 character that begins here; 0 when it is not valid UTF-8 (overlong, surrogate, out of range).
 std::size_t character_length(std::string_view text, std::size_t i) {
-  const auto follows = [&](std::size_t k, unsigned low = 0x80U, unsigned high = 0xBFU) {
-    const unsigned b = byte(text, i + k);
-    return b >= low && b <= high;
-  };
   const unsigned b = byte(text, i);
   if (b < 0x80U) return 1;
-  if (b >= 0xC2U && b <= 0xDFU) return follows(1) ? 2 : 0;
-  if (b == 0xE0U) return follows(1, 0xA0U) && follows(2) ? 3 : 0;
-  if (b == 0xEDU) return follows(1, 0x80U, 0x9FU) && follows(2) ? 3 : 0;
-  if (b >= 0xE1U && b <= 0xEFU) return follows(1) && follows(2) ? 3 : 0;
-  if (b == 0xF0U) return follows(1, 0x90U) && follows(2) && follows(3) ? 4 : 0;
-  if (b >= 0xF1U && b <= 0xF3U) return follows(1) && follows(2) && follows(3) ? 4 : 0;
-  if (b == 0xF4U) return follows(1, 0x80U, 0x8FU) && follows(2) && follows(3) ? 4 : 0;
-  return 0;
+  const auto kind = std::find_if(first_bytes.begin(), first_bytes.end(),
+                                 [&](const FirstByte& one) { return b >= one.first && b <= one.last; });
+  if (kind == first_bytes.end()) return 0;
+  const unsigned second = byte(text, i + 1);
+  if (second < kind->second_low || second > kind->second_high) return 0;
+  for (std::size_t k = 2; k < kind->length; ++k) {
+    const unsigned next = byte(text, i + k);
+    if (next < 0x80U || next > 0xBFU) return 0;
+  }
+  return kind->length;
 }
 
 /// What is wrong with the character at `i`; empty when nothing is.

@@ -46,15 +46,16 @@ int haul_of(const description::Reeving& given, const Reeving& reeving) {
   return reeving.given == Given::tension_at_end || pulled_at_end ? 1 : -1;
 }
 
-}  // namespace
+/// One thing that a deck says of a rope.
+struct Said {
+  Given what;
+  double value;
+  const char* words;
+};
 
-void set_given(const Machine& machine, const Model& model, const description::Reeving& given, const RopeData& rope,
-               const std::string& path, Reeving& reeving, std::vector<Complaint>& complaints) {
-  struct Said {
-    Given what;
-    double value;
-    const char* words;
-  };
+/// All that is said of a rope, by its reeving first, then by its motor or its drums.
+Array<Said> said_of(const Machine& machine, const Model& model, const DescribedReeving& described, const Motor* motor) {
+  const description::Reeving& given = described.given;
   Array<Said> said;
   const auto take = [&](const std::optional<double>& value, Given what, const char* words) {
     if (value) said.push_back({what, *value, words});
@@ -63,43 +64,60 @@ void set_given(const Machine& machine, const Model& model, const description::Re
   take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
   take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
   if (given.install) said.push_back({Given::length, 0, "install"});
-  const Motor* motor = motor_on(model, given);
-  if (given.install && (given.closed || (motor != nullptr && !gives_torque(*motor)))) {
-    complaints.push_back({path + ".install", "is for ropes with two ends and without a motor on their path"});
-    return;
-  }
   if (given.closed) {
     if (said.empty() && motor != nullptr && gives_torque(*motor)) take(0, Given::torque, "torque");
-    if (said.empty()) complaints.push_back({path, "an endless rope is given by its 'length', or its motor's 'torque'"});
-    if (said.size() == 1 && said[0].what != Given::length && said[0].what != Given::torque) {
-      complaints.push_back({path, "an endless rope has no ends with tensions: give its 'length'"});
-    }
-  } else if (!given.path.empty()) {
-    const auto pull = [&](const description::PathElement& e, DriveKind kind) {
-      return pull_of(machine, model, e, rope, given.copies, kind);
-    };
-    take(pull(given.path.front(), DriveKind::pull), Given::tension_at_start, "the pull of its first drum");
-    take(pull(given.path.back(), DriveKind::pull), Given::tension_at_end, "the pull of its last drum");
-    // beside a length or tension a torque is what a motion begins with
-    if (said.empty()) {
-      take(pull(given.path.front(), DriveKind::torque), Given::tension_at_start, "the torque of its first drum");
-      take(pull(given.path.back(), DriveKind::torque), Given::tension_at_end, "the torque of its last drum");
-    }
+    return said;
+  }
+  if (given.path.empty()) return said;
+  const auto pull = [&](const description::PathElement& e, DriveKind kind) {
+    return pull_of(machine, model, e, described.rope, given.copies, kind);
+  };
+  take(pull(given.path.front(), DriveKind::pull), Given::tension_at_start, "the pull of its first drum");
+  take(pull(given.path.back(), DriveKind::pull), Given::tension_at_end, "the pull of its last drum");
+  // beside a length or tension a torque is what a motion begins with
+  if (!said.empty()) return said;
+  take(pull(given.path.front(), DriveKind::torque), Given::tension_at_start, "the torque of its first drum");
+  take(pull(given.path.back(), DriveKind::torque), Given::tension_at_end, "the torque of its last drum");
+  return said;
+}
+
+/// Why what is said does not give a rope; empty when it does. `two`: it takes two things.
+std::string wrong_with(const Array<Said>& said, bool closed, bool two) {
+  if (closed && said.empty()) return "an endless rope is given by its 'length', or its motor's 'torque'";
+  if (closed && said.size() == 1 && said[0].what != Given::length && said[0].what != Given::torque) {
+    return "an endless rope has no ends with tensions: give its 'length'";
   }
   std::vector<std::string> words;
   words.reserve(said.size());
   for (const Said& one : said) words.emplace_back(one.words);
-  const bool takes_two = !given.closed && motor != nullptr && !gives_torque(*motor);
-  if (takes_two && (said.size() != 2 || said[0].what == said[1].what)) {
-    complaints.push_back({path, fmt::format("runs over a sheave with a motor: needs two of length, tension_at_start, "
-                                            "tension_at_end, or the motor's 'torque'; it has {}",
-                                            words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")))});
-  } else if (said.empty() && !given.closed) {
-    complaints.push_back(
-        {path, "needs one of length, install, tension_at_start, tension_at_end (or a drum with a pull or a torque)"});
-  } else if (said.size() > 1 && !takes_two) {
-    complaints.push_back({path, fmt::format("has {}; give one of them", fmt::join(words, " and "))});
+  if (two && (said.size() != 2 || said[0].what == said[1].what)) {
+    return fmt::format(
+        "runs over a sheave with a motor: needs two of length, tension_at_start, tension_at_end, or the "
+        "motor's 'torque'; it has {}",
+        words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")));
   }
+  if (two) return {};
+  if (said.empty()) {
+    return "needs one of length, install, tension_at_start, tension_at_end (or a drum with a pull or a torque)";
+  }
+  return said.size() > 1 ? fmt::format("has {}; give one of them", fmt::join(words, " and ")) : std::string();
+}
+
+}  // namespace
+
+void set_given(const Machine& machine, const Model& model, const DescribedReeving& described, Reeving& reeving,
+               std::vector<Complaint>& complaints) {
+  const description::Reeving& given = described.given;
+  const Motor* motor = motor_on(model, given);
+  const bool by_speed = motor != nullptr && !gives_torque(*motor);
+  if (given.install && (given.closed || by_speed)) {
+    complaints.push_back({described.path + ".install", "is for ropes with two ends and without a motor on their path"});
+    return;
+  }
+  const Array<Said> said = said_of(machine, model, described, motor);
+  const bool takes_two = !given.closed && by_speed;
+  const std::string wrong = wrong_with(said, given.closed, takes_two);
+  if (!wrong.empty()) complaints.push_back({described.path, wrong});
   if (!said.empty()) {
     reeving.given = said[0].what;
     reeving.value = said[0].value;

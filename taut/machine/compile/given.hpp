@@ -10,11 +10,17 @@
 
 namespace taut::machine {
 
+/// A reeving as a deck describes it, with the data of its rope.
+struct DescribedReeving {
+  const description::Reeving& given;
+  const RopeData& rope;
+  const std::string& path;  ///< in the deck, for complaints
+};
+
 /// Sets what is known of a rope besides its path, and its haul. A rope with ends: one of length, installation (its
 /// length follows when it is put up), tension at either end, pull or torque of its drum; over a sheave with a motor
 /// without a torque two of them. An endless one: its length, or its motor's torque. `model` has its drums and motors.
-/// `path`: of the reeving, for complaints.
-void set_given(const Machine& machine, const Model& model, const description::Reeving& given, const RopeData& rope,
-               const std::string& path, Reeving& reeving, std::vector<Complaint>& complaints);
+void set_given(const Machine& machine, const Model& model, const DescribedReeving& described, Reeving& reeving,
+               std::vector<Complaint>& complaints);
 
 }  // namespace taut::machine

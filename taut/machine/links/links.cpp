@@ -35,41 +35,20 @@ bool among(const Array<Thing>& kinds, Thing thing) {
 
 Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
     : beams_(machine, static_cast<int>(machine.bodies.size() + machine.carriages.size()), complaints) {
-  std::vector<std::string> bodies;
-  bodies.reserve(machine.bodies.size());
-  for (const auto& body : machine.bodies) bodies.push_back(body.name);
-  std::vector<std::string> known = bodies;
-  for (const auto& beam : machine.beams) known.push_back(beam.name);
   const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
-    Place place{ground, vector_of(one.at)};
-    if (one.body) {
-      const auto at = std::find(bodies.begin(), bodies.end(), *one.body);
-      const auto car = std::find_if(machine.carriages.begin(), machine.carriages.end(),
-                                    [&](const auto& carriage) { return carriage.name == *one.body; });
-      if (at == bodies.end() && car != machine.carriages.end()) {
-        place.body = static_cast<int>(bodies.size() + static_cast<std::size_t>(car - machine.carriages.begin()));
-        if (!pitches(*car) && place.at != Vector3::Zero()) {
-          complaints.push_back({fmt::format("{}.{}.body", list, one.name),
-                                fmt::format("carriage '{}' is a point; give it 'rollers' with a 'wheelbase', or a "
-                                            "'height', to have places on it",
-                                            car->name)});
-        }
-      } else if (at == bodies.end() && beams_.knows(*one.body)) {
-        place = beams_.place(*one.body, place.at);
-      } else if (at == bodies.end()) {
-        complaints.push_back({fmt::format("{}.{}.body", list, one.name),
-                              fmt::format("there is no body '{}'{}", *one.body, did_you_mean(*one.body, known))});
-      } else {
-        place.body = static_cast<int>(at - bodies.begin());
-      }
-    }
+    const Vector3 at = vector_of(one.at);
+    const std::string path = fmt::format("{}.{}.body", list, one.name);
+    const Place place = one.body ? place_on(machine, *one.body, at, path, complaints) : Place{ground, at};
     all_.push_back({thing, one.name, index, place});
   };
   int index = 0;
   for (const auto& point : machine.points) add(Thing::point, "points", point, index++);
   for (const auto& marker : machine.markers) add(Thing::point, "markers", marker, index++);
   index = 0;
-  for (const auto& name : bodies) all_.push_back({Thing::body, name, index, {index, Vector3::Zero()}}), ++index;
+  for (const auto& body : machine.bodies) {
+    all_.push_back({Thing::body, body.name, index, {index, Vector3::Zero()}});
+    ++index;
+  }
   const int first_carriage = index;
   index = 0;
   for (const auto& car : machine.carriages) {
@@ -89,6 +68,32 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
   index = 0;
   for (const auto& drum : machine.drums) add(Thing::drum, "drums", drum, index++);
   for (const auto& [name, body] : beams_.tops()) all_.push_back({Thing::body, name, body, {body, Vector3::Zero()}});
+}
+
+Place Links::place_on(const Machine& machine, const std::string& body, const Vector3& at, const std::string& path,
+                      std::vector<Complaint>& complaints) const {
+  const auto of_name = [&](const auto& all) {
+    return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == body; });
+  };
+  const auto own = of_name(machine.bodies);
+  if (own != machine.bodies.end()) return {static_cast<int>(own - machine.bodies.begin()), at};
+  const auto car = of_name(machine.carriages);
+  if (car != machine.carriages.end()) {
+    if (!pitches(*car) && at != Vector3::Zero()) {
+      complaints.push_back({path, fmt::format("carriage '{}' is a point; give it 'rollers' with a 'wheelbase', or a "
+                                              "'height', to have places on it",
+                                              car->name)});
+    }
+    const auto index = static_cast<std::size_t>(car - machine.carriages.begin());
+    return {static_cast<int>(machine.bodies.size() + index), at};
+  }
+  if (beams_.knows(body)) return beams_.place(body, at);
+  std::vector<std::string> known;
+  known.reserve(machine.bodies.size() + machine.beams.size());
+  for (const auto& one : machine.bodies) known.push_back(one.name);
+  for (const auto& beam : machine.beams) known.push_back(beam.name);
+  complaints.push_back({path, fmt::format("there is no body '{}'{}", body, did_you_mean(body, known))});
+  return {ground, at};
 }
 
 const Target* Links::find(const std::string& name, const Array<Thing>& kinds, const std::string& path,

@@ -34,6 +34,10 @@ class Links {
   const BeamPlans& beams() const { return beams_; }
 
  private:
+  /// The place `at` on the body, carriage or beam of that name; on the ground, with a complaint, where there is none.
+  Place place_on(const Machine& machine, const std::string& body, const Vector3& at, const std::string& path,
+                 std::vector<Complaint>& complaints) const;
+
   BeamPlans beams_;
   Array<Target> all_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 
 #include "taut/base/array.hpp"
 #include "taut/machine/links/motion_links.hpp"
@@ -205,6 +206,20 @@ class Resolver {
   std::vector<std::string> offered_;
 };
 
+/// Of a body's coordinates x, y, z, rx, ry, rz those that are free or driven.
+ObservableNames moving_coordinates(const Body& body) {
+  ObservableNames moving;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    const auto changes = [&](const auto& way) { return std::abs(k < 3 ? way.along[axis] : way.about[axis]) > 0; };
+    const bool free = std::any_of(body.free.begin(), body.free.end(), changes);
+    if (free || std::any_of(body.driven.begin(), body.driven.end(), changes)) {
+      moving.push_back(k < 3 ? of_place[k] : of_body[k - 3]);
+    }
+  }
+  return moving;
+}
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? std::string{} : text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -240,46 +255,37 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 
 Array<Observable> usual_observables(const Model& model) {
   Array<Observable> all;
-  const auto add = [&](const std::string& of, const ObservableNames& names, const char* name, std::size_t index,
-                       int part = -1) {
-    const Named* named = find(names, name);
-    all.push_back(
-        {fmt::format("{}.{}", of, name), named->quantity, named->unit, static_cast<int>(index), part, Vector3::Zero()});
+  const auto add = [&](const std::string& of, const ObservableNames& named, std::size_t index, int part = -1) {
+    for (const Named& one : named) {
+      all.push_back(
+          {fmt::format("{}.{}", of, one.name), one.quantity, one.unit, static_cast<int>(index), part, Vector3::Zero()});
+    }
+  };
+  const auto only = [](const ObservableNames& names, std::initializer_list<const char*> wanted) {
+    ObservableNames some;
+    for (const char* name : wanted) some.push_back(*find(names, name));
+    return some;
   };
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    for (const char* name : {"T_start", "T_end", "T_max"}) add(model.reevings[i].name, of_rope, name, i);
+    add(model.reevings[i].name, only(of_rope, {"T_start", "T_end", "T_max"}), i);
   }
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
-    if (body.of_rope) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto moves = [&](const auto& ways) {
-        return std::any_of(ways.begin(), ways.end(),
-                           [&](const auto& w) { return std::abs(w.along[static_cast<Eigen::Index>(axis)]) > 0; });
-      };
-      if (moves(body.free) || moves(body.driven)) add(body.name, of_place, of_place[axis].name, i);
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto turns = [&](const auto& ways) {
-        return std::any_of(ways.begin(), ways.end(),
-                           [&](const auto& w) { return std::abs(w.about[static_cast<Eigen::Index>(axis)]) > 0; });
-      };
-      if (turns(body.free) || turns(body.driven)) add(body.name, of_body, of_body[axis].name, i);
-    }
+    if (!body.of_rope) add(body.name, moving_coordinates(body), i);
   }
-  for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, of_drum, "speed", i);
+  for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, only(of_drum, {"speed"}), i);
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
       const Node& node = model.reevings[r].nodes[n];
-      if (node.motor >= 0) add(node.name, of_sheave, "speed", r, static_cast<int>(n));
-      if (node.kind != NodeKind::load || node.load.part > 0) continue;
-      for (const char* name : {"T_in", "T_out"}) add(node.name, of_load, name, r, static_cast<int>(n));
+      const bool load = node.kind == NodeKind::load && !(node.load.part > 0);
+      if (node.motor >= 0) add(node.name, only(of_sheave, {"speed"}), r, static_cast<int>(n));
+      if (load) add(node.name, only(of_load, {"T_in", "T_out"}), r, static_cast<int>(n));
     }
   }
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    for (const char* name : {"N", "Ff"}) add(model.contacts[i].name, of_contact, name, i);
+    add(model.contacts[i].name, only(of_contact, {"N", "Ff"}), i);
   }
-  for (std::size_t i = 0; i < model.actuators.size(); ++i) add(model.actuators[i].name, of_actuator, "F", i);
+  for (std::size_t i = 0; i < model.actuators.size(); ++i) add(model.actuators[i].name, only(of_actuator, {"F"}), i);
   return all;
 }
 

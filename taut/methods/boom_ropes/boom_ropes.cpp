@@ -84,6 +84,15 @@ Span<T> forces(const Input& in, Sheet<T>& s, Output& out) {
   return span;
 }
 
+/// F0, the force on section 3 after tensioning, by which of the ropes was tensioned last: its pads hold as much.
+template <class T>
+struct Tensioned {
+  T F_0e;
+  T F_0r;
+
+  const T& last(const Input& in) const { return in.tensioned_last == Rope::extension ? F_0e : F_0r; }
+};
+
 template <class T>
 struct Limits {
   T S10;
@@ -93,7 +102,7 @@ struct Limits {
 /// (3) with the F0 that makes each limit largest. Below 0 there is nothing to ask of a rope: tensioning itself is a
 /// state with F = F0.
 template <class T>
-Limits<T> limits(const Span<T>& F, const T& F_0e, const T& F_0r, const Shares<T>& lambda, std::string_view no,
+Limits<T> limits(const Span<T>& F, const Tensioned<T>& F_0, const Shares<T>& lambda, std::string_view no,
                  std::string_view mark, Sheet<T>& s) {
   const T none = s.named("0", si::N, 0.0);
   const auto symbol = [&](const char* stem) {
@@ -103,13 +112,13 @@ Limits<T> limits(const Span<T>& F, const T& F_0e, const T& F_0r, const Shares<T>
       return fmt::format("{}{}", stem, mark);
     }
   };
-  const T S10 = s.eq(no, symbol("S_10min"), si::N, max((F.highest - F_0e) * lambda.lambda_1, none));
-  const T S20 = s.eq(no, symbol("S_20min"), si::N, max((F_0r - F.lowest) * lambda.lambda_2, none));
+  const T S10 = s.eq(no, symbol("S_10min"), si::N, max((F.highest - F_0.F_0e) * lambda.lambda_1, none));
+  const T S20 = s.eq(no, symbol("S_20min"), si::N, max((F_0.F_0r - F.lowest) * lambda.lambda_2, none));
   return {S10, S20};
 }
 
 template <class T>
-void pretension(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, const Shares<T>& lambda, Sheet<T>& s,
+void pretension(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, const Shares<T>& lambda, Sheet<T>& s,
                 Output& out) {
   s.section("Least pretension");
   s.note([&] {
@@ -118,9 +127,8 @@ void pretension(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r,
         "it larger: F_0e for the extension rope, F_0r for the retraction rope.",
         out.highest_case + 1, in.cases[out.highest_case].name, out.lowest_case + 1, in.cases[out.lowest_case].name);
   });
-  const Limits<T> least = limits(F, F_0e, F_0r, lambda, "3", "", s);
-  const T& F_0 = in.tensioned_last == Rope::extension ? F_0e : F_0r;
-  const T S_10b = s.eq("1", "S_10b", si::N, (least.S20 - F_0) / 2);
+  const Limits<T> least = limits(F, F_0, lambda, "3", "", s);
+  const T S_10b = s.eq("1", "S_10b", si::N, (least.S20 - F_0.last(in)) / 2);
   out.S10_min = value(least.S10);
   out.S20_min = value(least.S20);
   out.S10_balance = value(S_10b);
@@ -128,7 +136,7 @@ void pretension(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r,
 
 /// The same with the C1 that the published tensions show: kappa = C2/C1 is the fall of S2 per rise of S1.
 template <class T>
-void corrected(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, Sheet<T>& s, Output& out) {
+void corrected(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, Sheet<T>& s, Output& out) {
   const auto ratio = measured_ratio(in);
   if (!ratio) return;
   s.section("With the stiffness that the tensions of Table 2 show");
@@ -141,9 +149,8 @@ void corrected(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, 
   out.lambda_1_corrected = value(lambda_1);
   out.lambda_2_corrected = value(lambda_2);
   if (in.cases.empty()) return;
-  const Limits<T> least = limits(F, F_0e, F_0r, Shares<T>{lambda_1, lambda_2}, "3*", "c", s);
-  const T& F_0 = in.tensioned_last == Rope::extension ? F_0e : F_0r;
-  const T S_10bc = s.eq("1", "S_10bc", si::N, (least.S20 - F_0) / 2);
+  const Limits<T> least = limits(F, F_0, Shares<T>{lambda_1, lambda_2}, "3*", "c", s);
+  const T S_10bc = s.eq("1", "S_10bc", si::N, (least.S20 - F_0.last(in)) / 2);
   out.S10_min_corrected = value(least.S10);
   out.S20_min_corrected = value(least.S20);
   out.S10_balance_corrected = value(S_10bc);
@@ -162,7 +169,7 @@ void corrected(const Input& in, const Span<T>& F, const T& F_0e, const T& F_0r, 
 /// Pretension as the user set it. The pads hold |F0| <= f0 G3 only: beyond, section 3 slides until they do, while
 /// kappa S1 + S2 stays (both ropes see the same X).
 template <class T>
-void pretension_as_set(const Input& in, const T& F_0e, const T& F_0r, Sheet<T>& s, Output& out) {
+void pretension_as_set(const Input& in, const Tensioned<T>& pads, Sheet<T>& s, Output& out) {
   s.section("The pretension as set");
   const T S_10 = s.given(*in.S10);
   const T S_20 = s.given(*in.S20);
@@ -170,9 +177,9 @@ void pretension_as_set(const Input& in, const T& F_0e, const T& F_0r, Sheet<T>& 
   out.S10_set = *in.S10;
   out.S20_set = *in.S20;
   out.F0_set = value(F_0);
-  if (F_0 < F_0e || F_0 > F_0r) {
+  if (F_0 < pads.F_0e || F_0 > pads.F_0r) {
     const T kappa = s.eq("", "kappa_C", si::one, s.given(in.retraction_stiffness) / s.given(in.extension_stiffness));
-    const T& held = F_0 < F_0e ? F_0e : F_0r;
+    const T& held = F_0 < pads.F_0e ? pads.F_0e : pads.F_0r;
     const T S_10set = s.eq("1*", "S_10set", si::N, (kappa * S_10 + S_20 - held) / (kappa + 2));
     const T S_20set = s.eq("1*", "S_20set", si::N, 2 * S_10set + held);
     out.S10_set = value(S_10set);
@@ -191,12 +198,12 @@ void pretension_as_set(const Input& in, const T& F_0e, const T& F_0r, Sheet<T>& 
   const auto limit = [&](double printed, double better) {
     return std::isnan(better) ? printed : std::max(printed, better);
   };
-  s.check("pretension of the extension rope", s.named("S_10", si::N, out.S10_set), Sense::at_least,
-          s.named("S_10min", si::N, limit(out.S10_min, out.S10_min_corrected)), si::N,
-          "Reutov 2021, (3): the extension rope stays taut in every case", "derived");
-  s.check("pretension of the retraction rope", s.named("S_20", si::N, out.S20_set), Sense::at_least,
-          s.named("S_20min", si::N, limit(out.S20_min, out.S20_min_corrected)), si::N,
-          "Reutov 2021, (3): the retraction rope stays taut in every case", "derived");
+  s.check("pretension of the extension rope", s.named("S_10", si::N, out.S10_set), si::N,
+          {Sense::at_least, s.named("S_10min", si::N, limit(out.S10_min, out.S10_min_corrected)),
+           "Reutov 2021, (3): the extension rope stays taut in every case", "derived"});
+  s.check("pretension of the retraction rope", s.named("S_20", si::N, out.S20_set), si::N,
+          {Sense::at_least, s.named("S_20min", si::N, limit(out.S20_min, out.S20_min_corrected)),
+           "Reutov 2021, (3): the retraction rope stays taut in every case", "derived"});
 }
 
 /// Slip angles without ropes and without jamming, over the weights of the retract cases.
@@ -250,16 +257,17 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
   const T f_0 = s.given(in.pad_friction);
   const T F_0e = s.eq("2", "F_0e", si::N, -f_0 * G_3);
   const T F_0r = s.eq("2", "F_0r", si::N, f_0 * G_3);
+  const Tensioned<T> F_0{F_0e, F_0r};
   out.F0_extension = value(F_0e);
   out.F0_retraction = value(F_0r);
   Span<T> F;
   if (!in.cases.empty()) {
     F = forces(in, s, out);
-    pretension(in, F, F_0e, F_0r, lambda, s, out);
+    pretension(in, F, F_0, lambda, s, out);
   }
-  corrected(in, F, F_0e, F_0r, s, out);
+  corrected(in, F, F_0, s, out);
   if (in.S10 && in.S20) {
-    pretension_as_set(in, F_0e, F_0r, s, out);
+    pretension_as_set(in, F_0, s, out);
   } else if (!in.cases.empty()) {
     out.F0_set = in.tensioned_last == Rope::extension ? out.F0_extension : out.F0_retraction;
     // the larger of printed and corrected: neither rope goes slack by either

@@ -68,10 +68,10 @@ void warn_of_gaps(const Sliding& q, Sheet<T>& s, const Output& out) {
 template <class T>
 void check_taut(const Sliding& q, Sheet<T>& s, const Output& out) {
   const T least = s.given(q.minimum_tension);
-  s.check("extension rope stays taut", s.named("S_1min", si::N, out.S1_min), Sense::at_least, least, si::N,
-          "Reutov 2021: a slack rope jumps off its sheave", "user");
-  s.check("retraction rope stays taut", s.named("S_2min", si::N, out.S2_min), Sense::at_least, least, si::N,
-          "Reutov 2021: a slack rope jumps off its sheave", "user");
+  s.check("extension rope stays taut", s.named("S_1min", si::N, out.S1_min), si::N,
+          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave", "user"});
+  s.check("retraction rope stays taut", s.named("S_2min", si::N, out.S2_min), si::N,
+          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave", "user"});
 }
 
 }  // namespace

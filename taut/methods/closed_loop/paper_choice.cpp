@@ -12,16 +12,24 @@ namespace {
 /// The estimate of an area has three digits.
 constexpr double remarkable = 0.001;
 
-void warn(const char* equation, const char* rope, double area, double factor, const Peak& peak, double wanted,
-          std::vector<std::string>& warnings) {
-  if (!(factor < wanted * (1 - remarkable))) return;
-  warnings.push_back(
-      fmt::format("{} is unsafe for the {} rope: its {:.4g} mm^2 are meant to have a safety factor of {:.3g}, but with "
-                  "their own weight "
-                  "they have {:.3g}, as the rope is pulled with up to {:.4g} kN ({}). Choose by the corrected area, "
-                  "and prove the rope "
-                  "chosen with its own weight.",
-                  equation, rope, area * 1e6, wanted, factor, peak.tension / 1e3, peak.where));
+/// A rope as the paper chooses it, and what becomes of it under its own weight.
+struct PaperRope {
+  const char* equation;
+  const char* name;
+  double area;    ///< m2
+  double factor;  ///< safety factor that it has
+  const Peak& peak;
+};
+
+void warn(const PaperRope& rope, double wanted, std::vector<std::string>& warnings) {
+  if (!(rope.factor < wanted * (1 - remarkable))) return;
+  warnings.push_back(fmt::format(
+      "{} is unsafe for the {} rope: its {:.4g} mm^2 are meant to have a safety factor of {:.3g}, but with "
+      "their own weight "
+      "they have {:.3g}, as the rope is pulled with up to {:.4g} kN ({}). Choose by the corrected area, "
+      "and prove the rope "
+      "chosen with its own weight.",
+      rope.equation, rope.name, rope.area * 1e6, wanted, rope.factor, rope.peak.tension / 1e3, rope.peak.where));
 }
 
 }  // namespace
@@ -45,9 +53,9 @@ void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& 
   const Peaks peaks = closed_form_peaks_of(proof);
   out.safety_factor_return_paper = *in.wire_strength * out.F_return_paper / peaks.return_rope.tension;
   out.safety_factor_traction_paper = *in.wire_strength * out.F_traction_paper / peaks.traction_rope.tension;
-  warn("(8)", "return", out.F_return_paper, out.safety_factor_return_paper, peaks.return_rope, *in.safety_factor,
+  warn({"(8)", "return", out.F_return_paper, out.safety_factor_return_paper, peaks.return_rope}, *in.safety_factor,
        warnings);
-  warn("(10)", "traction", out.F_traction_paper, out.safety_factor_traction_paper, peaks.traction_rope,
+  warn({"(10)", "traction", out.F_traction_paper, out.safety_factor_traction_paper, peaks.traction_rope},
        *in.safety_factor, warnings);
 }
 

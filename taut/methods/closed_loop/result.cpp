@@ -76,13 +76,13 @@ Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
 }
 
 Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
-  Check c =
-      make_check(fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, Sense::at_least,
-                 n, si::one,
-                 fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
-                             "at least safety_factor of the deck",
-                             rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
-                 fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust)));
+  Check c = make_check(
+      fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, si::one,
+      {Sense::at_least, n,
+       fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
+                   "at least safety_factor of the deck",
+                   rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
+       fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust))});
   c.part = fmt::format("{} rope", role);
   c.where = fmt::format("carriage at {:.4g} m", peak.x);
   return c;
@@ -105,21 +105,29 @@ void add_checks(const Input& in, const Ropes& ropes, const Engine& engine, const
   double deepest = none;
   for (const Row& row : rows) deepest = std::fmax(deepest, row.out.f);
   if (std::isnan(deepest)) return;
-  r.checks.push_back(make_check("sag at the carriage", deepest, Sense::at_most, *in.clearance, si::m,
-                                "sag under the chord at most clearance of the deck", "user"));
+  r.checks.push_back(
+      make_check("sag at the carriage", deepest, si::m,
+                 {Sense::at_most, *in.clearance, "sag under the chord at most clearance of the deck", "user"}));
 }
 
+/// One quantity by each tier of the calculation, SI.
+struct Tiers {
+  double printed;
+  double corrected;
+  double exact = none;
+};
+
 /// Printed against corrected.
-Comparison compared(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
-                    const char* build_by, double exact = none) {
-  return {what, symbol, unit, printed, corrected, exact, build_by, false};
+Comparison compared(const char* what, const char* symbol, const Unit& unit, const Tiers& by, const char* build_by) {
+  return {what, symbol, unit, by.printed, by.corrected, by.exact, build_by, false};
 }
 
 /// The same for what a rope must withstand: a printed value more than 1 % too low is unsafe. (Of a load that two
 /// branches share, too small a part of one is too large a part of the other.)
-Comparison demanded(const char* what, const char* symbol, const Unit& unit, double printed, double corrected,
-                    const char* build_by, double exact = none) {
-  return {what, symbol, unit, printed, corrected, exact, build_by, printed < std::fmax(corrected, exact) * 0.99};
+Comparison demanded(const char* what, const char* symbol, const Unit& unit, const Tiers& by, const char* build_by) {
+  Comparison c = compared(what, symbol, unit, by, build_by);
+  c.printed_unsafe = by.printed < std::fmax(by.corrected, by.exact) * 0.99;
+  return c;
 }
 
 void add(Result& r, Comparison c) {
@@ -129,30 +137,30 @@ void add(Result& r, Comparison c) {
 void add_comparisons(const Input& in, const Output& o, Result& r) {
   const double exact_peak = std::isfinite(o.T_lA_exact) ? peaks_of(o).return_rope.tension : none;
   if (in.carriage == Carriage::two_section) {
-    add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, o.P_b_printed, o.P_b,
-                    "corrected: sections distinguished, forces resolved on their own chords", o.P_b_exact));
-    add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, o.delta_f_printed, o.delta_f,
-                    "corrected: the same system", o.delta_f_exact));
+    add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, {o.P_b_printed, o.P_b, o.P_b_exact},
+                    "corrected: sections distinguished, forces resolved on their own chords"));
+    add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, {o.delta_f_printed, o.delta_f, o.delta_f_exact},
+                    "corrected: the same system"));
   }
-  add(r, compared("load on the upper branch, (4)", "P_b0", si::N, o.P_b_4_printed, o.P_b_no_weight,
+  add(r, compared("load on the upper branch, (4)", "P_b0", si::N, {o.P_b_4_printed, o.P_b_no_weight},
                   "corrected: 2f in place of 2l"));
   Comparison load =
       compared(in.carriage == Carriage::single ? "load on the upper branch, (1)" : "load on the upper branch", "P_b",
-               si::N, o.P_b, o.P_b_closed, "corrected: roller force normal to the rope", o.P_b_exact);
+               si::N, {o.P_b, o.P_b_closed, o.P_b_exact}, "corrected: roller force normal to the rope");
   load.printed_unsafe = false;  // too small a share of one branch is too large a share of the other
   add(r, load);
-  add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, o.T_n_printed, o.T_n,
+  add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, {o.T_n_printed, o.T_n},
                   "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
-  add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N, o.T_up,
-                  closed_form_peaks_of(o).return_rope.tension,
-                  "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)", exact_peak));
-  add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, o.T_lA_printed, o.T_lA,
-                  "corrected: closed-form tier", o.T_lA_exact));
-  add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, o.T_lA_paper, o.T_lA,
-                  "corrected: closed-form tier, roller force normal to the rope", o.T_lA_exact));
-  add(r, demanded("area of the return rope, (8)", "F_return", si::m2, o.F_return_paper, o.F_return,
+  add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N,
+                  {o.T_up, closed_form_peaks_of(o).return_rope.tension, exact_peak},
+                  "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)"));
+  add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, {o.T_lA_printed, o.T_lA, o.T_lA_exact},
+                  "corrected: closed-form tier"));
+  add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, {o.T_lA_paper, o.T_lA, o.T_lA_exact},
+                  "corrected: closed-form tier, roller force normal to the rope"));
+  add(r, demanded("area of the return rope, (8)", "F_return", si::m2, {o.F_return_paper, o.F_return},
                   "corrected: (8*), sized for the rope behind the sheave"));
-  add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2, o.F_traction_paper, o.F_traction,
+  add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2, {o.F_traction_paper, o.F_traction},
                   "corrected: (10*), with the roller's push along the slope"));
 }
 

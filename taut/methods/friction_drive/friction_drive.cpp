@@ -80,8 +80,8 @@ void slip_under_P_M(const Drive<T>& d, const T& P_M, Sheet<T>& s, Output& out) {
   const T ratio = s.eq("", "slip_ratio", si::one, (T_1 - c) / (T_2 - c), "no-slip condition, from (13)");
   const T passed =
       s.eq("", "P_p_at_P_M", si::N, P_M * (e - 1) / (e + 1), "take-up that holds P_M, at the limit of slip");
-  s.check("no slip", ratio, Sense::at_most, e, si::one,
-          "(T_1 - c)/(T_2 - c) <= exp(mu phi), Ryabukhin et al. 2022, (12), (13)", "derived");
+  s.check("no slip", ratio, si::one,
+          {Sense::at_most, e, "(T_1 - c)/(T_2 - c) <= exp(mu phi), Ryabukhin et al. 2022, (12), (13)", "derived"});
   out.T_1 = value(T_1);
   out.T_2 = value(T_2);
   out.slip_ratio = value(ratio);

@@ -100,13 +100,19 @@ struct Block {
   T F_span, R, gamma;
 };
 
+/// Of the branch, of the wrap on a block, and between the rope's two sides there.
+template <class T>
+struct Angles {
+  T alpha, epsilon, beta;
+};
+
 /// (1)-(9): the resultant on one block.
 template <class T>
-Block<T> block(const RopeNames& names, const T& T_max, const T& f, const T& epsilon, const T& alpha, const T& beta,
-               Sheet<T>& s) {
+Block<T> block(const RopeNames& names, const T& T_max, const T& f, const Angles<T>& at, Sheet<T>& s) {
+  const T &alpha = at.alpha, &epsilon = at.epsilon;
   const T F_span = s.eq("1", names.F_span, si::N, T_max * exp(-f * epsilon));
-  const T R =
-      s.eq(names.equation, names.R, si::N, T_max * sqrt(exp(-2 * f * epsilon) + 1 - 2 * cos(beta) * exp(-f * epsilon)));
+  const T R = s.eq(names.equation, names.R, si::N,
+                   T_max * sqrt(exp(-2 * f * epsilon) + 1 - 2 * cos(at.beta) * exp(-f * epsilon)));
   const T gamma = s.eq("9*", names.gamma, si::rad, atan2(F_span * sin(alpha) + T_max, F_span * cos(alpha)));
   return {F_span, R, gamma};
 }
@@ -121,9 +127,10 @@ template <class T>
 Loads<T> loads(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
   s.section("Resultants on the blocks");
   const T beta = s.eq("7", "beta", si::rad, m.pi / 2 + alpha);
-  const Block<T> sky = block(skyline, m.T_sky, m.f, epsilon, alpha, beta, s);
+  const Angles<T> angles{alpha, epsilon, beta};
+  const Block<T> sky = block(skyline, m.T_sky, m.f, angles, s);
   const T printed = s.eq("9", "gamma_sky_printed", si::rad, asin(min(m.T_sky * sin(beta) / sky.R, T(1.0))) - alpha);
-  const Block<T> main = block(mainline, m.T_main, m.f, epsilon, alpha, beta, s);
+  const Block<T> main = block(mainline, m.T_main, m.f, angles, s);
   s.section("Internal forces at the clamp");
   const char* figure = "Shoshin et al. 2022, figure 7";
   const T Q = s.eq("", "Q", si::N, sky.R * cos(sky.gamma) + main.R * cos(main.gamma), figure);
@@ -155,10 +162,15 @@ double cubic_root(double p, double q) {
   return x;
 }
 
-/// Solves sigma x^3 = n x + m, written by `f`, and stores the value.
+/// sigma x^3 = n x + m.
+struct Cubic {
+  double n, m, sigma;
+};
+
+/// Solves the cubic, written by `f`, and stores the value.
 template <class T, class F>
-bool size(const char* no, const char* symbol, F&& f, double n, double m, double sigma, Sheet<T>& s, double& out) {
-  const double near = cubic_root(n / sigma, m / sigma);
+bool size(const char* no, const char* symbol, F&& f, const Cubic& cubic, Sheet<T>& s, double& out) {
+  const double near = cubic_root(cubic.n / cubic.sigma, cubic.m / cubic.sigma);
   std::optional<T> x = s.root(no, symbol, si::m, f, std::nextafter(near, 0), std::nextafter(near, 2 * near));
   for (double hair = 4e-15; !x && hair < 1e-6; hair *= 16) {  // rounding may hide the change of sign that close by
     x = s.root(no, symbol, si::m, f, near * (1 - hair), near * (1 + hair));
@@ -176,8 +188,8 @@ bool tube_size(const char* symbol, const Mast<T>& m, const T& N, const T& M, She
     return k.sigma * cube(D) - 4 * k.N * D / (k.pi * (1 - k.c2)) - 32 * k.M / (k.pi * (1 - k.c4));
   };
   const double pi = value(m.pi);
-  return size("table*", symbol, f, 4 * value(N) / (pi * (1 - value(k.c2))), 32 * value(M) / (pi * (1 - value(k.c4))),
-              value(m.sigma), s, out);
+  const Cubic cubic{4 * value(N) / (pi * (1 - value(k.c2))), 32 * value(M) / (pi * (1 - value(k.c4))), value(m.sigma)};
+  return size("table*", symbol, f, cubic, s, out);
 }
 
 /// (15), (16) and the table of section kinds, with the table's rounded coefficients beside the exact ones.
@@ -193,11 +205,11 @@ bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out)
   };
   s.section("Sizes by N/A + M/W = [sigma]");
   const bool found =
-      size("16", "b_square", square_bar, N, 6 * M, sigma, s, out.b_square) &&
-      size("table", "B_hollow_printed", hollow_printed, 1.33 * N, 6.41 * M, sigma, s, out.B_hollow_printed) &&
-      size("table*", "B_hollow", hollow, 4 * N / 3, 6.4 * M, sigma, s, out.B_hollow) &&
-      size("table", "D_tube_printed", tube_printed, 1.27 * N / (1 - value(k.c2)), 10 * M / (1 - value(k.c4)), sigma, s,
-           out.D_tube_printed) &&
+      size("16", "b_square", square_bar, {N, 6 * M, sigma}, s, out.b_square) &&
+      size("table", "B_hollow_printed", hollow_printed, {1.33 * N, 6.41 * M, sigma}, s, out.B_hollow_printed) &&
+      size("table*", "B_hollow", hollow, {4 * N / 3, 6.4 * M, sigma}, s, out.B_hollow) &&
+      size("table", "D_tube_printed", tube_printed, {1.27 * N / (1 - value(k.c2)), 10 * M / (1 - value(k.c4)), sigma},
+           s, out.D_tube_printed) &&
       tube_size("D_tube", m, at.N, at.M, s, out.D_tube);
   if (!found) return false;
   const T D = s.named("D_tube", si::m, out.D_tube);

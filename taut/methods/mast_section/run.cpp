@@ -84,13 +84,12 @@ std::string position_words(const Input& in, const ClampForces& f) {
   return in.span ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
 }
 
-void add_check(std::string name, double stress, const Assessment& a, std::string rule, std::string where,
-               const Input& in, Result& r) {
-  Check c =
-      make_check(std::move(name), stress, Sense::at_most, a.allowable, si::Pa, std::move(rule), trust_of(limit_of(in)));
+/// `allowable`: [sigma] at the section's wall, with the rule that the stress is held against it by.
+Check stress_check(std::string name, double stress, Bound allowable, std::string where) {
+  Check c = make_check(std::move(name), stress, si::Pa, std::move(allowable));
   c.part = "mast";
   c.where = std::move(where);
-  r.checks.push_back(std::move(c));
+  return c;
 }
 
 /// (12)-(14) for one section under the worst of some forces, as steps and as a check.
@@ -108,8 +107,10 @@ void check_first_order(const Input& in, const Assessment& a, const std::vector<C
   const Num A = s.named("A", si::m2, a.section.area), W = s.named("W", si::m3, a.section.W_el_y);
   s.eq("14", "sigma", si::Pa, N / A + M / W);
   s.move_to(r);
-  add_check(fmt::format("strength of {}, {}", a.section.name, direction), worst->stress, *worst,
-            "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)", where, in, r);
+  r.checks.push_back(stress_check(fmt::format("strength of {}, {}", a.section.name, direction), worst->stress,
+                                  {Sense::at_most, worst->allowable,
+                                   "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)", trust_of(limit_of(in))},
+                                  where));
 }
 
 /// The checks of the section given or chosen.
@@ -119,13 +120,14 @@ void check_section(const Input& in, const Assessment& a, const std::vector<Clamp
   if (a.second_order) {
     const ClampForces& worst = a.second_order_worst;
     const std::string at = position_words(in, worst);
-    add_check(fmt::format("strength of {}, second order", a.section.name), *a.second_order, a,
-              std::isnan(*a.second_order)
-                  ? "the mast finds no equilibrium with the moments of its own deflection: it buckles"
-                  : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, both "
-                    "directions of the ropes",
-              fmt::format("{}{}ropes {}", at, at.empty() ? "" : ", ", worst.paid_out ? "paid out" : "hauled in"), in,
-              r);
+    const char* rule = std::isnan(*a.second_order)
+                           ? "the mast finds no equilibrium with the moments of its own deflection: it buckles"
+                           : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, "
+                             "both directions of the ropes";
+    r.checks.push_back(stress_check(
+        fmt::format("strength of {}, second order", a.section.name), *a.second_order,
+        {Sense::at_most, a.allowable, rule, trust_of(limit_of(in))},
+        fmt::format("{}{}ropes {}", at, at.empty() ? "" : ", ", worst.paid_out ? "paid out" : "hauled in")));
   }
   out.section_stress = a.stress;
   out.section_allowable = a.allowable;

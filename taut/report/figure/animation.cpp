@@ -150,26 +150,33 @@ Box label_box(const Animation::Round& round, const View& v, std::size_t time, La
   return box;
 }
 
-/// A place for each name that keeps clear, over all times, of the names before it and of the picture's edge.
-std::vector<LabelPlace> label_places(const Animation& a, const View& v) {
+/// How often a round's name at that place touches, over all times, the names before it or the picture's edge.
+double label_cost(const Animation& a, const View& v, LabelPlace place, const std::vector<LabelPlace>& before) {
   constexpr std::size_t looks = 60;
   constexpr double edge = 10;  ///< times as bad as another name
   const std::size_t every = std::max<std::size_t>(1, a.t.size() / looks);
+  const Animation::Round& round = a.rounds[before.size()];
+  double cost = 0;
+  for (std::size_t t = 0; t < a.t.size(); t += every) {
+    const Box box = label_box(round, v, t, place);
+    if (box.empty()) continue;
+    if (box.left < 0 || box.right > v.width || box.top < 0 || box.bottom > v.height) cost += edge;
+    for (std::size_t other = 0; other < before.size(); ++other) {
+      if (a.rounds[other].label.empty()) continue;
+      if (overlap_area(box, label_box(a.rounds[other], v, t, before[other])) > 0) ++cost;
+    }
+  }
+  return cost;
+}
+
+/// A place for each name that keeps clear of the names before it and of the picture's edge.
+std::vector<LabelPlace> label_places(const Animation& a, const View& v) {
   std::vector<LabelPlace> places;
   for (std::size_t r = 0; r < a.rounds.size(); ++r) {
     LabelPlace best;
     double least = std::numeric_limits<double>::infinity();
     for (const LabelPlace place : {LabelPlace{false, false}, {false, true}, {true, false}, {true, true}}) {
-      double cost = 0;
-      for (std::size_t t = 0; t < a.t.size(); t += every) {
-        const Box box = label_box(a.rounds[r], v, t, place);
-        if (box.empty()) continue;
-        if (box.left < 0 || box.right > v.width || box.top < 0 || box.bottom > v.height) cost += edge;
-        for (std::size_t other = 0; other < r; ++other) {
-          if (a.rounds[other].label.empty()) continue;
-          if (overlap_area(box, label_box(a.rounds[other], v, t, places[other])) > 0) ++cost;
-        }
-      }
+      const double cost = label_cost(a, v, place, places);
       if (cost >= least) continue;
       least = cost;
       best = place;

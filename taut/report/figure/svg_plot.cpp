@@ -92,6 +92,28 @@ struct Ranges {
   std::vector<const Mark*> limits_outside;
 };
 
+/// Zero belongs to the picture unless the curves live far from it.
+void reach_zero(Span& y) {
+  if (y.empty()) return;
+  if (y.low > 0 && y.low < 0.5 * y.high) y.low = 0;
+  if (y.high < 0 && y.high > 0.5 * y.low) y.high = 0;
+}
+
+/// Limits near the curves widen the range of y, others only get into the legend.
+void add_limits(const Plot& plot, const ShownUnit& yu, const Span& curves, Ranges& r) {
+  for (const Mark& m : plot.marks) {
+    if (!m.whole_line || !std::isfinite(m.y)) continue;
+    Span with = r.y;
+    with.add(yu.of(m.y));
+    const double room = std::max(curves.size(), 0.25 * std::max(std::abs(curves.low), std::abs(curves.high)));
+    if (curves.empty() || with.size() <= 4 * room) {
+      r.y = with;
+    } else {
+      r.limits_outside.push_back(&m);
+    }
+  }
+}
+
 /// What the axes have to show, in shown units.
 Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
   Ranges r;
@@ -107,9 +129,7 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
     r.x.add(xu.of(m.x));
     r.y.add(yu.of(m.y));
   }
-  // Zero belongs to the picture unless the curves live far from it.
-  if (!r.y.empty() && r.y.low > 0 && r.y.low < 0.5 * r.y.high) r.y.low = 0;
-  if (!r.y.empty() && r.y.high < 0 && r.y.high > 0.5 * r.y.low) r.y.high = 0;
+  reach_zero(r.y);
   const Span curves = r.y;
   const bool marked =
       std::any_of(plot.marks.begin(), plot.marks.end(), [](const Mark& m) { return !m.whole_line && !m.upright; });
@@ -117,17 +137,7 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
     r.y.high += r.y.high == 0 ? 0 : 0.07 * curves.size();
     r.y.low -= r.y.low == 0 ? 0 : 0.07 * curves.size();
   }
-  for (const Mark& m : plot.marks) {
-    if (!m.whole_line || !std::isfinite(m.y)) continue;
-    Span with = r.y;
-    with.add(yu.of(m.y));
-    const double room = std::max(curves.size(), 0.25 * std::max(std::abs(curves.low), std::abs(curves.high)));
-    if (curves.empty() || with.size() <= 4 * room) {
-      r.y = with;
-    } else {
-      r.limits_outside.push_back(&m);
-    }
-  }
+  add_limits(plot, yu, curves, r);
   widen(r.x);
   widen(r.y);
   return r;
@@ -264,11 +274,40 @@ std::string draw_upright(const Scene& s, const Mark& m) {
       x, s.axes.top, s.axes.bottom, beside, s.axes.top + 4, to_svg(label_runs(shortened(clean(m.label), 34))));
 }
 
-/// Limits and marked points, their words placed where no curve runs.
-std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
-  std::string out;
+/// Marks as they are drawn one after the other, their words still to be placed.
+struct DrawnMarks {
+  std::string svg;
   std::vector<Obstacle> obstacles;
   std::vector<Wanted> labels;
+};
+
+/// A limit: a line across the picture, its words at the right end or else further left.
+void draw_limit(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& drawn) {
+  const double y = s.y_pixel(s.y_unit.of(m.y));
+  drawn.svg +=
+      fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
+                  s.axes.left, y, s.axes.right, limit_colour);
+  drawn.obstacles.push_back({{s.axes.left, y}, {s.axes.right, y}, 3});
+  if (m.label.empty()) return;
+  const double half = width(runs) * font_size / 2 + 8;
+  drawn.labels.push_back(
+      {{s.axes.right - half, y}, {{s.axes.left + half, y}, {(s.axes.left + s.axes.right) / 2, y}}, runs, {0, -1}});
+}
+
+void draw_point(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& drawn) {
+  const Pixel p = s.pixel(m.x, m.y);
+  if (!ok(p)) return;
+  drawn.svg +=
+      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>\n",
+                  p.x, p.y, limit_colour);
+  drawn.obstacles.push_back({{p.x - 5, p.y}, {p.x + 5, p.y}, 3});
+  if (!m.label.empty()) drawn.labels.push_back({p, {}, runs, {0, -1}});
+}
+
+/// Limits and marked points, their words placed where no curve runs.
+std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
+  DrawnMarks drawn;
+  std::vector<Obstacle>& obstacles = drawn.obstacles;
   for (const Line& l : lines) {
     for (std::size_t i = 1; i < l.points.size(); ++i) {
       if (ok(l.points[i - 1]) && ok(l.points[i])) obstacles.push_back({l.points[i - 1], l.points[i], 3});
@@ -276,39 +315,19 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
   }
   for (const Mark& m : s.plot.marks) {
     if (m.upright) {
-      if (std::isfinite(m.x)) out += draw_upright(s, m);
+      if (std::isfinite(m.x)) drawn.svg += draw_upright(s, m);
       continue;
     }
     const bool outside = std::find(s.limits_outside.begin(), s.limits_outside.end(), &m) != s.limits_outside.end();
     if (outside || !std::isfinite(m.y) || (!m.whole_line && !std::isfinite(m.x))) continue;
     const Runs runs = label_runs(shortened(clean(m.label), longest_plot_label));
-    if (m.whole_line) {
-      const double y = s.y_pixel(s.y_unit.of(m.y));
-      out += fmt::format(
-          "<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
-          s.axes.left, y, s.axes.right, limit_colour);
-      obstacles.push_back({{s.axes.left, y}, {s.axes.right, y}, 3});
-      const double half = width(runs) * font_size / 2 + 8;
-      if (!m.label.empty())
-        labels.push_back({{s.axes.right - half, y},
-                          {{s.axes.left + half, y}, {(s.axes.left + s.axes.right) / 2, y}},
-                          runs,
-                          {0, -1}});
-    } else {
-      const Pixel p = s.pixel(m.x, m.y);
-      if (!ok(p)) continue;
-      out += fmt::format(
-          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>\n", p.x, p.y,
-          limit_colour);
-      obstacles.push_back({{p.x - 5, p.y}, {p.x + 5, p.y}, 3});
-      if (!m.label.empty()) labels.push_back({p, {}, runs, {0, -1}});
-    }
+    m.whole_line ? draw_limit(s, m, runs, drawn) : draw_point(s, m, runs, drawn);
   }
   const Box& a = s.axes;
   for (const double y : {a.top, a.bottom}) obstacles.push_back({{a.left, y}, {a.right, y}, 3});
   for (const double x : {a.left, a.right}) obstacles.push_back({{x, a.top}, {x, a.bottom}, 3});
   const Box inside = a.grown(-4);
-  return out + to_svg(place_labels(labels, obstacles, inside, font_size), font_size);
+  return drawn.svg + to_svg(place_labels(drawn.labels, obstacles, inside, font_size), font_size);
 }
 
 bool has_values(const Plot& plot) {

@@ -117,11 +117,27 @@ std::string quantity_plain(double stored, const Unit& unit, const Display& displ
   return u.name.empty() || std::isnan(stored) ? number : fmt::format("{} {}", number, u.name);
 }
 
-std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits) {
+namespace {
+
+double largest_of(const std::vector<double>& numbers) {
   double largest = 0;
   for (const double x : numbers) {
     if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
   }
+  return largest;
+}
+
+/// Zeros at the end of a number, up to `most` of them.
+std::size_t zeros_at_end(const std::string& number, std::size_t most) {
+  std::size_t zeros = 0;
+  while (zeros < most && number[number.size() - 1 - zeros] == '0') ++zeros;
+  return zeros;
+}
+
+}  // namespace
+
+std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits) {
+  const double largest = largest_of(numbers);
   const bool fixed = largest == 0 || (largest >= 1e-4 && largest < 1e7);
   const int before = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
   const int decimals = std::clamp(digits - before, 0, 8);
@@ -131,11 +147,7 @@ std::vector<std::string> column_shown(const std::vector<double>& numbers, int di
     const double least = 0.5 * std::pow(10, -decimals);
     const bool plain = fixed && std::isfinite(x) && (x == 0 || std::abs(x) >= least);
     all.push_back(plain ? pretty(fmt::format("{:.{}f}", x == 0 ? 0.0 : x, decimals)) : number_shown(x, digits));
-    if (!plain) continue;
-    const std::string& s = all.back();  // zeros that all numbers end with say nothing
-    std::size_t zeros = 0;
-    while (zeros < spare && s[s.size() - 1 - zeros] == '0') ++zeros;
-    spare = std::min(spare, zeros);
+    if (plain) spare = zeros_at_end(all.back(), spare);  // zeros that all numbers end with say nothing
   }
   if (spare == 0 || !fixed) return all;
   const std::size_t cut = spare == static_cast<std::size_t>(decimals) ? spare + 1 : spare;

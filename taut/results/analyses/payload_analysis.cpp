@@ -106,8 +106,8 @@ void add_limits(const machine::Model& model, const study::PayloadRun& run, Resul
       if (one.answered()) T = std::max(T, one.point.payload.at.ropes[reeving].T_max);
     }
     const std::string& name = model.reevings[reeving].name;
-    r.checks.push_back(make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, Sense::at_most, limit, si::N,
-                                  std::move(words), std::move(trust)));
+    r.checks.push_back(make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, si::N,
+                                  {Sense::at_most, limit, std::move(words), std::move(trust)}));
     r.checks.back().part = name;
   };
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
@@ -180,7 +180,7 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
         span, places.size(), places.size() == 1 ? "" : "s", limit);
     r.warnings.push_back("payload: " + words);
     if (!machine.checked->judged) continue;
-    Check c = make_check("payload_min" + run.ending, 0, Sense::at_least, 0, si::kg.in("t"), words, "user");
+    Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"), {Sense::at_least, 0, words, "user"});
     c.utilisation = none;
     c.passes = false;
     c.part = machine.model.carriages[run.way.carriage].name;

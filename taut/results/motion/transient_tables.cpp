@@ -139,8 +139,9 @@ void add_ropes(const study::TransientRun& run, const std::vector<std::string>& s
       where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, study::branch_words(rope, e.branch), e.T.t_max);
     }
     if (rope.breaking_force > 0) {
-      Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, Sense::at_most,
-                           rope.breaking_force, si::N, "minimum breaking force of the rope", strength_trust[i]);
+      Check c = make_check(
+          fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
+          {Sense::at_most, rope.breaking_force, "minimum breaking force of the rope", strength_trust[i]});
       c.part = rope.name;
       c.limits = false;
       c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
@@ -184,12 +185,12 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   const auto beta2 = catalogue::find_rule(id + ".beta2");
   expects(phi2_min && beta2, "the table of rules has the hoisting classes");
   const double phi2 = *catalogue::value_of(*phi2_min) + *catalogue::value_of(*beta2) * asked.speed;
-  r.checks.push_back(
-      make_check(fmt::format("{}.phi2{}", asked.rope, run.ending), e.T_static > 0 ? e.T.max / e.T_static : HUGE_VAL,
-                 Sense::at_most, phi2, si::one,
-                 fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
-                             static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
-                 phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)));
+  r.checks.push_back(make_check(
+      fmt::format("{}.phi2{}", asked.rope, run.ending), e.T_static > 0 ? e.T.max / e.T_static : HUGE_VAL, si::one,
+      {Sense::at_most, phi2,
+       fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
+                   static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
+       phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
 }
 
 std::string slid_words(const study::TransientRun& run) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "taut/solve/equilibrium.hpp"
 #include "taut/solve/rest/far_loop.hpp"
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"

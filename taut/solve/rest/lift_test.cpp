@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "taut/solve/equilibrium.hpp"
 #include "test/support/machines.hpp"
 
 namespace lift_test {

@@ -190,17 +190,24 @@ struct Trial {
   mechanics::Evaluation e;
 };
 
+/// A Newton step: from where, what it changes, the linear system that gave it and its size as that scales it.
+struct NewtonStep {
+  const mechanics::Configuration& from;
+  const mechanics::Change& change;
+  Linear& linear;
+  double size;
+};
+
 /// Halves a Newton step until a part of it brings the next step nearer and `fits`. False where no part does.
 template <class Fits>
-bool gains(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Change& change,
-           Linear& linear, double size, double tolerance, Trial& tried, std::optional<mechanics::NoBranch>& stopped,
-           const Fits& fits) {
-  for (double part = longest_part(s, c, change.step); part > least_part; part /= 2) {
-    mechanics::move(s, c, change, part, tried.c);
+bool gains(const mechanics::System& s, const NewtonStep& step, double tolerance, Trial& tried,
+           std::optional<mechanics::NoBranch>& stopped, const Fits& fits) {
+  for (double part = longest_part(s, step.from, step.change.step); part > least_part; part /= 2) {
+    mechanics::move(s, step.from, step.change, part, tried.c);
     stopped = mechanics::evaluate(s, tried.c, tried.e);
     if (stopped || !tried.e.residual.allFinite()) continue;
-    const double next = linear.solve(tried.e.residual).norm();
-    if (!(next <= (1 - part / 4) * size) && !settled(s, tried.e, tolerance)) continue;
+    const double next = step.linear.solve(tried.e.residual).norm();
+    if (!(next <= (1 - part / 4) * step.size) && !settled(s, tried.e, tolerance)) continue;
     if (fits()) return true;
   }
   return false;
@@ -234,7 +241,7 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
       it.deep = deep_link(s, fed, tried.c, tried.e);
       return it.deep < 0;
     };
-    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, taut)) {
+    if (!gains(s, {c, change, linear, step.norm()}, tolerance, tried, it.stopped, taut)) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
       it.converged = settled(s, e, 8 * tolerance, 5);
       return it;
@@ -273,7 +280,7 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
       return it;
     }
     before = closed ? open : HUGE_VAL;
-    if (!gains(s, c, change, linear, step.norm(), tolerance, tried, it.stopped, [] { return true; })) {
+    if (!gains(s, {c, change, linear, step.norm()}, tolerance, tried, it.stopped, [] { return true; })) {
       it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
       it.undetermined = undetermined_branch(s, linear);
       return it;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "taut/solve/equilibrium.hpp"
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 

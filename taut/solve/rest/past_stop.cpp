@@ -62,6 +62,28 @@ std::string past_on(const mechanics::System& s, const mechanics::Configuration& 
   return {};
 }
 
+/// Of a carriage that is clamped to a rope which ends at the one that is put somewhere: whether the rope between them
+/// is longer than the way to the next stop in a direction of the path.
+std::string clamped_past(const mechanics::System& s, const Array<machine::Pose>& starts, const machine::Carriage& car,
+                         int step) {
+  const machine::Reeving& rope = s.model.reevings[car.reeving];
+  const machine::Node& clamp = rope.nodes[car.node];
+  const machine::Node* stop = next(rope, car.node, step, [&](const machine::Node& node) { return is_stop(s, node); });
+  const machine::Node* put = next(rope, car.node, -step, [](const machine::Node&) { return true; });
+  if (stop == nullptr || put == nullptr || put->at.body != s.layout.coordinate_body) return {};
+  // the clamp of the one that is put somewhere follows from its place: only an end of the rope says a length
+  const double whole = rope.given == machine::Given::length ? rope.value : 0;
+  const bool at_start = put == &rope.nodes.front(), at_end = put == &rope.nodes.back() && whole > 0;
+  if (rope.closed || (!at_start && !at_end)) return {};
+  const double length = (at_start ? clamp.length_before : whole - clamp.length_before) * (1 + rope.thermal_strain);
+  const double room = std::abs(coordinate(s, starts, *stop) - s.coordinate);
+  if (length <= room) return {};
+  return fmt::format(
+      "carriage '{}' hangs {:.4g} m of rope '{}' beside '{}', which is put {:.4g} m before '{}': it would lie past "
+      "'{}'; choose a place farther from it",
+      car.name, length, rope.name, s.model.bodies[s.layout.coordinate_body].name, room, stop->name, stop->name);
+}
+
 }  // namespace
 
 std::string past_stop(const mechanics::System& s, const mechanics::Configuration& c) {
@@ -83,21 +105,8 @@ std::string section_past_stop(const mechanics::System& s) {
     const machine::Node& clamp = rope.nodes[car.node];
     if (car.body == s.layout.coordinate_body || clamp.kind != machine::NodeKind::clamp) continue;
     for (const int step : {-1, 1}) {
-      const machine::Node* stop =
-          next(rope, car.node, step, [&](const machine::Node& node) { return is_stop(s, node); });
-      const machine::Node* put = next(rope, car.node, -step, [](const machine::Node&) { return true; });
-      if (stop == nullptr || put == nullptr || put->at.body != s.layout.coordinate_body) continue;
-      // the clamp of the one that is put somewhere follows from its place: only an end of the rope says a length
-      const double whole = rope.given == machine::Given::length ? rope.value : 0;
-      const bool at_start = put == &rope.nodes.front(), at_end = put == &rope.nodes.back() && whole > 0;
-      if (rope.closed || (!at_start && !at_end)) continue;
-      const double length = (at_start ? clamp.length_before : whole - clamp.length_before) * (1 + rope.thermal_strain);
-      const double room = std::abs(coordinate(s, starts, *stop) - s.coordinate);
-      if (length <= room) continue;
-      return fmt::format(
-          "carriage '{}' hangs {:.4g} m of rope '{}' beside '{}', which is put {:.4g} m before '{}': it would lie past "
-          "'{}'; choose a place farther from it",
-          car.name, length, rope.name, s.model.bodies[s.layout.coordinate_body].name, room, stop->name, stop->name);
+      std::string words = clamped_past(s, starts, car, step);
+      if (!words.empty()) return words;
     }
   }
   return {};
