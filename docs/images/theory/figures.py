@@ -6,13 +6,15 @@ the catenary; forces are red; dimensions and ground are thin. In a label, $T_0$ 
 import math
 import os
 import re
-from math import acos, atan2, cos, cosh, exp, hypot, log, pi, radians, sin, sinh, sqrt, tan
+from math import atan2, cos, exp, hypot, pi, radians, sin, sqrt, tan
 
 STYLE = """.l{fill:none;stroke:#222;stroke-width:1.4}.b{fill:none;stroke:#222;stroke-width:2.6}
 .r{fill:none;stroke:#1a5fb4;stroke-width:2.4}.q{fill:none;stroke:#1a5fb4;stroke-width:1.3;stroke-dasharray:6 4}
 .f{fill:none;stroke:#c01c28;stroke-width:2}.d{fill:none;stroke:#666;stroke-width:1}
-.c{fill:none;stroke:#666;stroke-width:1;stroke-dasharray:9 3 2 3}.h{fill:none;stroke:#222;stroke-width:1.3;stroke-dasharray:5 4}
-text{font:15px Arial,'Liberation Sans','DejaVu Sans',sans-serif;fill:#222}.k{fill:none;stroke:#fff;stroke-width:5;stroke-linejoin:round}
+.c{fill:none;stroke:#666;stroke-width:1;stroke-dasharray:9 3 2 3}
+.h{fill:none;stroke:#222;stroke-width:1.3;stroke-dasharray:5 4}
+text{font:15px Arial,'Liberation Sans','DejaVu Sans',sans-serif;fill:#222}
+.k{fill:none;stroke:#fff;stroke-width:5;stroke-linejoin:round}
 .i{font:italic 17px 'Times New Roman','Liberation Serif','DejaVu Serif',serif}.s{font-size:12px}"""
 INK = {"l": "#222", "b": "#222", "r": "#1a5fb4", "f": "#c01c28", "d": "#666", "c": "#666", "h": "#222"}
 
@@ -146,7 +148,8 @@ class Figure:
         p1, q1 = at(p, a + pi / 2, off), at(q, a + pi / 2, off)
         if extend and abs(off) > 8:
             for u, v in ((p, p1), (q, q1)):
-                self.line(at(u, atan2(v[1] - u[1], v[0] - u[0]), 4), at(v, atan2(v[1] - u[1], v[0] - u[0]), 5), kind="d")
+                way = atan2(v[1] - u[1], v[0] - u[0])
+                self.line(at(u, way, 4), at(v, way, 5), kind="d")
         self.line(p1, q1, kind="d")
         self.head(p1, q1, "d", 9)
         self.head(q1, p1, "d", 9)
@@ -216,7 +219,8 @@ class Figure:
         head = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
                 f'viewBox="0 0 {self.width} {self.height}">\n<style>{STYLE}</style>\n'
                 f'<rect width="{self.width}" height="{self.height}" fill="#fff"/>\n')
-        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), name + ".svg"), "w", encoding="utf8") as file:
+        folder = os.path.dirname(os.path.abspath(__file__))
+        with open(os.path.join(folder, name + ".svg"), "w", encoding="utf8") as file:
             file.write(head + "\n".join(self.parts) + "\n</svg>\n")
 
 
@@ -486,9 +490,6 @@ def loaded_span(f):
     f.text((330, 252), "chord $c$", "middle")
 
 
-FIGURES = {"catenary": (catenary, 330), "parabola": (parabola, 320), "guy": (guy, 310), "length": (length, 285),
-           "contact": (contact, 275), "drum": (drum, 325), "tangent": (tangent_figure, 270),
-           "loaded-span": (loaded_span, 290)}
 def beside(p, direction, r, side):
     """Centre of a round that the rope touches at p; side +1: the rope turns clockwise."""
     return at(p, direction - side * pi / 2, r)
@@ -588,7 +589,8 @@ def carriages(f):
     f.line(g0, (600, 82), kind="c")
     f.arc(g0, 185, 0, alpha, "d", "e")
     f.text((592, 96), "$α$", "middle")
-    f.arrow(at(at(g0, alpha, 196), alpha + pi / 2, 8), at(at(g0, alpha, 232), alpha + pi / 2, 8), "$t$", (-2, 14), kind="l")
+    above = at(g0, alpha + pi / 2, 8)
+    f.arrow(at(above, alpha, 196), at(above, alpha, 232), "$t$", (-2, 14), kind="l")
     f.text((515, 30), "dragged bunch", "middle")
     f.text((centre[0] - 54, centre[1] + 2), "$s$", "middle")
     f.dimension(rear, centre, "", 22)
@@ -898,10 +900,6 @@ def equilibrium_search(f):
     f.text((530, 60), "deep loop", "middle")
 
 
-FIGURES.update({"equilibrium-search": (equilibrium_search, 320), "equilibrium": (equilibrium, 320), "carriages": (carriages, 300), "load-path": (load_path, 320),
-                "payload": (payload, 310), "installation": (installation, 300), "modes": (modes, 300),
-                "cycle": (cycle, 300), "continuation": (continuation, 310), "drives": (drives, 275),
-                "belt-drive": (belt_drive, 290)})
 def column_shape(foot, h, H, kh, n=24, scale=1.0):
     """Deflected axis of a cantilever column under H and N: w = (H/N k)(tan kh (1 - cos kx) + sin kx - kx)."""
     k = kh / h
@@ -1154,9 +1152,6 @@ def checks_tested(f):
     f.text((end[0] + 30, end[1] + 22), "break_angle", "end")
 
 
-FIGURES.update({"beam": (beam, 355), "guyed-mast": (guyed_mast, 335), "mast-checks": (mast_checks, 335),
-                "rope-checks": (rope_checks, 300), "rope-life": (rope_life, 320), "rope-choice": (rope_choice, 325),
-                "checks-tested": (checks_tested, 330)})
 def faces(f):
     slope = radians(14)
     a, b = (30, 50), at((30, 50), slope, 330)
@@ -1386,9 +1381,41 @@ def dynamics_energy(f):
     f.text((o[0] + 150, 40), "both columns have the same height", "middle")
 
 
-FIGURES.update({"faces": (faces, 300), "sagging": (sagging, 290), "rope-load": (rope_load, 325),
-                "vibrations": (vibrations, 315), "dynamics": (dynamics, 300), "dynamics-steps": (dynamics_steps, 345),
-                "dynamics-energy": (dynamics_energy, 330)})
+FIGURES = {  # name: function, height
+    "beam": (beam, 355),
+    "belt-drive": (belt_drive, 290),
+    "carriages": (carriages, 300),
+    "catenary": (catenary, 330),
+    "checks-tested": (checks_tested, 330),
+    "contact": (contact, 275),
+    "continuation": (continuation, 310),
+    "cycle": (cycle, 300),
+    "drives": (drives, 275),
+    "drum": (drum, 325),
+    "dynamics": (dynamics, 300),
+    "dynamics-energy": (dynamics_energy, 330),
+    "dynamics-steps": (dynamics_steps, 345),
+    "equilibrium": (equilibrium, 320),
+    "equilibrium-search": (equilibrium_search, 320),
+    "faces": (faces, 300),
+    "guy": (guy, 310),
+    "guyed-mast": (guyed_mast, 335),
+    "installation": (installation, 300),
+    "length": (length, 285),
+    "load-path": (load_path, 320),
+    "loaded-span": (loaded_span, 290),
+    "mast-checks": (mast_checks, 335),
+    "modes": (modes, 300),
+    "parabola": (parabola, 320),
+    "payload": (payload, 310),
+    "rope-checks": (rope_checks, 300),
+    "rope-choice": (rope_choice, 325),
+    "rope-life": (rope_life, 320),
+    "rope-load": (rope_load, 325),
+    "sagging": (sagging, 290),
+    "tangent": (tangent_figure, 270),
+    "vibrations": (vibrations, 315),
+}
 
 if __name__ == "__main__":
     for name, (draw, height) in FIGURES.items():
