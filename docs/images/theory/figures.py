@@ -157,7 +157,7 @@ class Figure:
         dx, dy = place if place else (-12 * sin(a), 12 * cos(a))
         self.text((m[0] + dx, m[1] + dy), label, "middle", middle=True)
 
-    def text(self, p, label, anchor="start", middle=True, small=False):
+    def text(self, p, label, anchor="start", middle=True, small=False, rim=True):
         """Words; parts in $...$ are symbols, _x or _{xy} an index, ^x a power."""
         x, y = self.xy((p[0], p[1] - (5 if middle else 0))).split()
         out = []
@@ -175,7 +175,7 @@ class Figure:
 
             out.append('<tspan class="i">' + re.sub(r"([_^])(?:\{([^}]*)\}|(.))", index, part) + "</tspan>")
         size = "s" if small else ""
-        for cls in ("k " + size, size):  # a white rim below the letters, where they cross a line
+        for cls in ("k " + size, size) if rim else (size,):  # a white rim below the letters, where they cross a line
             self.put(f'<text class="{cls.strip()}" x="{x}" y="{y}" text-anchor="{anchor}" xml:space="preserve">'
                      f'{"".join(out)}</text>')
 
@@ -239,7 +239,7 @@ def catenary(f):
     V = (V0 + V1) / 2
     f.dot(m)
     f.arrow(m, (m[0] + k * H, m[1]), "$H$", (-4, -15))
-    f.arrow((m[0] + k * H, m[1]), (m[0] + k * H, m[1] + k * V), "$V$", (13, 0))
+    f.arrow((m[0] + k * H, m[1]), (m[0] + k * H, m[1] + k * V), "$V$", (13, -9))
     f.text((m[0] + 6, m[1] - 24), "middle, $s$ = $L$/2", "end")
     f.arrow((p[0] + 8, p[1] - 19), (p[0] + 52, p[1] - 41), "$s$", (2, -12), kind="d")
     f.dimension((p[0], 40), (q[0], 40), "$x$")
@@ -385,7 +385,7 @@ def contact(f):
     f.line(v, (487, 215), kind="c")
     f.circle((487, 70 + rr / sin(b)), rr, "r", "#eef4fc")
     f.arc(v, 60, pi / 2, pi / 2 - b, "d", "e")
-    f.text((495, 146), "$b$", "middle")
+    f.text((516, 130), "$b$", "middle")
     u, bb, gg = (582, 165), radians(80), radians(40)
     for s in (-1, 1):
         side = [at(u, -pi / 2 + s * (bb / 2 + (pi / 2 - gg / 2 - bb / 2) * i / 12), 37) for i in range(13)]
@@ -395,7 +395,7 @@ def contact(f):
     f.circle(u, 35.5, "r", "#eef4fc")
     f.line(at(u, -pi / 2 - bb / 2, 35), u, at(u, -pi / 2 + bb / 2, 35), kind="d")
     f.arc(u, 22, -pi / 2 - bb / 2, -pi / 2 + bb / 2, "d", "be")
-    f.text((582, 125), "$b$", "middle")
+    f.text((582, 115), "$b$", "middle", rim=False)
     f.line(u, at(u, 0, 35), kind="d")
     f.line(u, at(u, -gg / 2, 35), kind="d")
     f.arc(u, 30, 0, -gg / 2, "d")
@@ -770,9 +770,9 @@ def cycle(f):
     f.line(*empty, kind="r")
     f.head(pts[11], pts[10], "f")
     f.head(empty[9], empty[10], "r")
-    f.text((500, o[1] + 166), "load taken in", "middle")
-    f.text((500, o[1] + 64), "empty, let out", "middle")
-    f.text((500, o[1] + 100), "work taken in: area", "middle", small=True)
+    f.text((500, o[1] + 166), "loaded, taken in", "middle")
+    f.text((500, o[1] + 64), "empty, let out", "middle", rim=False)
+    f.text((500, o[1] + 100), "work loaded: area", "middle", small=True, rim=False)
 
 
 def continuation(f):
@@ -897,7 +897,7 @@ def equilibrium_search(f):
     f.dot(p)
     f.dot(q)
     f.text((530, 200), "taut", "middle")
-    f.text((530, 60), "deep loop", "middle")
+    f.text((530, 116), "deep loop", "middle")
 
 
 def column_shape(foot, h, H, kh, n=24, scale=1.0):
@@ -921,7 +921,7 @@ def beam(f):
     f.dot(m)
     f.arrow(m, at(m, g, 58), "$d_3$", (16, -6), kind="l")
     f.arrow(m, at(m, g - pi / 2, 44), "$d_1$", (10, -10), kind="l")
-    f.dimension((foot[0], foot[1] + h + 8), (top[0], foot[1] + h + 8), "$w$", place=(-24, 0))
+    f.dimension((foot[0], foot[1] + h + 8), (top[0], foot[1] + h + 8), "$v$", place=(-24, 0))
     f.arrow((82, 175), (82, 205), None, kind="d")
     f.line((82, 60), (82, 200), kind="d")
     f.text((66, 130), "$s$", "middle")
@@ -1007,7 +1007,7 @@ def mast_checks(f):
     f.dimension((388, 39), (388, 131), "$h$", place=(13, 0))
     # interaction
     o = (450, 60)
-    f.axes(o, 175, 215, "$M$/$M_{pl}$", "$n$ = $N$/$N_{pl}$", below=False)
+    f.axes(o, 184, 215, "$M$/$M_{pl}$", "$n$ = $N$/$N_{pl}$")
     curve = [(o[0] + 140 * (1 - (i / 30) ** 1.7), o[1] + 165 * i / 30) for i in range(31)]
     f.line(*curve, kind="l")
     f.text((o[0] + 95, o[1] + 140), "1 − $n^{1.7}$")
@@ -1015,7 +1015,7 @@ def mast_checks(f):
     f.dot(p, 4, "#c01c28")
     f.line(o, p, kind="f")
     f.text((p[0] - 4, p[1] + 16), "in use", "middle")
-    for v, q in (("1", (o[0] + 140, o[1] - 15)), ("1", (o[0] - 10, o[1] + 165))):
+    for v, q in (("1", (o[0] + 130, o[1] - 15)), ("1", (o[0] - 10, o[1] + 165))):
         f.text(q, v, "middle")
 
 
@@ -1092,9 +1092,9 @@ def rope_choice(f):
         x, y = o[0] + w * i, o[1] + w * j
         fill = "#dff0df" if (i, j) in passes else "#fff"
         f.line((x, y), (x + w, y), (x + w, y + w), (x, y + w), close=True, fill=fill)
-        f.text((x + w / 2, y + w / 2 + 10), f"{c:.1f}", "middle")
+        f.text((x + w / 2, y + w / 2 + 10), f"{c:.1f}", "middle", rim=False)
         if k <= best:
-            f.text((x + w / 2, y + w / 2 - 12), f"trial {k + 1}", "middle", small=True)
+            f.text((x + w / 2, y + w / 2 - 12), f"trial {k + 1}", "middle", small=True, rim=False)
     _, i, j = order[best]
     x, y = o[0] + w * i, o[1] + w * j
     f.line((x + 3, y + 3), (x + w - 3, y + 3), (x + w - 3, y + w - 3), (x + 3, y + w - 3), kind="f", close=True)
@@ -1168,7 +1168,7 @@ def faces(f):
     f.text(at(at(p, t, -12), n, 16), "$P$", "end")
     f.arrow(at(p, t, 16), at(at(p, t, 16), n, 62), "$N$", (14, 4))
     f.arrow(at(p, t, -4), at(p, t, -70), "$f N$", (2, 18))
-    f.text(at(at(p, t, 0), n, 120), "body with the point $P$", "middle")
+    f.text(at(at(p, t, 20), n, 134), "body with the point $P$", "middle")
     f.arrow(at(at(p, t, 60), n, 64), at(at(p, t, 112), n, 64), "$v_t$", (-6, 14), kind="l")
     f.text((a[0] + 4, a[1] + 26), "from", "middle")
     f.text((b[0] + 16, b[1] + 2), "to", "middle")
@@ -1200,7 +1200,7 @@ def sagging(f):
     k = next(i for i, s in enumerate(shape) if s == m)
     left = atan2(m[1] - shape[k - 1][1], m[0] - shape[k - 1][0]) + pi
     right = atan2(shape[k + 1][1] - m[1], shape[k + 1][0] - m[0])
-    f.arrow(m, at(m, left, 62), "$T_1$", (4, 18))
+    f.arrow(m, at(m, left, 62), "$T_1$", (-8, -15))
     f.arrow(m, at(m, right, 62), "$T_0$", (2, -16))
     f.arrow((m[0] + 24, m[1] - 46), (m[0] + 74, m[1] - 46), "$v$", (12, 0), kind="l")
     f.text((170, 243), "chord $c$", "middle")
@@ -1319,7 +1319,7 @@ def dynamics_steps(f):
     def place(t, T):
         return (o[0] + W * t / 21, o[1] + T * scale)
 
-    f.line(*[place(p[0], p[1]) for p in points[::60]], kind="f")
+    f.line(*[place(p[0], p[1]) for p in points[::25]], kind="f")
     kinks = []
     for a, b in zip(points, points[1:]):
         if (a[2] > 0) != (b[2] > 0):
@@ -1375,9 +1375,9 @@ def dynamics_energy(f):
         y += size
     f.line((o[0] + 255, o[1]), (o[0] + 300, o[1]), (o[0] + 300, y), (o[0] + 255, y), close=True, fill="#eee")
     f.line((o[0] + 255, o[1] + 90), (o[0] + 300, o[1] + 90))
-    f.text((o[0] + 278, o[1] + 45), "start", "middle", small=True)
-    f.text((o[0] + 278, o[1] + 155), "sup-", "middle", small=True)
-    f.text((o[0] + 278, o[1] + 140), "plied", "middle", small=True)
+    f.text((o[0] + 278, o[1] + 45), "start", "middle", small=True, rim=False)
+    f.text((o[0] + 278, o[1] + 155), "sup-", "middle", small=True, rim=False)
+    f.text((o[0] + 278, o[1] + 140), "plied", "middle", small=True, rim=False)
     f.text((o[0] + 150, 40), "both columns have the same height", "middle")
 
 
