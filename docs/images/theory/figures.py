@@ -758,7 +758,7 @@ def cycle(f):
     f.load((290, 150), 28, None, 22)
     w = between(u, v, 0.5)
     f.arrow(w, at(w, atan2(u[1] - v[1], u[0] - v[0]), 44), "$T$", (-16, 6))
-    f.arc(drum, 36, 0.6, -0.6, "l", "e")
+    f.arc(drum, 36, -0.6, 0.6, "l", "e")
     f.text((240, 235), "rope out: $L$", "middle")
     # work: the area under T (1 + T/EA) over L
     o = (410, 65)
