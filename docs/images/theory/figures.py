@@ -763,16 +763,29 @@ def cycle(f):
     # work: the area under T (1 + T/EA) over L
     o = (410, 65)
     f.axes(o, 205, 205, "$L$", "$T$ (1 + $T$/$EA$)")
-    pts = [(o[0] + 20 + 155 * i / 20, o[1] + 125 + 22 * sin(2.6 * i / 20 + 0.3)) for i in range(21)]
-    empty = [(x, o[1] + 38 + 9 * cos(3 * i / 20)) for i, (x, _) in enumerate(pts)]
+
+    def hauled(load):
+        """Rope out and pull of a winch that draws a load up the load path of a skyline: T dL = -dU."""
+        found = []
+        for k in range(15):
+            part = 60 + 10.0 * k
+            shape, _, _, marks = rope_shape((0, 0), (300, -60), 316, 0.02, math.inf, ((part, load),), 24)
+            U = load * marks[0][1] + sum(0.02 * hypot(b[0] - a[0], b[1] - a[1]) * (a[1] + b[1]) / 2
+                                         for a, b in zip(shape, shape[1:]))
+            found.append((hypot(*marks[0]), U))
+        return [((a[0] + b[0]) / 2, (a[1] - b[1]) / (b[0] - a[0])) for a, b in zip(found, found[1:])]
+
+    rows = [hauled(12.0), hauled(4.0)]
+    top = max(T for _, T in rows[0])
+    pts, empty = ([(o[0] + 10 + 175 * (L - 55) / 155, o[1] + 150 * T / top) for L, T in row] for row in rows)
     f.line((pts[0][0], o[1]), *pts, (pts[-1][0], o[1]), kind="d", close=True, fill="#f7e3e4")
     f.line(*pts, kind="f")
     f.line(*empty, kind="r")
-    f.head(pts[11], pts[10], "f")
-    f.head(empty[9], empty[10], "r")
-    f.text((500, o[1] + 166), "loaded, taken in", "middle")
-    f.text((500, o[1] + 64), "empty, let out", "middle", rim=False)
-    f.text((500, o[1] + 100), "work loaded: area", "middle", small=True, rim=False)
+    f.head(pts[7], pts[6], "f")
+    f.head(empty[6], empty[7], "r")
+    f.text((545, o[1] + 130), "loaded, taken in", "middle")
+    f.text((500, o[1] + 14), "empty, let out", "middle", rim=False)
+    f.text((474, o[1] + 74), "work: area", "middle", small=True, rim=False)
 
 
 def continuation(f):
