@@ -4,7 +4,7 @@
 
 namespace taut::mechanics {
 
-/// Forces along the free rope (nodes of kind load), docs/theory/rope_load.md. At such a point the rope goes on in its
+/// Forces along the free rope (nodes of kind load), docs/theory/rope-load.md. At such a point the rope goes on in its
 /// direction d and loses or gains tension: T_out d - T_in d + F d = 0; the point lies at a share p of the unstretched
 /// rope between the next nodes of other kinds: sum of the L before it = p sum of all L.
 

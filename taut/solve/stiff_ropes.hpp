@@ -29,8 +29,8 @@ struct StiffAnswer {
   int steps = 0;
 };
 
-/// The answer beside it with the forces of stiff ropes as unknowns: docs/theory/equilibrium.md. `coordinate`: as of a
-/// System; `softest`: EA of the ropes in `near`, N; infinite: as in the model.
+/// The answer beside it with the forces of stiff ropes as unknowns: docs/theory/equilibrium-search.md.
+/// `coordinate`: as of a System; `softest`: EA of the ropes in `near`, N; infinite: as in the model.
 StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& near, double coordinate, double softest,
                              const EquilibriumOptions& options);
 

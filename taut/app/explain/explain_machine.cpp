@@ -20,7 +20,7 @@ constexpr const char* laws[][3] = {
     {"saddle", "T_large = T_small exp(mu theta), Euler-Eytelwein", "contact.md"},
     {"driven sheave", "M = R (T_in - T_out); grip (T_1 - c)/(T_2 - c) <= exp(mu alpha)", "drives.md"},
     {"running rope", "c = m v^2 in every tension; shape and supports know T - c", "drives.md"},
-    {"force on a rope", "T_out = T_in - F at a share of the span's rope", "rope_load.md"},
+    {"force on a rope", "T_out = T_in - F at a share of the span's rope", "rope-load.md"},
     {"drum", "R_k = (D + d)/2 + (k - 1) h; M = T R_k", "drum.md"},
     {"carriage", "rolling: equal tensions, or friction between them; clamped: a fixed length before it",
      "carriages.md"},

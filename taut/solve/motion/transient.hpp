@@ -219,7 +219,7 @@ struct TransientResult {
   double stability_limit = 0;                  ///< of Verlet at the start, s
   double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
   /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
-  /// docs/theory/dynamics.md, "Time".
+  /// docs/theory/dynamics-steps.md.
   double tension_error = 0;
   Array<double> damping_time;  ///< by reeving: beta, s
   Array<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none

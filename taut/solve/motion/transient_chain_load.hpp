@@ -9,7 +9,7 @@
 ///
 /// A force against the motion is friction of a given size that also holds: it sticks by a bristle twenty times
 /// as stiff as the segment (explicit steps: as stiff; return mapping, as contacts on faces do), |T_out - T_in| <= F.
-/// docs/theory/rope_load.md.
+/// docs/theory/rope-load.md.
 namespace taut::solve::dynamics {
 
 /// Chains through loads of the mechanism: their loads, once its lines stand.

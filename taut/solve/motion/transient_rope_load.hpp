@@ -6,7 +6,7 @@
 /// it keeps its distance from the one that stands still, or its share of the line where both move. The rope runs on
 /// through that place, straight, and its tension jumps there. A cutting force is friction of a given size: it opposes
 /// the rope and holds it where it stands, |T_out - T_in| <= F; one that has a direction of its own is there in any
-/// case. docs/theory/rope_load.md.
+/// case. docs/theory/rope-load.md.
 ///
 /// The free line of length l is divided into parts, each a line of the mechanism with both ends of the whole: part i
 /// has the length share_i l + more_i, and follows share_i of every virtual displacement. With T_out - T_in = -F at the

@@ -3,7 +3,7 @@
 #include "taut/solve/motion/transient_line.hpp"
 
 /// Branches that sag while the machine moves: the elastic catenary between the places where the rope leaves one round
-/// and arrives at the next, at every moment the one at rest there (no transverse inertia). docs/theory/dynamics.md.
+/// and arrives at the next, at every moment the one at rest there (no transverse inertia). docs/theory/sagging.md.
 ///
 /// The catenary's force follows from chord and unstretched length. Where an end has a radius, the tangent point follows
 /// the rope's own direction there, and what lies on the round beyond that direction comes from the free length; both

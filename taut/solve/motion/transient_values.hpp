@@ -198,7 +198,7 @@ void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, c
                     Values& now);
 
 /// Passes rope at each contact until its law holds there, one after the other, bodies and spins as they are. Whether
-/// all of them hold then. docs/theory/dynamics.md, "Time".
+/// all of them hold then. docs/theory/dynamics-steps.md.
 bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double tolerance,
                 Values& now);
 
