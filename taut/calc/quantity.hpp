@@ -42,6 +42,9 @@ std::vector<QuantityWords> words_of(const Quantities<Row>& quantities) {
   return all;
 }
 
+/// The same with something before each name: "ROPE.".
+std::vector<QuantityWords> prefixed(const std::string& prefix, std::vector<QuantityWords> all);
+
 [[noreturn]] void no_such_quantity(std::string_view name);
 
 /// The one of that name; throws where there is none.

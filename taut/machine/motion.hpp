@@ -105,7 +105,7 @@ struct Tensioner {
 };
 
 /// What can be observed of a moving machine.
-enum class Quantity {
+enum class Observed {
   x,
   y,
   z,
@@ -155,7 +155,7 @@ enum class Quantity {
 
 struct Observable {
   std::string name;  ///< as the deck writes it: "car.z"
-  Quantity quantity = Quantity::x;
+  Observed quantity = Observed::x;
   Unit unit;
   int index = -1;  ///< body (-1: ground), reeving, drum, contact, actuator or signal, as the quantity needs it
   int part = -1;   ///< of a rope: the branch, from 0; of a sheave: its node

@@ -88,11 +88,6 @@ const solve::ContactResult* contact(const machine::Model& m, const solve::Equili
   return found == e.contacts.end() ? nullptr : &*found;
 }
 
-std::vector<QuantityWords> prefixed(const std::string& prefix, std::vector<QuantityWords> all) {
-  for (QuantityWords& one : all) one.name = prefix + one.name;
-  return all;
-}
-
 }  // namespace
 
 std::vector<Column> load_path_columns(const machine::Model& all) {

@@ -85,7 +85,7 @@ PretensionResult pull_at_rest(const machine::Model& given, const Array<Pull>& pu
 machine::Observable tension_at(const Pull& pull) {
   machine::Observable o;
   o.name = "tension";
-  o.quantity = pull.at_end ? machine::Quantity::T_end : machine::Quantity::T_start;
+  o.quantity = pull.at_end ? machine::Observed::T_end : machine::Observed::T_start;
   o.unit = si::N;
   o.index = pull.reeving;
   return o;

@@ -23,7 +23,7 @@ constexpr int extension = 0, retraction = 1;
 machine::Observable place_of(int body, int seen_from = -1) {
   machine::Observable o;
   o.name = "x";
-  o.quantity = machine::Quantity::x;
+  o.quantity = machine::Observed::x;
   o.unit = taut::si::m;
   o.index = body;
   o.seen_from = seen_from;

@@ -6,12 +6,14 @@ TAUT_PROGRAM names the program, TAUT_SOURCE_DIR the source tree with its example
 import json
 import os
 import pathlib
+import re
 import subprocess
 import unittest
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
 FEWER = "TAUT_FEWER" in os.environ
+GUIDE = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "docs/guide/reference.md"
 
 PASSES = ("passes", None, 0)
 WARNS = ("passes_with_warnings", None, 0)
@@ -64,8 +66,28 @@ QUICK_BOOM = ["row1.yaml", "pretension.yaml", "force_52_load.yaml", "slip_out_21
 LONG = ["design/guyed_tower.yaml"]  # 20 s
 
 
+# tables that come with checks and designs, not with an analysis
+OF_CHECKS = ("anchor_forces", "design", "discard", "guys", "life", "mast_sections", "masts")
+
+
+def reference():
+    """Tables of docs/guide/reference.md: name -> patterns of its columns; a word in capitals, or N, is any text."""
+    tables = {}
+    for line in GUIDE.read_text().splitlines():
+        if head := re.match(r"### Table `(.+)`", line):
+            columns = tables[head[1]] = []
+        elif line.startswith("### "):
+            columns = []
+        elif tables and (row := re.match(r"\| `(.+?)` \|", line)):
+            columns.append(re.compile(re.sub(r"[A-Z]{3,}|(?<=_)N$", ".+", re.escape(row[1]))))
+    return tables
+
+
 def decks():
     return {p.relative_to(EXAMPLES).as_posix() for p in EXAMPLES.rglob("*.yaml") if not p.name.endswith(".part.yaml")}
+
+
+REFERENCE = reference()
 
 
 class ExampleVerdicts(unittest.TestCase):
@@ -75,6 +97,24 @@ class ExampleVerdicts(unittest.TestCase):
         said = (result["verdict"], result["verdict_class"], got.returncode)
         self.assertEqual(said, expected, f"{name}: {result['verdict_reason']}")
         self.assertIn(words, result["verdict_reason"], name)
+        if result["method"] == "machine":
+            self.check_described(name, result["tables"])
+
+    def check_described(self, name, tables):
+        """The reference, made of the quantities, has every column of every table of an analysis."""
+        for table, content in tables.items():
+            if table.startswith(OF_CHECKS):
+                continue
+            known = [t for t in REFERENCE if table == t or table.startswith(t + "_")]
+            self.assertTrue(known, f"{name}: the reference has no table {table}")
+            columns = [c["name"] for c in content["columns"]]
+            described = max(known, key=len)
+            if described == "envelope" and "quantity" in columns and "t_min" in columns:
+                described = "envelope (of a motion)"
+            unknown = [c for c in columns if not any(p.fullmatch(c) for p in REFERENCE[described])]
+            if described == "tensioning":  # and whatever the deck observes
+                unknown = [c for c in unknown if "." in c and c.split(".")[-1] in ("T_start", "T_end")]
+            self.assertEqual(unknown, [], f"{name}: table {table}")
 
     def test_every_example_has_a_row(self):
         rows = set(VERDICTS) | {name for name in decks() if name.startswith(BOOM)}

@@ -9,6 +9,8 @@
 #include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/io/deck/read.hpp"
+#include "taut/machine/links/observable.hpp"
+#include "taut/results/described.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::app {
@@ -111,6 +113,16 @@ std::string keys_table(const std::string& head, const Description& description) 
   return text;
 }
 
+std::string results_table(const std::string& head, const std::vector<QuantityWords>& all) {
+  std::string text = fmt::format("| {} | SI unit | symbol | meaning |\n|---|---|---|---|\n", head);
+  for (const QuantityWords& q : all) {
+    const std::string symbol = q.symbol.empty() ? "" : fmt::format("`{}`", q.symbol);
+    const std::string_view unit = q.unit.symbol == "1" ? "" : q.unit.symbol;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", q.name, unit, symbol, cell(q.words));
+  }
+  return text;
+}
+
 std::string exact_values(const Description& d) {
   std::string text;
   for (const Field& f : d.fields) text += fmt::format("  {:<24}{:<8}{}\n", f.key, f.unit.symbol, f.words);
@@ -181,7 +193,21 @@ std::string reference_guide() {
       "## `machine:` and `analyses:`\n\nA machine in place of a method; see [machine decks](machine-decks.md), also "
       "for "
       "the result tables.\n\n";
-  return text + keys_table("key", MachineDeck::describe()) + "\n";
+  text += keys_table("key", MachineDeck::describe()) + "\n";
+  text +=
+      "## Results of a machine\n\n"
+      "Words in capitals stand for names of the deck: `ROPE.T_max` is `skyline.T_max`. The second and every further "
+      "analysis of a kind\n"
+      "adds an ending to its tables and values, its `name` or its number: `spans_hoist`, `skyline.T_start_2`.\n\n";
+  for (const results::TableWords& t : results::table_words()) {
+    text += fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
+  }
+  text += "### Values\n\nOf the first equilibrium or of each state; those of checks stand with the checks.\n\n";
+  text += results_table("value", results::value_words());
+  text +=
+      "\n### What `observe`, conditions and measures take\n\nOf a moving machine; each is a column of `time.csv`, and "
+      "`NAME_min`, `NAME_max`, `NAME_end` are values.\n\n";
+  return text + results_table("path", machine::observable_words());
 }
 
 }  // namespace taut::app

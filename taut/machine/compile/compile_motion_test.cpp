@@ -169,13 +169,13 @@ TEST(CompileMotion, Observables) {
   ASSERT_TRUE(model) << complaints_of(m);
   const auto& o = model->observed;
   ASSERT_EQ(o.size(), m.observe.size());
-  EXPECT_EQ(o[0].quantity, Quantity::z);
+  EXPECT_EQ(o[0].quantity, Observed::z);
   EXPECT_EQ(o[0].index, 1);
-  EXPECT_EQ(o[2].quantity, Quantity::branch_T);
+  EXPECT_EQ(o[2].quantity, Observed::branch_T);
   EXPECT_EQ(o[2].part, 1);
   EXPECT_EQ(o[3].part, 1) << "the sheave's node";
   EXPECT_EQ(o[4].unit.symbol, "N m");
-  EXPECT_EQ(o[6].quantity, Quantity::signal);
+  EXPECT_EQ(o[6].quantity, Observed::signal);
   EXPECT_EQ(o[6].unit.symbol, "m/s");
   EXPECT_EQ(o[7].index, 1);
   EXPECT_EQ(o[7].at, Vector3(0, 0, 0.3));
@@ -273,7 +273,7 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   EXPECT_EQ(model->tensioners[0].reeving, 0);
   EXPECT_FALSE(model->tensioners[0].at_start);
   EXPECT_NEAR(at(model->tensioners[0].change, 1).value, -3e-3, 1e-18);
-  EXPECT_EQ(model->observed[0].quantity, Quantity::contact_N);
+  EXPECT_EQ(model->observed[0].quantity, Observed::contact_N);
   m.faces[0].normal = {1, 0, 1};
   EXPECT_THAT(complaints_of(m), HasSubstr("faces.floor.normal: is not square"));
   m.faces[0].normal = {0, 0, 1};

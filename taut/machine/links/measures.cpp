@@ -99,7 +99,7 @@ class MeasureReader {
 
   void seen_from(Observable& o) {
     o.seen_from = named(model_.bodies, *given_.seen_from, "body", path_ + ".seen_from", complaints_);
-    if (o.quantity > Quantity::wz) complain(".seen_from", "belongs to a place, a speed or a rotation of a body");
+    if (o.quantity > Observed::wz) complain(".seen_from", "belongs to a place, a speed or a rotation of a body");
   }
 
   void window(Observable& o) {

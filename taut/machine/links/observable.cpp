@@ -14,49 +14,64 @@
 namespace taut::machine {
 namespace {
 
+/// What a path may end with.
 struct Named {
   const char* name;
-  Quantity quantity;
+  Observed quantity;
   Unit unit;
+  const char* words;
 };
 using ObservableNames = Array<Named>;
 
-const ObservableNames of_place = {{"x", Quantity::x, si::m},         {"y", Quantity::y, si::m},
-                                  {"z", Quantity::z, si::m},         {"vx", Quantity::vx, si::m_per_s},
-                                  {"vy", Quantity::vy, si::m_per_s}, {"vz", Quantity::vz, si::m_per_s}};
-const ObservableNames of_body = {{"rx", Quantity::rx, si::rad},   {"ry", Quantity::ry, si::rad},
-                                 {"rz", Quantity::rz, si::rad},   {"wx", Quantity::wx, si::per_s},
-                                 {"wy", Quantity::wy, si::per_s}, {"wz", Quantity::wz, si::per_s}};
-const ObservableNames of_rope = {{"T_start", Quantity::T_start, si::N},
-                                 {"T_end", Quantity::T_end, si::N},
-                                 {"T_max", Quantity::T_max, si::N},
-                                 {"length", Quantity::length, si::m}};
-const ObservableNames of_branch = {{"T", Quantity::branch_T, si::N}, {"length", Quantity::branch_length, si::m}};
-const ObservableNames of_sheave = {{"T_in", Quantity::T_in, si::N},
-                                   {"T_out", Quantity::T_out, si::N},
-                                   {"speed", Quantity::sheave_speed, si::m_per_s},
-                                   {"omega", Quantity::sheave_omega, si::per_s},
-                                   {"angle", Quantity::sheave_angle, si::rad},
-                                   {"slip", Quantity::slip, si::m_per_s}};
-const ObservableNames of_load = {
-    {"T_in", Quantity::T_in, si::N}, {"T_out", Quantity::T_out, si::N}, {"speed", Quantity::slip, si::m_per_s}};
-const ObservableNames of_drum = {{"T", Quantity::drum_T, si::N},
-                                 {"speed", Quantity::drum_speed, si::m_per_s},
-                                 {"length", Quantity::drum_length, si::m},
-                                 {"torque", Quantity::drum_torque, si::N_m},
-                                 {"power", Quantity::drum_power, si::W}};
-const ObservableNames of_contact = {{"N", Quantity::contact_N, si::N},
-                                    {"Ff", Quantity::contact_F, si::N},
-                                    {"speed", Quantity::contact_speed, si::m_per_s},
-                                    {"state", Quantity::contact_state, si::one}};
-const ObservableNames of_actuator = {{"F", Quantity::actuator_F, si::N},
-                                     {"speed", Quantity::actuator_speed, si::m_per_s},
-                                     {"length", Quantity::actuator_length, si::m},
-                                     {"power", Quantity::actuator_power, si::W}};
-const ObservableNames of_energy = {
-    {"kinetic", Quantity::kinetic, si::J},     {"elastic", Quantity::elastic, si::J},
-    {"potential", Quantity::potential, si::J}, {"dissipated", Quantity::dissipated, si::J},
-    {"supplied", Quantity::supplied, si::J},   {"residual", Quantity::residual, si::J}};
+const ObservableNames of_place = {{"x", Observed::x, si::m, "place"},
+                                  {"y", Observed::y, si::m, "place"},
+                                  {"z", Observed::z, si::m, "place"},
+                                  {"vx", Observed::vx, si::m_per_s, "velocity"},
+                                  {"vy", Observed::vy, si::m_per_s, "velocity"},
+                                  {"vz", Observed::vz, si::m_per_s, "velocity"}};
+const ObservableNames of_body = {{"rx", Observed::rx, si::rad, "rotation about x, first"},
+                                 {"ry", Observed::ry, si::rad, "then about y"},
+                                 {"rz", Observed::rz, si::rad, "then about z"},
+                                 {"wx", Observed::wx, si::per_s, "angular velocity"},
+                                 {"wy", Observed::wy, si::per_s, "angular velocity"},
+                                 {"wz", Observed::wz, si::per_s, "angular velocity"}};
+const ObservableNames of_rope = {{"T_start", Observed::T_start, si::N, "tension at the start of its path"},
+                                 {"T_end", Observed::T_end, si::N, "tension at the end of its path"},
+                                 {"T_max", Observed::T_max, si::N, "largest tension in it"},
+                                 {"length", Observed::length, si::m, "unstretched length, what is on drums left out"}};
+const ObservableNames of_branch = {
+    {"T", Observed::branch_T, si::N, "largest tension of branch N, from 1 along the path"},
+    {"length", Observed::branch_length, si::m, "its unstretched length"}};
+const ObservableNames of_sheave = {
+    {"T_in", Observed::T_in, si::N, "tension before it along the path"},
+    {"T_out", Observed::T_out, si::N, "tension behind it"},
+    {"speed", Observed::sheave_speed, si::m_per_s, "speed of its rim along the path"},
+    {"omega", Observed::sheave_omega, si::per_s, "angular velocity"},
+    {"angle", Observed::sheave_angle, si::rad, "angle that it has turned"},
+    {"slip", Observed::slip, si::m_per_s, "speed of the rope less that of the rim, along the path"}};
+const ObservableNames of_load = {{"T_in", Observed::T_in, si::N, "tension before it along the path"},
+                                 {"T_out", Observed::T_out, si::N, "tension behind it"},
+                                 {"speed", Observed::slip, si::m_per_s, "speed of the rope there"}};
+const ObservableNames of_drum = {{"T", Observed::drum_T, si::N, "tension where the rope leaves it"},
+                                 {"speed", Observed::drum_speed, si::m_per_s, "speed of its rim along the path"},
+                                 {"length", Observed::drum_length, si::m, "unstretched rope taken in"},
+                                 {"torque of its drive", Observed::drum_torque, si::N_m, "torque of its drive"},
+                                 {"power", Observed::drum_power, si::W, "power"}};
+const ObservableNames of_contact = {
+    {"N", Observed::contact_N, si::N, "normal force"},
+    {"Ff", Observed::contact_F, si::N, "friction force, of the same sign"},
+    {"speed", Observed::contact_speed, si::m_per_s, "sliding speed, from 'from' to 'to' of the face"},
+    {"state", Observed::contact_state, si::one, "0 apart, 1 slides, 2 sticks"}};
+const ObservableNames of_actuator = {{"F", Observed::actuator_F, si::N, "force"},
+                                     {"speed", Observed::actuator_speed, si::m_per_s, "speed at which it extends"},
+                                     {"length", Observed::actuator_length, si::m, "length"},
+                                     {"power", Observed::actuator_power, si::W, "power"}};
+const ObservableNames of_energy = {{"kinetic", Observed::kinetic, si::J, "energy of motion"},
+                                   {"elastic", Observed::elastic, si::J, "energy of stretched ropes and springs"},
+                                   {"potential", Observed::potential, si::J, "energy of height"},
+                                   {"dissipated", Observed::dissipated, si::J, "lost since the start"},
+                                   {"supplied", Observed::supplied, si::J, "by drives since the start"},
+                                   {"residual", Observed::residual, si::J, "what the ledger leaves open"}};
 
 const Named* find(const ObservableNames& names, const std::string& name) {
   const auto at = std::find_if(names.begin(), names.end(), [&](const Named& n) { return name == n.name; });
@@ -129,7 +144,7 @@ class Resolver {
   std::optional<Observable> signal() {
     const int i = index_of(model_.signals, text_);
     if (i < 0) return std::nullopt;
-    return Observable{text_, Quantity::signal, model_.signals[i].unit, i, -1, Vector3::Zero()};
+    return Observable{text_, Observed::signal, model_.signals[i].unit, i, -1, Vector3::Zero()};
   }
   std::optional<Observable> energy() {
     return path_.name == "energy" && !path_.number ? make(of_energy, -1) : std::nullopt;
@@ -251,6 +266,18 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
     return std::nullopt;
   }
   return Condition{*of, text[sign] == '>', *threshold};
+}
+
+std::vector<QuantityWords> observable_words() {
+  const std::vector<std::pair<std::string, const ObservableNames*>> all = {
+      {"BODY.", &of_place},      {"BODY.", &of_body},         {"POINT.", &of_place},  {"ROPE.", &of_rope},
+      {"ROPE[N].", &of_branch},  {"SHEAVE.", &of_sheave},     {"LOAD.", &of_load},    {"DRUM.", &of_drum},
+      {"CONTACT.", &of_contact}, {"CYLINDER.", &of_actuator}, {"energy.", &of_energy}};
+  std::vector<QuantityWords> words;
+  for (const auto& [of, names] : all) {
+    for (const Named& one : *names) words.push_back({of + one.name, "", one.unit, one.words});
+  }
+  return words;
 }
 
 Array<Observable> usual_observables(const Model& model) {

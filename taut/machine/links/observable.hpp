@@ -5,6 +5,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
@@ -24,5 +25,8 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 /// each free body along its ways, speed of each drum and motor, normal and friction force of each contact, force of
 /// each actuator.
 Array<Observable> usual_observables(const Model& model);
+
+/// All that a path may name, for the reference: words in capitals stand for names of the deck, N for a number.
+std::vector<QuantityWords> observable_words();
 
 }  // namespace taut::machine

@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "taut/calc/quantity.hpp"
 #include "taut/results/machine_run.hpp"
 
 namespace taut::results {
@@ -14,5 +17,9 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
 void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& r);
 void add_answer(const study::LeastTensionRun& asked, MachineRun& machine, Result& r);
 void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r);
+
+/// The columns of `lengths` and of `sweep`, as described: several kinds of things are in one table.
+std::vector<QuantityWords> lengths_words();
+std::vector<QuantityWords> sweep_words();
 
 }  // namespace taut::results

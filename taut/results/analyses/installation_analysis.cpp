@@ -174,6 +174,8 @@ void add_results(const InstallationRun& run, bool judged, Result& r) {
 
 }  // namespace
 
+std::vector<QuantityWords> lengths_words() { return words_of(lengths_of_ropes()); }
+
 void add_answer(const InstallationRun& asked, MachineRun& machine, Result& r) {
   InstallationRun run = asked;
   study::solve(machine.model, run);

@@ -159,6 +159,13 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
 
 }  // namespace
 
+std::vector<QuantityWords> sweep_words() {
+  std::vector<QuantityWords> all = {{"value", "", si::one, "of the parameter, in its own unit"}};
+  for (const auto& q : swept_body()) all.push_back({"BODY." + q.about.name, "", q.about.unit, q.about.words});
+  for (const auto& q : swept_rope()) all.push_back({"ROPE." + q.about.name, "", q.about.unit, q.about.words});
+  return all;
+}
+
 void add_answer(const study::SweepRun& asked, MachineRun& machine, Result& r) {
   study::SweepRun run = asked;
   study::Watch watch(machine.progress, "sweep" + run.ending, run.steps + 1);

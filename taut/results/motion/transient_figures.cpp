@@ -219,7 +219,7 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   }
   for (std::size_t i = 0; i < run.model.observed.size() && a.readouts.size() < most_readouts; ++i) {
     const machine::Observable& o = run.model.observed[i];
-    const bool end = o.quantity == machine::Quantity::T_start || o.quantity == machine::Quantity::T_end;
+    const bool end = o.quantity == machine::Observed::T_start || o.quantity == machine::Observed::T_end;
     if (!end) a.readouts.push_back({o.name, o.unit, run.result.observed[i]});
   }
   return a;

@@ -315,17 +315,17 @@ double power_of_couples(const Mechanism& m, int body, const Values& v) {
 }
 
 double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what) {
-  using machine::Quantity;
-  const bool face = what.quantity <= Quantity::contact_state && what.quantity >= Quantity::contact_N;
+  using machine::Observed;
+  const bool face = what.quantity <= Observed::contact_state && what.quantity >= Observed::contact_N;
   const auto i = as_size(what.index);
   if (face) {
     const TransientFrame::FaceContact f = face_frame(m, v, i);
     switch (what.quantity) {
-      case Quantity::contact_N:
+      case Observed::contact_N:
         return f.N;
-      case Quantity::contact_F:
+      case Observed::contact_F:
         return f.F;
-      case Quantity::contact_speed:
+      case Observed::contact_speed:
         return f.speed;
       default:
         return f.sticks ? 2 : f.closed ? 1 : 0;
@@ -333,11 +333,11 @@ double observe_couple(const Mechanism& m, const Values& v, const machine::Observ
   }
   const ActuatorValues& a = v.actuators[i];
   switch (what.quantity) {
-    case Quantity::actuator_F:
+    case Observed::actuator_F:
       return a.F;
-    case Quantity::actuator_speed:
+    case Observed::actuator_speed:
       return a.speed;
-    case Quantity::actuator_length:
+    case Observed::actuator_length:
       return a.length;
     default:
       return a.F * a.speed;

@@ -13,7 +13,7 @@
 namespace taut::solve::dynamics {
 namespace {
 
-using machine::Quantity;
+using machine::Observed;
 
 constexpr int parts_of_curve = 16;  ///< of a sagging branch in a frame
 
@@ -126,16 +126,16 @@ double angle_about(const Matrix3& R, int axis, double counted) {
 }
 
 /// As one sees it who stands on another body, in that one's axes.
-double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm, Quantity what, double counted) {
+double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm, Observed what, double counted) {
   const Vector3 apart = body.x + arm - seat.x;
   const Vector3 rate = body.v + body.w.cross(arm) - seat.v - seat.w.cross(apart);
   const int k = static_cast<int>(what);
   switch (k / 3) {
-    case static_cast<int>(Quantity::x) / 3:
+    case static_cast<int>(Observed::x) / 3:
       return (seat.R.transpose() * apart)[k % 3];
-    case static_cast<int>(Quantity::vx) / 3:
+    case static_cast<int>(Observed::vx) / 3:
       return (seat.R.transpose() * rate)[k % 3];
-    case static_cast<int>(Quantity::rx) / 3:
+    case static_cast<int>(Observed::rx) / 3:
       return angle_about(seat.R.transpose() * body.R, k % 3, counted);
     default:
       return (seat.R.transpose() * (body.w - seat.w))[k % 3];
@@ -149,15 +149,15 @@ double observe_place(const Run& run, const Values& v, const machine::Observable&
   const int k = static_cast<int>(what.quantity);
   const auto counted = [&](int body_of) { return counted_turn(run, v, body_of, k % 3); };
   if (what.seen_from >= 0) {
-    const double turn = k / 3 == static_cast<int>(Quantity::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
+    const double turn = k / 3 == static_cast<int>(Observed::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
     return observe_from(v.bodies[what.seen_from], body, arm, what.quantity, turn);
   }
-  const auto in = [&](Quantity first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
-  const auto axis = [&](Quantity first) { return k - static_cast<int>(first); };
-  if (in(Quantity::x)) return (body.x + arm)[axis(Quantity::x)];
-  if (in(Quantity::vx)) return (body.v + body.w.cross(arm))[axis(Quantity::vx)];
-  if (in(Quantity::rx)) return angle_about(body.R, axis(Quantity::rx), counted(what.index));
-  return body.w[axis(Quantity::wx)];
+  const auto in = [&](Observed first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
+  const auto axis = [&](Observed first) { return k - static_cast<int>(first); };
+  if (in(Observed::x)) return (body.x + arm)[axis(Observed::x)];
+  if (in(Observed::vx)) return (body.v + body.w.cross(arm))[axis(Observed::vx)];
+  if (in(Observed::rx)) return angle_about(body.R, axis(Observed::rx), counted(what.index));
+  return body.w[axis(Observed::wx)];
 }
 
 double observe_rope(const Run& run, const Values& v, const machine::Observable& what) {
@@ -165,13 +165,13 @@ double observe_rope(const Run& run, const Values& v, const machine::Observable& 
   const int pieces = std::max(1, run.model.reevings[what.index].segments);
   double T = 0, L = 0;
   switch (what.quantity) {
-    case Quantity::T_start:
+    case Observed::T_start:
       return v.lines[first].end_T[0];
-    case Quantity::T_end:
+    case Observed::T_end:
       return v.lines[first + lines - 1].end_T[1];
-    case Quantity::T_max:
+    case Observed::T_max:
       return rope_tension(run.m, v, what.index, nullptr);
-    case Quantity::length:
+    case Observed::length:
       for (int i = first; i < first + lines; ++i) L += v.lines[i].L;
       return L;
     default:
@@ -179,7 +179,7 @@ double observe_rope(const Run& run, const Values& v, const machine::Observable& 
         T = std::max({T, v.lines[i].end_T[0], v.lines[i].end_T[1]});
         L += v.lines[i].L;
       }
-      return what.quantity == Quantity::branch_T ? T : L;
+      return what.quantity == Observed::branch_T ? T : L;
   }
 }
 
@@ -188,21 +188,21 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
     const Contact& load = run.m.chain_loads[k].as;
     if (load.reeving != what.index || load.node != what.part) continue;
     const TransientFrame::Contact c = chain_load_frame(run.m, v, k);
-    return what.quantity == Quantity::T_in ? c.T_in : what.quantity == Quantity::T_out ? c.T_out : c.slip;
+    return what.quantity == Observed::T_in ? c.T_in : what.quantity == Observed::T_out ? c.T_out : c.slip;
   }
   const int i = contact_at(run.m, what.index, what.part);
   if (i < 0 || run.m.contacts[i].in < 0 || run.m.contacts[i].out < 0) return 0;
   const TransientFrame::Contact c = contact_of(run.m, v, as_size(i));
   switch (what.quantity) {
-    case Quantity::T_in:
+    case Observed::T_in:
       return c.T_in;
-    case Quantity::T_out:
+    case Observed::T_out:
       return c.T_out;
-    case Quantity::sheave_speed:
+    case Observed::sheave_speed:
       return c.spin * run.m.contacts[i].radius;
-    case Quantity::sheave_omega:
+    case Observed::sheave_omega:
       return c.spin;
-    case Quantity::sheave_angle:
+    case Observed::sheave_angle:
       return c.angle;
     default:
       return c.slip;
@@ -212,32 +212,32 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
 double observe_drum(const Run& run, const Values& v, const machine::Observable& what) {
   const int spin = spin_of_drum(run.m, what.index);
   if (spin < 0) return 0;
-  if (what.quantity == Quantity::drum_length) return v.drums[what.index].content;
+  if (what.quantity == Observed::drum_length) return v.drums[what.index].content;
   const TransientFrame::Drum d = turning_of(run.m, v, as_size(spin));
   switch (what.quantity) {
-    case Quantity::drum_T:
+    case Observed::drum_T:
       return d.T;
-    case Quantity::drum_speed:
+    case Observed::drum_speed:
       return d.speed;
-    case Quantity::drum_torque:
+    case Observed::drum_torque:
       return d.torque;
     default:
       return d.power;
   }
 }
 
-double observe_energy(const Run& run, Quantity what) {
+double observe_energy(const Run& run, Observed what) {
   const EnergyLedger e = told(run.ledger);
   switch (what) {
-    case Quantity::kinetic:
+    case Observed::kinetic:
       return e.kinetic;
-    case Quantity::elastic:
+    case Observed::elastic:
       return e.elastic;
-    case Quantity::potential:
+    case Observed::potential:
       return e.potential;
-    case Quantity::dissipated:
+    case Observed::dissipated:
       return e.dissipated();
-    case Quantity::supplied:
+    case Observed::supplied:
       return e.supplied;
     default:
       return e.residual;
@@ -247,12 +247,12 @@ double observe_energy(const Run& run, Quantity what) {
 }  // namespace
 
 double observe_as_it_is(const Run& run, const Values& v, const machine::Observable& what) {
-  if (what.quantity <= Quantity::wz) return observe_place(run, v, what);
-  if (what.quantity <= Quantity::length) return observe_rope(run, v, what);
-  if (what.quantity <= Quantity::slip) return observe_sheave(run, v, what);
-  if (what.quantity <= Quantity::drum_power) return observe_drum(run, v, what);
-  if (what.quantity == Quantity::signal) return machine::at(run.model.signals[what.index], v.t).value;
-  if (what.quantity >= Quantity::kinetic) return observe_energy(run, what.quantity);
+  if (what.quantity <= Observed::wz) return observe_place(run, v, what);
+  if (what.quantity <= Observed::length) return observe_rope(run, v, what);
+  if (what.quantity <= Observed::slip) return observe_sheave(run, v, what);
+  if (what.quantity <= Observed::drum_power) return observe_drum(run, v, what);
+  if (what.quantity == Observed::signal) return machine::at(run.model.signals[what.index], v.t).value;
+  if (what.quantity >= Observed::kinetic) return observe_energy(run, what.quantity);
   return observe_couple(run.m, v, what);
 }
 
