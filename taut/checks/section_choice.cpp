@@ -32,7 +32,7 @@ const Description& SectionChoice::describe() {
           .above(0)
           .choice(&R::least_trust, "least_trust",
                   {{"verified", Trust::verified}, {"derived", Trust::derived}, {"unverified", Trust::unverified}},
-                  "worst trust of a row that may be chosen");
+                  "least trust of a row that may be chosen");
   return d;
 }
 

@@ -20,10 +20,10 @@ const Description& RopeLimitRequest::describe() {
           .above(0)
           .at_most(1000)
           .field(&RopeLimitRequest::rule, "rule",
-                 "of a rope: id of a safety factor of the catalogue ('taut list rules'); checked, and the limit where "
-                 "no other is given")
+                 "of a rope: id of a safety factor in the catalogue ('taut list rules'); it is checked, and it is the "
+                 "limit if no other is given")
           .field(&RopeLimitRequest::clearance, "clearance", "c", si::m,
-                 "of a rope: its least height over the ground between 'from' and 'to'")
+                 "of a rope: its least height above the ground between 'from' and 'to'")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&RopeLimitRequest::pull, "pull", "F", si::N, "of a drum: its largest pull")
@@ -35,11 +35,11 @@ const Description& RopeLimitRequest::describe() {
 const Description& LimitsRequest::describe() {
   static const Description d =
       Describe<LimitsRequest>()
-          .field(&LimitsRequest::clearance, "clearance", "c", si::m, "least height of the carriage over the ground")
+          .field(&LimitsRequest::clearance, "clearance", "c", si::m, "least height of the carriage above the ground")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&LimitsRequest::rope_clearance, "rope_clearance", "c", si::m,
-                 "least height over the ground of the rope that it rides on, between 'from' and 'to'")
+                 "least height above the ground of the rope on which it rides, between 'from' and 'to'")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&LimitsRequest::break_angle, "break_angle", "", si::rad,
@@ -59,7 +59,7 @@ const Description& LimitsRequest::describe() {
 const Description& PayloadRequest::describe() {
   static const Description d =
       Describe<PayloadRequest>()
-          .field(&PayloadRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PayloadRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&PayloadRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&PayloadRequest::carriage, "carriage", "the carriage that carries the payload")
           .required()
@@ -79,9 +79,9 @@ const Description& PayloadRequest::describe() {
           .shorthand("sense")
           .one_for_all()
           .field(&PayloadRequest::held, "held", "as for an equilibrium, at every position")
-          .record(&PayloadRequest::limits, "limits", "what must not be exceeded")
+          .record(&PayloadRequest::limits, "limits", "limits, at least one")
           .required()
-          .field(&PayloadRequest::most, "most", "m", si::kg, "no payload above this is looked for")
+          .field(&PayloadRequest::most, "most", "m", si::kg, "upper bound of the payload")
           .above(0)
           .at_most(heaviest);
   return d;
@@ -96,26 +96,27 @@ const Description& GivenRequest::describe() {
           .above(0)
           .at_most(strongest)
           .field(&GivenRequest::loop_length, "loop_length", "L", si::m,
-                 "its unstretched length, in place of the machine's")
+                 "its unstretched length, in place of that in the machine")
           .above(0)
           .at_most(farthest)
           .field(&GivenRequest::sag, "sag", "f", si::m,
-                 "of the carriage below the line between its supports; without a carriage of a free span at half its "
-                 "horizontal length, below its chord")
+                 "sag of the carriage below the line between its supports; without a carriage, of a free span below "
+                 "its chord at half its horizontal length")
           .above(0)
           .at_most(farthest)
-          .field(&GivenRequest::free_running, "free_running",
-                 "true: the carriage, rolling and without mainline, stands at its place by itself")
+          .field(
+              &GivenRequest::free_running, "free_running",
+              "true: the carriage, rolling and without mainline, is in equilibrium at its place without another force")
           .field(&GivenRequest::of, "of",
-                 "the rope that the winch pulls, or all ropes of the loop, where it is not this one alone")
+                 "the rope that the winch pulls, or all ropes of the loop; default: this rope alone")
           .field(&GivenRequest::efficiency, "efficiency", "eta", si::one,
-                 "of a winch's lead: the rope's tension is winch_pull times this")
+                 "efficiency of the lead sheaves of a winch: the tension of the rope is winch_pull times this")
           .above(0)
           .at_most(1)
           .choice(&GivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
-                  "where the winch pulls: at the start or the end of the rope's path")
+                  "end of the path at which the winch pulls")
           .field(&GivenRequest::span, "span", "", si::one,
-                 "number of the free span of the rope that has the sag, from 1; without it the longest")
+                 "number of the free span with the sag, from 1; default: the longest")
           .at_least(1)
           .exactly_one({"winch_pull", "loop_length", "sag", "free_running"});
   return d;
@@ -124,25 +125,25 @@ const Description& GivenRequest::describe() {
 const Description& InstallationGivenRequest::describe() {
   static const Description d =
       Describe<InstallationGivenRequest>()
-          .field(&InstallationGivenRequest::tension, "tension", "T", si::N, "of the empty rope at one end")
+          .field(&InstallationGivenRequest::tension, "tension", "T", si::N, "tension of the empty rope at one end")
           .above(0)
           .at_most(strongest)
           .field(&InstallationGivenRequest::length, "length", "L", si::m,
-                 "unstretched, at the reference temperature; without any of the three the machine's own")
+                 "unstretched length at the reference temperature")
           .above(0)
           .at_most(farthest)
           .field(&InstallationGivenRequest::sag, "sag", "f", si::m,
-                 "of a free span at half its horizontal length, below its chord")
+                 "sag of a free span below its chord, at half its horizontal length")
           .above(0)
           .at_most(farthest)
           .choice(&InstallationGivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
-                  "end of the path at which the tension is")
+                  "end of the path with this tension")
           .field(&InstallationGivenRequest::span, "span", "", si::one,
-                 "number of the free span that has the sag, from 1; without it the longest")
+                 "number of the free span with the sag, from 1; default: the longest")
           .at_least(1)
           .field(&InstallationGivenRequest::temperature, "temperature", "", si::K.in("degC"),
-                 "at which it holds, the length found is kept at all others; without it it holds at each temperature "
-                 "and the length follows")
+                 "temperature at which it holds; the length found there is kept at the others. Default: it holds at "
+                 "each temperature, and the length follows")
           .above(0)
           .at_most(2000)
           .exactly_one({"tension", "length", "sag"});
@@ -152,14 +153,13 @@ const Description& InstallationGivenRequest::describe() {
 const Description& InstallationRequest::describe() {
   static const Description d =
       Describe<InstallationRequest>()
-          .field(&InstallationRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&InstallationRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&InstallationRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&InstallationRequest::reeving, "reeving",
-                 "the rope that is put up empty: without its carriages, and "
-                 "without what hangs on them")
+                 "the rope that is put up empty, without its carriages and what hangs on them")
           .required()
           .field(&InstallationRequest::temperatures, "temperatures", "", si::K.in("degC"),
-                 "at each of these, such as 15 degC; without them the machine's")
+                 "temperatures, such as 15 degC; default: that of the machine")
           .above(0)
           .at_most(2000)
           .field(&InstallationRequest::from, "from", "", si::K.in("degC"), "first temperature, in place of a list")
@@ -171,7 +171,7 @@ const Description& InstallationRequest::describe() {
           .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)
           .at_most(10000)
-          .record(&InstallationRequest::given, "given", "tension, length or sag; without it what the machine gives");
+          .record(&InstallationRequest::given, "given", "tension, length or sag; default: what the reeving gives");
   return d;
 }
 
@@ -183,17 +183,17 @@ const Description& PhaseRequest::describe() {
           .named_records(&PhaseRequest::motion, "motion", "as for an equilibrium: in, out, ...")
           .shorthand("sense")
           .one_for_all()
-          .field(&PhaseRequest::load, "load", "m", si::kg, "on the carriage, beside the machine's own loads")
+          .field(&PhaseRequest::load, "load", "m", si::kg, "load on the carriage, in addition to those of the machine")
           .at_least(0)
           .at_most(heaviest)
-          .field(&PhaseRequest::from, "from", "x", si::m, "first place of the carriage, in place of the cycle's")
+          .field(&PhaseRequest::from, "from", "x", si::m, "first place of the carriage, in place of that of the cycle")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&PhaseRequest::to, "to", "x", si::m, "last place")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&PhaseRequest::speed, "speed", "v", si::m_per_s,
-                 "of the carriage along its way, in place of the cycle's")
+                 "speed of the carriage, in place of that of the cycle")
           .above(0)
           .at_most(1000);
   return d;
@@ -202,7 +202,7 @@ const Description& PhaseRequest::describe() {
 const Description& CycleRequest::describe() {
   static const Description d =
       Describe<CycleRequest>()
-          .field(&CycleRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&CycleRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&CycleRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&CycleRequest::carriage, "carriage", "the carriage that is moved")
           .required()
@@ -211,7 +211,7 @@ const Description& CycleRequest::describe() {
           .at_most(farthest)
           .required()
           .field(&CycleRequest::to, "to", "x", si::m,
-                 "last place there; phases without places of their own go back and forth")
+                 "last place in the first phase; phases without places of their own go back and forth")
           .at_least(-farthest)
           .at_most(farthest)
           .required()
@@ -220,11 +220,10 @@ const Description& CycleRequest::describe() {
           .at_most(10000)
           .field(&CycleRequest::along, "along", "", si::one, "as for a load path")
           .field(&CycleRequest::held, "held", "as for an equilibrium, at every position")
-          .field(&CycleRequest::speed, "speed", "v", si::m_per_s,
-                 "of the carriage along its way: gives powers and times")
+          .field(&CycleRequest::speed, "speed", "v", si::m_per_s, "speed of the carriage, for powers and times")
           .above(0)
           .at_most(1000)
-          .record(&CycleRequest::phases, "phases", "one after the other")
+          .record(&CycleRequest::phases, "phases", "phases in their order")
           .required();
   return d;
 }
@@ -232,10 +231,10 @@ const Description& CycleRequest::describe() {
 const Description& EnvelopeRequest::describe() {
   static const Description d =
       Describe<EnvelopeRequest>()
-          .field(&EnvelopeRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EnvelopeRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&EnvelopeRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&EnvelopeRequest::carriage, "carriage",
-                 "the carriage that is moved; without it the machine as it stands")
+                 "the carriage that is moved; without it the machine as described")
           .field(&EnvelopeRequest::from, "from", "x", si::m, "first place of the carriage")
           .at_least(-farthest)
           .at_most(farthest)
@@ -247,15 +246,14 @@ const Description& EnvelopeRequest::describe() {
           .at_most(10000)
           .field(&EnvelopeRequest::along, "along", "", si::one, "as for a load path")
           .field(&EnvelopeRequest::held, "held", "as for an equilibrium, at every position")
-          .field(&EnvelopeRequest::load_at, "load_at",
-                 "the body or carriage that gets the loads; without it the carriage")
-          .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "each of these, beside the machine's own loads")
+          .field(&EnvelopeRequest::load_at, "load_at", "the body or carriage with the loads; default: the carriage")
+          .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "loads, each in addition to those of the machine")
           .at_least(0)
           .at_most(heaviest)
-          .field(&EnvelopeRequest::motions, "motions", "each of these; without them at_rest")
+          .field(&EnvelopeRequest::motions, "motions", "motions; default: at_rest")
           .of({"at_rest", "hoist", "lower", "in", "out"})
           .field(&EnvelopeRequest::temperatures, "temperatures", "", si::K.in("degC"),
-                 "each of these; without them the machine's")
+                 "temperatures; default: that of the machine")
           .above(0)
           .at_most(2000);
   return d;
@@ -264,7 +262,7 @@ const Description& EnvelopeRequest::describe() {
 const Description& SweepRequest::describe() {
   static const Description d =
       Describe<SweepRequest>()
-          .field(&SweepRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&SweepRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&SweepRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&SweepRequest::parameter, "parameter",
                  "a number of the machine by its path in the deck: 'loads[0].mass', 'reevings.skyline.length', "
@@ -280,7 +278,7 @@ const Description& SweepRequest::describe() {
           .named_records(&SweepRequest::motion, "motion", "as for an equilibrium")
           .shorthand("sense")
           .one_for_all()
-          .field(&SweepRequest::carriage, "carriage", "the carriage that is held at x")
+          .field(&SweepRequest::carriage, "carriage", "the carriage that is placed at x")
           .field(&SweepRequest::x, "x", "x", si::m, "its place")
           .at_least(-farthest)
           .at_most(farthest)
