@@ -19,8 +19,8 @@ struct Job {
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Reads the deck, runs its method or machine, and returns everything a report needs. The program and all tests call
-/// this function.
+/// Reads the deck, runs its method or machine, and returns everything a report needs. The program calls it for every
+/// deck.
 /// Returns status bad_deck with `errors` for mistakes of the deck, and infeasible or not_converged where there is no
 /// answer. Throws ContractViolation only for a bug of taut.
 Result run(const Job& job);

@@ -82,7 +82,7 @@ struct Field {
   std::vector<std::string> choices;
   const Description* record = nullptr;  ///< fields of a nested struct
   std::string shorthand;  ///< nested structs: a value that is not a map is taken as this field, `head: [0 m, 0 m, 1 m]`
-  /// named structs: the shorthand may replace the whole map; it is then one struct without a name.
+  /// Named structs: the shorthand may replace the whole map; it is then one struct without a name.
   bool one_for_all = false;
   bool rest = false;  ///< named structs: their maps stand directly beside the other keys, without this key
   std::function<Slot(void*)> slot;

@@ -45,7 +45,7 @@ struct Check {
   std::string rule;   ///< the rule and its source in words
   std::string trust;  ///< trust in the limit: "verified", "derived", "UNVERIFIED: ...", "user"
   std::string part;   ///< part of the machine, "skyline", by which the report groups; empty: the whole machine
-  /// false: breaking force, yield, ground. Such a check can fail but does not count as the limit of a part.
+  /// False for breaking force, yield and ground: such a check can fail, but it does not count as the limit of a part.
   bool limits = true;
   std::string where = {};  ///< the state with the largest utilisation, "load path, in, x = 12 m"; empty: see `rule`
   bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
@@ -172,7 +172,7 @@ struct Result {
   std::string preface;                 ///< put before the sentence of the verdict: "The deck breaks the skyline at 2 s"
   std::string headline;  ///< the main answer where it is not a utilisation: "Carries 2.96 t, least at ..."
   Diagnostics errors;
-  /// ended from outside; the result is what was computed before, and `message` says up to where.
+  /// Ended from outside; the result is what was computed before, and `message` says up to where.
   bool interrupted = false;
   std::string deck_name;
   std::string deck_hash;

@@ -8,7 +8,7 @@ namespace taut::catalogue {
 enum class Trust {
   verified,   ///< read in a public source
   derived,    ///< computed from verified factors or from geometry
-  unverified  ///< remembered or inferred; the report marks it wherever it decides
+  unverified  ///< recalled or inferred; the report marks it wherever it decides
 };
 
 /// "verified", "derived" or "unverified".

@@ -36,7 +36,7 @@ struct Body {
   Vector3 centre = Vector3::Zero();           ///< centre of mass, in the body frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
   Array<DrivenWay> driven;  ///< motions given by signals; `position` and `orientation` are those at t = 0
-  /// kg: inertia of take-up weights along its only freedom; their weight is one of the loads.
+  /// Mass of take-up weights, kg: inertia along its only degree of freedom. Their weight is one of the loads.
   double counterweight = 0;
   int beam = -1;  ///< index of the beam of which this body is a section; -1: none
 };
@@ -60,7 +60,8 @@ enum class NodeKind {
 
 /// The force at a node of kind load, along the rope.
 struct RopeLoad {
-  /// fraction of the unstretched rope between the neighbouring nodes of other kinds, from the first of them.
+  /// Place, as a fraction of the unstretched rope between the neighbouring nodes of other kinds, from the first of
+  /// them.
   double share = 0.5;
   double force = 0;  ///< N
   double rate = 0;   ///< N per unstretched metre, over the fraction `part` of that rope
@@ -72,9 +73,9 @@ struct RopeLoad {
 };
 
 /// Loss of tension at a contact. In the sense of growing tension T_out = r T_in, ln r = min(friction * wrap, -ln
-/// efficiency): groove and bearing act in series, and the weaker one gives way. Without inertia of rotation.
-/// A saddle: efficiency 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope cannot
-/// slip. A rolling carriage: efficiency 0 and its rolling friction. No loss: efficiency 1.
+/// efficiency): groove and bearing act in series, and the weaker one gives way. The inertia of rotation is not
+/// included. A saddle: efficiency 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope
+/// cannot slip. A rolling carriage: efficiency 0 and its rolling friction. No loss: efficiency 1.
 struct ContactLaw {
   double friction = std::numeric_limits<double>::infinity();  ///< of the rope on the groove, >= 0
   double efficiency = 1;                                      ///< of the turning sheave, 0 <= efficiency <= 1
@@ -94,7 +95,7 @@ struct Node {
   Vector3 support = Vector3::Zero();  ///< 0: holds the rope in both directions (a sheave with a guard, a carriage).
                                       ///< Else the unit vector from the support to the rope, in the ground frame (a
                                       ///< saddle: 0, 0, 1), in which the rope can lift off
-  /// where the rope pulls away: true: it leaves the support; false: it is held, and this is reported.
+  /// Where the rope pulls away from the support: true: it lifts off; false: it is held, and this is reported.
   bool may_lift = false;
   /// Of a clamp: unstretched length from the start of the rope to the clamp, at the reference temperature, m. Of a
   /// closed rope the length starts where the rope arrives at its drive.
@@ -144,7 +145,7 @@ struct Reeving {
   int copies = 1;             ///< number of equal parallel ropes; every force on the machine is multiplied by it
   double damping_ratio = 0;   ///< zeta of the lowest mode that stretches the rope; 0: not given
   double damping_time = 0;    ///< beta, s: T = EA (e + beta e'); 0: not given
-  /// > 1: in motion each branch is a chain of so many segments, with the mass of the rope at their joints.
+  /// Number of segments of each branch in motion. > 1: a chain with the mass of the rope at its joints.
   int segments = 1;
   double speed = 0;     ///< of the running rope, m/s, >= 0; its centrifugal tension is mass * speed^2
   double mass = 0;      ///< per unstretched length, kg/m

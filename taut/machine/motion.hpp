@@ -42,11 +42,12 @@ struct Drum {
   bool automatic_layers = false;         ///< the layer follows the rope on the drum
   double width = 0;                      ///< between the flanges, m; 0: not known
   std::optional<double> length_on_drum;  ///< at the start, m
-  std::optional<double> wound_at;        ///< winding tension of the rope on it, N; none: the tension at the start
-  double pitch = 0;                      ///< from wrap to wrap, m; 0: the rope's diameter
-  double layer_height = 0;               ///< m; 0: the rope's diameter
-  double flange_diameter = 0;            ///< m; 0: not limited
-  double inertia = 0;                    ///< kg m2
+  std::optional<double>
+      wound_at;                ///< winding tension of the rope on it, N; none: 0, in motion the tension at the start
+  double pitch = 0;            ///< from wrap to wrap, m; 0: the rope's diameter
+  double layer_height = 0;     ///< m; 0: the rope's diameter
+  double flange_diameter = 0;  ///< m; 0: not limited
+  double inertia = 0;          ///< kg m2
   Drive drive;
 };
 

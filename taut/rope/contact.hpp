@@ -20,7 +20,7 @@ enum class ContactState {
 struct Contact {
   double wrap = 0;      ///< rad, >= 0
   double friction = 0;  ///< rope on groove, effective (see v_groove_friction), >= 0
-  /// of the bearing: smaller over larger tension when the rope turns the sheave, 0 < efficiency <= 1.
+  /// Of the bearing: smaller over larger tension when the rope turns the sheave, 0 < efficiency <= 1.
   double efficiency = 1;
   bool turns = true;  ///< false: saddle
   /// m v^2, N: the part of the tension of a running rope that does not press on the sheave, >= 0.

@@ -28,7 +28,7 @@ struct BeamResult {
   int beam = 0;
   Array<BeamPoint> points;  ///< from start to end; two points where something is fixed to it
   Vector3 base_force = Vector3::Zero(), base_moment = Vector3::Zero();
-  /// indices of the points with the largest M, |N| and stress.
+  /// Indices of the points with the largest M, |N| and stress.
   std::size_t most_bent = 0, most_pressed = 0, most_stressed = 0;
   double top_displacement = 0;  ///< magnitude of the deflection of the last point, m
   double lean = 0;  ///< inclination of the chord against its direction as built, of a beam with a free top, rad

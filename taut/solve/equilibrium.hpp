@@ -41,7 +41,7 @@ struct EquilibriumOptions {
 struct SpanResult {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   double T_from = 0, T_to = 0, H = 0, V_from = 0, V_to = 0;
-  /// m; unstretched: of the free rope of this branch, at the reference temperature.
+  /// Lengths, m. unstretched: of the free rope of this branch, at the reference temperature.
   double chord = 0, unstretched = 0, stretched = 0, sag = 0;
   Vector3 start = Vector3::Zero(), end = Vector3::Zero();             ///< ends of the free rope, m
   bool slack = false;                                                 ///< a weightless rope that carries no force
@@ -117,7 +117,7 @@ struct EquilibriumResult {
 /// derivatives over the degrees of freedom of the bodies and the unstretched length of every branch. Where it fails
 /// from that start, loads and rope weights are increased in steps. Ropes with a speed flow as the motion says; their
 /// tensions contain the centrifugal tension m v^2, which no support feels. At rest, loads that depend on the motion act
-/// as if the ropes hauled in. Returns infeasible or not_converged with a message in `outcome`.
+/// as if the ropes hauled in, in the band too. Returns infeasible or not_converged with a message in `outcome`.
 /// docs/theory/equilibrium.md, docs/theory/drives.md.
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options = {},
                               const std::optional<machine::State>& start = std::nullopt);

@@ -18,7 +18,7 @@ struct Bow {
   double length = 1;              ///< of the whole beam, m
   Eigen::Vector2d towards{1, 0};  ///< unit vector of the section's x and y
   double turn(double s) const;    ///< rotation of the axis against its chord, rad
-  /// axes of the section at s; columns of `chord`: x, y, direction of the chord.
+  /// Axes of the section at s. Columns of `chord`: x, y, direction of the chord.
   Matrix3 axes(const Matrix3& chord, double s) const;
 };
 

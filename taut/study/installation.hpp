@@ -12,7 +12,7 @@ struct EmptyLine {
   Outcome outcome;  ///< infeasible: the rope ends on a part that was removed
   machine::Model model;
   int reeving = 0;                   ///< index of the rope in this model
-  std::vector<std::string> removed;  ///< names of the carriages and ropes removed
+  std::vector<std::string> removed;  ///< names of the bodies, carriages and ropes removed
 };
 
 /// Exceptions while a rope is put up, by index in the model.

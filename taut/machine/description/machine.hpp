@@ -32,7 +32,7 @@ struct Rope {
   std::optional<double> breaking_force;  ///< N
   std::optional<double> diameter;        ///< m
   double expansion = 1.2e-5;             ///< 1/K
-  /// K, the temperature at which lengths are given; default: that of the machine.
+  /// Temperature at which lengths are given, K; default: that of the machine.
   std::optional<double> reference_temperature;
   std::optional<double> damping_ratio;  ///< for dynamics
   std::optional<double> damping_time;   ///< s, for dynamics
@@ -46,7 +46,7 @@ struct Body {
   Triple centre{};                ///< centre of mass relative to the origin, m
   std::vector<std::string> free;  ///< degrees of freedom, of x y z rx ry rz
   std::optional<Triple> guide;    ///< direction of its only translation
-  /// about the centre of mass, kg m2: one value for all axes, or Ixx, Iyy, Izz; for dynamics.
+  /// Moment of inertia about the centre of mass, kg m2: one value for all axes, or Ixx, Iyy, Izz; for dynamics.
   std::vector<double> inertia;
   std::optional<BodyMotion> motion;
   std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
@@ -106,7 +106,7 @@ struct Drum {
   double inertia = 0;                     ///< kg m2, for dynamics
   std::optional<Layers> layers;           ///< automatic: the layer follows from the rope on the drum
   std::optional<double> length_on_drum;   ///< unstretched, m
-  std::optional<double> wound_at;         ///< winding tension of the rope on it, N; default: 0
+  std::optional<double> wound_at;         ///< winding tension, N; default: 0, in motion the tension at the start
   std::optional<double> face_width;       ///< between the flanges, m
   std::optional<double> flange_diameter;  ///< m; default: not limited
   std::optional<double> pitch;            ///< from wrap to wrap, m; default: the rope's diameter

@@ -49,7 +49,8 @@ const Description& Drum::describe() {
           .field(&Drum::length_on_drum, "length_on_drum", "L", si::m, "unstretched rope on the drum")
           .at_most(farthest)
           .at_least(0)
-          .field(&Drum::wound_at, "wound_at", "T", si::N, "winding tension of the rope on the drum; default: 0")
+          .field(&Drum::wound_at, "wound_at", "T", si::N,
+                 "winding tension of the rope on the drum; default: 0, in motion the tension at the start")
           .at_most(strongest)
           .at_least(0)
           .field(&Drum::face_width, "face_width", "B", si::m.in("mm"), "width between the flanges")

@@ -49,7 +49,7 @@ struct Input {
   std::optional<double> rope_area;      ///< A, m2
   std::optional<double> sheave_radius;  ///< R to the rope's centre, m
   std::optional<std::string> rope;      ///< of the catalogue: id, or construction, core, diameter and grade in words
-  /// this and the following members are for the exact solution, not in the published method.
+  /// This and the following members are for the exact solution, not in the published method.
   std::optional<TakeUp> take_up;
   std::optional<double> rope_stiffness;   ///< EA, N
   std::optional<double> centre_distance;  ///< of the sheaves, m

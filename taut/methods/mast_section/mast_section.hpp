@@ -96,7 +96,7 @@ struct Input {
   std::optional<double> mainline_block_height;  ///< h_main, m; default: as the skyline's
   double block_friction = 0.12;                 ///< f
   Wrap wrap = Wrap::geometric;
-  /// N, at which a brake slips while the rope is paid out; none: it does not slip.
+  /// Force at which a brake slips while the rope is paid out, N; none: it does not slip.
   std::optional<double> paid_out_force;
   std::optional<double> branch_angle;  ///< alpha, rad; or
   std::optional<Span> span;
