@@ -13,8 +13,8 @@ void describe_position(Describe<Exact>& d) {
   d.field(&Exact::M_max_exact, "M_max_exact", "M_max_exact", si::N_m, "largest bending moment along the mast");
   d.field(&Exact::M_max_height_exact, "M_max_height_exact", "z_M", si::m, "height of the largest bending moment");
   d.field(&Exact::top_displacement_exact, "top_displacement_exact", "u_top", mm, "horizontal displacement of the top");
-  d.field(&Exact::top_x_exact, "top_x_exact", "u_x", mm, "the same towards the span");
-  d.field(&Exact::top_y_exact, "top_y_exact", "u_y", mm, "the same normal to the span, to its left");
+  d.field(&Exact::top_x_exact, "top_x_exact", "u_x", mm, "displacement of the top towards the span");
+  d.field(&Exact::top_y_exact, "top_y_exact", "u_y", mm, "displacement of the top normal to the span, to its left");
   d.field(&Exact::top_drop_exact, "top_drop_exact", "u_z", mm, "drop of the top by shortening and bending");
   d.field(&Exact::sigma_exact, "sigma_exact", "sigma_exact", si::Pa, "largest stress along the mast");
   d.field(&Exact::sigma_height_exact, "sigma_height_exact", "z_sigma", si::m, "height of the largest stress");

@@ -105,7 +105,7 @@ void add_rope(Describe<RopeCheckRequest>& d) {
       .field(&R::rated_pull, "rated_pull", "F_1", si::N, "rated pull of the winch in its first layer")
       .above(0)
       .record(&R::en13001, "en13001", "proofs of EN 13001-3-2")
-      .record(&R::duty, "duty", "its work in the life required, for the life in bending cycles")
+      .record(&R::duty, "duty", "duties of the rope in the life required, for its life in bending cycles")
       .record(&R::life, "life", "data for the life")
       .field(&R::discard, "discard", "true: a table of the discard criteria");
 }

@@ -24,7 +24,7 @@ const Description& MeanWindow::describe() {
 const Description& Measure::describe() {
   static const Description d =
       Describe<Measure>()
-          .field(&Measure::of, "of", "what is observed: s3.x, ext[2].T, a signal")
+          .field(&Measure::of, "of", "observed quantity: s3.x, ext[2].T, a signal")
           .required()
           .field(&Measure::seen_from, "seen_from",
                  "a body: places, velocities and rotations are relative to its origin and axes")
