@@ -1,6 +1,6 @@
 #pragma once
-/// What most programs on the library need: build a machine, solve it, ask it; or run a deck. The other entry headers
-/// are listed in cmake/public_headers.cmake; docs/guide/cpp.md has whole programs.
+/// The headers that most programs need: to build a machine, solve it and read its results, or to run a deck.
+/// cmake/public_headers.cmake lists the other entry headers; docs/guide/cpp.md shows complete programs.
 #include "taut/app/job.hpp"
 #include "taut/base/version.hpp"
 #include "taut/machine/builder.hpp"

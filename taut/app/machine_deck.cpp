@@ -5,11 +5,11 @@ namespace taut::app {
 const Description& MachineDeck::describe() {
   static const Description d =
       Describe<MachineDeck>()
-          .record(&MachineDeck::machine, "machine", "bodies, ropes, and where the ropes run")
+          .record(&MachineDeck::machine, "machine", "bodies, ropes, and the paths of the ropes")
           .required()
-          .record(&MachineDeck::analyses, "analyses", "what is computed; without it the equilibrium at rest")
+          .record(&MachineDeck::analyses, "analyses", "analyses to compute; default: the equilibrium at rest")
           .record(&MachineDeck::checks, "checks", "which parts are checked by which rules")
-          .record(&MachineDeck::design, "design", "what is chosen so that all checks pass");
+          .record(&MachineDeck::design, "design", "free choices; the best one that passes all checks is found");
   return d;
 }
 

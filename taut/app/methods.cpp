@@ -36,9 +36,10 @@ struct MethodBlocks {
   std::optional<checks::ChecksRequest> checks;
   std::optional<design::DesignRequest> design;
   static const Description& describe() {
-    static const Description d = Describe<MethodBlocks>()
-                                     .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
-                                     .record(&MethodBlocks::design, "design", "what is chosen so that all checks pass");
+    static const Description d =
+        Describe<MethodBlocks>()
+            .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
+            .record(&MethodBlocks::design, "design", "free choices; the best one that passes all checks is found");
     return d;
   }
 };

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// A std::vector that takes an index of any integer type. The indices of a model are int; they are not cast at the
-/// place of use. An index below 0 is a bug, which a checked standard library notices.
+/// A std::vector that takes an index of any integer type. The indices of a model are int, so no cast is needed where
+/// they are used. An index outside the array is a bug; only a checked standard library detects it.
 template <class T>
 class Array : public std::vector<T> {
   using Base = std::vector<T>;

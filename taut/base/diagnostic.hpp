@@ -16,18 +16,18 @@ struct Diagnostic {
   std::string file;
   Place place;
   std::string message;
-  std::string source_line;       ///< the text of that line, empty when it is not at hand
+  std::string source_line;       ///< the text of that line; empty when it is not available
   int width = 1;                 ///< how many characters the caret underlines
-  bool unreadable_file = false;  ///< what is wrong is not the text, but that a file which it names can't be read
+  bool unreadable_file = false;  ///< the text is right, but it names a file that cannot be read
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// There is a mistake, and each is a file that can't be read: trouble with files, not with the deck.
+/// True when there is at least one mistake and every one is a file that cannot be read: exit code 5, not 2.
 bool only_unreadable_files(const Diagnostics& all);
 
-/// `deck.yaml:12:15: error: message`, then the line and a caret under the column.
-/// Tabs are kept under the line so that the caret stands right; a very long line is shown only around the column.
+/// `deck.yaml:12:15: error: message`, then the line and a caret below the column. Tabs are kept, so that the caret
+/// stands below its character; of a very long line only the part around the column is shown.
 std::string to_text(const Diagnostic& d);
 std::string to_text(const Diagnostics& all);
 

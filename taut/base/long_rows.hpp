@@ -7,23 +7,23 @@
 
 namespace taut {
 
-/// Rows of numbers, added one after the other: a long series. The last ones are in memory (2 MB at most), those before
-/// them in a temporary file without a name, in the folder that TMPDIR names. Where no file can be written all of them
-/// stay in memory. Not for several threads at a time.
+/// A long series: rows of numbers, appended one by one. The latest rows are in memory (about 2 MB), the earlier ones in
+/// a temporary file without a name, in the folder that TMPDIR names. Where that file cannot be written, all rows stay
+/// in memory. Not thread-safe.
 class LongRows {
  public:
-  /// `width`: numbers in a row, above 0.
+  /// `width`: numbers in a row, > 0. Throws ContractViolation otherwise.
   explicit LongRows(std::size_t width);
 
-  /// `row` has as many numbers as the width.
+  /// `row` must have `width` numbers. Throws ContractViolation otherwise.
   void add(const std::vector<double>& row);
 
   std::size_t size() const { return size_; }
   std::size_t width() const { return width_; }
 
-  /// Shows all rows in their order: the first of `width` numbers.
+  /// Calls `see` for each row in order, with a pointer to the `width` numbers of the row.
   void each(const std::function<void(const double*)>& see) const;
-  /// One column, from 0.
+  /// The numbers of one column, 0 <= index < width; shape [size].
   std::vector<double> column(std::size_t index) const;
 
  private:
@@ -33,9 +33,9 @@ class LongRows {
   void move_to_file();
 
   std::size_t width_, size_ = 0, in_file_ = 0;  // rows
-  std::vector<double> block_;                   // the rows behind those in the file
+  std::vector<double> block_;                   // the rows that follow those in the file
   std::unique_ptr<std::FILE, Close> file_;
-  bool no_file_ = false;  // none can be made, or no more written
+  bool no_file_ = false;  // the file cannot be made, or takes no more
 };
 
 }  // namespace taut

@@ -3,7 +3,8 @@
 
 namespace taut {
 
-/// Version of the library and program, and of the result's shape. A change of `result_format` breaks readers.
+/// Version of the library and program, and of the format of result.json. A program that reads one `result_format` does
+/// not read another.
 inline constexpr std::string_view version = "0.1.0";
 inline constexpr int result_format = 2;
 

@@ -34,10 +34,10 @@ struct Choice {
 /// A nested struct: one, an optional one, or a list.
 struct Record {
   std::function<void*()> create;  ///< the struct to fill: the only one, or a new one at the end of the list
-  std::function<std::vector<const void*>()> all;  ///< those that are there
+  std::function<std::vector<const void*>()> all;  ///< the structs that exist
 };
 
-/// Structs with names that the deck gives them: `points: {head: ..., tail: ...}`, in the deck's order.
+/// Structs that the deck names: `points: {head: ..., tail: ...}`, in the order of the deck.
 struct NamedRecords {
   std::function<void*(const std::string& name)> create;
   std::function<std::vector<std::pair<std::string, const void*>>()> all;
@@ -46,7 +46,7 @@ struct NamedRecords {
 /// Three components of one quantity along x, y, z.
 using Triple = std::array<double, 3>;
 
-/// Where the value of a field lives in one particular struct.
+/// Pointer to the value of a field in one particular struct.
 using Slot = std::variant<double*, std::optional<double>*, std::vector<double>*, int*, std::optional<int>*, bool*,
                           std::string*, std::optional<std::string>*, Choice, Record, Triple*, std::optional<Triple>*,
                           std::vector<std::string>*, NamedRecords>;
@@ -66,13 +66,14 @@ enum class FieldKind {
   named_records
 };
 
-/// One line of the table that feeds deck reading, range errors, schema, web form, the report's "Given" and the docs.
+/// Description of one key of a deck or of one result value. Deck reading, range errors, the schema, the section "Given"
+/// of the report and the reference are all made from it.
 struct Field {
   FieldKind kind = FieldKind::number;
   std::string key;     ///< the deck's key, or the name of a result value
   std::string symbol;  ///< the source's letter, "alpha_s"; may be empty
   Unit unit;
-  std::string words;   ///< one line: what it is
+  std::string words;   ///< meaning, in one line
   std::string source;  ///< outputs: the equation it comes from, "(4)-(6)"
   Range range;
   bool required = false;
@@ -80,22 +81,23 @@ struct Field {
   bool is_list = false;  ///< a list of numbers (one number is a list of one), or of records
   std::vector<std::string> choices;
   const Description* record = nullptr;  ///< fields of a nested struct
-  std::string shorthand;  ///< nested structs: what is no map stands for this field of theirs, `head: [0 m, 0 m, 1 m]`
-  bool one_for_all = false;  ///< named structs: the shorthand may stand for the whole map, as one struct without a name
-  bool rest = false;         ///< named structs: their maps stand beside the other fields' keys, without this key
+  std::string shorthand;  ///< nested structs: a value that is not a map is taken as this field, `head: [0 m, 0 m, 1 m]`
+  /// Named structs: the shorthand may replace the whole map; it is then one struct without a name.
+  bool one_for_all = false;
+  bool rest = false;  ///< named structs: their maps stand directly beside the other keys, without this key
   std::function<Slot(void*)> slot;
 };
 
-/// A key that a deck may come to have and that taut does not compute yet: reported as such, never read.
+/// A key that is reserved for a later version: taut reports it by name and does not read it.
 struct LaterKey {
   std::string key;
-  std::string words;  ///< what it waits for, "contacts come with the dynamics"
+  std::string words;  ///< why it is not computed yet, "contacts come with the dynamics"
 };
 
-/// The fields of one struct and a way to make it with its defaults.
+/// The fields of one struct, and a function that makes the struct with its defaults.
 struct Description {
   std::vector<Field> fields;
-  std::vector<std::vector<std::string>> exactly_one;  ///< groups of keys of which a struct gives one and only one
+  std::vector<std::vector<std::string>> exactly_one;  ///< of each group the deck must give exactly one key
   std::vector<LaterKey> later;
   std::function<std::shared_ptr<void>()> make_default;
 
@@ -103,7 +105,8 @@ struct Description {
   std::vector<std::string> keys() const;
 };
 
-/// What Describe does that does not depend on the struct: compiled once, in field.cpp, as tables of fields are long.
+/// The part of Describe that does not depend on the struct. It is compiled once, in field.cpp, because tables of fields
+/// are long.
 class DescriptionBuilder {
  public:
   operator Description() const { return description_; }  // the end of the chain
@@ -162,7 +165,7 @@ class Describe : public DescriptionBuilder {
     };
     return *this;
   }
-  /// A nested struct that is always there.
+  /// A nested struct that always exists.
   template <class R>
   Describe& record(R S::*member, std::string_view key, std::string_view words) {
     add(FieldKind::record, key, words, R::describe()).slot = [member](void* s) -> Slot {
@@ -211,7 +214,7 @@ class Describe : public DescriptionBuilder {
     };
     return *this;
   }
-  /// Of these keys a struct gives one and only one.
+  /// The deck must give exactly one of these keys.
   Describe& exactly_one(std::vector<std::string> keys) {
     return description_.exactly_one.push_back(std::move(keys)), *this;
   }
@@ -219,7 +222,7 @@ class Describe : public DescriptionBuilder {
     return description_.later.push_back({std::string(key), std::string(words)}), *this;
   }
 
-  /// Texts that a list of texts may have.
+  /// The texts allowed in a list of texts.
   Describe& of(std::vector<std::string> choices) { return last().choices = std::move(choices), *this; }
   Describe& shorthand(std::string_view key) { return last().shorthand = key, *this; }
   Describe& rest() { return last().rest = true, *this; }
@@ -254,7 +257,8 @@ class Describe : public DescriptionBuilder {
   }
 };
 
-/// A rule between fields that a deck breaks: `path` is "span.load" or "cases[1].falls" below `input`.
+/// A violated rule that concerns several fields. `path`: place below `input` or `machine`, "span.load",
+/// "cases[1].falls".
 struct Complaint {
   std::string path;
   std::string message;
@@ -265,7 +269,7 @@ std::optional<double> default_number(const Description& d, const Field& f);
 /// Default of a choice, text or flag; empty when there is none.
 std::string default_text(const Description& d, const Field& f);
 
-/// The range in words, limits in the unit of print: "above 0 m and at most 85 deg"; empty when there is none.
+/// The range in words, with its limits in the unit shown: "above 0 m and at most 85 deg"; empty when there is no limit.
 std::string range_text(const Field& f);
 
 }  // namespace taut

@@ -14,7 +14,7 @@ struct Point {
   double y = 0;
 };
 
-/// What a line stands for; the report chooses colour, width and dashes.
+/// What a line represents; the report chooses colour, width and dashes.
 enum class Role { rope, second_rope, structure, body, ground, hidden, force, second_force, axis, highlight };
 
 /// A chain of straight lines; `closed` joins the ends, `filled` paints the inside.
@@ -33,8 +33,8 @@ struct Circle {
   double to = 0;
   bool filled = false;
 };
-/// A force: drawn from `at` along (fx, fy) newtons, at the drawing's force scale. `label` names it; the report adds the
-/// value. `towards` draws the arrow ending at the point instead of starting there.
+/// A force of (fx, fy), N, drawn as an arrow that starts at `at`, to the force scale of the drawing. `label` names it;
+/// the report adds the value. With `towards` the arrow ends at `at`.
 struct ForceArrow {
   Point at;
   double fx = 0;
@@ -43,8 +43,8 @@ struct ForceArrow {
   Role role = Role::force;
   bool towards = false;
 };
-/// A measured distance with its text ("l", "200 m"); `offset` moves the dimension line to the left of from->to, in
-/// metres.
+/// A dimension line with its text ("l", "200 m"). `offset`, m: how far the line is moved to the left of the direction
+/// from -> to.
 struct DimensionLine {
   Point from;
   Point to;
@@ -59,22 +59,23 @@ struct AngleMark {
   double to = 0;
   std::string text;
 };
-/// A word at a place. Symbols with an underscore are set with a subscript, Greek names as letters, as everywhere.
+/// A text at a point. A symbol with an underscore gets a subscript, a Greek name becomes its letter, as everywhere in
+/// the report.
 struct Label {
   Point at;
   std::string text;
 };
 using Shape = std::variant<Polyline, Circle, ForceArrow, DimensionLine, AngleMark, Label>;
 
-/// A drawing to scale, or a force polygon (`unit` si::N: points are then newtons).
+/// A drawing to scale, or, with `unit` si::N, a force polygon whose coordinates are newtons.
 struct Drawing {
   std::string name;  ///< "mast", a file name without ending
   std::string title;
   std::string caption;
   std::vector<Shape> shapes;
-  Unit unit = si::m;          ///< what the coordinates are
-  double vertical_scale = 1;  ///< y stretched by this for legibility; said under the drawing when it is not 1
-  /// What a role means here ("skyline", "resultant"), in place of the legend's general word for it.
+  Unit unit = si::m;          ///< unit of the coordinates
+  double vertical_scale = 1;  ///< factor on y for legibility; the report states it when it is not 1
+  /// Meaning of a role in this drawing ("skyline", "resultant"); replaces the general word in the legend.
   // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
   std::vector<std::pair<Role, std::string>> legend = {};
 };
@@ -86,11 +87,12 @@ struct Axis {
 struct Curve {
   std::string label;
   std::vector<double> x;  ///< SI
-  std::vector<double> y;  ///< SI, NaN where there is no value: the curve is broken there
+  std::vector<double> y;  ///< SI; the curve is interrupted at NaN
   bool dashed = false;
   bool points_only = false;
 };
-/// A marked point ("governs"), with `whole_line` a horizontal limit at y, with `upright` something that happens at x.
+/// A marked point ("governs"). With `whole_line` a horizontal line at y, a limit; with `upright` a vertical line at x,
+/// an event.
 struct Mark {
   double x = 0;
   double y = 0;
@@ -98,7 +100,7 @@ struct Mark {
   bool whole_line = false;
   bool upright = false;
 };
-/// A plot: curves over axes, SI numbers. The data goes to `name`.csv as a series; without a name it goes nowhere.
+/// A plot of curves, SI. Its data are written to `name`.csv as a series; without a name they are not written.
 struct Plot {
   std::string name;
   std::string title;
@@ -109,23 +111,23 @@ struct Plot {
   std::vector<Mark> marks;
 };
 
-/// A drawing that moves: the report plays it. Coordinates as in a Drawing, one set for each time.
+/// A drawing over time, which the report plays. Coordinates as in a Drawing, one set for each time.
 struct Animation {
   struct Line {
     Role role = Role::rope;
-    std::vector<std::vector<Point>> points;  ///< [time][point]; the number of points may change
+    std::vector<std::vector<Point>> points;  ///< [time][point]; the number of points may differ from time to time
   };
   struct Round {
     std::string label;
     Role role = Role::body;
     double radius = 0;          ///< 0: a dot
     std::vector<Point> at;      ///< by time
-    std::vector<double> angle;  ///< by time, rad, of its spoke; empty: it does not turn
+    std::vector<double> angle;  ///< [time], rad, of the spoke that shows the rotation; empty: it does not turn
   };
   struct Readout {
     std::string label;
     Unit unit;
-    std::vector<double> value;  ///< by time, SI; NaN: none
+    std::vector<double> value;  ///< [time], SI; NaN: no value
   };
   std::string name;
   std::string title;
@@ -134,7 +136,7 @@ struct Animation {
   std::vector<Line> lines;
   std::vector<Round> rounds;
   std::vector<Readout> readouts;
-  std::vector<std::pair<double, std::string>> events;  ///< s, in words
+  std::vector<std::pair<double, std::string>> events;  ///< time in s, description
 };
 
 using Figure = std::variant<Drawing, Plot, Animation>;

@@ -5,7 +5,7 @@
 
 namespace taut {
 
-/// What a node of a formula does with its arguments.
+/// Operation of a node of a formula.
 enum class Op { number, symbol, add, subtract, multiply, divide, negate, power, call };
 
 struct FormulaNode;
@@ -29,15 +29,14 @@ Formula make_call(std::string function, std::vector<Formula> arguments, double v
 /// "m*(P_p + c*(e - 1))/(e - r)".
 std::string formula_text(const Formula& f);
 
-/// The same with the value of every symbol put in, six significant digits: "1.2*(2500 + 240*(1.80896 - 1))/(1.80896
-/// - 1.08)".
+/// The same with the value of every symbol, six significant digits: "1.2*(2500 + 240*(1.80896 - 1))/(1.80896 - 1.08)".
 std::string numbers_text(const Formula& f);
 
-/// A number as formulas show it: six significant digits, no trailing zeros.
+/// A number as in numbers_text: six significant digits, no trailing zeros.
 std::string number_text(double value);
 
-/// How tightly a node binds: an argument that binds less than its place needs parentheses.
-/// add, subtract 1; multiply, divide 2; negate 3; power 4; everything else 5. A negative number binds like negate.
+/// Precedence of a node: an argument of lower precedence than its operator needs parentheses. add, subtract 1;
+/// multiply, divide 2; negate 3; power 4; everything else 5. A negative number has the precedence of negate.
 int binding(const FormulaNode& node);
 
 }  // namespace taut

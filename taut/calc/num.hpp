@@ -7,9 +7,9 @@
 
 namespace taut {
 
-/// A number that remembers how it was computed: value (SI), dimension and formula. A formula written over a number type
-/// `T` gives bit-identical values for `T = double` and `T = Num`; `Num` also throws ContractViolation when dimensions
-/// don't fit (a sum of a force and a length, the sine of a length).
+/// A number that records how it was computed: value (SI), dimension and formula. A formula written over a number type
+/// `T` gives bit-identical values for `T = double` and `T = Num`. Num throws ContractViolation where dimensions do not
+/// fit (the sum of a force and a length, the sine of a length).
 class Num {
  public:
   Num() : Num(0.0) {}
@@ -40,7 +40,7 @@ Num operator*(const Num& a, const Num& b);
 Num operator/(const Num& a, const Num& b);
 Num operator-(const Num& a);
 
-/// Comparisons are by value, between like dimensions.
+/// Comparisons of the values; throws ContractViolation when the dimensions differ.
 bool operator<(const Num& a, const Num& b);
 bool operator>(const Num& a, const Num& b);
 bool operator<=(const Num& a, const Num& b);
@@ -67,13 +67,13 @@ Num min(const Num& a, const Num& b);
 Num max(const Num& a, const Num& b);
 Num pow(const Num& x, int exponent);
 
-/// x^2 and x^3 by multiplication: a power call costs ten times as much where a root is sought.
+/// x^2 and x^3 by multiplication, because pow costs ten times as much and root searches call these often.
 inline double square(double x) { return x * x; }
 inline double cube(double x) { return x * x * x; }
 Num square(const Num& x);
 Num cube(const Num& x);
 
-/// The bare number, whatever the number type.
+/// The value as a double, for either number type.
 inline double value(double x) { return x; }
 inline double value(const Num& x) { return x.value(); }
 

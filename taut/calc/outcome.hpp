@@ -4,7 +4,8 @@
 
 namespace taut {
 
-/// How a calculation ended. `infeasible`: physics says no; `not_converged`: the solver does.
+/// How a calculation ended. infeasible: the equations have no admissible solution. not_converged: the solver found
+/// none.
 enum class Status { ok, infeasible, not_converged, bad_deck };
 
 /// "ok", "infeasible", "not_converged", "bad_deck".
@@ -22,7 +23,7 @@ constexpr std::string_view to_text(Status s) {
   return "bad_deck";
 }
 
-/// The end of a computation: `message` says what to change when it is not ok.
+/// Status of a computation. When it is not ok, `message` gives the reason and what to change.
 struct Outcome {
   Status status = Status::ok;
   std::string message;

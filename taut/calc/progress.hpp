@@ -3,7 +3,7 @@
 
 namespace taut {
 
-/// How far a long calculation is.
+/// Progress of a long calculation.
 struct Progress {
   std::string what;   ///< "transient"
   double done = 0;    ///< 0 .. 1

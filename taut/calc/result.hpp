@@ -23,16 +23,17 @@ struct Step {
   Kind kind = Kind::equation;
   std::string eq;      ///< number in the source, "4", "18*" for a correction; empty when the source gives none
   std::string symbol;  ///< left side
-  Formula formula;     ///< right side; for a root the expression that is zero
+  Formula formula;     ///< right side; of a root: the expression that is zero there
   double value = 0;    ///< SI
   Unit unit;
   std::string source;  ///< "Shoshin et al. 2022, (4)"
-  std::string words;   ///< heading or note text; what a given quantity is
+  std::string words;   ///< text of a heading or note; of a given quantity its meaning
 };
 
 enum class Sense { at_most, at_least };
 
-/// A value against a limit. utilisation <= 1 exactly when it passes (value/limit or limit/value).
+/// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least). utilisation <= 1
+/// exactly when the check passes.
 struct Check {
   std::string name;
   double value = 0;
@@ -41,14 +42,16 @@ struct Check {
   Sense sense = Sense::at_most;
   double utilisation = 0;
   bool passes = false;
-  std::string rule;    ///< the rule and its source in words
-  std::string trust;   ///< "verified", "derived", "UNVERIFIED: ...", "user": of the limit
-  std::string part;    ///< of the machine, "skyline": the report groups by it; empty: the machine as a whole
-  bool limits = true;  ///< false: breaking, yield, ground. Such a check can only fail; a part needs a limit beside it
-  std::string where = {};  ///< the state in which it is worst, "load path, in, x = 12 m"; empty: the rule says it
+  std::string rule;   ///< the rule and its source in words
+  std::string trust;  ///< trust in the limit: "verified", "derived", "UNVERIFIED: ...", "user"
+  std::string part;   ///< part of the machine, "skyline", by which the report groups; empty: the whole machine
+  /// False for breaking force, yield and ground: such a check can fail, but it does not count as the limit of a part.
+  bool limits = true;
+  std::string where = {};  ///< the state with the largest utilisation, "load path, in, x = 12 m"; empty: see `rule`
   bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
 };
-/// Groups of checks by part, and in each the worst first; the groups by their worst check. Without any part: as it was.
+/// The checks grouped by part, the largest utilisation first within each group, the groups in the order of their worst
+/// check. Where no check names a part the order is unchanged.
 std::vector<Check> grouped(std::vector<Check> checks);
 /// What a value is held against, by which rule and how far that may be trusted: see Check.
 struct Bound {
@@ -57,7 +60,7 @@ struct Bound {
   std::string rule;
   std::string trust;
 };
-/// Fills utilisation and passes. NaN never passes.
+/// A check with utilisation and passes computed. A NaN value never passes.
 Check make_check(std::string name, double value, const Unit& unit, Bound bound);
 
 /// A result value, SI.
@@ -74,44 +77,44 @@ struct Column {
   std::string name;
   Unit unit;
 };
-/// A number (SI; NaN: no value here) or a text.
+/// A number (SI; NaN: no value in this row) or a text.
 using Cell = std::variant<double, std::string>;
 struct Table {
   std::string name;
   std::string title;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
-  std::shared_ptr<const LongRows> long_rows = nullptr;  ///< of a long series, in place of `rows`
+  std::shared_ptr<const LongRows> long_rows = nullptr;  ///< rows of a long series; `rows` is then empty
 };
 
-/// A line or a cloud of points of a machine in space, followed through time. Its number of points may change.
+/// A line of a machine in space, over time. Its number of points may differ from frame to frame.
 struct SceneLine {
   std::string name;  ///< "skyline"
   Role role = Role::rope;
   std::vector<std::vector<std::array<double, 3>>> points;  ///< [frame][point], m
-  std::vector<std::vector<double>> tension;                ///< [frame][point], N; empty: none
+  std::vector<std::vector<double>> tension;                ///< [frame][point], N; empty: not known
 };
 struct ScenePoint {
   std::string name;
-  double radius = 0;                            ///< of a round, m; 0: a point
+  double radius = 0;                            ///< of a sheave or drum, m; 0: a point
   std::vector<std::array<double, 3>> at;        ///< [frame], m
-  std::vector<std::array<double, 3>> velocity;  ///< [frame], m/s; empty: it rests
+  std::vector<std::array<double, 3>> velocity;  ///< [frame], m/s; empty: at rest
 };
-/// A machine in space at one time or several: what a viewer of three dimensions shows.
+/// A machine in space at one or several times, for a 3D viewer.
 struct Scene {
   std::string name;       ///< a file name without ending
-  std::vector<double> t;  ///< s; a machine at rest: one 0
+  std::vector<double> t;  ///< s; of a machine at rest a single 0
   std::vector<SceneLine> lines;
   std::vector<ScenePoint> points;
 };
 
-/// A file that belongs to the result and is written as it is.
+/// A file of the result, written unchanged.
 struct Attachment {
   std::string name;  ///< "state.json"
   std::string text;
 };
 
-/// One input as it was used: number(s) in SI or a text.
+/// One input as it was used: numbers in SI, or a text.
 struct Given {
   std::string key;
   std::string symbol;
@@ -122,8 +125,7 @@ struct Given {
   bool is_default = false;
 };
 
-/// A quantity as the source prints it, as it should be, and (where the engine solves the same machine) exact; NaN: not
-/// there.
+/// A quantity as the source prints it, as corrected, and from the exact solution where there is one. NaN: no value.
 struct Comparison {
   std::string quantity;
   std::string symbol;
@@ -131,21 +133,21 @@ struct Comparison {
   double printed = 0;
   double corrected = 0;
   double exact = 0;
-  std::string build_by;  ///< "corrected: ..." which to use and why
+  std::string build_by;  ///< which value to use and why: "corrected: ..."
   bool printed_unsafe = false;
-  bool corrected_decides = true;  ///< false: what is chosen or answered follows the printed value
+  bool corrected_decides = true;  ///< false: the choice or the answer follows the printed value
 };
 
-/// States of an analysis that have no answer.
+/// The states of one analysis that have no answer.
 struct MissingStates {
   std::string analysis;  ///< "load path"
   int missing = 0;
-  int places = 0;      ///< asked for, the missing ones among them
-  std::string first;   ///< "x = 12 m"
-  std::string reason;  ///< of the first one
+  int places = 0;      ///< number of states asked for, including the missing ones
+  std::string first;   ///< the first missing state, "x = 12 m"
+  std::string reason;  ///< why the first one has no answer
 };
 
-/// Everything a report needs, and nothing else does: SI throughout.
+/// Everything that a report needs. All numbers SI.
 struct Result {
   std::string title;
   std::string method;
@@ -160,42 +162,46 @@ struct Result {
   std::vector<Step> steps;
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;
-  std::vector<Table> series;  ///< long tables for files, such as time.csv; the first column is what they run over
+  std::vector<Table> series;  ///< long tables that are only written to files, such as time.csv; the first column is the
+                              ///< independent variable
   std::vector<Scene> scenes;
   std::vector<Attachment> attachments;
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
-  std::vector<std::string> unsafe;     ///< those of the warnings that make an answer unsafe: see warn_unsafe
+  std::vector<std::string> unsafe;     ///< the subset of `warnings` that makes an answer unsafe, see warn_unsafe
   std::vector<MissingStates> missing;  ///< by analysis
-  std::vector<std::string> unmade;     ///< checks that were asked for and have no number, one sentence each
-  std::vector<std::string> unjudged;   ///< parts in the verdict's scope without a limit
+  std::vector<std::string> unmade;     ///< checks that the deck asks for and that yield no number, one sentence each
+  std::vector<std::string> unjudged;   ///< parts that need a limit and have none
   std::vector<std::string> exempt;     ///< parts that the deck takes out of the verdict
   std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
-  std::vector<std::string> beside;     ///< parts that the verdict does not speak of: anchors, sheaves, carriages
-  std::string preface;                 ///< before the verdict's sentence: "The deck breaks the skyline at 2 s"
-  std::string headline;                ///< the key answer where it is no utilisation: "Carries 2.96 t, least at ..."
+  std::vector<std::string> beside;     ///< parts that the verdict does not cover: anchors, sheaves, carriages
+  std::string preface;                 ///< put before the sentence of the verdict: "The deck breaks the skyline at 2 s"
+  std::string headline;  ///< the main answer where it is not a utilisation: "Carries 2.96 t, least at ..."
   Diagnostics errors;
-  bool interrupted = false;  ///< from outside; what is there was computed before, and `message` says up to when
+  /// Ended from outside; the result is what was computed before, and `message` says up to where.
+  bool interrupted = false;
   std::string deck_name;
   std::string deck_hash;
-  std::vector<std::string> overrides;          ///< "input.span=200 m": what was set over the deck
+  std::vector<std::string> overrides;          ///< "input.span=200 m": values set over the deck
   std::map<std::string, std::string> display;  ///< kind of quantity -> unit, as the deck asks
 
   const Value* find_value(const std::string& name) const;
   const Table* find_table(const std::string& name) const;
 };
 
-/// 0 computed; 2 bad deck; 3 no answer; 4 fails or not judged (of class `unasked` only with `strict`); 130 interrupted.
-/// It follows the verdict (verdict.hpp).
+/// Exit code of the program, by the verdict (verdict.hpp): 0 computed; 2 bad deck; 3 no answer; 4 fails or not judged
+/// (class `unasked` only with `strict`); 130 interrupted.
 int exit_code(const Result& r, bool strict = false);
 
-/// A warning of class unsafe, of 160 characters at most where it can be: the answer no longer passes without warnings.
+/// Adds an unsafe warning: the verdict can then be no better than "passes, with warnings". Keep the sentence within 160
+/// characters.
 void warn_unsafe(Result& r, std::string sentence);
 
 /// The numbers of an output struct that were computed (not NaN), in the order of its description.
 std::vector<Value> values_of(const Description& d, const void* output);
 
-/// The inputs as used, nested ones with dotted keys ("span.length", "cases[1].falls"); unset optional ones left out.
+/// The inputs as used, with dotted keys for nested ones ("span.length", "cases[1].falls"). Optional inputs that are not
+/// set are left out.
 std::vector<Given> given_of(const Description& d, const void* input);
 
 /// The comparisons as a table `comparison` (SI, unit as text), empty when there are none.

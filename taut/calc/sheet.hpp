@@ -21,8 +21,8 @@ struct SheetBound {
   const char* trust = "";
 };
 
-/// A calculation note. A method is written once over the number type `T` and a `Sheet<T>`: with `double` the sheet does
-/// nothing and costs nothing; with `Num` it records each line (formula, numbers, value, unit, equation number) and
+/// A calculation note. A method is written once over a number type `T` and a `Sheet<T>`. With `double` the sheet does
+/// nothing and costs nothing. With `Num` it records each line (formula, numbers, value, unit, equation number) and
 /// checks dimensions.
 template <class T>
 class Sheet;
@@ -54,20 +54,22 @@ class Sheet<Num> {
   /// `description` and `input` let `given` find symbol, unit and words of a field by its address.
   Sheet(std::string source, const Description& description, const void* input);
 
-  /// A field of the input as a named quantity (recorded once as a "given" line). `x` must be a member of the input, or
-  /// an element of one of its lists; anything else is a ContractViolation.
+  /// A field of the input as a named quantity, recorded once as a "given" line. `x` must be a member of the input or an
+  /// element of one of its lists. Throws ContractViolation otherwise.
   Num given(const double& x);
 
   /// A quantity that is neither an input nor computed by an equation: a constant, a value of a sweep, a catalogue
   /// value.
   Num named(std::string_view symbol, const Unit& unit, double x);
 
-  /// One equation: records it, checks its dimension against `unit`, returns a fresh quantity named `symbol`.
-  /// `no`: the number in the source; a trailing * marks taut's correction of it; "" an unnumbered line of the source;
-  /// `source` replaces the "source, (no)" text where the line comes from elsewhere.
+  /// Records one equation, checks its dimension against `unit` (throws ContractViolation) and returns a new quantity
+  /// named `symbol`.
+  /// `no`: number in the source; a trailing * marks a correction by taut; "": a line without a number. `source`
+  /// replaces the text "source, (no)" where the line is from elsewhere.
   Num eq(std::string_view no, std::string_view symbol, const Unit& unit, const Num& x, std::string_view source = {});
 
-  /// The root of f(x) = 0 for x in [low, high], bit-identical to the double path; records "f = 0" and the value.
+  /// The root of f(x) = 0 for x in [low, high], bit-identical to that of Sheet<double>; empty when there is none.
+  /// Records "f = 0" and the value.
   template <class F>
   std::optional<Num> root(std::string_view no, std::string_view symbol, const Unit& unit, F&& f, double low,
                           double high) {
@@ -79,12 +81,13 @@ class Sheet<Num> {
 
   /// A heading over the lines that follow.
   void section(std::string_view words);
-  /// A sentence between the lines; a text, or a callable that makes it (so that the double path pays nothing).
+  /// A sentence between the lines: a text, or a callable that returns it, so that Sheet<double> does not build the
+  /// text.
   template <class Words>
   void note(Words&& words) {
     add_words(Step::Kind::note, text(std::forward<Words>(words)));
   }
-  /// A warning of the result. Said once however often it comes.
+  /// A warning of the result. Repeated warnings are kept once.
   template <class Words>
   void warn(Words&& words) {
     add_warning(text(std::forward<Words>(words)));

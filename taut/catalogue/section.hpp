@@ -18,7 +18,8 @@ std::string_view to_text(Forming forming);                       ///< "hot", "co
 std::optional<SectionShape> parse_shape(std::string_view text);  ///< any case
 std::optional<Forming> parse_forming(std::string_view text);     ///< any case
 
-/// One hollow section, nominal dimensions, SI units. y is the strong axis, z the weak one; equal for CHS and SHS.
+/// One hollow section, nominal dimensions, SI units. y is the strong axis, z the weak one; for CHS and SHS both are
+/// equal.
 struct SectionRow {
   std::string name;      ///< "CHS 508x16", "RHS-C 200x100x8" (C: cold-formed), "CHS 219x8 GOST 8732"
   std::string standard;  ///< "EN 10210-2"
@@ -41,11 +42,11 @@ struct SectionRow {
 };
 
 /// Reads a table of sections. Columns: name, standard, shape, forming, H_mm, B_mm, t_mm, r_o_mm, r_i_mm, A_mm2, Iy_mm4,
-/// Wely_mm3, Wply_mm3, iy_mm, Iz_mm4, Welz_mm3, Wplz_mm3, iz_mm, It_mm4, mass_kg_per_m, trust, and, if wanted,
+/// Wely_mm3, Wply_mm3, iy_mm, Iz_mm4, Welz_mm3, Wplz_mm3, iz_mm, It_mm4, mass_kg_per_m, trust, and optionally
 /// trust_text.
 ///
-/// Beyond what CsvReader checks, refuses B > H, walls that fill the section, an area above H B, and elastic moduli
-/// above the plastic ones.
+/// Returns the rows, or all mistakes. Besides the checks of CsvReader it refuses B > H, 2 t > B, an area above H B, and
+/// an elastic modulus above the plastic one.
 tl::expected<std::vector<SectionRow>, Diagnostics> read_sections(std::string_view csv, std::string file);
 
 /// The built-in sections (data/sections/sections.csv), in the file's order.

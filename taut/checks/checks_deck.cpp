@@ -6,21 +6,20 @@ const Description& ChecksRequest::describe() {
   static const Description d =
       Describe<ChecksRequest>()
           .named_records(&ChecksRequest::ropes, "ropes",
-                         "by the name of a reeving, a guy, or a rope with all that is reeved of it")
+                         "by the name of a reeving, a guy, or a rope with all its reevings")
           .named_records(&ChecksRequest::masts, "masts",
-                         "by the name of a beam, or of a mast that stands here with its section and loads")
+                         "by the name of a beam, or of a mast that is described here with its section and loads")
           .named_records(&ChecksRequest::guys, "guys", "by the name of a guy, or of a rope with all guys of it")
           .named_records(&ChecksRequest::anchors, "anchors", "by the name of a point at which ropes end")
           .named_records(&ChecksRequest::lines, "lines", "by the name of a reeving over supports")
-          .field(
-              &ChecksRequest::confirmed, "confirmed",
-              "what you have compared with its source, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
-              "contains it are no longer unverified, but rest on your word")
-          .field(
-              &ChecksRequest::exempt, "exempt",
-              "parts that the verdict leaves out, by the name of a reeving, guy, beam or carriage; page 1 names them")
+          .field(&ChecksRequest::confirmed, "confirmed",
+                 "sources that you have compared, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
+                 "contains the text are no longer unverified; their trust is 'user'")
+          .field(&ChecksRequest::exempt, "exempt",
+                 "parts that do not count for the verdict, by the name of a reeving, guy, beam or carriage; page 1 "
+                 "names them")
           .field(&ChecksRequest::refuse_unverified, "refuse_unverified",
-                 "a check that rests on an unverified number does not pass");
+                 "true: checks with an unverified limit are refused, and the verdict is 'not judged'");
   return d;
 }
 

@@ -24,7 +24,7 @@ const Description& SectionChoice::describe() {
                    {"cold", Forming::cold},
                    {"seamless", Forming::seamless},
                    {"welded", Forming::welded}},
-                  "how it is made")
+                  "forming of the section")
           .field(&R::standard, "standard", "the beginning of its name: EN 10210")
           .field(&R::least_height, "least_height", "h", si::m.in("mm"), "smallest outer height")
           .above(0)
@@ -32,7 +32,7 @@ const Description& SectionChoice::describe() {
           .above(0)
           .choice(&R::least_trust, "least_trust",
                   {{"verified", Trust::verified}, {"derived", Trust::derived}, {"unverified", Trust::unverified}},
-                  "worst trust of a row that may be chosen");
+                  "least trust of a row that may be chosen");
   return d;
 }
 

@@ -8,10 +8,10 @@ const Description& DesignRopeRequest::describe() {
   using R = DesignRopeRequest;
   static const Description d =
       Describe<R>()
-          .field(&R::construction, "construction", "6x36, 6x36WS, ...; without it any")
-          .field(&R::core, "core", "FC, IWRC, WSC; without it any")
+          .field(&R::construction, "construction", "6x36, 6x36WS, ...; default: any")
+          .field(&R::core, "core", "FC, IWRC, WSC; default: any")
           .field(&R::standard, "standard", "beginning of its name: EN, GOST 2688")
-          .field(&R::grade, "grade", "R_r", si::Pa, "of the wires")
+          .field(&R::grade, "grade", "R_r", si::Pa, "grade of the wires")
           .above(1e8)
           .at_most(5e9)
           .field(&R::least_diameter, "least_diameter", "d", si::m.in("mm"), "smallest")
@@ -23,7 +23,7 @@ const Description& DesignRopeRequest::describe() {
                    {"derived", catalogue::Trust::derived},
                    {"verified", catalogue::Trust::verified}},
                   "least trust of the breaking force")
-          .field(&R::modulus, "modulus", "E", si::Pa.in("GPa"), "on the metallic area: the stiffness is E A")
+          .field(&R::modulus, "modulus", "E", si::Pa.in("GPa"), "modulus on the metallic area: the stiffness is E A")
           .above(1e9)
           .at_most(2.2e11);
   return d;
@@ -33,7 +33,7 @@ const Description& DesignSectionRequest::describe() {
   using R = DesignSectionRequest;
   static const Description d = [] {
     Description own =
-        Describe<R>().field(&R::price, "price", "", si::one, "of a kilogram of it, for 'cheapest'").at_least(0);
+        Describe<R>().field(&R::price, "price", "", si::one, "price per kilogram, for 'cheapest'").at_least(0);
     for (Field f : checks::SectionChoice::describe().fields) {
       if (f.key == "least_trust") f.key = "trust";
       f.slot = [slot = f.slot](void* s) { return slot(&static_cast<R*>(s)->which); };
@@ -52,16 +52,16 @@ const Description& DesignUnknownRequest::describe() {
                  "its path below 'machine' or 'input', as in a sweep: reevings.skyline.tension_at_start; or from "
                  "'analyses' on: analyses[0].equilibrium.given.sag")
           .required()
-          .field(&R::along_with, "along_with", "paths of others that move by as much as it does")
+          .field(&R::along_with, "along_with", "paths of other numbers that change by the same amount")
           .field(&R::from, "from", "one end of its range, with its unit")
           .required()
           .field(&R::to, "to", "the other end")
           .required()
-          .field(&R::start, "start", "where the search begins besides the places of the grid")
-          .field(&R::steps, "steps", "n", si::one, "equal steps of the grid between both; 4, with a 'start' none")
+          .field(&R::start, "start", "start of the search, in addition to the places of the grid")
+          .field(&R::steps, "steps", "n", si::one, "equal steps of the grid; default: 4, with a 'start' none")
           .at_least(1)
           .at_most(200)
-          .field(&R::price, "price", "", si::one, "of one metre, newton, kilogram, ... of it, for 'cheapest'")
+          .field(&R::price, "price", "", si::one, "price per metre, newton, kilogram, ..., for 'cheapest'")
           .at_least(0);
   return d;
 }
@@ -78,7 +78,7 @@ const Description& DesignCaseRequest::describe() {
   static const Description d =
       Describe<R>()
           .named_records(&R::settings, "settings",
-                         "paths as of a 'parameter', each with its value: `{loads.car.mass: 2 t}`")
+                         "paths as in a 'parameter', each with its value: `{loads.car.mass: 2 t}`")
           .shorthand("value")
           .rest();
   return d;
@@ -88,30 +88,27 @@ const Description& DesignRequest::describe() {
   using R = DesignRequest;
   static const Description d =
       Describe<R>()
-          .choice(
-              &R::seek, "seek",
-              {{"lightest", Seek::lightest},
-               {"smallest", Seek::smallest},
-               {"cheapest", Seek::cheapest},
-               {"least_tension", Seek::least_tension},
-               {"most_reserve", Seek::most_reserve}},
-              "least mass, least sum of diameters and heights, least price, the least of the largest tension, or the "
-              "least utilisation of the check that governs")
-          .field(&R::of, "of", "rope or reeving whose tension is least (least_tension); without it the largest of all")
+          .choice(&R::seek, "seek",
+                  {{"lightest", Seek::lightest},
+                   {"smallest", Seek::smallest},
+                   {"cheapest", Seek::cheapest},
+                   {"least_tension", Seek::least_tension},
+                   {"most_reserve", Seek::most_reserve}},
+                  "objective: least mass, least sum of diameters and heights, least price, smallest largest tension, "
+                  "or lowest governing utilisation")
+          .field(&R::of, "of", "rope or reeving whose largest tension is minimised (least_tension); default: all")
           .field(&R::catalogue, "catalogue", "a file of ropes (CSV) in place of the built-in ones, beside the deck")
           .named_records(&R::ropes, "ropes", "ropes of the machine or the method that are chosen, by name")
           .named_records(&R::sections, "sections", "beams of the machine, or masts, whose section is chosen, by name")
-          .named_records(&R::unknowns, "unknowns", "numbers that are free, by a name of yours")
+          .named_records(&R::unknowns, "unknowns", "free numbers, by a name of your own")
           .named_records(&R::cases, "cases",
-                         "load cases, each with what is other in it; the checks of all have to pass")
-          .field(&R::disregard, "disregard",
-                 "checks that do not bind the design, by name; they stand in its result all the same")
-          .field(&R::refine, "refine",
-                 "moves the unknowns on between the places of their grid, to the least or the most reserve")
-          .field(&R::runner_ups, "runner_ups", "", si::one, "choices listed on either side of the answer")
+                         "load cases, each with the values that differ from the deck; the checks of all have to pass")
+          .field(&R::disregard, "disregard", "checks that the design need not pass, by name; they remain in the result")
+          .field(&R::refine, "refine", "true: the unknowns also vary between the places of their grid")
+          .field(&R::runner_ups, "runner_ups", "", si::one, "number of choices listed on either side of the answer")
           .at_least(0)
           .at_most(100)
-          .field(&R::most_trials, "most_trials", "", si::one, "after so many choices the search ends")
+          .field(&R::most_trials, "most_trials", "", si::one, "largest number of choices tried")
           .at_least(1)
           .at_most(1000000);
   return d;

@@ -9,12 +9,13 @@
 
 namespace taut::machine {
 
-/// The machine with its names resolved, checked, ready to be solved. Either a model or every mistake, each with the
-/// path of its place below `machine` ("reevings[1].path[0].anchor"). Bodies: those of the description, then one for
-/// each carriage, then the sections of beams to which something is fixed. Reevings: those of the description, then one
-/// for each guy; a guy's tension at its installation is its given tension until `installed`. A terrain's file has been
-/// read into its x and z before. A clamped carriage without `length_before` is put at the share of the length where it
-/// stands.
+/// Resolves the names of a description and checks it. Returns a model, or every mistake, each with its place below
+/// `machine` ("reevings[1].path[0].anchor").
+/// Order of bodies: those of the description, one for each carriage, the sections of beams to which something is fixed.
+/// Order of reevings: those of the description, one for each guy. A guy put up by tension has this tension as its given
+/// quantity; solve::installed then replaces it by a length.
+/// A terrain file must have been read into x and z before. A clamped carriage without `length_before` divides its rope
+/// at its place, in proportion to the path.
 tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine);
 
 }  // namespace taut::machine

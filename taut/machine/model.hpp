@@ -14,13 +14,13 @@
 
 namespace taut::machine {
 
-/// A compiled machine: plain values and indices, checked by the compiler of descriptions, never changed by an analysis.
-/// SI and radians, right-handed axes, z up. Names serve tables and messages; everything is found by index.
+/// A compiled machine: plain values and indices, checked by `compile`, never changed by an analysis. SI and radians,
+/// right-handed axes, z up. Names serve tables and messages; parts refer to each other by index.
 
-/// One way in which a body may move, as unit velocities in the ground frame: along x is {(1,0,0), 0}; a hinge at the
-/// body's origin about y is {0, (0,1,0)}; a slide in any direction {unit vector, 0}. The body's origin is the centre of
-/// its rotations. Two rotations about different axes are taken one after the other in small steps, each about its axis
-/// in the ground frame: give one, or all three.
+/// A degree of freedom of a body, as unit velocities in the ground frame: a translation along x is {(1,0,0), 0}, a
+/// hinge about y {0, (0,1,0)}, a slide {unit vector, 0}. Rotations are about the origin of the body. Give one rotation
+/// or all three: two rotations about different axes are applied one after the other, in small steps, each about its
+/// axis in the ground frame.
 struct Freedom {
   Vector3 along = Vector3::Zero();
   Vector3 about = Vector3::Zero();
@@ -28,94 +28,98 @@ struct Freedom {
 
 struct Body {
   std::string name;
-  Vector3 position = Vector3::Zero();         ///< of its origin at the start, m; kept along what is not free
+  Vector3 position = Vector3::Zero();  ///< of its origin at the start, m; constant in directions that are not free
   Matrix3 orientation = Matrix3::Identity();  ///< body to ground at the start
   Array<Freedom> free;                        ///< none: fixed
-  bool of_rope = false;                       ///< a point of a rope where a load acts: no body of the deck
+  bool of_rope = false;                       ///< a point of a rope where a load acts, not a body of the deck
   double mass = 0;                            ///< kg, >= 0; its weight acts at `centre`
-  Vector3 centre = Vector3::Zero();           ///< of mass, in the body's frame, m
+  Vector3 centre = Vector3::Zero();           ///< centre of mass, in the body frame, m
   Vector3 inertia = Vector3::Zero();          ///< Ixx, Iyy, Izz about `centre`, in the body's frame, kg m2
-  Array<DrivenWay> driven;                    ///< what signals give; `position` and `orientation` are those at t = 0
-  double counterweight = 0;  ///< kg: the inertia of take-up weights along its one way; their pull is among the loads
-  int beam = -1;             ///< a section of this beam, not a body of its own; -1: none
+  Array<DrivenWay> driven;  ///< motions given by signals; `position` and `orientation` are those at t = 0
+  /// Mass of take-up weights, kg: inertia along its only degree of freedom. Their weight is one of the loads.
+  double counterweight = 0;
+  int beam = -1;  ///< index of the beam of which this body is a section; -1: none
 };
 
-/// A dead force on a body (keeps its direction in the ground frame).
+/// A force on a body, constant in direction in the ground frame.
 struct Load {
   Place at;                         ///< on a body
   Vector3 force = Vector3::Zero();  ///< N
-  double mass = 0;                  ///< kg, of what hangs there: its inertia in motion; its weight is the force
+  double mass = 0;                  ///< kg, of the hanging mass: its inertia in motion; `force` contains its weight
 };
 
-/// What happens to the rope at a node of its path.
+/// Kind of a node on the path of a rope.
 enum class NodeKind {
   anchor,   ///< an end of the rope: a pin (radius 0) or a drum (pitch radius of the layer, axis, side)
   contact,  ///< the rope runs over it: a sheave, a saddle that does not turn, the wheels of a rolling carriage
-  clamp,    ///< the rope is held there: `length_before` of it lies before; a clamped carriage, a locked capstan
-  drive,    ///< a sheave with a motor: with whatever torque it needs, or a given one; at most one per rope, the first
-            ///< node of a closed one
-  load      ///< a point of the free rope on which a force acts along it; sits on a body of its own
+  clamp,  ///< the rope is fixed there, with `length_before` of it before the node: a clamped carriage, a locked capstan
+  drive,  ///< a driven sheave, whose torque follows or is given; at most one for each rope; the first node of a closed
+          ///< rope
+  load    ///< a point of the free rope at which a force acts along the rope; on a body of its own
 };
 
 /// The force at a node of kind load, along the rope.
 struct RopeLoad {
-  double share = 0.5;      ///< of the unstretched rope between the next nodes of other kinds, from the first of them on
-  double force = 0;        ///< N
-  double rate = 0;         ///< N per unstretched metre of that rope, on `part` of it
-  double part = 0;         ///< share
-  int sense = 1;           ///< +1: along the path; -1: against it; by_motion: times the flow, at rest the haul
+  /// Place, as a fraction of the unstretched rope between the neighbouring nodes of other kinds, from the first of
+  /// them.
+  double share = 0.5;
+  double force = 0;  ///< N
+  double rate = 0;   ///< N per unstretched metre, over the fraction `part` of that rope
+  double part = 0;   ///< fraction
+  int sense = 1;     ///< +1: along the path, -1: against it; with by_motion multiplied by the flow, at rest by the haul
   bool by_motion = false;  ///< along or against the rope's motion
-  bool open = false;       ///< the force is unknown: what the given torque of the rope's drive overcomes
-  std::optional<Signal> signal = std::nullopt;  ///< in motion the force over time, or, of a rate, N/m
+  bool open = false;       ///< the force is unknown: it balances the given torque of the drive of this rope
+  std::optional<Signal> signal = std::nullopt;  ///< in motion: the force, N, or the rate, N/m, over time
 };
 
-/// Loss of tension at a contact, with the flow in the sense of growing tension: T_out = r T_in,
-/// ln r = min(friction * wrap, -ln efficiency). Grip and bearing in series, without spin inertia. A saddle: efficiency
-/// 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope can't slip. A rolling carriage:
-/// efficiency 0 and its rolling friction. Without any loss: efficiency 1.
+/// Loss of tension at a contact. In the sense of growing tension T_out = r T_in, ln r = min(friction * wrap, -ln
+/// efficiency): groove and bearing act in series, and the weaker one gives way. The inertia of rotation is not
+/// included. A saddle: efficiency 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope
+/// cannot slip. A rolling carriage: efficiency 0 and its rolling friction. No loss: efficiency 1.
 struct ContactLaw {
   double friction = std::numeric_limits<double>::infinity();  ///< of the rope on the groove, >= 0
   double efficiency = 1;                                      ///< of the turning sheave, 0 <= efficiency <= 1
 };
 
 struct Node {
-  std::string name;  ///< of the point, sheave, drum, carriage: as the deck says it
+  std::string name;  ///< of the point, sheave, drum or carriage, as in the deck
   NodeKind kind = NodeKind::anchor;
   Place at;                         ///< the point; of a round its centre
-  double radius = 0;                ///< at the rope's centre, m; 0: a point
+  double radius = 0;                ///< to the centre of the rope, m; 0: a point
   Vector3 axis = Vector3::UnitY();  ///< unit vector in the body's frame; used when radius > 0
   int side = 1;                     ///< +1: along its path the rope turns right-handed about `axis`; -1: left-handed
-  bool side_open = false;  ///< of a round without a given side, other than a saddle that only bears: `side` is its
-                           ///< first guess, the answer decides
-  int turns = 0;           ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; below 0 the rope has left the sheave
-  ContactLaw law;          ///< of a contact
-  Vector3 support = Vector3::Zero();  ///< 0: holds the rope either way (a sheave with a guard, a carriage). Else the
-                                      ///< unit vector from the support to the rope, in the ground frame (a saddle: 0,
-                                      ///< 0, 1): the rope may lift off that way
-  bool may_lift = false;              ///< lifting: true: the rope leaves the support; false: reported as pulling it up
-  /// Of a clamp: unstretched length from the start of the rope (closed: from where it arrives at its drive), at the
-  /// rope's reference temperature, m.
+  bool side_open = false;  ///< no side is given (except at a saddle that can only push): `side` is a first guess, the
+                           ///< equilibrium decides
+  int turns = 0;   ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; a wrap below 0: the rope has left the sheave
+  ContactLaw law;  ///< of a contact
+  Vector3 support = Vector3::Zero();  ///< 0: holds the rope in both directions (a sheave with a guard, a carriage).
+                                      ///< Else the unit vector from the support to the rope, in the ground frame (a
+                                      ///< saddle: 0, 0, 1), in which the rope can lift off
+  /// Where the rope pulls away from the support: true: it lifts off; false: it is held, and this is reported.
+  bool may_lift = false;
+  /// Of a clamp: unstretched length from the start of the rope to the clamp, at the reference temperature, m. Of a
+  /// closed rope the length starts where the rope arrives at its drive.
   double length_before = 0;
   double inertia = 0;  ///< of a sheave that turns, kg m2
-  int drum = -1;       ///< of an anchor: the drum it is; -1: none
-  int motor = -1;      ///< of a sheave: the motor that drives it; -1: none
+  int drum = -1;       ///< of an anchor: index of its drum; -1: a pin
+  int motor = -1;      ///< of a sheave: index of the motor that drives it; -1: none
   RopeLoad load;       ///< of a load
-  /// Of a drive: T_in - T_out by its given torque, of one copy, N; empty: whatever comes. The torque of a closed rope
-  /// that is given by its length needs an open load.
+  /// Of a drive: T_in - T_out by its given torque, of one copy, N; empty: the torque follows. A closed rope with a
+  /// given length and a given torque needs an open load.
   std::optional<double> tension_drop;
 };
 
-/// What is known of a rope besides its path.
+/// The given quantity of a rope.
 enum class Given {
-  length,            ///< `value`: unstretched length at the rope's reference temperature, m, arcs on contacts counted;
-                     ///< at a drum it starts where the rope leaves the drum
+  length,  ///< `value`: unstretched length at the reference temperature, m, including the arcs on contacts; at a drum
+           ///< it begins where the rope leaves the drum
   tension_at_start,  ///< `value`: N; the length follows
   tension_at_end,    ///< `value`: N
   torque             ///< of a closed rope: its drive's tension_drop; the length follows
 };
 
-/// How a rope that has a length is put up to find it: with this tension at one end of its path, without what hangs on
-/// it but for these bodies and loads (indices in the model).
+/// Installation of a rope: its length is found from this tension at one end of its path. Only these bodies and loads
+/// hang on it meanwhile (indices in the model).
 struct PutUp {
   double tension = 0;  ///< N
   bool at_end = false;
@@ -123,30 +127,32 @@ struct PutUp {
   Array<int> loads;
 };
 
-/// One rope on its path, in the order of which "in" and "out" speak. Parallel parts are already written out: a tackle
-/// of n falls is n branches with a contact at each turn.
+/// One rope along its path; "in" and "out" follow the order of the path. Parallel parts are written out: a tackle of n
+/// falls is n branches with a contact at each turn.
 struct Reeving {
   std::string name;
-  Array<Node> nodes;  ///< open: first and last are anchors, none between; closed: the first is the drive, then
-                      ///< contacts and clamps, and the rope runs from the last back to the first
+  Array<Node> nodes;  ///< open: the first and the last are anchors, no other is. closed: the first is the drive, the
+                      ///< others are contacts and clamps; the rope runs from the last back to the first
   bool closed = false;
   Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
-  /// Of a rope with ends over a drive without a given torque: what is known of it besides.
+  /// Of an open rope over a drive without given torque: the second given quantity.
   std::optional<std::pair<Given, double>> also;
   double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0
   double stiffness = 0;       ///< EA, N, > 0; infinite: it does not stretch
   double breaking_force = 0;  ///< N; 0: not known, no safety factor
-  double thermal_strain = 0;  ///< expansion times temperature above the reference
-  int copies = 1;             ///< equal ropes beside each other; every force on the machine counts so often
-  double damping_ratio = 0;   ///< zeta of the lowest mode in which the rope stretches; 0: not given
+  double thermal_strain = 0;  ///< expansion coefficient times (temperature - reference temperature)
+  int copies = 1;             ///< number of equal parallel ropes; every force on the machine is multiplied by it
+  double damping_ratio = 0;   ///< zeta of the lowest mode that stretches the rope; 0: not given
   double damping_time = 0;    ///< beta, s: T = EA (e + beta e'); 0: not given
-  int segments = 1;     ///< > 1: in motion each branch is a chain of so many, with the rope's mass at their joints
-  double speed = 0;     ///< of the running rope, m/s, >= 0: its centrifugal tension is mass speed^2
+  /// Number of segments of each branch in motion. > 1: a chain with the mass of the rope at its joints.
+  int segments = 1;
+  double speed = 0;     ///< of the running rope, m/s, >= 0; its centrifugal tension is mass * speed^2
   double mass = 0;      ///< per unstretched length, kg/m
   double diameter = 0;  ///< m; 0: not known
-  int haul = -1;        ///< flow along the path (+1) or against it (-1) when the motion is hoist or in
-  /// Until the rope has been put up, `value` is the straight length of its path and no answer of an analysis.
+  int haul = -1;        ///< direction of flow when the motion is hoist or in: +1 along the path, -1 against it
+  /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
+  /// it.
   std::optional<PutUp> put_up = std::nullopt;
 };
 
@@ -154,26 +160,26 @@ struct Reeving {
 struct Carriage {
   std::string name;
   int body = 0;
-  int reeving = 0, node = 0;  ///< the rope it rides on, and where: a contact (rolling) or a clamp
-  int mainline = -1;          ///< the reeving whose length sets its place; -1: none. A rolling carriage without one is
-                              ///< held by a force along its track, a clamped one by where it is clamped
-  int rollers = 1;            ///< nodes node .. node + rollers - 1
-  int grip_reeving = -1, grip_node = -1;  ///< a running rope that carries it along, and the clamp there; -1: none
+  int reeving = 0, node = 0;  ///< the rope on which it rides, and its node: a contact (rolling) or a clamp
+  int mainline = -1;  ///< the reeving whose length determines its position; -1: none. Without one a force along the
+                      ///< track holds a rolling carriage, and its clamp a clamped one
+  int rollers = 1;    ///< number of its nodes: node ... node + rollers - 1
+  int grip_reeving = -1, grip_node = -1;  ///< a running rope to which it is also fixed, and the clamp there; -1: none
   int haulback = -1;                      ///< the reeving that pulls it against the mainline; -1: none
 };
 
-/// The ground under the line: a polyline, x growing. x is the distance from `Model::terrain_from` along
+/// A point of the terrain, a polyline with x increasing. x is the distance from `Model::terrain_from` along
 /// `Model::terrain_along`.
 struct GroundPoint {
   double x = 0, z = 0;  ///< m
 };
 
-/// Rows of a survey that lie off the line by more than the deck's corridor.
+/// Rows of a survey that are farther off the line than the corridor in the deck.
 struct OffLine {
   int rows = 0;
-  int farthest = 0;     ///< row of the survey, from 1 on
-  double distance = 0;  ///< of that one, in plan, m
-  double chainage = 0;  ///< of that one, m
+  int farthest = 0;     ///< number of the farthest row in the survey, from 1
+  double distance = 0;  ///< of that row from the line, in plan, m
+  double chainage = 0;  ///< of that row, m
 };
 
 struct Model {
@@ -183,7 +189,7 @@ struct Model {
   Array<Reeving> reevings;
   Array<Carriage> carriages;
   Array<GroundPoint> terrain;
-  Vector3 terrain_from = Vector3::Zero();    ///< where the terrain's x is 0, m
+  Vector3 terrain_from = Vector3::Zero();    ///< place with chainage 0, m
   Vector3 terrain_along = Vector3::UnitX();  ///< horizontal unit vector
   OffLine terrain_off_line;                  ///< of a survey
   // of a machine in motion
@@ -196,15 +202,16 @@ struct Model {
   Array<Tensioner> tensioners;
   Array<Event> events;
   Array<Observable> observed;
-  Array<Observable> measures;      ///< by their names; each is observed too
-  Array<Observable> mean_windows;  ///< quantities that say where means are taken
+  Array<Observable> measures;      ///< named quantities; each is observed too
+  Array<Observable> mean_windows;  ///< quantities that bound the intervals of means
   Array<Beam> beams;
 };
 
-/// The terrain's x of a place, m.
+/// Chainage of a place: its x in the terrain, m.
 double terrain_x(const Model& model, const Vector3& place);
 
-/// Number of branches of a reeving before any contact is left: nodes - 1, closed: nodes. Branch k starts at node k.
+/// Number of branches of a reeving while the rope touches all its nodes: nodes - 1, closed: nodes. Branch k starts at
+/// node k.
 int branch_count(const Reeving& reeving);
 
 }  // namespace taut::machine

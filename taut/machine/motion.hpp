@@ -12,40 +12,42 @@
 /// Parts of a compiled machine that matter when it moves: plain values and indices, as in model.hpp.
 namespace taut::machine {
 
-/// A displacement (m, from the body's place at the start) or rotation (rad) of a body that a signal gives.
+/// A motion of a body given by a signal: a displacement (m, from its place at the start) or a rotation (rad).
 struct DrivenWay {
   Vector3 along = Vector3::Zero();  ///< unit vector in the ground frame, or 0
   Vector3 about = Vector3::Zero();  ///< unit vector in the ground frame through the body's origin, or 0
   Signal signal;
 };
 
-/// What turns a drum or a driven sheave.
+/// Kind of drive of a drum or driven sheave.
 enum class DriveKind {
   held,    ///< does not turn
   free,    ///< turns without torque
-  speed,   ///< of the rope where it leaves the drum, m/s, taking in > 0; of a sheave's rim, along the path > 0
-  torque,  ///< N m, taking in > 0; of a sheave along the path > 0
-  pull     ///< tension of the rope where it leaves a drum, N
+  speed,   ///< given speed of the rope where it leaves the drum, m/s, taking in > 0; of a sheave: of its rim, along the
+           ///< path > 0
+  torque,  ///< given torque, N m, taking in > 0; of a sheave along the path > 0
+  pull     ///< given tension of the rope where it leaves a drum, N
 };
 struct Drive {
   DriveKind kind = DriveKind::held;
-  Signal signal;       ///< NaN: of a speed that only a motion needs, and whose signal the deck has not got
-  bool brake = false;  ///< set: it does not turn, whatever drives it
+  Signal signal;       ///< NaN: the deck has no signal of this speed, which only a motion needs
+  bool brake = false;  ///< true: the brake is set and holds it against any drive
 };
 
 /// A drum at the first or last node of one rope or several (Node::drum).
 struct Drum {
   std::string name;
   double core_radius = 0;                ///< m
-  int layer = 1;                         ///< that the rope leaves at the start
+  int layer = 1;                         ///< from which the rope leaves at the start
   bool automatic_layers = false;         ///< the layer follows the rope on the drum
   double width = 0;                      ///< between the flanges, m; 0: not known
   std::optional<double> length_on_drum;  ///< at the start, m
-  std::optional<double> wound_at;        ///< tension at which the rope on it was wound, N; none: that at the start
-  double pitch = 0;                      ///< from wrap to wrap, m; 0: the rope's diameter
-  double layer_height = 0;               ///< m; 0: the rope's diameter
-  double flange_diameter = 0;            ///< m; 0: not limited
-  double inertia = 0;                    ///< kg m2
+  std::optional<double>
+      wound_at;                ///< winding tension of the rope on it, N; none: 0, in motion the tension at the start
+  double pitch = 0;            ///< from wrap to wrap, m; 0: the rope's diameter
+  double layer_height = 0;     ///< m; 0: the rope's diameter
+  double flange_diameter = 0;  ///< m; 0: not limited
+  double inertia = 0;          ///< kg m2
   Drive drive;
 };
 
@@ -53,7 +55,7 @@ struct Drum {
 struct Motor {
   std::string name;
   Drive drive;
-  std::optional<double> working_arc;  ///< part of the wrap that can pull, rad; none: all of it
+  std::optional<double> working_arc;  ///< part of the wrap that transmits force, rad; none: the whole wrap
 };
 
 /// A strip of a plane on a body, or of the ground.
@@ -64,7 +66,8 @@ struct Face {
   Vector3 normal = Vector3::UnitZ();                     ///< unit, square to from -> to, out of the body
 };
 
-/// A point on a face: unilateral, Stribeck friction f(v) = f_inf + (f_0 - f_inf) exp(-|v|/v_s), with true stiction.
+/// A point in contact with a face: unilateral, with Stribeck friction f(v) = f_inf + (f_0 - f_inf) exp(-|v|/v_s) and
+/// true sticking.
 struct FaceContact {
   std::string name;
   int body = -1;                 ///< of the point
@@ -111,35 +114,35 @@ enum class Observed {
   z,
   vx,
   vy,
-  vz,  ///< of a place on a body, in the ground frame, m, m/s
+  vz,  ///< of a place on a body, ground frame, m, m/s
   rx,
   ry,
   rz,
   wx,
   wy,
-  wz,  ///< of a body: as the table `bodies` gives them, rad; rate of turning about the axes, 1/s
+  wz,  ///< of a body: rotations as in the table `bodies`, rad; angular velocity about the axes, 1/s
   T_start,
   T_end,
   T_max,  ///< of a rope, N
   branch_T,
   branch_length,  ///< of one branch: its largest tension, N; its unstretched length, m
-  length,         ///< of a rope, unstretched, from end to end, without what lies on drums, m
+  length,         ///< of a rope: unstretched length from end to end, m, without what is on drums
   T_in,
   T_out,
   sheave_speed,
   sheave_omega,
   sheave_angle,
-  slip,  ///< N; of the rim along the path m/s, 1/s, rad; rope
-         ///< less rim along the path, m/s
+  slip,  ///< N, N; of the sheave: rim speed along the path, m/s, angular velocity, 1/s, angle, rad; speed of the rope
+         ///< relative to the rim along the path, m/s
   drum_T,
   drum_speed,
   drum_length,
   drum_torque,
-  drum_power,  ///< N; taken in, m/s; on it, m; of its drive, N m, W
+  drum_power,  ///< N; rope taken in, m/s; rope on the drum, m; torque and power of its drive, N m, W
   contact_N,
   contact_F,
   contact_speed,
-  contact_state,  ///< N, N, m/s; 0 apart, 1 slides, 2 sticks
+  contact_state,  ///< normal force and friction, N; sliding speed, m/s; 0 open, 1 sliding, 2 sticking
   actuator_F,
   actuator_speed,
   actuator_length,
@@ -150,7 +153,7 @@ enum class Observed {
   dissipated,
   supplied,
   residual,  ///< energies of the whole machine, J
-  signal     ///< its value
+  signal     ///< value of a signal
 };
 
 struct Observable {
@@ -158,23 +161,23 @@ struct Observable {
   Observed quantity = Observed::x;
   Unit unit;
   int index = -1;  ///< body (-1: ground), reeving, drum, contact, actuator or signal, as the quantity needs it
-  int part = -1;   ///< of a rope: the branch, from 0; of a sheave: its node
+  int part = -1;   ///< of a rope: its branch, from 0; of a sheave: its node
   Vector3 at = Vector3::Zero();  ///< of a place: in its body's frame, m
   // of a measure
   int seen_from = -1;  ///< body in whose axes a place or a rotation is seen; -1: the ground
   double factor = 1, offset = 0;
   double since = 0;  ///< s
   description::Relative relative = description::Relative::none;
-  description::Taken taken = description::Taken::automatic;  ///< automatic: nothing stands under its own name
-  int slot = -1;                                             ///< of a measure: its place among what is observed
-  bool has_mean = false;                                     ///< while the quantity `mean_of` lies from .. to
+  description::Taken taken = description::Taken::automatic;  ///< automatic: no result value of its own
+  int slot = -1;                                             ///< of a measure: its index in `observed`
+  bool has_mean = false;  ///< mean while the quantity `mean_of` lies between mean_from and mean_to
   double mean_from = 0, mean_to = 0;
   int mean_of = -1;  ///< index in Model::mean_windows; -1: the time
 };
 
 struct Condition {
   Observable of;
-  bool above = true;  ///< holds above the threshold; false: below
+  bool above = true;  ///< true: holds above the threshold; false: below it
   double threshold = 0;
 };
 
@@ -184,10 +187,10 @@ struct Event {
   std::string words;  ///< "break ext"
   EventKind kind = EventKind::stop;
   std::optional<double> at;       ///< s
-  std::optional<Condition> when;  ///< as soon as it holds, once
+  std::optional<Condition> when;  ///< happens once, as soon as this holds
   double over = 0;                ///< s, of a break
   int index = -1;                 ///< reeving, actuator, drum
-  int part = -1;                  ///< branch that breaks, from 0; -1: the one with the largest tension then
+  int part = -1;                  ///< branch that breaks, from 0; -1: the one with the largest tension at that time
   bool brake_set = true;
   bool of_motor = false;  ///< a drive: `index` is a motor, not a drum
   ActuatorMode mode = ActuatorMode::lock;

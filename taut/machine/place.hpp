@@ -3,7 +3,7 @@
 
 namespace taut::machine {
 
-/// Not a body: fixed to the ground frame.
+/// Index that stands for the ground instead of a body.
 inline constexpr int ground = -1;
 
 /// A point of a body, or of the ground.

@@ -5,16 +5,17 @@
 
 namespace taut::machine {
 
-/// Where a carriage is to be. What holds it follows from that: of a clamped carriage the place of its clamp, of one
-/// that is fixed to a running rope the place of that grip; else its mainline's length or given tension (its haulback's
-/// length where the mainline's tension is given and the haulback's is not); else a force along its track, which the
-/// result gives as `hold`.
+/// A prescribed position of a carriage. One other quantity follows from it, the first that applies:
+/// - clamped carriage: the place of its clamp;
+/// - carriage fixed to a running rope: the place of that grip;
+/// - carriage with a mainline: the length or given tension of the mainline (where the tension of the mainline is given
+/// and that of the haulback is not: the length of the haulback);
+/// - else: a force along its track, which the result gives as `hold`.
 struct Prescribed {
-  int carriage = 0;                  ///< index in the model
-  double x = 0;                      ///< of its body's origin, along `along`, m
-  Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
-  std::optional<double> z =
-      std::nullopt;  ///< its height, m: the length or tension given of the rope it rides on follows
+  int carriage = 0;                        ///< index in the model
+  double x = 0;                            ///< of its body's origin, along `along`, m
+  Vector3 along = Vector3::UnitX();        ///< horizontal unit vector
+  std::optional<double> z = std::nullopt;  ///< height, m: the given quantity of the rope on which it rides then follows
 };
 
 }  // namespace taut::machine

@@ -8,16 +8,16 @@
 
 namespace taut::machine {
 
-/// A quantity over time, with its first two derivatives: how a drum is driven, a body moved, a rope let out. Times in
-/// s from the start of the motion, values in SI of its unit.
+/// Value of a signal and its first two time derivatives. Time in s from the start of the motion, values in the SI unit
+/// of the signal.
 struct SignalValue {
   double value = 0;
   double rate = 0;
   double acceleration = 0;
 };
 
-/// One change of a signal: from what it is to `to`, beginning at `at`, in the time `over`; 0: a jump. Linear, or
-/// smooth: 10 s^3 - 15 s^4 + 6 s^5, rate and acceleration zero at both ends.
+/// One change of a signal: from its value at the time `at` to `to`, within the time `over`; 0: a jump. Linear, or
+/// smooth: 10 s^3 - 15 s^4 + 6 s^5, with rate and acceleration zero at both ends.
 struct Move {
   double at = 0;
   double to = 0;
@@ -25,14 +25,14 @@ struct Move {
   bool smooth = false;
 };
 
-/// Changes one after the other, none beginning before the last has ended.
+/// Successive changes; none begins before the last one has ended.
 struct Moves {
-  double from = 0;  ///< before the first
+  double from = 0;  ///< value before the first change
   Array<Move> moves;
 };
 
-/// Values at growing times, the first and the last one held before and after. Linear between them; with `slopes` (at
-/// each time) the cubic that has them.
+/// Values at increasing times t; constant before the first and after the last. Linear between them, or, with `slopes`
+/// (one for each time), the cubic with these slopes.
 struct Curve {
   Array<double> t;
   Array<double> value;
@@ -53,18 +53,18 @@ struct Signal {
   std::variant<double, Moves, Curve, Sine> law = 0.0;
 };
 
-/// Value and derivatives at t. Where they jump, what they are after the jump.
+/// Value and derivatives at t. At a jump: those after the jump.
 SignalValue at(const Signal& signal, double t);
 
-/// Integral of the value over the time from `from` to `to` >= `from`: the rope that a drum driven by a speed takes in.
-/// Exact but for rounding.
+/// Integral of the value from `from` to `to`, `to` >= `from`; exact except for rounding. It is the rope that a drum
+/// with a given speed takes in.
 double integral(const Signal& signal, double from, double to);
 
-/// The times at which the value or a derivative jumps, growing: where an integrator has to end a step.
+/// The times at which the value or a derivative jumps, increasing. An integrator has to end a step there.
 Array<double> breakpoints(const Signal& signal);
 
-/// A curve through the points with continuous second derivative, at rest at both ends (clamped cubic spline), as it
-/// stands still before and after. `t` grows, at least two points.
+/// The cubic spline through the points with a continuous second derivative and slope zero at both ends (clamped
+/// spline), because the value is constant before and after. `t` increasing, at least two points.
 Curve smooth_curve(Array<double> t, Array<double> value);
 
 }  // namespace taut::machine

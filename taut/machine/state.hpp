@@ -14,36 +14,38 @@ struct Pose {
   Matrix3 orientation = Matrix3::Identity();  ///< body to ground
 };
 
-/// The free rope from one node to the next one that it touches.
+/// State of a branch: the free rope from one node to the next that it touches.
 struct BranchState {
-  /// Unstretched, at the rope's temperature, m, with the directions below (unknown: straight); 0 where the node before
-  /// is not touched.
+  /// Unstretched, at the temperature of the rope, m, for the directions below (unknown: straight); 0 where the rope
+  /// does not touch the first node.
   double length = 0;
   Vector3 leaves = Vector3::Zero(), arrives = Vector3::Zero();  ///< unit vectors along the path at its ends; 0: unknown
-  std::optional<rope::CatenaryForce> force;                     ///< at its middle; none: unknown
+  std::optional<rope::CatenaryForce> force;                     ///< in the middle of the branch; none: unknown
 };
 
-/// Where a machine is: a value, to be copied, kept and started from.
+/// Configuration of a machine: a value that can be copied, kept and used as a start.
 struct State {
-  Array<Pose> bodies;                   ///< as in the model
-  Array<Array<BranchState>> branches;   ///< [reeving][branch], branch k from node k on
+  Array<Pose> bodies;                   ///< [body]
+  Array<Array<BranchState>> branches;   ///< [reeving][branch]; branch k begins at node k
   Array<Array<bool>> touched;           ///< [reeving][node]: false where the rope has lifted off
   Array<Array<PieceState>> beams = {};  ///< [beam][piece]
-  Array<Array<int>> sides = {};         ///< [reeving][node], Node::side as found; empty: as in the model
+  Array<Array<int>> sides = {};         ///< [reeving][node]: Node::side as found; empty: as in the model
 };
 
-/// The model with the sides of its sheaves as they are in a state of it.
+/// A copy of the model with the sides of its sheaves as in `state`.
 Model with_sides(Model model, const State& state);
 
-/// As described: bodies where they are given, each rope straight from round to round; what its given length leaves
-/// beside the arcs is shared out in proportion. A rope of given tension has its `taut_length`.
+/// The state as described, a first guess: bodies at their given places, each rope straight from node to node. A given
+/// length, less the arcs, is distributed over the branches as if all had the same tension (a weightless rope: in
+/// proportion to the straight lines). Branches of a rope of given tension have their `taut_length`.
 State initial_state(const Model& model);
 
-/// The straight line from one node to the next, tangent to both, m. Of the centres where there is none.
+/// Length of the common tangent of two nodes, m; where there is none, the distance of their centres.
 double straight_length(const State& state, const Node& from, const Node& to);
 
-/// Unstretched length of a branch on its straight line at a tension, N: less than it needs with its sag, so that it is
-/// tighter than that. A rope that does not stretch gets a quarter of its sag's length more than the line.
+/// Unstretched length of a branch along its straight line at `tension`, N. The sag is neglected, so the branch is
+/// tighter than this tension. For an inextensible rope: the straight line plus a quarter of the extra length that the
+/// sag at this tension needs.
 double taut_length(const State& state, const Reeving& reeving, const Node& from, const Node& to, double tension);
 
 /// A place in the ground frame, m.

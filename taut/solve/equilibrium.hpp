@@ -12,89 +12,91 @@
 
 namespace taut::solve {
 
-/// How the ropes run over their contacts, which sets the direction of every loss. hoist and in mean the same: each rope
-/// flows by its `haul`; lower and out the other way. at_rest: no loss, and beside it the band between the two.
+/// Direction in which the ropes run over their contacts; it sets the direction of every loss. hoist and in mean the
+/// same: each rope flows as its `haul` says; lower and out are the opposite. at_rest: the equilibrium without losses
+/// and, with `band`, the band of each tension between both directions.
 enum class Motion { at_rest, hoist, lower, in, out };
 
 struct EquilibriumOptions {
   Motion motion = Motion::at_rest;
-  /// Flow through single contacts, [reeving][node], +1 along the path, -1 against it, 0 none; empty: by `motion`.
+  /// Flow at single contacts, [reeving][node]: +1 along the path, -1 against it, 0 none. Empty: by `motion`.
   Array<Array<int>> flow;
-  bool band = true;  ///< at rest: also solve both directions
-  /// Given tensions are those that ropes are put up with: the machine has to stay with the lengths found, not with the
-  /// tensions held.
+  bool band = true;  ///< at rest: also solve both directions of motion for the bands of the tensions
+  /// Given tensions are those of the installation: the solution has to be stable with the lengths found held constant,
+  /// not with the tensions held constant.
   bool lengths_kept = false;
   std::optional<machine::Prescribed> prescribed;
-  /// Whether a force along its track may hold a prescribed carriage that no rope holds. False: there is no equilibrium
-  /// where one is needed, but for 1e-9 of the carriage's weight and load.
+  /// Whether a force along the track may hold a prescribed carriage that no rope holds. When false there is no
+  /// equilibrium where such a force is needed; below 1e-9 of the weight and load of the carriage it counts as zero.
   bool held = true;
-  /// Of every residual: forces by the largest force (not below 4e-15 EA, what rounding leaves), lengths by the longest
-  /// span.
+  /// Tolerance of every residual. Forces: relative to the largest force (at least to 4e-15 EA, the level of rounding).
+  /// Lengths: relative to the longest span.
   double tolerance = 1e-10;
   int iterations = 60;  ///< of one Newton solve
 };
 
-/// One branch. Tensions at its ends and the components there: H along the horizontal of the branch, V upwards (positive
-/// where the rope rises along its path), N. Of a running rope (Reeving::speed) T contains the centrifugal tension, H
-/// and V, what its ends feel, do not.
+/// Results of one branch: tensions at its ends and their components, N. H: along the horizontal direction of the
+/// branch. V: upwards, positive where the rope rises along its path. T of a running rope (Reeving::speed) contains the
+/// centrifugal tension; H and V do not, because its supports do not feel it.
 struct SpanResult {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   double T_from = 0, T_to = 0, H = 0, V_from = 0, V_to = 0;
-  double chord = 0, unstretched = 0, stretched = 0, sag = 0;  ///< m; unstretched: at the reference temperature, the
-                                                              ///< free rope of this branch alone
-  Vector3 start = Vector3::Zero(), end = Vector3::Zero();     ///< where the free rope begins and ends, m
-  bool slack = false;                                         ///< a rope without weight that carries nothing
-  rope::Span shape;                                           ///< for points between the ends
+  /// Lengths, m. unstretched: of the free rope of this branch, at the reference temperature.
+  double chord = 0, unstretched = 0, stretched = 0, sag = 0;
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();             ///< ends of the free rope, m
+  bool slack = false;                                                 ///< a weightless rope that carries no force
+  rope::Span shape;                                                   ///< shape between the ends
   double T_from_min = 0, T_from_max = 0, T_to_min = 0, T_to_max = 0;  ///< the band at rest; else the tension itself
 };
 
-/// What a rope does at a node between its ends.
+/// State of a rope at a node between its ends.
 enum class ContactState {
   turning,   ///< a sheave (or carriage) over which the rope runs
   slipping,  ///< a saddle over which the rope runs, or a sheave on which it slips
   stuck,     ///< at rest, held by friction
   held,      ///< a clamp or a drive
-  pulled,    ///< the rope pulls the support the wrong way: it would lift off
+  pulled,    ///< the rope pulls the support in the direction in which it would lift off
   lifted     ///< the rope has lifted off
 };
 
 struct ContactResult {
   int reeving = 0, node = 0;
   double T_in = 0, T_out = 0;       ///< N, by the order of the path
-  double wrap = 0;                  ///< angle between the rope directions, rad
-  Vector3 force = Vector3::Zero();  ///< of the rope (one copy) on it, N
+  double wrap = 0;                  ///< angle between the directions of the rope before and after it, rad
+  Vector3 force = Vector3::Zero();  ///< of one copy of the rope on the support, N
   ContactState state = ContactState::turning;
   double T_in_min = 0, T_in_max = 0, T_out_min = 0, T_out_max = 0;  ///< the band at rest; else the tension itself
 };
 
-/// A force along the free rope.
+/// Result of a force along the free rope.
 struct RopeLoadResult {
   int reeving = 0, node = 0;
-  Vector3 at = Vector3::Zero();     ///< where on the rope, m
-  Vector3 force = Vector3::Zero();  ///< on the rope (one copy), N
-  double along_path = 0;            ///< the same with its sign by the order of the path, N
+  Vector3 at = Vector3::Zero();     ///< its place, m
+  Vector3 force = Vector3::Zero();  ///< on one copy of the rope, N
+  double along_path = 0;            ///< its component along the path, N
   double T_in = 0, T_out = 0;       ///< N, by the order of the path
 };
 
-/// A rope as a whole.
+/// Results of a whole rope.
 struct RopeResult {
-  double unstretched = 0;    ///< at the reference temperature, of one copy, from end to end of its path: that of its
-                             ///< spans and what lies on rounds, not what is on drums, m
-  double T_max = 0;          ///< the band's largest included, N
-  int span = 0;              ///< where it is: index in `spans`,
-  bool at_end = false;       ///< at that branch's end or start
+  double unstretched = 0;  ///< at the reference temperature, of one copy, from end to end of its path, m: branches and
+                           ///< arcs on rounds, without the rope on drums
+  double T_max = 0;        ///< the largest tension; at rest the largest of the band, N
+  int span = 0;            ///< index of the branch with T_max in `spans`
+  bool at_end = false;     ///< T_max is at the end of that branch, else at its start
   double safety_factor = 0;  ///< breaking force / T_max; 0: breaking force not known
 };
 
-/// How well the answer closes: worst over the machine.
+/// Accuracy of the answer: the largest residuals in the machine.
 struct Closure {
   double rope = 0;     ///< ends of spans and lengths of ropes, m
-  double force = 0;    ///< balance of every freedom (moments: by the machine's size) and the law of every contact, N
-  double balance = 0;  ///< weights, loads, forces on fixed bodies and anchors together, N
+  double force = 0;    ///< balance of every degree of freedom (moments: divided by the size of the machine) and law of
+                       ///< every contact, N
+  double balance = 0;  ///< sum of all weights, loads and forces at fixed bodies and anchors, N
   int iterations = 0;  ///< Newton steps, all stages
 };
 
-/// `outcome` not ok: the message says what to change, and nothing else here is a result.
+/// When `outcome` is not ok its message says what to change, and the other members are not a result.
 struct EquilibriumResult {
   Outcome outcome;
   machine::State state;
@@ -102,28 +104,30 @@ struct EquilibriumResult {
   Array<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
   Array<RopeLoadResult> rope_loads;  ///< by reeving, along its path
   Array<RopeResult> ropes;           ///< by reeving
-  /// By body: force on the body by what holds it where it is not free, N; in free directions about 0.
+  /// [body]: force by which the body is held in directions that are not free, N; about 0 in free directions.
   Array<Vector3> reactions;
   Array<BeamResult> beams;         ///< as in the model
-  Vector3 hold = Vector3::Zero();  ///< force that keeps a prescribed carriage without mainline in place, N
+  Vector3 hold = Vector3::Zero();  ///< force that holds a prescribed carriage without mainline, N
   Closure closure;
-  bool band = false;       ///< whether the tensions' bands hold both directions of motion
-  Array<Array<int>> flow;  ///< through every node, [reeving][node], for which the tensions hold
+  bool band = false;       ///< whether the bands of the tensions contain both directions of motion
+  Array<Array<int>> flow;  ///< flow at every node, [reeving][node], for which the tensions hold
 };
 
-/// The equilibrium of the machine, from `start` (default: initial_state) on. Damped Newton with exact derivatives over
-/// the freedoms of the bodies and the unstretched length of every branch; where it fails from the start given, load and
-/// rope weight are stepped. Ropes with a speed run where the motion makes them flow: their tensions contain the
-/// centrifugal one, m v^2, which no support feels. At rest the loads that go by the motion act as if the ropes hauled
-/// in, also in the band. docs/theory/equilibrium.md, docs/theory/drives.md.
+/// The equilibrium of the machine, starting from `start` (default: initial_state). Damped Newton iteration with exact
+/// derivatives over the degrees of freedom of the bodies and the unstretched length of every branch. Where it fails
+/// from that start, loads and rope weights are increased in steps. Ropes with a speed flow as the motion says; their
+/// tensions contain the centrifugal tension m v^2, which no support feels. At rest, loads that depend on the motion act
+/// as if the ropes hauled in, in the band too. Returns infeasible or not_converged with a message in `outcome`.
+/// docs/theory/equilibrium.md, docs/theory/drives.md.
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options = {},
                               const std::optional<machine::State>& start = std::nullopt);
 
-/// Not ok where a prescribed carriage stays in its place only by the result's `hold`, as of EquilibriumOptions::held.
+/// Infeasible where a prescribed carriage is held only by the force `hold`, see EquilibriumOptions::held.
 Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
                          const EquilibriumResult& result);
 
-/// The machine with each rope's length frozen as it is in `result`: guys installed by tension, then loaded.
+/// A copy of the machine with the length of each rope given as it is in `result`: guys are put up by tension, then the
+/// machine is loaded.
 machine::Model installed(const machine::Model& model, const EquilibriumResult& result);
 
 }  // namespace taut::solve

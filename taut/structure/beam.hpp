@@ -5,7 +5,7 @@
 #include "taut/catalogue/section.hpp"
 #include "taut/math/vector.hpp"
 
-/// Elastic members of structures: geometrically exact, so that no rotation is too large for them. All SI, z up.
+/// Elastic beams, geometrically exact: valid for rotations of any size. All SI, z up.
 namespace taut::structure {
 
 /// Elastic moduli of structural steel, Pa (EN 1993-1-1, 3.2.6: E 210 GPa, nu 0.3).
@@ -14,7 +14,7 @@ struct Elasticity {
   double G = 210e9 / 2.6;
 };
 
-/// What a beam is made of. x, y: the directions of the section in which it bends; EI_x resists bending towards x.
+/// Properties of a beam section. x, y: axes of the section towards which it bends; EI_x resists bending towards x.
 struct BeamSection {
   double area = 0;     ///< m2
   double EA = 0;       ///< N
@@ -24,20 +24,21 @@ struct BeamSection {
   double W_x = 0;      ///< elastic modulus for bending in the plane x-z, m3
   double W_y = 0;      ///< m3
   double weight = 0;   ///< own weight per metre, N/m
-  bool round = false;  ///< a tube: both bending moments add as vectors, else fibre by fibre at a corner
+  bool round = false;  ///< a tube: both bending moments add as vectors; false: stresses add in the corner fibre
 };
 
-/// A catalogue section whose strong axis y-y takes the bending towards x. Its own weight is left out: set `weight`.
+/// Properties of a catalogue section whose strong axis y-y takes the bending towards x. Its own weight is not included:
+/// set `weight`.
 BeamSection beam_section(const catalogue::SectionRow& row, const Elasticity& steel = {});
 
 /// A tube of outer diameter D and wall t, m.
 BeamSection tube_section(double diameter, double wall, const Elasticity& steel = {});
 
-/// |N|/A + M/W of the most stressed fibre, Pa; of a box |M_x|/W_x + |M_y|/W_y, rounded corners taken as sharp.
-/// `axial` N, moments N m for bending towards x and y.
+/// The largest |N|/A + M/W, Pa. Of a box M/W is |M_x|/W_x + |M_y|/W_y, with sharp corners. `axial` N; moments for
+/// bending towards x and y, N m.
 double largest_stress(const BeamSection& section, double axial, double bends_to_x, double bends_to_y);
 
-/// A cross-section of a beam in space. `force`, `moment`: of the part above on the part below.
+/// State of a cross-section of a beam in space. `force`, `moment`: exerted by the part above on the part below.
 struct BeamState {
   Vector3 place = Vector3::Zero();
   Matrix3 axes = Matrix3::Identity();  ///< columns: the section's x and y, and the beam's direction
@@ -45,24 +46,25 @@ struct BeamState {
   Vector3 moment = Vector3::Zero();    ///< N m
 };
 
-/// Axial force (tension positive), shear along the section's x and y, and moments bending towards x and y, torsion.
+/// Axial force (tension positive), shear along x and y of the section, moments of bending towards x and y, torsion.
 struct SectionForces {
   double axial = 0, shear_x = 0, shear_y = 0;          ///< N
   double bends_to_x = 0, bends_to_y = 0, torsion = 0;  ///< N m
 };
 SectionForces section_forces(const BeamState& state);
 
-/// Carries a state along `length` of a beam without loads but its own weight (Kirchhoff-Love rod, shear rigid):
-/// F' = weight up, M' = -r' x F, r' = (1 + N/EA) d3, axes turn by the curvatures M_1/EI_y, M_2/EI_x, M_3/GJ
-/// (Antman, Nonlinear Problems of Elasticity, ch. 8). Classical Runge-Kutta in `steps` equal steps; the axes as a
-/// quaternion. `each`, if given, gets the states at all steps, the first left out.
+/// Integrates a state along `length` of a beam whose only load is its own weight (Kirchhoff-Love rod, rigid in shear):
+/// F' = weight up, M' = -r' x F, r' = (1 + N/EA) d3; the axes rotate with the curvatures M_1/EI_y, M_2/EI_x, M_3/GJ
+/// (Antman, Nonlinear Problems of Elasticity, ch. 8). Classical Runge-Kutta method with `steps` equal steps, the axes
+/// as a quaternion. `each`, if given, receives the states after each step.
 BeamState carry(const BeamSection& section, const BeamState& from, double length, int steps,
                 std::vector<BeamState>* each = nullptr);
 
-/// Stiffness of the piece between two sections around an equilibrium: forces and moments that its ends ask for, per
-/// displacement and (spatial) turn of its ends: order F0, M0, F1, M1 against u0, turn0, u1, turn1. From the transfer
-/// matrix by central differences: `carry_on` takes a state at the lower end to the upper one, past whatever acts
-/// between them. `length` m and `EI` N m2 set the size of the steps. Symmetric up to the moments at the ends.
+/// Stiffness of a piece between two sections about an equilibrium, 12 x 12: forces and moments required at its ends by
+/// displacements and (spatial) rotations of its ends. Rows F0, M0, F1, M1; columns u0, turn0, u1, turn1. From the
+/// transfer matrix by central differences. `carry_on` takes a state at the lower end to the upper one, including
+/// whatever acts between them; `length`, m, and `EI`, N m2, set the size of the differences. Symmetric except for terms
+/// of the end moments.
 Eigen::Matrix<double, 12, 12> piece_stiffness(const std::function<BeamState(const BeamState&)>& carry_on,
                                               const BeamState& from, double length, double EI);
 

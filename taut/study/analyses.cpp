@@ -100,7 +100,7 @@ const Description& AnalysisRequest::describe() {
           .record(&AnalysisRequest::sweep, "sweep", "the equilibrium over a number of the deck")
           .record(&AnalysisRequest::transient, "transient", "a motion of the machine")
           .record(&AnalysisRequest::modes, "modes", "small vibrations: frequencies, damping, shapes")
-          .record(&AnalysisRequest::pretension, "pretension", "ropes pulled tight in turn, as they are put up")
+          .record(&AnalysisRequest::pretension, "pretension", "ropes tightened one after the other, as they are put up")
           .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep",
                         "transient", "modes", "pretension"});
   return d;

@@ -217,17 +217,17 @@ const Description& PhaseRequest::describe() {
           .named_records(&PhaseRequest::motion, "motion", "as for an equilibrium: in, out, ...")
           .shorthand("sense")
           .one_for_all()
-          .field(&PhaseRequest::load, "load", "m", si::kg, "on the carriage, beside the machine's own loads")
+          .field(&PhaseRequest::load, "load", "m", si::kg, "load on the carriage, in addition to those of the machine")
           .at_least(0)
           .at_most(heaviest)
-          .field(&PhaseRequest::from, "from", "x", si::m, "first place of the carriage, in place of the cycle's")
+          .field(&PhaseRequest::from, "from", "x", si::m, "first place of the carriage, in place of that of the cycle")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&PhaseRequest::to, "to", "x", si::m, "last place")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&PhaseRequest::speed, "speed", "v", si::m_per_s,
-                 "of the carriage along its way, in place of the cycle's")
+                 "speed of the carriage, in place of that of the cycle")
           .above(0)
           .at_most(1000);
   return d;
@@ -236,7 +236,7 @@ const Description& PhaseRequest::describe() {
 const Description& CycleRequest::describe() {
   static const Description d =
       Describe<CycleRequest>()
-          .field(&CycleRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&CycleRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&CycleRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&CycleRequest::carriage, "carriage", "the carriage that is moved")
           .required()
@@ -245,7 +245,7 @@ const Description& CycleRequest::describe() {
           .at_most(farthest)
           .required()
           .field(&CycleRequest::to, "to", "x", si::m,
-                 "last place there; phases without places of their own go back and forth")
+                 "last place in the first phase; phases without places of their own go back and forth")
           .at_least(-farthest)
           .at_most(farthest)
           .required()
@@ -254,11 +254,10 @@ const Description& CycleRequest::describe() {
           .at_most(10000)
           .field(&CycleRequest::along, "along", "", si::one, "as for a load path")
           .field(&CycleRequest::held, "held", "as for an equilibrium, at every position")
-          .field(&CycleRequest::speed, "speed", "v", si::m_per_s,
-                 "of the carriage along its way: gives powers and times")
+          .field(&CycleRequest::speed, "speed", "v", si::m_per_s, "speed of the carriage, for powers and times")
           .above(0)
           .at_most(1000)
-          .record(&CycleRequest::phases, "phases", "one after the other")
+          .record(&CycleRequest::phases, "phases", "phases in their order")
           .required();
   return d;
 }

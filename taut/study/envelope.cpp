@@ -258,10 +258,10 @@ std::vector<double> or_none(const std::vector<double>& all) { return all.empty()
 const Description& EnvelopeRequest::describe() {
   static const Description d =
       Describe<EnvelopeRequest>()
-          .field(&EnvelopeRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EnvelopeRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&EnvelopeRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&EnvelopeRequest::carriage, "carriage",
-                 "the carriage that is moved; without it the machine as it stands")
+                 "the carriage that is moved; without it the machine as described")
           .field(&EnvelopeRequest::from, "from", "x", si::m, "first place of the carriage")
           .at_least(-farthest)
           .at_most(farthest)
@@ -273,15 +273,14 @@ const Description& EnvelopeRequest::describe() {
           .at_most(10000)
           .field(&EnvelopeRequest::along, "along", "", si::one, "as for a load path")
           .field(&EnvelopeRequest::held, "held", "as for an equilibrium, at every position")
-          .field(&EnvelopeRequest::load_at, "load_at",
-                 "the body or carriage that gets the loads; without it the carriage")
-          .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "each of these, beside the machine's own loads")
+          .field(&EnvelopeRequest::load_at, "load_at", "the body or carriage with the loads; default: the carriage")
+          .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "loads, each in addition to those of the machine")
           .at_least(0)
           .at_most(heaviest)
-          .field(&EnvelopeRequest::motions, "motions", "each of these; without them at_rest")
+          .field(&EnvelopeRequest::motions, "motions", "motions; default: at_rest")
           .of({"at_rest", "hoist", "lower", "in", "out"})
           .field(&EnvelopeRequest::temperatures, "temperatures", "", si::K.in("degC"),
-                 "each of these; without them the machine's")
+                 "temperatures; default: that of the machine")
           .above(0)
           .at_most(2000);
   return d;

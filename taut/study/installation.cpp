@@ -219,25 +219,25 @@ Installation installation(const EmptyLine& line, const solve::Condition& given,
 const Description& InstallationGivenRequest::describe() {
   static const Description d =
       Describe<InstallationGivenRequest>()
-          .field(&InstallationGivenRequest::tension, "tension", "T", si::N, "of the empty rope at one end")
+          .field(&InstallationGivenRequest::tension, "tension", "T", si::N, "tension of the empty rope at one end")
           .above(0)
           .at_most(strongest)
           .field(&InstallationGivenRequest::length, "length", "L", si::m,
-                 "unstretched, at the reference temperature; without any of the three the machine's own")
+                 "unstretched length at the reference temperature")
           .above(0)
           .at_most(farthest)
           .field(&InstallationGivenRequest::sag, "sag", "f", si::m,
-                 "of a free span at half its horizontal length, below its chord")
+                 "sag of a free span below its chord, at half its horizontal length")
           .above(0)
           .at_most(farthest)
           .choice(&InstallationGivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
-                  "end of the path at which the tension is")
+                  "end of the path with this tension")
           .field(&InstallationGivenRequest::span, "span", "", si::one,
-                 "number of the free span that has the sag, from 1; without it the longest")
+                 "number of the free span with the sag, from 1; default: the longest")
           .at_least(1)
           .field(&InstallationGivenRequest::temperature, "temperature", "", si::K.in("degC"),
-                 "at which it holds, the length found is kept at all others; without it it holds at each temperature "
-                 "and the length follows")
+                 "temperature at which it holds; the length found there is kept at the others. Default: it holds at "
+                 "each temperature, and the length follows")
           .above(0)
           .at_most(2000)
           .exactly_one({"tension", "length", "sag"});
@@ -247,14 +247,13 @@ const Description& InstallationGivenRequest::describe() {
 const Description& InstallationRequest::describe() {
   static const Description d =
       Describe<InstallationRequest>()
-          .field(&InstallationRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&InstallationRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&InstallationRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&InstallationRequest::reeving, "reeving",
-                 "the rope that is put up empty: without its carriages, and "
-                 "without what hangs on them")
+                 "the rope that is put up empty, without its carriages and what hangs on them")
           .required()
           .field(&InstallationRequest::temperatures, "temperatures", "", si::K.in("degC"),
-                 "at each of these, such as 15 degC; without them the machine's")
+                 "temperatures, such as 15 degC; default: that of the machine")
           .above(0)
           .at_most(2000)
           .field(&InstallationRequest::from, "from", "", si::K.in("degC"), "first temperature, in place of a list")
@@ -266,7 +265,7 @@ const Description& InstallationRequest::describe() {
           .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)
           .at_most(10000)
-          .record(&InstallationRequest::given, "given", "tension, length or sag; without it what the machine gives");
+          .record(&InstallationRequest::given, "given", "tension, length or sag; default: what the reeving gives");
   return d;
 }
 

@@ -34,48 +34,48 @@ struct InstallationRequest {
   static const Description& describe();
 };
 
-/// A machine with one rope empty, as when it is rigged.
+/// A machine in which one rope is empty, as during rigging.
 struct EmptyLine {
-  Outcome outcome;  ///< infeasible: the rope ends on what was taken away
+  Outcome outcome;  ///< infeasible: the rope ends on a part that was removed
   machine::Model model;
-  int reeving = 0;                   ///< the rope, among those left
-  std::vector<std::string> removed;  ///< names of carriages and ropes taken away
+  int reeving = 0;                   ///< index of the rope in this model
+  std::vector<std::string> removed;  ///< names of the bodies, carriages and ropes removed
 };
 
-/// What is not as usual while a rope is put up, by index in the model.
+/// Exceptions while a rope is put up, by index in the model.
 struct PutUpWith {
-  Array<int> bodies;  ///< stay on it
-  Array<int> loads;   ///< of the loads on these bodies those that stay; loads elsewhere stay anyhow
-  Array<int> absent;  ///< other ropes that are not there yet
+  Array<int> bodies;  ///< carriages and bodies that stay on the rope
+  Array<int> loads;   ///< loads on these bodies that stay; loads on other parts stay in any case
+  Array<int> absent;  ///< other ropes that do not exist yet
 };
 
-/// Takes away the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
-/// rigged yet), and whatever then hangs on nothing. The rest (masts, guys, other ropes) stays as it is.
+/// Removes the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
+/// rigged yet), and bodies that then hang on nothing. Everything else (masts, guys, other ropes) stays.
 EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with = {});
 
-/// An empty rope as it is put up.
+/// Results of an empty rope as it is put up.
 struct Installation {
   Outcome outcome;
   double T_start = 0, T_end = 0;  ///< N
-  double H = 0;                   ///< of the first span, N
-  Array<double> sag;              ///< of each free span, below its chord at half its horizontal length, m
-  double unstretched = 0;         ///< at the reference temperature, m; what lies on sheaves counted
-  double cut = 0;                 ///< unstretched at the temperature it is put up at: as measured on the ground, m
-  double stretched = 0;           ///< under its tensions at that temperature, m
+  double H = 0;                   ///< of the first branch, N
+  Array<double> sag;              ///< [branch]: below its chord at half its horizontal length, m
+  double unstretched = 0;         ///< at the reference temperature, including arcs on sheaves, m
+  double cut = 0;        ///< unstretched at the temperature of the installation: the length to measure on the ground, m
+  double stretched = 0;  ///< under its tensions, at that temperature, m
   solve::Conditioned at;
 };
 
-/// The state of the empty line under what is given; `near`: of a temperature nearby.
+/// The state of the empty line under a condition. `near`: the state at a similar temperature, as a first guess.
 Installation installation(const EmptyLine& line, const solve::Condition& given,
                           const std::optional<machine::State>& near = std::nullopt);
 
 /// Lengths of one rope in a state, m.
 struct RopeLengths {
-  double unstretched = 0;  ///< at the reference temperature, all of it
-  double cut = 0;          ///< the same at its temperature
-  double stretched = 0;    ///< under load at its temperature, all of it
-  double free = 0;         ///< of `stretched`: between sheaves
-  double on_sheaves = 0;   ///< of `stretched`: lying on sheaves, saddles and drives
+  double unstretched = 0;  ///< at the reference temperature, whole rope
+  double cut = 0;          ///< the same at the temperature of the rope
+  double stretched = 0;    ///< under load at its temperature, whole rope
+  double free = 0;         ///< part of `stretched` between sheaves
+  double on_sheaves = 0;   ///< part of `stretched` on sheaves, saddles and drives
 };
 RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& result, int reeving);
 

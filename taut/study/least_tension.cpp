@@ -247,11 +247,11 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
 }
 
 const Description& LoadCaseRequest::describe() {
-  static const Description d =
-      Describe<LoadCaseRequest>()
-          .field(&LoadCaseRequest::name, "name", "of the case, for the tables")
-          .required()
-          .record(&LoadCaseRequest::loads, "loads", "beside those of the machine, after the ropes are up");
+  static const Description d = Describe<LoadCaseRequest>()
+                                   .field(&LoadCaseRequest::name, "name", "name of the case in tables")
+                                   .required()
+                                   .record(&LoadCaseRequest::loads, "loads",
+                                           "loads in addition to those of the machine, after the ropes are put up");
   return d;
 }
 
@@ -260,12 +260,11 @@ const Description& LeastTensionRequest::describe() {
                                    .field(&LeastTensionRequest::ropes, "ropes", "reevings or guys whose lengths follow")
                                    .required()
                                    .field(&LeastTensionRequest::tension, "tension", "s", si::N,
-                                          "that each of them has where and when it is slackest")
+                                          "smallest tension of each rope, over its length and all cases")
                                    .above(0)
                                    .at_most(strongest)
                                    .required()
-                                   .record(&LeastTensionRequest::cases, "cases",
-                                           "loads under which they are to stay taut; without any: as put up");
+                                   .record(&LeastTensionRequest::cases, "cases", "load cases; without any: as put up");
   return d;
 }
 

@@ -8,45 +8,47 @@
 
 namespace taut::study {
 
-/// The tension at one end of a rope: what a winch there has to pull.
+/// Limit of the tension at one end of a rope: the pull of the winch there.
 struct EndLimit {
   int reeving = 0;
-  bool at_end = false;                                       ///< of the path; else at its start
+  bool at_end = false;                                       ///< true: at the end of the path; false: at its start
   double tension = std::numeric_limits<double>::infinity();  ///< N
 };
 
-/// What must not be exceeded.
+/// Limits of a payload.
 struct PayloadLimits {
-  Array<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (the band at rest counts),
-                          ///< N; infinite: none. Empty: no rope is limited
+  Array<double> tension;  ///< [reeving]: largest tension allowed anywhere in the rope (at rest the band counts), N;
+                          ///< infinite: none. Empty: no limits
   Array<EndLimit> ends;
   double clearance = -std::numeric_limits<double>::infinity();  ///< least height of the body above the terrain, m; not
-                                                                ///< asked where there is no terrain
-  Array<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within
-                                 ///< rope_between, m; -infinity: none. Empty: no rope
+                                                                ///< used without terrain
+  Array<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within rope_between, m;
+                                 ///< -infinity: none. Empty: no limits
   RopeWindow rope_between;
-  /// Angle by which a rope bends over a support on the ground: at most and at least this, rad.
+  /// Largest and least angle by which a rope may bend over a support on the ground, rad.
   double break_angle = std::numeric_limits<double>::infinity();
   double least_break_angle = -std::numeric_limits<double>::infinity();
-  bool lift_off = false;  ///< no rope may pull a support upwards or leave it
-  double most = 1e6;      ///< no payload above this is looked for, kg
+  bool lift_off = false;  ///< true: no rope may pull a support upwards or lift off it
+  double most = 1e6;      ///< upper bound of the search, kg
 };
 
-/// What a limit is about.
+/// Kind of a limit.
 enum class LimitKind { none, tension, pull, clearance, rope_clearance, break_angle, least_break_angle, lift_off };
 
-/// One limit and what is there: N, m or rad.
+/// One limit and the value compared with it, N, m or rad.
 struct LimitState {
   LimitKind kind = LimitKind::none;
-  int reeving = -1;  ///< whose tension, clearance or bend it is
-  int node = -1;     ///< where: of a pull, a break angle or a lift-off
-  double value = 0;  ///< lift-off: the angle by which the rope bends over the support, 0 where it has left it
+  int reeving = -1;  ///< the rope to which it refers; -1: none
+  int node = -1;     ///< the node of a pull, break angle or lift-off; -1: none
+  double value = 0;  ///< of lift_off: the angle by which the rope bends over the support, 0 where it has lifted off
   double limit = 0;
-  double margin = 1;   ///< below 0: broken; of the limit, lengths by the height (at least 1 m), lift-off in rad
-  bool fails = false;  ///< no equilibrium
+  double margin = 1;   ///< < 0: exceeded. Relative to the limit; lengths relative to the height of the body (at least 1
+                       ///< m); angles and lift-off in rad
+  bool fails = false;  ///< true: there is no equilibrium
 };
 
-/// All limits in one state, in the order of the limits' members. A state without equilibrium: one that fails.
+/// All limits in one state, in the order of the members of PayloadLimits. A state without equilibrium gives one entry
+/// with `fails`.
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
                             const solve::EquilibriumResult& result);
 

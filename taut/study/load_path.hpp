@@ -25,32 +25,33 @@ struct WayPart {
   const machine::Node* support = nullptr;  ///< of the model that the parts were made of
 };
 
-/// A carriage moved along its line, at equal steps of x.
+/// Options: a carriage is moved along its line, in equal steps of x.
 struct LoadPathOptions {
   int carriage = 0;
-  double from = 0, to = 0;           ///< x of the carriage's body along `along`, m, either order
+  double from = 0, to = 0;           ///< first and last x of the body of the carriage along `along`, m, in either order
   int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   solve::EquilibriumOptions equilibrium;
-  std::optional<solve::Condition> condition;  ///< in place of what one rope has given, at every position
-  std::function<bool(double x)> go_on;        ///< asked before every position; false ends the way there. May be empty
+  std::optional<solve::Condition> condition;  ///< replaces the given quantity of one rope, at every position
+  std::function<bool(double x)> go_on;  ///< called before every position; false ends the load path there. May be empty
 };
 
 struct LoadPathPoint {
   double x = 0, z = 0;          ///< of the carriage, m
-  double clearance = 0;         ///< z above the terrain, m; NaN without terrain there
-  solve::EquilibriumResult at;  ///< spans, contacts, ropes there; its outcome tells where there is no equilibrium
+  double clearance = 0;         ///< z above the terrain, m; NaN where there is no terrain
+  solve::EquilibriumResult at;  ///< the equilibrium there; its outcome is not ok where there is none
 };
 
 struct LoadPath {
-  Outcome outcome;              ///< the first position without equilibrium, named by its x
-  Array<LoadPathPoint> points;  ///< one for each position, fewer where `go_on` ended it
+  Outcome outcome;              ///< not ok: that of the first position without equilibrium; the message gives its x
+  Array<LoadPathPoint> points;  ///< [position]; fewer where `go_on` ended it
 };
 
-/// Each position starts from the one before. A position without equilibrium stays in the list with its outcome.
+/// The equilibria along a load path. Each search starts from an extrapolation of the positions before it. A position
+/// without equilibrium stays in the list with its outcome. Throws ContractViolation for steps < 1.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
 
-/// Height of the ground at x, linear between its points; NaN outside.
+/// Height of the ground at x, m, linear between the points of the terrain; NaN outside.
 double ground_height(const Array<machine::GroundPoint>& terrain, double x);
 
 }  // namespace taut::study

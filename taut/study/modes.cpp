@@ -40,22 +40,22 @@ const Description& ModesRequest::describe() {
   using Branches = TransientRequest::Branches;
   static const Description d =
       Describe<ModesRequest>()
-          .field(&ModesRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&ModesRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&ModesRequest::judge, "judge", "false: its states do not count for the verdict")
-          .field(&ModesRequest::count, "count", "n", si::one, "how many, the lowest first")
+          .field(&ModesRequest::count, "count", "n", si::one, "number of modes, lowest first")
           .at_least(1)
           .at_most(400)
           .choice(&ModesRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
                   "settled: about the equilibrium at rest; assembled: places and lengths as described")
           .field(&ModesRequest::damping_ratio, "damping_ratio", "zeta", si::one,
-                 "of ropes that give none: of the lowest mode in which the rope stretches")
+                 "damping ratio of ropes without their own, in the lowest mode that stretches the rope")
           .at_least(0)
           .at_most(10)
           .field(&ModesRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia")
           .choice(
               &ModesRequest::branches, "branches",
               {{"straight", Branches::straight}, {"catenary", Branches::catenary}, {"by_weight", Branches::by_weight}},
-              "free ropes between two sheaves, as of a transient");
+              "branches, as in a transient");
   return d;
 }
 

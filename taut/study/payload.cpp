@@ -285,10 +285,10 @@ const Description& RopeLimitRequest::describe() {
           .above(0)
           .at_most(1000)
           .field(&RopeLimitRequest::rule, "rule",
-                 "of a rope: id of a safety factor of the catalogue ('taut list rules'); checked, and the limit where "
-                 "no other is given")
+                 "of a rope: id of a safety factor in the catalogue ('taut list rules'); it is checked, and it is the "
+                 "limit if no other is given")
           .field(&RopeLimitRequest::clearance, "clearance", "c", si::m,
-                 "of a rope: its least height over the ground between 'from' and 'to'")
+                 "of a rope: its least height above the ground between 'from' and 'to'")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&RopeLimitRequest::pull, "pull", "F", si::N, "of a drum: its largest pull")
@@ -300,11 +300,11 @@ const Description& RopeLimitRequest::describe() {
 const Description& LimitsRequest::describe() {
   static const Description d =
       Describe<LimitsRequest>()
-          .field(&LimitsRequest::clearance, "clearance", "c", si::m, "least height of the carriage over the ground")
+          .field(&LimitsRequest::clearance, "clearance", "c", si::m, "least height of the carriage above the ground")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&LimitsRequest::rope_clearance, "rope_clearance", "c", si::m,
-                 "least height over the ground of the rope that it rides on, between 'from' and 'to'")
+                 "least height above the ground of the rope on which it rides, between 'from' and 'to'")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&LimitsRequest::break_angle, "break_angle", "", si::rad,
@@ -324,7 +324,7 @@ const Description& LimitsRequest::describe() {
 const Description& PayloadRequest::describe() {
   static const Description d =
       Describe<PayloadRequest>()
-          .field(&PayloadRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PayloadRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&PayloadRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&PayloadRequest::carriage, "carriage", "the carriage that carries the payload")
           .required()
@@ -344,9 +344,9 @@ const Description& PayloadRequest::describe() {
           .shorthand("sense")
           .one_for_all()
           .field(&PayloadRequest::held, "held", "as for an equilibrium, at every position")
-          .record(&PayloadRequest::limits, "limits", "what must not be exceeded")
+          .record(&PayloadRequest::limits, "limits", "limits, at least one")
           .required()
-          .field(&PayloadRequest::most, "most", "m", si::kg, "no payload above this is looked for")
+          .field(&PayloadRequest::most, "most", "m", si::kg, "upper bound of the payload")
           .above(0)
           .at_most(heaviest);
   return d;

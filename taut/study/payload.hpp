@@ -57,25 +57,26 @@ struct PayloadRequest {
   static const Description& describe();
 };
 
-/// The largest payload at one place.
+/// The largest payload at one position.
 struct Payload {
-  Outcome outcome;              ///< infeasible: some limit is broken without any payload, or there is no equilibrium
-  double mass = 0;              ///< kg, on top of the body's own
-  std::string governing;        ///< in words: which limit ends it
-  int reeving = -1;             ///< whose tension governs; -1: something else does
-  LimitState limit;             ///< the one that governs, with that payload
-  solve::EquilibriumResult at;  ///< with that payload; where a limit is broken without payload, without it
-  std::optional<machine::State> unloaded;  ///< without payload, where that has an equilibrium
+  Outcome outcome;              ///< infeasible: a limit is exceeded even without payload, or there is no equilibrium
+  double mass = 0;              ///< kg, in addition to the mass of the body
+  std::string governing;        ///< the limit that governs, in words
+  int reeving = -1;             ///< the rope whose tension governs; -1: another limit governs
+  LimitState limit;             ///< the governing limit, with that payload
+  solve::EquilibriumResult at;  ///< with that payload; without payload where a limit is exceeded even so
+  std::optional<machine::State> unloaded;  ///< without payload; empty where there is no equilibrium
 };
 
-/// The largest mass that may be added to a body at its origin within the limits: tensions grow and clearance falls with
-/// it, so the first limit reached governs. A payload without equilibrium counts as too much. `expected`: a payload
-/// nearby, kg; it saves time only. `start`: near the state without payload.
+/// The largest mass that may be added at the origin of a body within the limits. With the mass the tensions grow and
+/// the clearances fall, so the first limit reached governs. A mass without equilibrium counts as too large. `expected`:
+/// a payload nearby, kg, which only saves time. `start`: a state near the one without payload. Throws ContractViolation
+/// when `limits.tension` is neither empty nor of the size of the reevings, or `limits.most` is not positive and finite.
 Payload payload(const machine::Model& model, int body, const PayloadLimits& limits,
                 const solve::EquilibriumOptions& options = {},
                 const std::optional<machine::State>& start = std::nullopt, double expected = 0);
 
-/// The payload at each position of a load path (limits on the carriage's body).
+/// The payload at each position of a load path; clearance is that of the body of the carriage.
 struct PayloadPoint {
   double x = 0, z = 0;   ///< of the carriage with that payload, m
   double clearance = 0;  ///< m; NaN without terrain there

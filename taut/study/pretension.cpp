@@ -332,40 +332,45 @@ const Description& PullRequest::describe() {
           .required()
           .choice(&PullRequest::end, "end", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
                   "the end of its path with the tensioner")
-          .field(&PullRequest::force, "force", "F", si::N, "until its tension there is so much")
+          .field(&PullRequest::force, "force", "F", si::N, "tension there at which the pull ends")
           .above(0)
           .at_most(strongest)
           .field(&PullRequest::take_up, "take_up", "dL", si::m,
-                 "until so much unstretched rope is taken out; below 0 it is let in")
+                 "unstretched rope taken out, at which the pull ends; below 0 let in")
           .at_least(-longest_pull)
           .at_most(longest_pull)
-          .field(&PullRequest::until, "until", "until this begins to move: a path as in 'observe', or a measure")
+          .field(&PullRequest::until, "until",
+                 "quantity at whose movement the pull ends: a path as in 'observe', or a measure")
           .exactly_one({"force", "take_up", "until"})
-          .field(&PullRequest::moves, "moves", "of 'until': by so much, either way, with its unit");
+          .field(&PullRequest::moves, "moves",
+                 "movement of 'until' at which the pull ends, in either direction, with its unit");
   return d;
 }
 
 const Description& PretensionRequest::describe() {
   static const Description d =
       Describe<PretensionRequest>()
-          .field(&PretensionRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&PretensionRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&PretensionRequest::judge, "judge", "false: its states do not count for the verdict")
-          .record(&PretensionRequest::pull, "pull", "ropes pulled tight, one after the other")
-          .record(&PretensionRequest::least, "least", "lengths of ropes for which none gets too slack under any loads")
+          .record(&PretensionRequest::pull, "pull", "pulls, one after the other")
+          .record(&PretensionRequest::least, "least",
+                  "lengths of ropes for which each keeps a least tension under all loads")
           .exactly_one({"pull", "least"})
-          .field(&PretensionRequest::rounds, "rounds", "n", si::one, "so often, always from the first on")
+          .field(&PretensionRequest::rounds, "rounds", "n", si::one,
+                 "number of times that the list of pulls is repeated")
           .at_least(1)
           .at_most(1000)
-          .field(&PretensionRequest::longest, "longest", "dL", si::m, "a pull that takes out more finds no end")
+          .field(&PretensionRequest::longest, "longest", "dL", si::m, "largest length that a pull may take out")
           .above(0)
           .at_most(longest_pull)
           .field(&PretensionRequest::tolerance, "tolerance", "", si::one,
-                 "of tensions by the largest of the rope, of places by the machine's size")
+                 "tolerance of tensions relative to the largest of the rope, of places relative to the size of the "
+                 "machine")
           .at_least(1e-13)
           .at_most(1e-3)
           .choice(&PretensionRequest::start, "start", {{"settled", Start::settled}, {"assembled", Start::assembled}},
-                  "of a machine with contacts or cylinders: settled: from the equilibrium at rest; assembled: from "
-                  "places and lengths as described, where friction holds what it can");
+                  "of a machine with contacts or cylinders. settled: from the equilibrium at rest; assembled: from "
+                  "places and lengths as described, held by friction");
   return d;
 }
 

@@ -12,27 +12,27 @@ namespace taut::study {
 const Description& EquilibriumRequest::describe() {
   static const Description d =
       Describe<EquilibriumRequest>()
-          .field(&EquilibriumRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&EquilibriumRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&EquilibriumRequest::judge, "judge", "false: its states do not count for the verdict")
           .named_records(&EquilibriumRequest::motion, "motion",
-                         "hoist, lower, in, out, at_rest, or a sign for each sheave by name: 1 along the path, -1 "
+                         "hoist, lower, in, out, at_rest, or a sign for each contact by name: 1 along the path, -1 "
                          "against it, 0 at rest")
           .shorthand("sense")
           .one_for_all()
-          .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is put at x")
-          .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage, instead of what holds it")
+          .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is placed at x")
+          .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage; the quantity that holds it follows")
           .at_least(-1e6)
           .at_most(1e6)
           .field(&EquilibriumRequest::z, "z", "z", si::m,
-                 "its height too, instead of the length (or tension) given of the rope it rides on")
+                 "height of the carriage; the given length or tension of the rope on which it rides follows")
           .at_least(-1e6)
           .at_most(1e6)
           .field(&EquilibriumRequest::along, "along", "", si::one,
                  "horizontal direction [x, y] along which its x is measured, from the origin")
           .field(&EquilibriumRequest::held, "held",
-                 "true: something besides the ropes holds the carriage at x; without it there is no answer where "
-                 "only a force along the track would hold it")
-          .record(&EquilibriumRequest::given, "given", "a mode in place of what one rope has given");
+                 "true: something besides the ropes holds the carriage at x; false: where it needs a force along its "
+                 "track there is no answer")
+          .record(&EquilibriumRequest::given, "given", "a required result, in place of the given quantity of one rope");
   return d;
 }
 
@@ -74,7 +74,7 @@ void solve(const machine::Model& model, EquilibriumRun& run) {
 const Description& LoadPathRequest::describe() {
   static const Description d =
       Describe<LoadPathRequest>()
-          .field(&LoadPathRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&LoadPathRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&LoadPathRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&LoadPathRequest::carriage, "carriage", "the carriage that is moved")
           .required()

@@ -103,7 +103,7 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
 const Description& SweepRequest::describe() {
   static const Description d =
       Describe<SweepRequest>()
-          .field(&SweepRequest::name, "name", "ending of its tables' names, when a deck has several")
+          .field(&SweepRequest::name, "name", "appended to the names of its tables, when a deck has several")
           .field(&SweepRequest::judge, "judge", "false: its states do not count for the verdict")
           .field(&SweepRequest::parameter, "parameter",
                  "a number of the machine by its path in the deck: 'loads[0].mass', 'reevings.skyline.length', "
@@ -119,7 +119,7 @@ const Description& SweepRequest::describe() {
           .named_records(&SweepRequest::motion, "motion", "as for an equilibrium")
           .shorthand("sense")
           .one_for_all()
-          .field(&SweepRequest::carriage, "carriage", "the carriage that is held at x")
+          .field(&SweepRequest::carriage, "carriage", "the carriage that is placed at x")
           .field(&SweepRequest::x, "x", "x", si::m, "its place")
           .at_least(-farthest)
           .at_most(farthest)

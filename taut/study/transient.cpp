@@ -209,9 +209,9 @@ const Description& SlidRequest::describe() {
   static const Description d =
       Describe<SlidRequest>()
           .field(&SlidRequest::actuator, "actuator", "a cylinder that holds its length")
-          .field(&SlidRequest::drum, "drum", "a drum that is held or turns by a speed")
+          .field(&SlidRequest::drum, "drum", "a drum that is held or has a given speed")
           .exactly_one({"actuator", "drum"})
-          .field(&SlidRequest::by, "by", "", si::m, "that it has extended or, below 0, retracted; rope taken in or out")
+          .field(&SlidRequest::by, "by", "", si::m, "distance extended or rope taken in; below 0 retracted or let out")
           .at_least(-1000)
           .at_most(1000)
           .required();
@@ -221,15 +221,15 @@ const Description& SlidRequest::describe() {
 const Description& TransientRequest::describe() {
   static const Description d =
       Describe<TransientRequest>()
-          .field(&TransientRequest::name, "name", "ending of its tables' and files' names, when a deck has several")
+          .field(&TransientRequest::name, "name",
+                 "appended to the names of its tables and files, when a deck has several")
           .field(&TransientRequest::judge, "judge", "false: its states do not count for the verdict")
-          .field(&TransientRequest::duration, "duration", "t", si::s,
-                 "how long, from the start or from where it goes on")
+          .field(&TransientRequest::duration, "duration", "t", si::s, "duration, from the start or the restart")
           .above(0)
           .at_most(3.2e7)
           .required()
           .field(&TransientRequest::output_step, "output_step", "dt", si::s,
-                 "between two lines of what is written down; without it a thousandth of the duration")
+                 "time between two recorded lines; default: a thousandth of the duration")
           .above(0)
           .at_most(3.2e7)
           .field(&TransientRequest::tolerance, "tolerance", "", si::one,
@@ -237,35 +237,34 @@ const Description& TransientRequest::describe() {
                  "energy exchanged; default 1e-6, with verlet or a given step 1e-3")
           .at_least(1e-12)
           .at_most(0.1)
-          .field(&TransientRequest::step, "step", "dt", si::s, "this step throughout, without control of the error")
+          .field(&TransientRequest::step, "step", "dt", si::s, "fixed step, without error control")
           .above(0)
           .choice(&TransientRequest::method, "method",
                   {{"implicit", Method::implicit}, {"verlet", Method::verlet}, {"reference", Method::reference}},
-                  "implicit with steps that follow the tolerance, explicit (verlet) for waves and breaks, or the slow "
-                  "reference (IDA of SUNDIALS) that judges both")
-          .choice(
-              &TransientRequest::start, "start",
-              {{"settled", Start::settled}, {"assembled", Start::assembled}, {"sliding", Start::sliding}},
-              "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest; sliding: "
-              "settled, with all friction as it is when the machine has come slowly by what 'slid' names")
-          .record(&TransientRequest::slid, "slid", "what has moved slowly before a start 'sliding', and how far")
+                  "implicit with steps by the tolerance, explicit (verlet) for waves and breaks, or the slow reference "
+                  "(IDA of SUNDIALS) to judge both")
+          .choice(&TransientRequest::start, "start",
+                  {{"settled", Start::settled}, {"assembled", Start::assembled}, {"sliding", Start::sliding}},
+                  "settled: from the equilibrium at rest; assembled: places and lengths as described, at rest; "
+                  "sliding: settled, with the friction after the slow movement that 'slid' gives")
+          .record(&TransientRequest::slid, "slid", "slow movements before a start 'sliding'")
           .field(&TransientRequest::quasi_static, "quasi_static",
-                 "true: so slow that nothing has inertia: an equilibrium at the end of every step, with friction")
+                 "true: slow motion without inertia: an equilibrium at the end of every step, with friction")
           .field(&TransientRequest::damping_ratio, "damping_ratio", "zeta", si::one,
-                 "of ropes that give none: of the lowest mode in which the rope stretches")
+                 "damping ratio of ropes without their own, in the lowest mode that stretches the rope")
           .at_least(0)
           .at_most(10)
           .field(&TransientRequest::rope_mass, "rope_mass", "false: ropes without weight and inertia")
           .choice(
               &TransientRequest::branches, "branches",
               {{"straight", Branches::straight}, {"catenary", Branches::catenary}, {"by_weight", Branches::by_weight}},
-              "free ropes between two sheaves: straight, half of their weight at each end; catenary: the elastic "
-              "catenary at rest between their moving ends; by_weight: so where they weigh more than 5 % of their "
-              "tension at the start")
-          .field(&TransientRequest::save, "save", "file for the state at the end, in the folder of the results")
-          .field(&TransientRequest::restart, "restart", "file with such a state to go on from, beside the deck")
+              "straight: half of the weight of a branch at each end; catenary: the elastic catenary at rest between "
+              "its moving ends; by_weight: catenary where a branch weighs more than 5 % of its tension at the start")
+          .field(&TransientRequest::save, "save", "file for the final state, in the folder of the results")
+          .field(&TransientRequest::restart, "restart",
+                 "file with such a state from which to continue, beside the deck")
           .record(&TransientRequest::hoist_factor, "hoist_factor",
-                  "checks a rope's peak over its static tension against phi2 = phi2_min + beta2 v_h of EN 13001-2");
+                  "checks peak over static tension of a rope against phi2 = phi2_min + beta2 v_h of EN 13001-2");
   return d;
 }
 

@@ -3,8 +3,8 @@
 
 namespace taut {
 
-/// Exponents of mass, length, time and temperature. An angle has none (its unit, not its dimension, says that it is
-/// one). Exponents are kept in sixths so that square and cube roots stay exact.
+/// Exponents of mass, length, time and temperature, stored in sixths so that square and cube roots are exact. An angle
+/// has no exponents; its unit marks it as an angle.
 struct Dimension {
   int mass = 0;
   int length = 0;
@@ -20,7 +20,7 @@ struct Dimension {
   }
 };
 
-/// Sixths in one whole exponent.
+/// A whole exponent in sixths.
 inline constexpr int whole_exponent = 6;
 
 /// The dimension kg^mass m^length s^time K^temperature.
@@ -30,7 +30,7 @@ constexpr Dimension dimension(int mass, int length, int time, int temperature = 
 
 constexpr bool is_plain_number(Dimension d) { return d == Dimension{}; }
 
-/// d raised to numerator/denominator; throws ContractViolation when the result is not in sixths.
+/// d^(numerator/denominator). Throws ContractViolation when the exponents are not whole sixths.
 Dimension power(Dimension d, int numerator, int denominator = 1);
 
 /// "kg m s^-2"; "1" for a plain number.

@@ -8,34 +8,35 @@
 
 namespace taut {
 
-/// Why a text is not the quantity that was asked for; `offset` and `width` point into that text (bytes, from 0).
+/// Why a text is not the quantity required. `offset` and `width`: the place of the mistake in that text, bytes from 0.
 struct UnitError {
   std::string message;
   int offset = 0;
   int width = 1;
 };
 
-/// One name of the allow-list, for `taut list units` and the docs.
+/// One unit name that a deck may use, for `taut list units` and the docs.
 struct UnitName {
   std::string name;
   std::string meaning;  ///< "kilonewton", "slope, 100 tan(angle)"
   std::string kind;     ///< "force", "length", ...
 };
 
-/// `number` with a `unit` of the allow-list as the SI value of `target`: "63 kN" -> 63000 for si::N.
-/// Units combine with space, `*`, `/` and powers (`mm2`, `mm^2`, `mm²`). An angle takes deg, rad, mrad, gon or %, where
-/// % is a slope: atan(p/100). A plain number takes no unit, or %, as a hundredth. `.inf` is accepted only with
-/// `allow_infinite`. Errors: no unit or a wrong dimension (names a unit that fits), an unknown or ambiguous name (names
-/// the choices), not a number, not finite. Factors: factor.hpp.
+/// Reads a number with a unit as the SI value of `target`: "63 kN" -> 63000 for si::N. Units combine with space, `*`,
+/// `/` and powers (`mm2`, `mm^2`, `mm²`). An angle takes deg, rad, mrad, gon or %; there % is a slope, atan(p/100). A
+/// plain number takes no unit, or %, a hundredth. `.inf` is accepted only with `allow_infinite`. Factors: factor.hpp.
+/// Errors: no unit or a wrong dimension (the message names a unit that fits), an unknown or ambiguous unit (it names
+/// the choices), not a number, not finite.
 tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite = false);
 
-/// The SI value of one `unit` ("kN" -> 1000), refused when it does not fit `target` or has an offset (degC).
+/// The SI value of one `unit` ("kN" -> 1000). Error when it does not fit `target` or has an offset (degC).
 tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& target);
 
-/// A finite plain number; the whole text must be one. "1e999", "0x10", "1_000" and "nan" are refused with a reason.
+/// Reads a finite plain number; the whole text must be one. "1e999", "0x10", "1_000" and "nan" are errors with a
+/// reason.
 tl::expected<double, UnitError> parse_number(std::string_view text);
 
-/// Every unit name that a deck may use, in the order of print.
+/// Every unit name that a deck may use, in the order of the list.
 const std::vector<UnitName>& unit_names();
 
 }  // namespace taut

@@ -5,8 +5,8 @@
 
 namespace taut {
 
-/// A coherent SI unit: what a number inside taut is measured in, and how a person likes to see it.
-/// `symbol` is the SI unit of the stored number ("N m"); `shown` the unit of print ("kN m"), a name of the unit list.
+/// A coherent SI unit and the unit in which its numbers are printed. `symbol`: SI unit of the stored number ("N m").
+/// `shown`: unit of print ("kN m"), a name of the unit list.
 struct Unit {
   Dimension dimension;
   std::string_view symbol = "1";
@@ -14,7 +14,7 @@ struct Unit {
   bool is_angle = false;
   std::string_view kind = "number";  ///< "force", "length", ...: the key of `display:` and the word in messages
 
-  /// The same unit, printed in another one by default: `si::m.in("mm")` for a plate's thickness.
+  /// The same unit with another default unit of print: `si::m.in("mm")` for the thickness of a plate.
   constexpr Unit in(std::string_view other) const {
     Unit copy = *this;
     copy.shown = other;

@@ -141,17 +141,17 @@ const Description& FrictionDriveExact::describe() {
   static const Description description = [] {
     Describe<Exact> d;
     d.field(&Exact::take_up_exact, "take_up_exact", "W_exact", si::N, "pull on the idler while the rope runs");
-    d.field(&Exact::T_1_exact, "T_1_exact", "T_1_exact", si::N, "tight branch as the take-up sets it");
-    d.field(&Exact::T_2_exact, "T_2_exact", "T_2_exact", si::N, "slack branch as the take-up sets it");
+    d.field(&Exact::T_1_exact, "T_1_exact", "T_1_exact", si::N, "tight branch with this take-up");
+    d.field(&Exact::T_2_exact, "T_2_exact", "T_2_exact", si::N, "slack branch with this take-up");
     d.field(&Exact::cutting_force_exact, "cutting_force_exact", "P_exact", si::N,
-            "cutting force that the drive passes on; less than asked for where it slips");
+            "cutting force that the drive transmits; less than given where it slips");
     d.field(&Exact::slip_arc_exact, "slip_arc_exact", "phi_slip", si::rad, "arc on which the rope creeps");
     d.field(&Exact::arc_used_exact, "arc_used_exact", "", si::one, "slip arc over working arc");
-    d.field(&Exact::creep_exact, "creep_exact", "", si::one,
-            "speed lost by creep over the rope's speed, (T_1 - T_2)/EA");
-    d.field(&Exact::creep_speed_exact, "creep_speed_exact", "", si::m_per_s, "speed lost by creep");
+    d.field(&Exact::creep_exact, "creep_exact", "", si::one, "creep speed over rope speed, (T_1 - T_2)/EA");
+    d.field(&Exact::creep_speed_exact, "creep_speed_exact", "", si::m_per_s, "creep speed");
     d.field(&Exact::slips_exact, "slips_exact", "", si::one, "1: the drive slips on its whole arc; 0: it holds");
-    d.field(&Exact::closure_exact, "closure_exact", "", si::one, "rope closure of a screw take-up, over the length");
+    d.field(&Exact::closure_exact, "closure_exact", "", si::one,
+            "error of the rope length with a screw take-up, over the length");
     return Description(d);
   }();
   return description;

@@ -15,34 +15,35 @@ constexpr const char* laws[][3] = {
     {"free rope",
      "x = H s/EA + (H/w) (asinh(V/H) - asinh(V_0/H)), z = (V_0 s + w s^2/2)/EA + (T - T_0)/w, V = V_0 + w s",
      "catenary.md"},
-    {"temperature", "L (1 + a dT), w/(1 + a dT), EA as it is", "length.md"},
-    {"sheave", "T_large = T_small/eta by the motion; with friction no more than exp(mu theta)", "contact.md"},
+    {"temperature", "L (1 + a dT), w/(1 + a dT), EA unchanged", "length.md"},
+    {"sheave", "T_large = T_small/eta by the motion; with friction at most T_small exp(mu theta)", "contact.md"},
     {"saddle", "T_large = T_small exp(mu theta), Euler-Eytelwein", "contact.md"},
     {"driven sheave", "M = R (T_in - T_out); grip (T_1 - c)/(T_2 - c) <= exp(mu alpha)", "drives.md"},
-    {"running rope", "c = m v^2 in every tension; shape and supports know T - c", "drives.md"},
-    {"force on a rope", "T_out = T_in - F at a share of the span's rope", "rope-load.md"},
+    {"running rope", "c = m v^2 in every tension; shape and forces on supports depend on T - c", "drives.md"},
+    {"force on a rope", "T_out = T_in - F at a fraction of the branch", "rope-load.md"},
     {"drum", "R_k = (D + d)/2 + (k - 1) h; M = T R_k", "drum.md"},
     {"carriage", "rolling: equal tensions, or friction between them; clamped: a fixed length before it",
      "carriages.md"},
     {"guy", "put up by tension on the unloaded machine, then its length is kept", "guy.md"},
     {"line put up", "its base tension gives its length, which is kept", "installation.md"},
     {"beam", "elastic rod of first or second order, with ropes anywhere along it", "beam.md"},
-    {"equilibrium", "balance of every freedom, law of every contact, given lengths and tensions; damped Newton",
+    {"equilibrium",
+     "balance of every degree of freedom, law of every contact, given lengths and tensions; damped Newton",
      "equilibrium.md"}};
 
 constexpr const char* equilibrium_tables[][2] = {
     {"spans", "tensions at both ends, their components H and V, chord, unstretched and stretched length, sag"},
     {"sheaves", "T_in and T_out by the order of the path, wrap, force on it, state"},
-    {"bodies", "place, rotation, force of what holds each body"},
-    {"anchors", "force of the ropes on what holds their ends"},
-    {"put_up", "lines with `install`: tensions and lengths as they are put up"},
+    {"bodies", "place, rotation, force that holds each body"},
+    {"anchors", "force of the ropes at their ends"},
+    {"put_up", "lines with `install`: tensions and lengths when they are put up"},
     {"ropes", "unstretched length, largest tension and where, safety factor"},
     {"rope_loads", "forces along the ropes: force, tensions beside it, place"},
-    {"drives", "driven sheaves: torque, grip, slip arc, creep, power and where it goes"},
+    {"drives", "driven sheaves: torque, grip, slip arc, creep, power and its parts"},
     {"drums", "layer, radius, wraps, rope on it, capacity, pull, torque"},
     {"beams", "along each beam: place, axial force, shear, moment, stress, deflection"},
     {"beam_ends", "largest values of each beam, force and moment at its base, critical force"},
-    {"closure", "what stays open: lengths, forces, the balance of all"},
+    {"closure", "residuals: lengths, forces, sum of all forces"},
     {"masts", "with checks of masts: the worst section by each route"}};
 
 constexpr const char* path_tables[][2] = {
@@ -62,8 +63,7 @@ const Field* analysis_named(const std::string& name) { return study::AnalysisReq
 
 std::string whole_machine() {
   std::string text =
-      "A machine instead of a method: `machine:` says what it consists of and where its ropes run, `analyses:` what "
-      "is\n"
+      "A machine instead of a method: `machine:` describes its parts and the paths of its ropes, `analyses:` what is\n"
       "computed. The guide: docs/guide/machine-decks.md; starter decks: taut list machines, taut new NAME.\n"
       "\nParts (keys of one: taut explain PART)\n";
   for (const Field& f : machine::Machine::describe().fields) text += fmt::format("  {:<16}{}\n", f.key, f.words);
@@ -79,8 +79,8 @@ std::string whole_machine() {
       "\nResult values\n"
       "  T_max, ROPE.T_max, ROPE.safety_factor, clearance_min over all analyses; BODY.x, y, z and ROPE.unstretched of "
       "the\n"
-      "  first equilibrium; ROPE.T_start, ROPE.T_end, SHEAVE.torque, SHEAVE.power of every one (with its name's "
-      "ending)\n";
+      "  first equilibrium; ROPE.T_start, ROPE.T_end, SHEAVE.torque, SHEAVE.power of every one (with its name "
+      "appended)\n";
   for (const LaterKey& key : machine::Machine::describe().later) {
     text += fmt::format("\nNot yet: {}: {}\n", key.key, key.words);
   }

@@ -5,30 +5,30 @@ namespace taut::checks {
 const Description& DutyRequest::describe() {
   static const Description d =
       Describe<DutyRequest>()
-          .field(&DutyRequest::name, "name", "of the duty")
+          .field(&DutyRequest::name, "name", "name of the duty")
           .required()
-          .field(&DutyRequest::cycles, "cycles", "n", si::one, "working cycles in the wanted life")
+          .field(&DutyRequest::cycles, "cycles", "n", si::one, "working cycles in the life required")
           .above(0)
           .at_most(1e12)
           .required()
-          .field(&DutyRequest::load, "load", "", si::one, "share of the largest tension at each round")
+          .field(&DutyRequest::load, "load", "", si::one, "fraction of the largest tension at each round")
           .above(0)
           .at_most(2)
-          .field(&DutyRequest::over, "over", "the rounds that bend the rope in it, by name; without it all");
+          .field(&DutyRequest::over, "over", "the rounds that bend the rope in this duty, by name; default: all");
   return d;
 }
 
 const Description& LifeConstantsRequest::describe() {
-  static const Description d =
-      Describe<LifeConstantsRequest>()
-          .choice(&LifeConstantsRequest::count, "count",
-                  {{"mean_break", LifeCount::mean_break},
-                   {"break_10", LifeCount::break_10},
-                   {"discard", LifeCount::discard},
-                   {"discard_10", LifeCount::discard_10}},
-                  "the number they give: mean number to the break, that which 90 % reach, and the same to the discard")
-          .field(&LifeConstantsRequest::a, "a", "a_i", si::one, "a0, a1, a2, a3")
-          .required();
+  static const Description d = Describe<LifeConstantsRequest>()
+                                   .choice(&LifeConstantsRequest::count, "count",
+                                           {{"mean_break", LifeCount::mean_break},
+                                            {"break_10", LifeCount::break_10},
+                                            {"discard", LifeCount::discard},
+                                            {"discard_10", LifeCount::discard_10}},
+                                           "the number that they give: mean number of bendings to the break, that "
+                                           "which 90 % of ropes reach, and the same two to discard")
+                                   .field(&LifeConstantsRequest::a, "a", "a_i", si::one, "a0, a1, a2, a3")
+                                   .required();
   return d;
 }
 
@@ -36,20 +36,20 @@ const Description& LifeRequest::describe() {
   static const Description d =
       Describe<LifeRequest>()
           .record(&LifeRequest::constants, "constants",
-                  "Feyrer's constants of this rope; without them one recalled set, unverified")
-          .field(&LifeRequest::bent_length, "bent_length", "l", si::m, "of the rope that is bent; without it 60 d")
+                  "Feyrer's constants of this rope; default: one recalled set, unverified")
+          .field(&LifeRequest::bent_length, "bent_length", "l", si::m, "length of rope that is bent; default: 60 d")
           .above(0)
           .at_most(1e5)
           .field(&LifeRequest::core_factor, "core_factor", "f_C", si::one,
-                 "endurance factor of core and strands; without it that of the table")
+                 "endurance factor of core and strands; default: that of the rules")
           .above(0)
           .at_most(10)
           .field(&LifeRequest::reverse_weight, "reverse_weight", "", si::one,
-                 "how often a bending counts that turns against the one before; without it 2, unverified")
+                 "weight of a bending opposite to the one before; default: 2, unverified")
           .at_least(1)
           .at_most(20)
           .field(&LifeRequest::donandt_force, "donandt_force", "S_D", si::N,
-                 "of this rope over its smallest sheave: above it wires yield in bending")
+                 "Donandt force of this rope on its smallest sheave, above which wires yield in bending")
           .above(0);
   return d;
 }

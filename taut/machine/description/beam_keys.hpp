@@ -4,13 +4,13 @@
 
 #include "taut/calc/field.hpp"
 
-/// What a deck says of an elastic beam: plain values, names as links, one `describe` table each.
+/// The keys of an elastic beam in a deck: plain values, references by name, one `describe` table each.
 namespace taut::machine::description {
 
-/// How a beam differs from a straight one as it is built, free of stress.
+/// Initial imperfection of a beam, free of stress.
 struct Imperfection {
-  std::optional<double> bow;   ///< e/L of a half wave of sine
-  std::optional<double> sway;  ///< inclination, tan
+  std::optional<double> bow;   ///< e/L of a half sine wave
+  std::optional<double> sway;  ///< tangent of the inclination
   std::optional<Triple> towards;
   static const Description& describe();
 };

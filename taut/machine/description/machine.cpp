@@ -10,7 +10,8 @@ const Description& Machine::describe() {
           .field(&Machine::gravity, "gravity", "g", si::m_per_s2, "acceleration of free fall, along -z")
           .at_most(1e4)
           .at_least(0)
-          .field(&Machine::temperature, "temperature", "", si::K.in("degC"), "of all ropes, such as 15 degC")
+          .field(&Machine::temperature, "temperature", "", si::K.in("degC"),
+                 "temperature of all ropes, such as 15 degC")
           .at_least(0)
           .named_records(&Machine::points, "points", "points of the ground or of a body")
           .shorthand("at")
@@ -21,26 +22,27 @@ const Description& Machine::describe() {
           .named_records(&Machine::supports, "supports", "supports of a standing line: saddles")
           .named_records(&Machine::drums, "drums", "winch drums")
           .named_records(&Machine::carriages, "carriages", "carriages on a rope")
-          .record(&Machine::reevings, "reevings", "which rope runs where")
-          .record(&Machine::loads, "loads", "dead loads")
-          .record(&Machine::rope_loads, "rope_loads", "forces along a rope between two of its neighbours")
-          .record(&Machine::take_up, "take_up", "weights and screws that keep ropes tight")
-          .named_records(&Machine::guys, "guys", "ropes from anchor to anchor, put up by tension or length")
+          .record(&Machine::reevings, "reevings", "paths of the ropes")
+          .record(&Machine::loads, "loads", "weights and forces of constant direction")
+          .record(&Machine::rope_loads, "rope_loads", "forces along a branch of a rope")
+          .record(&Machine::take_up, "take_up", "weights and screws that tighten ropes")
+          .named_records(&Machine::guys, "guys", "ropes between two anchors, put up by tension or length")
           .named_records(&Machine::beams, "beams", "elastic struts and masts")
           .record(&Machine::terrain, "terrain", "ground under the line")
-          .named_records(&Machine::signals, "signals", "quantities over time; where they are not used they do nothing")
+          .named_records(&Machine::signals, "signals", "quantities over time; a signal that no key uses has no effect")
           .shorthand("constant")
-          .named_records(&Machine::markers, "markers", "places on bodies for contacts and observers")
+          .named_records(&Machine::markers, "markers", "places on bodies, for contacts and observed quantities")
           .shorthand("at")
           .named_records(&Machine::faces, "faces", "plane faces of bodies, for contacts")
           .record(&Machine::contacts, "contacts", "points of bodies on faces of others")
           .named_records(&Machine::actuators, "actuators", "cylinders")
           .record(&Machine::tensioners, "tensioners", "lengths of ropes changed by a signal")
-          .record(&Machine::events, "events", "what happens at a time or on a condition, in a transient")
-          .field(&Machine::observe, "observe",
-                 "what a transient writes down: car.z, skyline.T_max, ext[2].T; without it the usual quantities")
+          .record(&Machine::events, "events", "events of a transient, at a time or on a condition")
+          .field(
+              &Machine::observe, "observe",
+              "quantities that a transient records: car.z, skyline.T_max, ext[2].T; default: see the guide on dynamics")
           .named_records(&Machine::measures, "measures",
-                         "quantities of a motion under names of their own, written down beside what 'observe' names");
+                         "quantities of a motion under names of their own, recorded in addition to those of 'observe'");
   return d;
 }
 
@@ -51,11 +53,11 @@ namespace taut::machine::description {
 const Description& Point::describe() {
   static const Description d =
       Describe<Point>()
-          .field(&Point::at, "at", "", si::m, "place in the frame of its body, or the ground's")
+          .field(&Point::at, "at", "", si::m, "place in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
           .required()
-          .field(&Point::body, "body", "the body it belongs to; without it the ground");
+          .field(&Point::body, "body", "the body to which it belongs; default: the ground");
   return d;
 }
 
@@ -66,10 +68,9 @@ const Description& Rope::describe() {
           .field(&Rope::mass, "mass", "m", si::kg_per_m, "mass per unstretched metre")
           .at_most(heaviest)
           .at_least(0)
-          .field(
-              &Rope::stiffness, "stiffness", "EA", si::N.in("MN"),
-              "axial stiffness; of a rope of the catalogue without it metallic area times a modulus by construction; "
-              ".inf: inextensible")
+          .field(&Rope::stiffness, "stiffness", "EA", si::N.in("MN"),
+                 "axial stiffness EA; default for a rope of the catalogue: metallic area times a modulus by "
+                 "construction; .inf: inextensible")
           .above(0)
           .may_be_infinite()
           .field(&Rope::breaking_force, "breaking_force", "F_min", si::N, "minimum breaking force")
@@ -79,13 +80,12 @@ const Description& Rope::describe() {
           .above(0)
           .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
           .field(&Rope::reference_temperature, "reference_temperature", "", si::K.in("degC"),
-                 "at which its length holds; without it the machine's temperature")
+                 "temperature at which lengths are given; default: that of the machine")
           .at_least(0)
           .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one,
-                 "of the lowest mode in which it stretches; in motion, statics does not depend on it")
+                 "damping ratio of the lowest mode that stretches it; used in motion only")
           .at_least(0)
-          .field(&Rope::damping_time, "damping_time", "beta", si::s,
-                 "T = EA (e + beta e'); in motion, statics does not depend on it")
+          .field(&Rope::damping_time, "damping_time", "beta", si::s, "T = EA (e + beta e'); used in motion only")
           .at_least(0);
   return d;
 }
@@ -93,52 +93,53 @@ const Description& Rope::describe() {
 const Description& Body::describe() {
   static const Description d =
       Describe<Body>()
-          .field(&Body::mass, "mass", "m", si::kg, "mass; its weight acts at the centre")
+          .field(&Body::mass, "mass", "m", si::kg, "mass; its weight acts at the centre of mass")
           .at_most(heaviest)
           .at_least(0)
-          .field(&Body::at, "at", "", si::m, "place of its origin; where it is free, a first guess")
+          .field(&Body::at, "at", "", si::m, "place of its origin; of a free body a first guess")
           .at_least(-farthest)
           .at_most(farthest)
-          .field(&Body::centre, "centre", "", si::m, "centre of mass, seen from the origin")
+          .field(&Body::centre, "centre", "", si::m, "centre of mass relative to the origin")
           .at_least(-farthest)
           .at_most(farthest)
-          .field(&Body::free, "free", "how it may move; nothing: fixed")
+          .field(&Body::free, "free", "degrees of freedom; none: fixed")
           .of({"x", "y", "z", "rx", "ry", "rz"})
-          .field(&Body::guide, "guide", "", si::one, "direction of the slide on which alone it moves")
+          .field(&Body::guide, "guide", "", si::one, "direction of its only translation, a slide")
           .field(&Body::inertia, "inertia", "J", si::kg_m2,
-                 "about the centre of mass: one for all axes, or Ixx, Iyy, Izz; statics does not depend on it")
+                 "about the centre of mass: one for all axes, or Ixx, Iyy, Izz; used in motion only")
           .at_least(0)
-          .record(&Body::motion, "motion", "how it is driven; statics takes its place at the start")
-          .field(
-              &Body::on, "on",
-              "the body in whose frame, as it is at the start, its place, axes and guide are given; else the ground's");
+          .record(&Body::motion, "motion", "given motion; statics takes its place at the start")
+          .field(&Body::on, "on",
+                 "the body in whose frame at the start its place, axes and guide are given; default: the ground");
   return d;
 }
 
 const Description& Round::describe() {
   static const Description d =
       Describe<Round>()
-          .field(&Round::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .field(&Round::at, "at", "", si::m, "centre, in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
           .required()
-          .field(&Round::body, "body", "the body it sits on; without it the ground")
-          .field(&Round::diameter, "diameter", "D", si::m.in("mm"), "pitch diameter, at the rope's centre; 0: a point")
+          .field(&Round::body, "body", "the body that carries it; default: the ground")
+          .field(&Round::diameter, "diameter", "D", si::m.in("mm"),
+                 "pitch diameter, to the centre of the rope; 0: a point")
           .at_most(farthest)
           .at_least(0)
           .field(&Round::axis, "axis", "", si::one, "direction of its axis, in the frame of its body")
           .choice(&Round::law, "law", {{"sheave", RoundLaw::sheave}, {"saddle", RoundLaw::saddle}},
-                  "a sheave turns (usual among sheaves), a saddle does not (usual among supports)")
-          .field(&Round::friction, "friction", "mu", si::one, "of the rope in the groove; a sheave without it grips")
+                  "a sheave turns (default in sheaves), a saddle does not (default in supports)")
+          .field(&Round::friction, "friction", "mu", si::one,
+                 "friction coefficient of the rope in the groove; on a sheave without it the rope does not slip")
           .at_least(0)
-          .field(&Round::efficiency, "efficiency", "eta", si::one, "of a turning sheave")
+          .field(&Round::efficiency, "efficiency", "eta", si::one, "T_small/T_large over the turning sheave")
           .above(0)
           .at_most(1)
           .choice(&Round::uplift, "uplift",
                   {{"hold", Uplift::hold}, {"report", Uplift::report}, {"lift", Uplift::lift}},
-                  "when the rope pulls upwards: hold it (usual for a sheave), report it (usual for a saddle), or let "
-                  "it lift off")
-          .field(&Round::inertia, "inertia", "J", si::kg_m2, "statics does not depend on it")
+                  "where the rope pulls upwards: hold it (default of a sheave), report it (default of a saddle), or "
+                  "let it lift off")
+          .field(&Round::inertia, "inertia", "J", si::kg_m2, "moment of inertia; used in motion only")
           .at_least(0)
           .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
@@ -147,18 +148,20 @@ const Description& Round::describe() {
 const Description& PathElement::describe() {
   static const Description d =
       Describe<PathElement>()
-          .field(&PathElement::anchor, "anchor", "the rope is fixed to this point, body, carriage or sheave's centre")
-          .field(&PathElement::over, "over", "it runs over this sheave or support")
-          .field(&PathElement::through, "through", "it carries this carriage")
-          .field(&PathElement::drum, "drum", "it is wound on this drum")
+          .field(&PathElement::anchor, "anchor",
+                 "the rope is fixed to this point, body, carriage or centre of a sheave")
+          .field(&PathElement::over, "over", "the rope runs over this sheave or support")
+          .field(&PathElement::through, "through", "the rope carries this carriage")
+          .field(&PathElement::drum, "drum", "the rope is wound on this drum")
           .field(&PathElement::parts, "parts", "n", si::one, "parts of the rope between two sheaves of a tackle")
           .at_least(1)
           .at_most(64)
           .field(&PathElement::between, "between", "the two sheaves of the tackle, 'over' and another one")
           .choice(&PathElement::side, "side", {{"left", Side::left}, {"right", Side::right}},
-                  "where the sheave or drum lies beside the path, looking along its axis; without it the shorter way")
+                  "side of the path on which the sheave or drum lies, looking along its axis; default: by the bend of "
+                  "the rope in equilibrium")
           .field(&PathElement::grip, "grip",
-                 "an endless rope that passes its carriage twice: here it is fixed to it, there it carries it")
+                 "of an endless rope that passes its carriage twice: true where it is fixed to the carriage")
           .exactly_one({"anchor", "over", "through", "drum"});
   return d;
 }
@@ -166,15 +169,14 @@ const Description& PathElement::describe() {
 const Description& PutUp::describe() {
   static const Description d =
       Describe<PutUp>()
-          .field(&PutUp::tension, "tension", "T", si::N, "base tension: when the line is put up")
+          .field(&PutUp::tension, "tension", "T", si::N, "base tension, when the line is put up")
           .at_most(strongest)
           .required()
           .above(0)
           .choice(&PutUp::at, "at", {{"start", BaseTensionAt::start}, {"end", BaseTensionAt::end}},
                   "the end of its path that has this tension")
           .field(&PutUp::with, "with",
-                 "carriages, bodies and named loads that hang on the line while it is put up; without it the line is "
-                 "empty");
+                 "carriages, bodies and named loads on the line while it is put up; default: the line is empty");
   return d;
 }
 
@@ -183,33 +185,31 @@ const Description& Reeving::describe() {
       Describe<Reeving>()
           .field(&Reeving::rope, "rope", "one of the ropes")
           .required()
-          .field(&Reeving::name, "name", "for tables and links; without it the name of the rope")
-          .record(&Reeving::path, "path", "from end to end")
+          .field(&Reeving::name, "name", "name in tables and references; default: the name of the rope")
+          .record(&Reeving::path, "path", "elements from end to end")
           .required()
           .field(&Reeving::length, "length", "L", si::m, "unstretched length of the rope from end to end")
           .at_most(farthest)
           .above(0)
           .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N,
-                 "instead of the length: held constant in every state, as by a counterweight")
+                 "in place of the length: tension that is constant in every state, as by a counterweight")
           .at_most(strongest)
           .above(0)
           .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N,
-                 "instead of the length: held constant in every state, as by a counterweight")
+                 "in place of the length: tension that is constant in every state, as by a counterweight")
           .at_most(strongest)
           .above(0)
           .record(&Reeving::install, "install",
-                  "instead of the length: tension when the line is put up; the length found there is kept")
-          .field(&Reeving::copies, "copies", "n", si::one, "equal ropes beside each other")
+                  "in place of the length: tension when the line is put up; the length found there is kept")
+          .field(&Reeving::copies, "copies", "n", si::one, "number of equal parallel ropes")
           .at_least(1)
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
-                  "which way it runs when hoisting or hauling in; without it to its drum or given tension, else to its "
-                  "start")
+                  "direction when hoisting or hauling in; default: to its drum or given tension, else to its start")
           .field(&Reeving::segments, "segments", "n", si::one,
-                 "in motion each free part is a chain of so many, with the rope's mass at their joints; 1: one piece")
+                 "in motion the number of segments of each branch, with the mass of the rope at their joints")
           .at_least(1)
           .at_most(1000)
-          .field(&Reeving::may_slack, "may_slack",
-                 "it is meant to go slack; without it a slack rope is an unsafe warning")
+          .field(&Reeving::may_slack, "may_slack", "true: it may go slack without an unsafe warning")
           .field(&Reeving::closed, "closed", "an endless rope, from the last element back to the first");
   return d;
 }
@@ -219,11 +219,11 @@ const Description& Load::describe() {
       Describe<Load>()
           .field(&Load::at, "at", "a body, a carriage, or a point or sheave on one")
           .required()
-          .field(&Load::name, "name", "for paths and 'with'")
-          .field(&Load::mass, "mass", "m", si::kg, "its weight acts downwards")
+          .field(&Load::name, "name", "name for paths and for 'with'")
+          .field(&Load::mass, "mass", "m", si::kg, "mass; its weight acts downwards")
           .at_most(heaviest)
           .at_least(0)
-          .field(&Load::force, "force", "F", si::N, "in the ground frame")
+          .field(&Load::force, "force", "F", si::N, "force in the ground frame")
           .at_least(-strongest)
           .at_most(strongest)
           .record(&Load::dragged, "dragged", "the mass is a bunch of logs that drags one end over the ground")
@@ -234,7 +234,7 @@ const Description& Load::describe() {
 const Description& TakeUp::describe() {
   static const Description d =
       Describe<TakeUp>()
-          .field(&TakeUp::body, "body", "the body that it pulls")
+          .field(&TakeUp::body, "body", "the body that is pulled")
           .required()
           .field(&TakeUp::weight, "weight", "m", si::kg, "a counterweight of this mass on a rope without loss")
           .at_most(heaviest)
@@ -250,28 +250,29 @@ const Description& TakeUp::describe() {
 const Description& Install::describe() {
   static const Description d =
       Describe<Install>()
-          .field(&Install::tension, "tension", "T", si::N, "when it is put up, machine unloaded")
+          .field(&Install::tension, "tension", "T", si::N, "tension when it is put up, machine unloaded")
           .at_most(strongest)
           .required()
           .above(0)
           .choice(&Install::at, "at", {{"top", InstallAt::top}, {"anchor", InstallAt::anchor}},
-                  "where: at its 'from' (top) or its 'to' (anchor)");
+                  "end with this tension: 'from' (top) or 'to' (anchor)");
   return d;
 }
 
 const Description& Guy::describe() {
-  static const Description d = Describe<Guy>()
-                                   .field(&Guy::rope, "rope", "one of the ropes")
-                                   .required()
-                                   .field(&Guy::from, "from", "upper end: a point, body, carriage or sheave's centre")
-                                   .required()
-                                   .field(&Guy::to, "to", "lower end, its anchor")
-                                   .required()
-                                   .record(&Guy::install, "install", "tension when it is put up")
-                                   .field(&Guy::length, "length", "L", si::m, "unstretched length")
-                                   .at_most(farthest)
-                                   .above(0)
-                                   .exactly_one({"install", "length"});
+  static const Description d =
+      Describe<Guy>()
+          .field(&Guy::rope, "rope", "one of the ropes")
+          .required()
+          .field(&Guy::from, "from", "upper end: a point, body, carriage or centre of a sheave")
+          .required()
+          .field(&Guy::to, "to", "lower end, its anchor")
+          .required()
+          .record(&Guy::install, "install", "tension when it is put up")
+          .field(&Guy::length, "length", "L", si::m, "unstretched length")
+          .at_most(farthest)
+          .above(0)
+          .exactly_one({"install", "length"});
   return d;
 }
 
@@ -279,18 +280,19 @@ const Description& Terrain::describe() {
   static const Description d =
       Describe<Terrain>()
           .field(&Terrain::file, "file",
-                 "CSV in metres: columns chainage (or x) and z, chainage growing; or x, y, z of a survey")
-          .field(&Terrain::x, "x", "x", si::m, "places along the line, growing; with 'y' x of the ground frame")
-          .field(&Terrain::y, "y", "y", si::m, "of a survey: y of the ground frame; its rows are projected on the line")
+                 "CSV in metres: columns chainage (or x) and z, chainage increasing; or x, y, z of a survey")
+          .field(&Terrain::x, "x", "x", si::m, "chainages, increasing; with 'y': x in the ground frame")
+          .field(&Terrain::y, "y", "y", si::m, "of a survey: y in the ground frame; its rows are projected on the line")
           .field(&Terrain::z, "z", "z", si::m, "height of the ground there")
           .field(&Terrain::between, "between",
-                 "two points: the line runs from the first, where its chainage is 0, to the second; a survey without "
-                 "it has the line from its first to its last row")
-          .field(&Terrain::corridor, "corridor", "", si::m, "surveyed rows that are farther off the line get a warning")
+                 "two points: the line runs from the first (chainage 0) to the second; default for a survey: from its "
+                 "first to its last row")
+          .field(&Terrain::corridor, "corridor", "", si::m,
+                 "a warning names surveyed rows farther off the line than this")
           .at_least(0)
           .field(&Terrain::from, "from", "", si::m,
-                 "where its x is 0, as [x, y] of the ground frame; for lines across the axes")
-          .field(&Terrain::along, "along", "", si::one, "horizontal direction of its x, [x, y]");
+                 "place with chainage 0, [x, y] in the ground frame; for lines oblique to the axes")
+          .field(&Terrain::along, "along", "", si::one, "horizontal direction of the chainage, [x, y]");
   return d;
 }
 

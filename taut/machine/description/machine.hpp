@@ -10,8 +10,9 @@
 #include "taut/machine/description/measure_keys.hpp"
 #include "taut/machine/description/motion_keys.hpp"
 
-/// A machine as a deck describes it: plain values, names as links, one `describe` table each. SI, right-handed axes, z
-/// up. Nothing is checked here that needs more than one field; `compile` does that (compile.hpp).
+/// A machine as a deck describes it: plain values, references by name, one `describe` table each. SI, right-handed
+/// axes, z up. A `describe` table checks single fields only; `compile` (compile.hpp) checks everything that needs
+/// several.
 namespace taut::machine::description {
 
 /// A point of the ground frame, or of a body.
@@ -22,45 +23,48 @@ struct Point {
   static const Description& describe();
 };
 
-/// A rope's properties: a row of the catalogue, or figures; figures go before the catalogue's.
+/// Properties of a rope: a row of the catalogue, or single values. A single value replaces that of the catalogue.
 struct Rope {
   std::string name;
-  std::optional<std::string> rope;              ///< id in the catalogue
-  std::optional<double> mass;                   ///< kg/m, per unstretched metre
-  std::optional<double> stiffness;              ///< EA, N; none: by the catalogue's area and construction
-  std::optional<double> breaking_force;         ///< N
-  std::optional<double> diameter;               ///< m
-  double expansion = 1.2e-5;                    ///< 1/K
-  std::optional<double> reference_temperature;  ///< K, at which lengths are given
-  std::optional<double> damping_ratio;          ///< for dynamics
-  std::optional<double> damping_time;           ///< s, for dynamics
+  std::optional<std::string> rope;       ///< id in the catalogue
+  std::optional<double> mass;            ///< kg/m, per unstretched metre
+  std::optional<double> stiffness;       ///< EA, N; default: from the area and construction in the catalogue
+  std::optional<double> breaking_force;  ///< N
+  std::optional<double> diameter;        ///< m
+  double expansion = 1.2e-5;             ///< 1/K
+  /// Temperature at which lengths are given, K; default: that of the machine.
+  std::optional<double> reference_temperature;
+  std::optional<double> damping_ratio;  ///< for dynamics
+  std::optional<double> damping_time;   ///< s, for dynamics
   static const Description& describe();
 };
 
 struct Body {
   std::string name;
   double mass = 0;                ///< kg
-  Triple at{};                    ///< of its origin, m
-  Triple centre{};                ///< of mass, seen from the origin, m
-  std::vector<std::string> free;  ///< of x y z rx ry rz
-  std::optional<Triple> guide;    ///< direction of the one slide it moves on
-  std::vector<double> inertia;    ///< about the centre of mass: one for all axes, or Ixx, Iyy, Izz, kg m2; for dynamics
+  Triple at{};                    ///< origin, m
+  Triple centre{};                ///< centre of mass relative to the origin, m
+  std::vector<std::string> free;  ///< degrees of freedom, of x y z rx ry rz
+  std::optional<Triple> guide;    ///< direction of its only translation
+  /// Moment of inertia about the centre of mass, kg m2: one value for all axes, or Ixx, Iyy, Izz; for dynamics.
+  std::vector<double> inertia;
   std::optional<BodyMotion> motion;
   std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
   static const Description& describe();
 };
 
-/// `usual`: a sheave among `sheaves`, a saddle among `supports`.
+/// `usual`: a sheave in the list `sheaves`, a saddle in the list `supports`.
 enum class RoundLaw { usual, sheave, saddle };
-/// `usual`: a saddle reports, a sheave holds.
+/// What happens where the rope pulls a support upwards. hold: the rope is held down. report: it is held down, and the
+/// result reports it. lift: it leaves the support. `usual`: report for a saddle, hold for a sheave.
 enum class Uplift { usual, hold, report, lift };
 
-/// What drives a sheave: whatever torque it takes, or a given one. Speed and torque are quantities, or names of
+/// Drive of a sheave. With a speed the torque follows; else the torque is given. Both are quantities or names of
 /// signals (drive_value.hpp).
 struct Motor {
-  std::optional<std::string> speed;   ///< of the rim, along the path: a signal, or a speed
+  std::optional<std::string> speed;   ///< rim speed along the path: a signal, or a speed
   std::optional<std::string> torque;  ///< along the path: a signal, or a moment
-  std::optional<double> working_arc;  ///< part of the wrap that can pull, rad (Andreev); default: all of it
+  std::optional<double> working_arc;  ///< part of the wrap that transmits force, rad (Andreev); default: the whole wrap
   static const Description& describe();
 };
 
@@ -72,16 +76,16 @@ struct Round {
   double diameter = 0;  ///< pitch, at the rope's centre, m; 0: a point
   Triple axis{0, 1, 0};
   RoundLaw law = RoundLaw::usual;
-  std::optional<double> friction;  ///< of the rope on it; a sheave without it grips whatever comes
+  std::optional<double> friction;  ///< rope on groove; a sheave without it does not slip
   double efficiency = 1;           ///< of a turning sheave
-  Uplift uplift = Uplift::usual;   ///< what happens when the rope pulls it upwards
+  Uplift uplift = Uplift::usual;   ///< where the rope pulls it upwards
   std::optional<double> inertia;   ///< kg m2, for dynamics
   std::optional<Motor> motor;
   static const Description& describe();
 };
 
-/// What drives a drum: one of speed, torque, pull, as a signal or a constant. In statics a drum holds its rope's
-/// length, or its pull, as it is at the start, where that is given.
+/// Drive of a drum: one of speed, torque, pull, as a signal or a constant. Statics takes the drum at the start of the
+/// motion: a given pull is the tension of the rope, otherwise the rope keeps its length.
 enum class Brake { unsaid, open, set };
 struct Drive {
   std::optional<std::string> speed, torque, pull;
@@ -100,9 +104,9 @@ struct Drum {
   std::optional<int> layer;
   std::optional<Drive> drive;
   double inertia = 0;                     ///< kg m2, for dynamics
-  std::optional<Layers> layers;           ///< automatic: by the rope on the drum
+  std::optional<Layers> layers;           ///< automatic: the layer follows from the rope on the drum
   std::optional<double> length_on_drum;   ///< unstretched, m
-  std::optional<double> wound_at;         ///< tension at which it was wound, N; default: 0
+  std::optional<double> wound_at;         ///< winding tension, N; default: 0, in motion the tension at the start
   std::optional<double> face_width;       ///< between the flanges, m
   std::optional<double> flange_diameter;  ///< m; default: not limited
   std::optional<double> pitch;            ///< from wrap to wrap, m; default: the rope's diameter
@@ -117,22 +121,22 @@ struct Carriage {
   double mass = 0;
   std::string rides;  ///< a reeving
   Hold hold = Hold::rolling;
-  std::optional<std::string> fixed_to;  ///< a second reeving, which carries it along: a running haul rope
-  std::optional<std::string> mainline;  ///< the reeving whose length sets its place
+  std::optional<std::string> fixed_to;  ///< a second, running reeving to which the carriage is also fixed: a haul rope
+  std::optional<std::string> mainline;  ///< the reeving whose length determines its position
   std::optional<std::string> haulback;  ///< the reeving that pulls against the mainline
-  double friction = 0;                  ///< of rolling, on the rope
+  double friction = 0;                  ///< rolling friction on the rope
   int rollers = 1;
   std::optional<double> wheelbase;      ///< first to last roller, m
-  double inertia = 0;                   ///< about the axis of its pitching, at the centre of mass, kg m^2
-  double height = 0;                    ///< of the rollers over the origin, where its mass hangs, m
+  double inertia = 0;                   ///< about its pitch axis through the centre of mass, kg m^2
+  double height = 0;                    ///< of the rollers above the origin, m; its mass acts at the origin
   std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
-  std::optional<Triple> at;             ///< where to look for it first; default: between its neighbours
+  std::optional<Triple> at;             ///< first guess of its place; default: between its neighbours
   static const Description& describe();
 };
 
 enum class Side { automatic, left, right };
 
-/// One stop of a rope's path.
+/// One element of the path of a rope.
 struct PathElement {
   std::optional<std::string> anchor;
   std::optional<std::string> over;
@@ -141,23 +145,24 @@ struct PathElement {
   int parts = 1;
   std::vector<std::string> between;
   Side side = Side::automatic;
-  bool grip = false;  ///< where an endless rope passes a carriage twice: here it is fixed to it
+  bool grip = false;  ///< an endless rope that passes a carriage twice is fixed to it at this element
   static const Description& describe();
 };
 
 enum class Haul { automatic, to_start, to_end };
 
-/// How a line is put up: by its tension at one end, empty but for what is named. Then its length is frozen.
+/// Installation of a line: the tension at one end while it carries nothing except `with`. Its length is constant
+/// afterwards.
 enum class BaseTensionAt { start, end };
 struct PutUp {
   double tension = 0;  ///< N
   BaseTensionAt at = BaseTensionAt::start;
-  std::vector<std::string> with;  ///< carriages, bodies and loads that hang on it meanwhile
+  std::vector<std::string> with;  ///< carriages, bodies and loads that hang on it during installation
   static const Description& describe();
 };
 
 struct Reeving {
-  std::optional<std::string> name;  ///< default: its rope's
+  std::optional<std::string> name;  ///< default: the name of its rope
   std::string rope;
   std::vector<PathElement> path;
   bool closed = false;  ///< endless: from the last element back to the first
@@ -166,23 +171,23 @@ struct Reeving {
   std::optional<double> tension_at_end;
   int copies = 1;
   Haul haul = Haul::automatic;
-  int segments = 1;        ///< of each free part, in motion
-  bool may_slack = false;  ///< it is meant to go slack: no unsafe warning
+  int segments = 1;        ///< number of segments of each branch in motion
+  bool may_slack = false;  ///< it may go slack: no unsafe warning
   std::optional<PutUp> install = std::nullopt;
   static const Description& describe();
 };
 
-/// A bunch of logs that hangs with one end on the load's place and drags the other one over the ground.
+/// A bunch of logs: one end hangs on the carriage, the other is dragged over the ground.
 struct Dragged {
-  double ground_angle = 0;             ///< rad, positive where the ground rises in the direction of the way
+  double ground_angle = 0;             ///< slope of the ground, rad, positive where it rises in the direction of travel
   double friction = 0;                 ///< of the bunch on the ground
-  double share = 0.5;                  ///< of its weight that hangs on the carriage on level ground
-  double lift_angle = 0;               ///< of the bunch against the ground, rad
-  std::vector<double> along = {1, 0};  ///< horizontal direction of the way, x and y
+  double share = 0.5;                  ///< part of its weight that the carriage carries on level ground
+  double lift_angle = 0;               ///< between bunch and ground, rad
+  std::vector<double> along = {1, 0};  ///< horizontal direction of travel, x and y
   static const Description& describe();
 };
 
-/// A dead load at a point of a body.
+/// A load at a point of a body, constant in direction.
 struct Load {
   std::string at;
   std::optional<double> mass;
@@ -192,11 +197,11 @@ struct Load {
   static const Description& describe();
 };
 
-/// Which way a force along a rope points: by the rope's motion (at rest: as if it hauled in), or by its path.
+/// Direction of a force along a rope: by the motion of the rope (at rest: as if it hauled in), or by its path.
 enum class RopeLoadDirection { against_motion, with_motion, along_path, against_path };
 
-/// A force along the free rope, at a place of a span or spread over a part of it. Without `tangential` and `rate`: as
-/// much as the motor's given torque overcomes.
+/// A force along the free rope, at one place of a branch or distributed over a part of it. Without `tangential` and
+/// `rate` the force is the one that balances the given torque of the drive.
 struct RopeLoad {
   std::optional<std::string> name;
   std::string rope;                  ///< a reeving
@@ -204,14 +209,14 @@ struct RopeLoad {
   std::optional<double> tangential;  ///< N
   std::optional<double> rate;        ///< N per unstretched metre
   RopeLoadDirection direction = RopeLoadDirection::against_motion;
-  std::optional<double> position;     ///< share of the span's unstretched rope, from the first of `between` on
-  std::optional<double> from, to;     ///< shares between which a rate acts
-  std::optional<int> elements;        ///< parts into which a rate is divided
+  std::optional<double> position;     ///< fraction of the unstretched length of the branch, from the first of `between`
+  std::optional<double> from, to;     ///< fractions between which a rate acts
+  std::optional<int> elements;        ///< number of parts into which a rate is divided
   std::optional<std::string> signal;  ///< in motion: force, N, or rate, N/m, over time
   static const Description& describe();
 };
 
-/// A force that keeps a rope tight: a weight over a deflection, or a screw.
+/// A take-up: a hanging weight over a deflection sheave, or a screw.
 struct TakeUp {
   std::string body;
   std::optional<double> weight;  ///< kg
@@ -220,7 +225,8 @@ struct TakeUp {
   static const Description& describe();
 };
 
-/// How a guy is put up: on the unloaded machine, its bodies held where they are given. Then its length is frozen.
+/// Installation of a guy: its tension while the machine is unloaded and its bodies are held at their given places. Its
+/// length is constant afterwards.
 enum class InstallAt { top, anchor };
 struct Install {
   double tension = 0;  ///< N
@@ -238,17 +244,17 @@ struct Guy {
   static const Description& describe();
 };
 
-/// Ground under the line: a CSV file, or its columns written out. Without y: heights over chainage, x runs along a
-/// horizontal direction. With y: a survey, x and y of the ground frame, projected on the line (terrain.hpp).
+/// Terrain under the line: a CSV file, or its columns. Without y: heights z over the chainage x, measured along a
+/// horizontal direction. With y: a survey, x and y in the ground frame, projected on the line (terrain.hpp).
 struct Terrain {
   std::optional<std::string> file;
   std::vector<double> x;
   std::vector<double> z;
-  std::vector<double> from;   ///< where x is 0: x and y of the ground frame, m; none: the origin
-  std::vector<double> along;  ///< the direction of x; none: that of the ground frame's x
+  std::vector<double> from;   ///< x and y of the place with chainage 0, ground frame, m; default: the origin
+  std::vector<double> along;  ///< direction of the chainage; default: the x axis
   std::vector<double> y = {};
   std::vector<std::string> between = {};  ///< two points: the line runs from the first to the second
-  double corridor = 5;                    ///< surveyed rows farther off the line are warned of, m
+  double corridor = 5;                    ///< a warning names surveyed rows farther off the line than this, m
   static const Description& describe();
 };
 

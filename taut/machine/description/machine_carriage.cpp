@@ -20,32 +20,33 @@ const Description& Carriage::describe() {
           .required()
           .choice(&Carriage::hold, "hold",
                   {{"rolling", Hold::rolling}, {"clamped", Hold::clamped}, {"fixed_to", Hold::fixed_to}},
-                  "rolling on the rope, clamped to it, or rolling and fixed to a second rope that carries it along")
-          .field(&Carriage::fixed_to, "fixed_to", "the reeving that carries it along; its path goes through it too")
-          .field(&Carriage::mainline, "mainline", "the reeving whose length sets its place in a load path")
+                  "rolling on the rope, clamped to it, or rolling on it and fixed to a second, running rope")
+          .field(&Carriage::fixed_to, "fixed_to",
+                 "the second reeving, to which it is fixed; its path has the carriage too")
+          .field(&Carriage::mainline, "mainline", "the reeving whose length determines its place in a load path")
           .field(&Carriage::haulback, "haulback", "the reeving that pulls it against the mainline")
-          .field(&Carriage::friction, "friction", "mu", si::one, "of rolling on the rope")
+          .field(&Carriage::friction, "friction", "mu", si::one, "rolling friction on the rope")
           .at_least(0)
-          .field(
-              &Carriage::length_before, "length_before", "L", si::m,
-              "clamped or fixed: unstretched rope between that reeving's start (an endless one's drive) and the place")
+          .field(&Carriage::length_before, "length_before", "L", si::m,
+                 "clamped or fixed: unstretched length from the start of that reeving (closed: from its drive) to the "
+                 "clamp")
           .at_most(farthest)
           .above(0)
           .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&Carriage::rollers, "rollers", "n", si::one,
-                 "rollers on the rope, at equal distances; with more than one the carriage pitches as they let it")
+                 "number of rollers, at equal distances; with more than one the carriage pitches")
           .at_least(1)
           .at_most(16)
-          .field(&Carriage::wheelbase, "wheelbase", "b", si::m, "from the first roller to the last one")
+          .field(&Carriage::wheelbase, "wheelbase", "b", si::m, "distance from the first roller to the last")
           .above(0)
           .at_most(100)
           .field(&Carriage::inertia, "inertia", "J", si::kg_m2,
-                 "of one that pitches, about its centre of mass; statics does not depend on it")
+                 "moment of inertia of a carriage that pitches, about its centre of mass; used in motion only")
           .at_least(0)
           .field(&Carriage::height, "height", "h", si::m,
-                 "of the rollers over the carriage's origin, where its mass and loads hang and ropes are fixed; the "
+                 "height of the rollers above the origin of the carriage, at which its mass, loads and ropes act; the "
                  "carriage then swings")
           .at_least(0)
           .at_most(100);
@@ -56,24 +57,23 @@ const Description& Dragged::describe() {
   static const Description d =
       Describe<Dragged>()
           .field(&Dragged::ground_angle, "ground_angle", "alpha", si::rad.in("deg"),
-                 "slope of the ground, positive where it rises in the direction of the way")
+                 "slope of the ground, positive where it rises in the direction of travel")
           .above(-pi / 2)
           .below(pi / 2)
           .required()
-          .field(&Dragged::friction, "friction", "mu", si::one, "of the bunch on the ground")
+          .field(&Dragged::friction, "friction", "mu", si::one, "friction of the bunch on the ground")
           .at_least(0)
           .at_most(10)
           .required()
-          .field(
-              &Dragged::share, "share", "s", si::one,
-              "of the bunch's weight that hangs on the carriage on level ground without friction: the distance of its "
-              "centre from the dragged end over its length")
+          .field(&Dragged::share, "share", "s", si::one,
+                 "part of the weight that the carriage carries on level ground without friction: distance of the "
+                 "centre of mass from the dragged end over the length")
           .at_least(0)
           .at_most(1)
-          .field(&Dragged::lift_angle, "lift_angle", "delta", si::rad.in("deg"), "of the bunch against the ground")
+          .field(&Dragged::lift_angle, "lift_angle", "delta", si::rad.in("deg"), "angle between bunch and ground")
           .at_least(0)
           .below(pi / 2)
-          .field(&Dragged::along, "along", "", si::one, "horizontal direction of the way, [x, y]");
+          .field(&Dragged::along, "along", "", si::one, "horizontal direction of travel, [x, y]");
   return d;
 }
 

@@ -4,69 +4,71 @@
 namespace taut::machine::description {
 
 const Description& Motor::describe() {
-  static const Description d =
-      Describe<Motor>()
-          .field(&Motor::speed, "speed", "of its rim, along the path: a signal, or a speed")
-          .field(&Motor::torque, "torque", "along the path: a signal, or a moment; without it whatever the rope takes")
-          .field(&Motor::working_arc, "working_arc", "alpha", si::rad,
-                 "part of the wrap that can pull, after Andreev; without it all of it")
-          .above(0)
-          .at_most(1e3);
+  static const Description d = Describe<Motor>()
+                                   .field(&Motor::speed, "speed", "rim speed along the path: a signal, or a speed")
+                                   .field(&Motor::torque, "torque",
+                                          "torque along the path: a signal, or a moment; without it the torque follows")
+                                   .field(&Motor::working_arc, "working_arc", "alpha", si::rad,
+                                          "part of the wrap that transmits force (Andreev); default: the whole wrap")
+                                   .above(0)
+                                   .at_most(1e3);
   return d;
 }
 
 const Description& Drive::describe() {
   static const Description d =
       Describe<Drive>()
-          .field(&Drive::speed, "speed", "of the rope, taking in > 0: a signal, or a speed; in statics the drum holds")
+          .field(&Drive::speed, "speed",
+                 "rope speed, taking in > 0: a signal, or a speed; in statics the drum does not turn")
           .field(&Drive::torque, "torque",
-                 "taking in > 0: a signal, or a moment; in statics the rope's tension follows from it where nothing "
-                 "else is "
-                 "given")
+                 "torque, taking in > 0: a signal, or a moment; in statics the tension of the rope follows from it if "
+                 "nothing else is given")
           .field(&Drive::pull, "pull", "tension of the rope where it leaves the drum: a signal, or a force")
           .choice(&Drive::brake, "brake", {{"set", Brake::set}, {"open", Brake::open}},
-                  "set: it holds, whatever drives it; open and nothing else: it turns freely");
+                  "set: the brake holds against any drive; open without a drive: the drum turns freely");
   return d;
 }
 
 const Description& Drum::describe() {
   static const Description d =
       Describe<Drum>()
-          .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or the ground's")
+          .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
           .required()
-          .field(&Drum::body, "body", "the body it sits on; without it the ground")
+          .field(&Drum::body, "body", "the body that carries it; default: the ground")
           .field(&Drum::axis, "axis", "", si::one, "direction of its axis")
-          .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "of the bare drum; 0: a point")
+          .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "diameter of the bare drum; 0: a point")
           .at_most(farthest)
           .at_least(0)
-          .field(&Drum::layer, "layer", "k", si::one, "the layer that the rope leaves; without it the first")
+          .field(&Drum::layer, "layer", "k", si::one, "the layer from which the rope leaves; default: the first")
           .at_least(1)
-          .record(&Drum::drive, "drive", "what drives it; nothing: it holds its rope")
+          .record(&Drum::drive, "drive", "drive; without it the drum does not turn")
           .choice(&Drum::layers, "layers", {{"auto", Layers::automatic}},
                   "the layer follows from the length on the drum")
           .field(&Drum::length_on_drum, "length_on_drum", "L", si::m, "unstretched rope on the drum")
           .at_most(farthest)
           .at_least(0)
-          .field(&Drum::wound_at, "wound_at", "T", si::N, "tension at which the rope was wound; without it none")
+          .field(&Drum::wound_at, "wound_at", "T", si::N,
+                 "winding tension of the rope on the drum; default: 0, in motion the tension at the start")
           .at_most(strongest)
           .at_least(0)
-          .field(&Drum::face_width, "face_width", "B", si::m.in("mm"), "between the flanges")
+          .field(&Drum::face_width, "face_width", "B", si::m.in("mm"), "width between the flanges")
           .at_most(farthest)
           .above(0)
-          .field(&Drum::flange_diameter, "flange_diameter", "D_f", si::m.in("mm"), "limits the layers")
+          .field(&Drum::flange_diameter, "flange_diameter", "D_f", si::m.in("mm"),
+                 "flange diameter, which limits the layers")
           .at_most(farthest)
           .above(0)
-          .field(&Drum::pitch, "pitch", "p", si::m.in("mm"), "from wrap to wrap; without it the rope's diameter")
+          .field(&Drum::pitch, "pitch", "p", si::m.in("mm"), "distance from wrap to wrap; default: the rope diameter")
           .at_most(farthest)
           .above(0)
           .field(&Drum::layer_height, "layer_height", "h", si::m.in("mm"),
-                 "from layer to layer; without it the rope's diameter")
+                 "distance from layer to layer; default: the rope diameter")
           .at_most(farthest)
           .above(0)
           .field(&Drum::inertia, "inertia", "J", si::kg_m2,
-                 "with all that turns with it; statics does not depend on it")
+                 "moment of inertia of everything that turns with it; used in motion only")
           .at_least(0);
   return d;
 }
@@ -74,16 +76,15 @@ const Description& Drum::describe() {
 const Description& RopeLoad::describe() {
   static const Description d =
       Describe<RopeLoad>()
-          .field(&RopeLoad::rope, "rope", "the reeving it acts on")
+          .field(&RopeLoad::rope, "rope", "the reeving on which it acts")
           .required()
-          .field(&RopeLoad::between, "between", "two neighbours of its path")
+          .field(&RopeLoad::between, "between", "two neighbours of its path, the ends of the branch")
           .required()
           .field(&RopeLoad::tangential, "tangential", "F", si::N,
-                 "force along the rope, in statics; without it and 'rate': what the motor's torque overcomes")
+                 "force along the rope, in statics; without it and 'rate' the force that balances the motor's torque")
           .at_most(strongest)
           .at_least(0)
-          .field(&RopeLoad::rate, "rate", "q", si::N_per_m,
-                 "force per unstretched metre, spread over a part of the span")
+          .field(&RopeLoad::rate, "rate", "q", si::N_per_m, "force per unstretched metre, over a part of the branch")
           .at_most(strongest)
           .at_least(0)
           .choice(&RopeLoad::direction, "direction",
@@ -91,24 +92,24 @@ const Description& RopeLoad::describe() {
                    {"with_motion", RopeLoadDirection::with_motion},
                    {"along_path", RopeLoadDirection::along_path},
                    {"against_path", RopeLoadDirection::against_path}},
-                  "of the force on the rope; at rest the motion is 'in'")
+                  "direction of the force on the rope; at rest the motion is 'in'")
           .field(&RopeLoad::position, "position", "", si::one,
-                 "share of the span's rope from the first of 'between' to the force; without it 0.5")
+                 "place as a fraction of the unstretched branch, from the first of 'between'; default: 0.5")
           .above(0)
           .below(1)
-          .field(&RopeLoad::from, "from", "", si::one, "share where a rate begins; without it 0")
+          .field(&RopeLoad::from, "from", "", si::one, "fraction at which a rate begins; default: 0")
           .at_least(0)
           .at_most(1)
-          .field(&RopeLoad::to, "to", "", si::one, "share where a rate ends; without it 1")
+          .field(&RopeLoad::to, "to", "", si::one, "fraction at which a rate ends; default: 1")
           .at_least(0)
           .at_most(1)
           .field(&RopeLoad::elements, "elements", "n", si::one,
-                 "parts into which a rate is divided; without it up to 16")
+                 "number of parts into which a rate is divided; default: up to 16")
           .at_least(1)
           .at_most(64)
           .field(&RopeLoad::signal, "signal",
                  "in motion the force, or the rate, over time: a signal; statics takes 'tangential' or 'rate'")
-          .field(&RopeLoad::name, "name", "for tables; without it ROPE.load");
+          .field(&RopeLoad::name, "name", "name in tables; default: ROPE.load");
   return d;
 }
 

@@ -5,8 +5,8 @@
 
 #include "taut/calc/field.hpp"
 
-/// What a deck says of a machine in motion: plain values, names as links, one `describe` table each. A text "a signal,
-/// or a ..." is the name of a signal or a constant with its unit.
+/// The keys of a machine in motion: plain values, references by name, one `describe` table each. A text described as "a
+/// signal, or a ..." is the name of a signal, or a constant with its unit.
 namespace taut::machine::description {
 
 /// One change of a value.
@@ -44,7 +44,7 @@ struct Sine {
   static const Description& describe();
 };
 
-/// A quantity over time.
+/// A quantity over time; exactly one of its laws is given.
 struct Signal {
   std::string name;
   std::optional<std::string> constant;
@@ -55,13 +55,13 @@ struct Signal {
   static const Description& describe();
 };
 
-/// How a driven body moves: displacements from its `at` along the axes of the ground, rotations about them.
+/// Given motion of a body: displacements from its `at` along the ground axes, and rotations about them; each a signal.
 struct BodyMotion {
   std::optional<std::string> x, y, z, rx, ry, rz;
   static const Description& describe();
 };
 
-/// A place on a body, or of the ground: a point for contacts and observers.
+/// A place on a body or of the ground, for contacts and observed quantities.
 struct Marker {
   std::string name;
   std::optional<std::string> body;
@@ -69,7 +69,7 @@ struct Marker {
   static const Description& describe();
 };
 
-/// A plane strip between two places of a body; `normal` points out of the body, to where the other one lies.
+/// A plane strip between two places of a body. `normal` points out of the body, towards the other body.
 struct Face {
   std::string name;
   std::optional<std::string> body;
@@ -81,7 +81,7 @@ struct Face {
 
 /// A point of one body on a face of another.
 struct FaceContact {
-  std::optional<std::string> name;  ///< default: its point's
+  std::optional<std::string> name;  ///< default: the name of its point
   std::string point;
   std::string face;
   double stiffness = 0;                        ///< N/m
@@ -97,7 +97,7 @@ struct FaceContact {
 
 enum class ActuatorMode { extend, retract, lock, free };
 
-/// A force that falls with the speed: F0 + gain (reference - speed).
+/// A force that decreases with the speed: F = F0 + gain (reference - speed).
 struct ActuatorLaw {
   double F0 = 0;          ///< N
   double gain = 0;        ///< N s/m
@@ -122,7 +122,7 @@ struct Actuator {
 
 enum class RopeEnd { start, end };
 
-/// The free length of a rope as an input.
+/// A given change of the unstretched length of a rope at one of its ends.
 struct Tensioner {
   std::string reeving;  ///< its name, or its number among the reevings, from 1
   RopeEnd end = RopeEnd::start;
@@ -130,7 +130,7 @@ struct Tensioner {
   static const Description& describe();
 };
 
-/// What happens at a time or as soon as a condition holds.
+/// An event: what happens at a given time, or as soon as a condition holds.
 struct Event {
   std::optional<double> at;           ///< s
   std::optional<std::string> when;    ///< "car.z > 12 m"

@@ -13,10 +13,10 @@ namespace taut::machine::description {
 const Description& MeanWindow::describe() {
   static const Description d =
       Describe<MeanWindow>()
-          .field(&MeanWindow::of, "of", "the quantity that lies between 'from' and 'to'; without it the time")
-          .field(&MeanWindow::from, "from", "from which time or value on, with its unit")
+          .field(&MeanWindow::of, "of", "the quantity that lies between 'from' and 'to'; default: the time")
+          .field(&MeanWindow::from, "from", "lower bound of the time or value, with its unit")
           .required()
-          .field(&MeanWindow::to, "to", "up to which time or value")
+          .field(&MeanWindow::to, "to", "upper bound of the time or value, with its unit")
           .required();
   return d;
 }
@@ -24,26 +24,26 @@ const Description& MeanWindow::describe() {
 const Description& Measure::describe() {
   static const Description d =
       Describe<Measure>()
-          .field(&Measure::of, "of", "what is observed: s3.x, ext[2].T, a signal")
+          .field(&Measure::of, "of", "observed quantity: s3.x, ext[2].T, a signal")
           .required()
           .field(&Measure::seen_from, "seen_from",
-                 "a body in whose axes, from whose origin, a place, speed or rotation is seen")
-          .field(&Measure::factor, "factor", "", si::one, "it is multiplied by this")
-          .field(&Measure::offset, "offset", "and this is added, with its unit")
-          .field(&Measure::since, "since", "t", si::s, "what was before does not count")
+                 "a body: places, velocities and rotations are relative to its origin and axes")
+          .field(&Measure::factor, "factor", "", si::one, "factor on the quantity")
+          .field(&Measure::offset, "offset", "value added after the factor, with its unit")
+          .field(&Measure::since, "since", "t", si::s, "earlier values do not count")
           .at_least(0)
           .at_most(3.2e7)
           .choice(&Measure::relative, "relative",
                   {{"none", Relative::none}, {"difference", Relative::difference}, {"ratio", Relative::ratio}},
-                  "to what it was at 'since': less that, or over that")
-          .record(&Measure::mean, "mean", "where its mean is taken")
+                  "difference from, or ratio to, the value at 'since'")
+          .record(&Measure::mean, "mean", "interval of its mean")
           .choice(&Measure::value, "value",
                   {{"automatic", Taken::automatic},
                    {"mean", Taken::mean},
                    {"end", Taken::end},
                    {"min", Taken::min},
                    {"max", Taken::max}},
-                  "what stands under its own name: the mean where it has one, else what it is at the end");
+                  "result value of this name: the mean where it has one, else the value at the end");
   return d;
 }
 

@@ -55,7 +55,7 @@ const ObservableNames of_load = {{"T_in", Observed::T_in, si::N, "tension before
 const ObservableNames of_drum = {{"T", Observed::drum_T, si::N, "tension where the rope leaves it"},
                                  {"speed", Observed::drum_speed, si::m_per_s, "speed of its rim along the path"},
                                  {"length", Observed::drum_length, si::m, "unstretched rope taken in"},
-                                 {"torque of its drive", Observed::drum_torque, si::N_m, "torque of its drive"},
+                                 {"torque", Observed::drum_torque, si::N_m, "torque of its drive"},
                                  {"power", Observed::drum_power, si::W, "power"}};
 const ObservableNames of_contact = {
     {"N", Observed::contact_N, si::N, "normal force"},

@@ -19,7 +19,7 @@ namespace taut::boom_ropes {
 
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
-/// What the boom does. lift: the boom rests and a load is lifted, section 3 is being pushed in.
+/// Operation of the boom. lift: the boom rests while a load is lifted; the load pushes section 3 in.
 enum class Operation { lift, retract, extend };
 /// The rope whose tensioner was pulled last.
 enum class Rope { extension, retraction };
@@ -34,19 +34,20 @@ struct Case {
   static const Description& describe();
 };
 
-/// One search of the angle at which section 3 slides by its own weight when a rope is gone.
+/// Case of the slip angle: the luffing angle at which section 3 slides by its own weight after a rope has broken.
 struct Slip {
   double boom_length = unset;
   double suspended_weight = unset;
-  double overlap_change = 0;  ///< by the jerk after the rope broke: + pulled in, - pushed out
+  double overlap_change = 0;  ///< change of the overlap by the jerk after the break: + pulled in, - pushed out
   int falls = 6;
   static const Description& describe();
 };
 
-/// The quasi-static sliding model. Its defaults are the KS-55713-5K-1 as calibrated on the published results.
+/// The quasi-static sliding model. Its defaults are those of the crane KS-55713-5K-1, calibrated on the published
+/// results or assumed.
 struct Sliding {
-  double retracted_length = 9;        ///< boom length at which overlaps are given
-  double stroke = 6;                  ///< of section 2 in 1 and of 3 in 2
+  double retracted_length = 9;        ///< boom length for which the overlaps are given
+  double stroke = 6;                  ///< of section 2 in section 1, and of section 3 in section 2
   double head_distance = 7.65;        ///< h_3
   double center_3 = 3.4;              ///< c_3
   double center_2 = 3.6;              ///< c_2
@@ -90,7 +91,7 @@ struct Input {
   Rope tensioned_last = Rope::extension;
   int tensioning_steps = 4;
   double slip_friction = 0.155;  ///< f_0 of the slip angle without jamming
-  std::optional<double> S10;     ///< pretension as set, to be checked
+  std::optional<double> S10;     ///< pretension as set; checked against (3)
   std::optional<double> S20;
   std::optional<double> stiffness_ratio;  ///< kappa = C_2/C_1 as measured, for the corrected stiffness
   std::vector<Case> cases;
@@ -98,7 +99,7 @@ struct Input {
   static const Description& describe();
 };
 
-/// One position of the sliding model; NaN and a `reason` where there is no equilibrium.
+/// One position of the sliding model. Without equilibrium the values are NaN, and `reason` tells why.
 struct SlidingPoint {
   double luffing_angle = unset;
   double boom_length = unset;
@@ -106,18 +107,18 @@ struct SlidingPoint {
   double Fh = unset;  ///< cylinder force, + pushes section 2 out
   double S1 = unset;  ///< one branch of the extension rope, at section 3
   double S2 = unset;  ///< retraction rope, at section 3
-  double Nf = unset;  ///< signed pad forces, + the lower pad carries
+  double Nf = unset;  ///< pad forces; + the lower pad carries
   double Nr = unset;
   double Mf = unset;
   double Mr = unset;
   double X = unset;  ///< elongation of half the extension rope since pretensioning
   std::string reason;
   bool ok() const { return reason.empty(); }
-  /// Front and rear pads of section 3 carry on opposite sides: friction outgrows weight.
+  /// Front and rear pads of section 3 carry on opposite sides: the friction then exceeds that of the weight alone.
   bool jamming() const { return (Nf < 0) != (Nr < 0); }
 };
 
-/// Both tensions after one step of the alternating procedure (Table 1), for each order.
+/// Both tensions after one step of the alternate tensioning (Table 1), for each order.
 struct TensioningStep {
   double S10_extension_first = 0;
   double S20_extension_first = 0;
@@ -126,7 +127,7 @@ struct TensioningStep {
 };
 
 struct Output {
-  std::vector<double> F;  ///< by case
+  std::vector<double> F;  ///< [case]
   double F0_extension = unset;
   double F0_retraction = unset;
   double lambda_1 = unset;
@@ -157,36 +158,38 @@ struct Output {
   double governing_angle = unset;
   double governing_length = unset;
   double governing_weight = unset;
-  // Places in lists, not result values: the cases that govern (3), and the governing position of the grid.
+  // Indices, not result values: the cases that govern (3), and the governing position of the grid.
   std::size_t highest_case = 0;
   std::size_t lowest_case = 0;
   std::size_t governing_point = 0;
-  std::vector<SlidingPoint> grid;  ///< weights, in them angles, in them lengths
+  std::vector<SlidingPoint> grid;  ///< nested in this order: weights, angles, lengths
   static const Description& describe();
 };
 
 const Method& about();
 std::vector<Complaint> complaints(const Input& in);
 
-/// Equations in the paper's order; Num for the steps. Errors: infeasible when no position of the sliding grid has an
-/// equilibrium.
+/// The equations in the paper's order. T: double, or Num for the calculation note. Infeasible when no position of the
+/// sliding grid has an equilibrium.
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 Outcome solve(const Input& in, Output& out);
 Result run(const Input& in);
 
-/// C1 and C2 as printed (unit repaired), and kappa = C2/C1 as the tensions of Table 2 show it.
+/// C1 and C2 as printed (unit corrected), and kappa = C2/C1 from the tensions in Table 2.
 inline constexpr double printed_C1 = 2.72e6;
 inline constexpr double printed_C2 = 1.61e6;
 inline constexpr double table_2_ratio = 2.07;
-/// The ratio kappa for the corrected stiffness: the deck's, or Table 2's when the deck has the printed stiffnesses.
+/// The ratio kappa for the corrected stiffness: that of the deck; else that of Table 2 when the deck has the printed
+/// stiffnesses; else empty.
 std::optional<double> measured_ratio(const Input& in);
 
-/// (4), (5) and their counterpart for extending: F, all longitudinal forces on section 3 but the two ropes'. N.
+/// F by (4), (5) and their counterpart for extending: the sum of all longitudinal forces on section 3 except those of
+/// the two ropes, N.
 double force(const Input& in, const Case& one);
 
-/// Tensions of a case under the pretension `out.S10_set`, `out.S20_set` by (2); a rope that would have to push is slack
-/// (0) and the other one takes the rest by (1).
+/// Tensions of a case with the pretensions `out.S10_set`, `out.S20_set`, by (2). Where (2) gives a negative tension the
+/// rope is slack (0), and the tension of the other one follows from (1).
 struct RopeTensions {
   double S1 = unset;
   double S2 = unset;
@@ -195,7 +198,7 @@ struct RopeTensions {
 };
 RopeTensions tensions(const Output& out, double F);
 
-/// Table 1: the tensioners are pulled in turn until section 3, held by the friction `friction` (f0 G3), just slips:
+/// Table 1: the tensioners are pulled alternately until section 3, held by `friction` = f0 G3, begins to slip:
 /// extension S1 := (S2 + friction)/2, retraction S2 := 2 S1 + friction.
 std::vector<TensioningStep> tensioning(double friction, int steps);
 

@@ -10,13 +10,15 @@
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
 
-/// Statics of a closed loop of two ropes with parallel, jointly loaded branches (a live skyline whose return rope is
-/// led back over the tail sheave and carries with its upper branch), after V. D. Martynikhin, about 1971.
+/// Statics of a closed loop of two ropes with parallel, jointly loaded branches, after V. D. Martynikhin, about 1971: a
+/// running skyline whose return rope is led back over the tail sheave, so that its upper branch carries part of the
+/// load.
 ///
 /// Head support A (winch) and tail support B (sheave) stand `span` apart; the carriage, clamped to the lower branch and
 /// rolling on the upper one, hangs at the horizontal distance x from A with the vertical sag f under the chord.
-/// Three tiers stand side by side: the paper's formulas (as printed where a misprint matters, and repaired), corrected
-/// ones, and a closed form with a roller that presses normal to the rope. Forces in N, lengths in m, angles in rad.
+/// Three tiers: the formulas of the paper (with misprints repaired, and as printed where the misprint matters),
+/// corrected formulas, and a closed form in which the roller presses normal to the rope. Forces in N, lengths in m,
+/// angles in rad.
 namespace taut::closed_loop {
 
 struct Engine;
@@ -30,7 +32,7 @@ enum class Roller { free, vertical };
 enum class Haul { in, out };
 enum class AngleFrom { vertical, horizontal };
 
-/// Which ropes of the catalogue may be chosen; empty texts and a missing grade let everything pass.
+/// Which ropes of the catalogue may be chosen. An empty text or a missing grade does not restrict the choice.
 struct RopeFilter {
   std::optional<std::string> construction;  ///< "6x36"
   std::optional<std::string> core;          ///< "IWRC", "FC"
@@ -135,7 +137,7 @@ struct Output {
   double F_traction = none;
   double safety_factor_return_paper = none;
   double safety_factor_traction_paper = none;
-  // Exact catenaries, where an engine is handed in.
+  // Exact catenaries; computed only with an engine.
   double P_b_exact = none;
   double P_v_exact = none;
   double N_exact = none;
@@ -161,24 +163,25 @@ struct Output {
 /// Citation, scope, limits, errata with the tests that show them.
 const Method& about();
 
-/// Rules between fields that the deck breaks, and rope names that the catalogue does not know.
+/// The rules between fields that the deck violates, and rope names that the catalogue does not have. Paths below
+/// `input`.
 std::vector<Complaint> complaints(const Input& in);
 
-/// The paper's equations in the paper's order and letters, the corrections beside them, and the closed-form tier, all
-/// for one carriage position: the only one given, midspan when none is, or the worst of a list (largest tension at any
-/// of the four rope ends, in the closed-form tier). Infeasible: no vertical load, the roller lifts off, a rope goes
-/// slack, no rope can carry its own weight at that sag. `out` keeps what was reached. Precondition: complaints(in) is
-/// empty. T is double or Num.
+/// The equations of the paper in its order and letters, the corrections beside them, and the closed-form tier, for one
+/// carriage position: the only one given, midspan when none is given, or the worst of a list (largest tension at any of
+/// the four rope ends in the closed-form tier).
+/// Infeasible: no vertical load, the roller lifts off, a rope goes slack, or a rope cannot carry its own weight at that
+/// sag; `out` then keeps the values computed before. Precondition: complaints(in) is empty. T is double or Num.
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 
 /// compute without a calculation note.
 Outcome solve(const Input& in, Output& out);
 
-/// Everything a report needs: values, tables `positions` and `ropes`, checks, steps, comparisons, figures, warnings.
-/// With an engine also the exact values; it then finds the sag in every mode but `sag`, and verifies chosen ropes.
+/// The result for a report: values, tables `positions` and `ropes`, checks, steps, comparisons, figures, warnings. The
+/// engine adds the exact values, finds the sag in every mode but `sag`, and verifies chosen ropes.
 Result run(const Input& in, const Engine& engine);
-/// The same without exact values.
+/// The same without an engine: no exact values.
 Result run(const Input& in);
 
 }  // namespace taut::closed_loop

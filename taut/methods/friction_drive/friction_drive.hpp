@@ -12,17 +12,17 @@
 
 /// Friction drive of an endless rope with cutters (rope-saw), after Ryabukhin, Grigoriev, Ivanov (2022).
 ///
-/// The rope runs over a driving sheave and an idler that is pulled by a constant force. From the cutting force, the
-/// speed and the friction follow the branch forces at the limit of slip, the initial tension P_M of the paper, and the
-/// take-up pull that keeps the rope from slipping, which the paper's P_M does not.
+/// The rope runs over a driving sheave and an idler that is pulled by a constant force. Given are the cutting force,
+/// the speed and the friction. Results are the branch forces at the limit of slip, the initial tension P_M of the
+/// paper, and the take-up pull at which the rope does not slip (with P_M it slips).
 ///
-/// All forces are tensions, N, positive when they pull. T_1, P_tight: the branch that the driving sheave draws in; T_2,
-/// P_slack: the one that it lets go. Both contain the centrifugal tension c = q U^2.
+/// All forces are tensions, N, positive when they pull. T_1, P_tight: the branch that runs onto the driving sheave;
+/// T_2, P_slack: the branch that leaves it. Both contain the centrifugal tension c = q U^2.
 namespace taut::friction_drive {
 
 inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-/// The take-up of the exact solution: a pull on the idler that stays, or fixed centres set at rest.
+/// The take-up of the exact solution: a constant pull on the idler, or fixed centres set at rest.
 struct TakeUp {
   std::optional<double> weight;  ///< N; or
   std::optional<double> mass;    ///< kg, of a hanging weight; or
@@ -31,26 +31,27 @@ struct TakeUp {
   static const Description& describe();
 };
 
-/// Where the cut holds the rope back: where the idler feels the whole tight tension, as the method has it, or in the
+/// Where the cutting force acts: at the idler, which then feels the whole tight tension as in the method, or in the
 /// middle of the tight branch.
 enum class CutPlace { at_idler, in_tight_branch };
 
 struct Input {
-  double cutting_force = not_computed;   ///< P_p, N
-  double friction = not_computed;        ///< mu, 0 < mu <= 1.5
-  double wrap = not_computed;            ///< alpha on the driving sheave, rad
-  double rope_mass = not_computed;       ///< q, kg/m, with the cutters
-  double speed = not_computed;           ///< U, m/s
-  double grip_reserve = 1.2;             ///< m >= 1
-  double section_factor = 0;             ///< k of Andreev's formula
-  double fill_ratio = 1;                 ///< K_fill / K_fill_max
-  double rest_arc = 0;                   ///< m_a d/R, rad
-  double idler_loss = 1.08;              ///< r, the factor in (14)
-  std::optional<double> rope_area;       ///< A, m2
-  std::optional<double> sheave_radius;   ///< R to the rope's centre, m
-  std::optional<std::string> rope;       ///< of the catalogue: id, or construction, core, diameter and grade in words
-  std::optional<TakeUp> take_up;         ///< this and what follows: for the exact solution, not in the published method
-  std::optional<double> rope_stiffness;  ///< EA, N
+  double cutting_force = not_computed;  ///< P_p, N
+  double friction = not_computed;       ///< mu, 0 < mu <= 1.5
+  double wrap = not_computed;           ///< alpha on the driving sheave, rad
+  double rope_mass = not_computed;      ///< q, kg/m, with the cutters
+  double speed = not_computed;          ///< U, m/s
+  double grip_reserve = 1.2;            ///< m >= 1
+  double section_factor = 0;            ///< k of Andreev's formula
+  double fill_ratio = 1;                ///< K_fill / K_fill_max
+  double rest_arc = 0;                  ///< m_a d/R, rad
+  double idler_loss = 1.08;             ///< r, the factor in (14)
+  std::optional<double> rope_area;      ///< A, m2
+  std::optional<double> sheave_radius;  ///< R to the rope's centre, m
+  std::optional<std::string> rope;      ///< of the catalogue: id, or construction, core, diameter and grade in words
+  /// This and the following members are for the exact solution, not in the published method.
+  std::optional<TakeUp> take_up;
+  std::optional<double> rope_stiffness;   ///< EA, N
   std::optional<double> centre_distance;  ///< of the sheaves, m
   CutPlace cut = CutPlace::at_idler;
 
@@ -73,7 +74,7 @@ struct Output {
   double T_1 = not_computed;                     ///< N, with P_M
   double T_2 = not_computed;                     ///< N, with P_M
   double slip_ratio = not_computed;              ///< (T_1 - c)/(T_2 - c)
-  double cutting_force_at_P_M = not_computed;    ///< N, what a take-up that holds P_M can pass on
+  double cutting_force_at_P_M = not_computed;    ///< N, largest cutting force when the take-up keeps P_M
   double T_1_no_slip = not_computed;             ///< N
   double T_2_no_slip = not_computed;             ///< N
   double takeup_no_slip = not_computed;          ///< N
@@ -95,18 +96,19 @@ struct Output {
 
 const Method& about();
 
-/// Rules between fields and names that the catalogue lacks; paths below `input`.
+/// The rules between fields that the deck violates, and names that the catalogue does not have. Paths below `input`.
 std::vector<Complaint> complaints(const Input& in);
 
-/// The paper's equations in its order, the corrected ones beside them, and the drive that does not slip. Infeasible
-/// when e <= idler_loss: the grip can't even turn the idler. Does not look at `rope`. Instantiated for double and Num.
+/// The equations of the paper in its order, the corrected ones beside them, and the drive that does not slip.
+/// Infeasible when e <= idler_loss: the grip is then too small to turn the idler. Does not use `rope`. T is double or
+/// Num.
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 
 /// compute<double>, without allocation.
 Outcome solve(const Input& in, Output& out);
 
-/// The whole calculation note: values, steps, checks, comparisons, tables, figures; and the rope's strength.
+/// The result for a report: values, steps, checks, comparisons, tables, figures, and the strength of the rope.
 Result run(const Input& in);
 
 }  // namespace taut::friction_drive

@@ -17,27 +17,27 @@ struct SectionRow;
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
-/// A vertical mast, clamped at its foot, carries the blocks of skyline and mainline. Each rope comes in from the span
-/// under the angle alpha below the horizontal, turns over its block and runs down to its drum. From the largest rope
-/// forces follow the block resultants, the internal forces at the clamp and the smallest section with
-/// N/A + M/W <= [sigma].
+/// A vertical mast, clamped at its foot, carries the blocks of skyline and mainline. Each rope arrives from the span at
+/// the angle alpha below the horizontal, passes over its block and runs down to its drum. The largest rope forces give
+/// the resultants at the blocks, the internal forces at the clamp and the smallest section with N/A + M/W <= [sigma].
 ///
-/// Signs: N > 0 presses the mast down; Q > 0 pulls its head towards the span; M > 0 bends it towards the span, so that
-/// the most pressed fibre is on the span's side. alpha and gamma are positive below the horizontal.
+/// Signs: N > 0 is compression; Q > 0 pulls the head towards the span; M > 0 bends the mast towards the span, so that
+/// the largest compression is on the side of the span. alpha and gamma are positive below the horizontal.
 namespace taut::mast_section {
 
 inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-/// Wrap angle of the rope on its block: 90 deg + alpha, as figure 5 has it, or the paper's 120 deg for any alpha.
+/// Wrap angle of the rope on its block: geometric: 90 deg + alpha, as in figure 5; paper: 120 deg for any alpha, as the
+/// paper calculates.
 enum class Wrap { geometric, paper };
 enum class SectionKind { any, chs, shs, rhs };
 enum class FormingChoice { any, hot, cold, seamless, welded };
 enum class LeastTrust { verified, derived, unverified };
 
-/// The span, where the branch angle follows from the carriage's position: (10), (11).
+/// The span; with it the branch angle follows from the position of the carriage by (10), (11).
 struct Span {
   double length = not_computed;              ///< l, horizontal, m
-  double chord_slope = 0;                    ///< psi, rad, positive: the chord falls away from the mast
+  double chord_slope = 0;                    ///< psi, rad; positive where the chord falls away from the mast
   std::vector<double> carriage_position;     ///< x from the mast, m, 0 < x <= l
   double rope_weight = not_computed;         ///< w of the skyline, N/m
   double load = not_computed;                ///< Q at the carriage, N
@@ -46,32 +46,33 @@ struct Span {
   static const Description& describe();
 };
 
-/// Which catalogue sections may be chosen.
+/// Which sections of the catalogue may be chosen.
 struct ChooseSection {
   SectionKind shape = SectionKind::any;
   FormingChoice forming = FormingChoice::any;
   std::optional<std::string> standard;  ///< the beginning of its name: "EN 10210"
   LeastTrust least_trust = LeastTrust::unverified;
-  /// Outer size over wall. The lightest section by stress alone is a wide, thin one that buckles locally; up to 35
-  /// walls of S355 reach their yield (EN 1993-1-1 table 5.2, as recalled: class 3 of a box at 37, of a tube at 59).
+  /// Largest ratio of outer size to wall thickness. The lightest section by stress alone is wide and thin and buckles
+  /// locally; up to 35 sections of S355 reach the yield stress (EN 1993-1-1 table 5.2, as recalled: class 3 of a box
+  /// ends at 37, of a tube at 59).
   double largest_slenderness = 35;
 
   static const Description& describe();
 };
 
-/// Foot of the mast in the exact solution. The published method knows the clamped one only.
+/// Foot of the mast in the exact solution. The published method has the clamped one only.
 enum class Base { clamped, hinged };
 enum class GuyEnd { top, anchor };
 
-/// How a guy is set while the mast stands plumb and unloaded.
+/// Installation of a guy, while the mast is vertical and unloaded.
 struct GuyInstall {
   double tension = not_computed;  ///< N
-  GuyEnd at = GuyEnd::top;        ///< where it has that tension
+  GuyEnd at = GuyEnd::top;        ///< end at which it has this tension
 
   static const Description& describe();
 };
 
-/// A guyline, for the exact solution beside the method, which leaves guys out.
+/// A guyline, for the exact solution only: the published method neglects guys.
 struct Guy {
   std::optional<std::string> rope;          ///< of the catalogue: weight, breaking force and, with `modulus`, stiffness
   std::optional<double> stiffness;          ///< EA, N
@@ -81,7 +82,7 @@ struct Guy {
   double plan_angle = not_computed;         ///< rad, from the span's direction, counter-clockwise seen from above
   double anchor_distance = not_computed;    ///< m, horizontal, from the mast's axis
   double anchor_height = 0;                 ///< m, above the clamp
-  std::optional<double> attachment_height;  ///< m above the clamp; as the higher block when left out
+  std::optional<double> attachment_height;  ///< m above the clamp; default: that of the higher block
   std::optional<GuyInstall> install;        ///< or
   std::optional<double> length;             ///< unstretched, m
 
@@ -92,26 +93,27 @@ struct Input {
   double skyline_force = not_computed;          ///< T_sky, N
   double mainline_force = not_computed;         ///< T_main, N
   double skyline_block_height = not_computed;   ///< h_sky above the clamp, m
-  std::optional<double> mainline_block_height;  ///< h_main, m; as the skyline's when left out
+  std::optional<double> mainline_block_height;  ///< h_main, m; default: as the skyline's
   double block_friction = 0.12;                 ///< f
   Wrap wrap = Wrap::geometric;
-  std::optional<double> paid_out_force;  ///< N, at which a brake slips while a rope is paid out; none: never
-  std::optional<double> branch_angle;    ///< alpha, rad; or
+  /// Force at which a brake slips while the rope is paid out, N; none: it does not slip.
+  std::optional<double> paid_out_force;
+  std::optional<double> branch_angle;  ///< alpha, rad; or
   std::optional<Span> span;
   std::optional<double> allowable_stress;  ///< [sigma], Pa; or
   std::optional<std::string> steel;        ///< of the catalogue, with
   std::optional<double> safety;            ///< n: [sigma] = f_y / n
   double tube_ratio = 0.9;                 ///< c = d/D
-  std::optional<std::string> section;      ///< "CHS 508x16": checked
+  std::optional<std::string> section;      ///< "CHS 508x16": a section to check
   std::optional<ChooseSection> choose_section;
-  std::vector<Guy> guys;                ///< these and what follows: for the exact solution, not in the published method
+  std::vector<Guy> guys;  ///< these and the following members are for the exact solution, not in the published method
   std::optional<double> lateral_force;  ///< N, across the span, at the skyline block
   Base base = Base::clamped;
 
   static const Description& describe();
 };
 
-/// Numbers of the governing carriage position. A size is the largest that any position asks for.
+/// Values at the governing carriage position. Each section size is the largest that any position requires.
 struct Output {
   double x = not_computed;                  ///< m, governing carriage position, where the span is given
   double f_x = not_computed;                ///< m, skyline sag there
@@ -147,27 +149,26 @@ struct Output {
 const Method& about();
 
 struct ClampForces;
-/// The largest stress anywhere in a clamped mast of that section with the moments of its own deflection, Pa; NaN where
-/// it finds no equilibrium. From outside: the published method does not know how.
+/// The largest stress in a clamped mast of that section, including the moments from its own deflection, Pa; NaN where
+/// there is no equilibrium. The caller provides it, because the published method has no second order.
 using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
 
-/// Rules between fields and names that the catalogue lacks; paths below `input`.
+/// The rules between fields that the deck violates, and names that the catalogue does not have. Paths below `input`.
 std::vector<Complaint> complaints(const Input& in);
 
-/// (1)-(16) and the table of section kinds, in the paper's order. Of several carriage positions the one that asks for
-/// the largest tube is computed; where another one governs another kind of section, that kind is computed there.
-/// Takes inputs that `complaints` has nothing against. Instantiated for double and Num.
+/// (1)-(16) and the table of section kinds, in the paper's order. Of several carriage positions it computes the one
+/// that requires the largest tube; where another position governs another kind of section, that kind is computed there.
+/// Precondition: complaints(in) is empty. T is double or Num.
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 
 /// compute<double>: no allocation when [sigma] is given.
 Outcome solve(const Input& in, Output& out);
 
-/// The whole calculation note: values, steps, tables of positions and of catalogue sections, checks, figures. A section
-/// is chosen and checked for ropes hauled in and paid out, and by second order where `second` is handed in
-/// (sizing.hpp).
+/// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section is
+/// chosen and checked for ropes hauled in and paid out, and by second order where `second` is given (sizing.hpp).
 Result run(const Input& in, const SecondOrder& second);
-/// The same by first order alone.
+/// The same by first order only.
 Result run(const Input& in);
 
 }  // namespace taut::mast_section

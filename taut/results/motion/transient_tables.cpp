@@ -139,9 +139,9 @@ void add_ropes(const study::TransientRun& run, const std::vector<std::string>& s
       where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, study::branch_words(rope, e.branch), e.T.t_max);
     }
     if (rope.breaking_force > 0) {
-      Check c = make_check(
-          fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
-          {Sense::at_most, rope.breaking_force, "minimum breaking force of the rope", strength_trust[i]});
+      Check c =
+          make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
+                     {Sense::at_most, rope.breaking_force, "minimum breaking force of the rope", strength_trust[i]});
       c.part = rope.name;
       c.limits = false;
       c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);

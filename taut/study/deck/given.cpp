@@ -122,26 +122,27 @@ const Description& GivenRequest::describe() {
           .above(0)
           .at_most(strongest)
           .field(&GivenRequest::loop_length, "loop_length", "L", si::m,
-                 "its unstretched length, in place of the machine's")
+                 "its unstretched length, in place of that in the machine")
           .above(0)
           .at_most(farthest)
           .field(&GivenRequest::sag, "sag", "f", si::m,
-                 "of the carriage below the line between its supports; without a carriage of a free span at half its "
-                 "horizontal length, below its chord")
+                 "sag of the carriage below the line between its supports; without a carriage, of a free span below "
+                 "its chord at half its horizontal length")
           .above(0)
           .at_most(farthest)
-          .field(&GivenRequest::free_running, "free_running",
-                 "true: the carriage, rolling and without mainline, stands at its place by itself")
+          .field(
+              &GivenRequest::free_running, "free_running",
+              "true: the carriage, rolling and without mainline, is in equilibrium at its place without another force")
           .field(&GivenRequest::of, "of",
-                 "the rope that the winch pulls, or all ropes of the loop, where it is not this one alone")
+                 "the rope that the winch pulls, or all ropes of the loop; default: this rope alone")
           .field(&GivenRequest::efficiency, "efficiency", "eta", si::one,
-                 "of a winch's lead: the rope's tension is winch_pull times this")
+                 "efficiency of the lead sheaves of a winch: the tension of the rope is winch_pull times this")
           .above(0)
           .at_most(1)
           .choice(&GivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
-                  "where the winch pulls: at the start or the end of the rope's path")
+                  "end of the path at which the winch pulls")
           .field(&GivenRequest::span, "span", "", si::one,
-                 "number of the free span of the rope that has the sag, from 1; without it the longest")
+                 "number of the free span with the sag, from 1; default: the longest")
           .at_least(1)
           .exactly_one({"winch_pull", "loop_length", "sag", "free_running"});
   return d;

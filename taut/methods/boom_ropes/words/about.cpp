@@ -54,7 +54,7 @@ std::vector<std::string> limits() {
       "Three sections, section 3 moved by ropes only, travel of 3 in 2 equal to travel of 2 in 1",
       "(4), (5): no jamming, no sheave losses; use the sliding block for long booms and small angles",
       "F0 is taken with the boom horizontal",
-      "Sliding: steady motion or its limit; a boom at rest can stand anywhere between the states of both directions",
+      "Sliding: steady motion or its limit; a boom at rest can have any state between those of the two directions",
       "Geometry of the KS-55713-5K-1 in the defaults of sliding is calibrated or assumed, not published",
       "Not modelled: clearances of the pads, side loads, wind, bending of sections, rope breaks in time"};
   return {std::begin(all), std::end(all)};

@@ -54,7 +54,8 @@ const Method& about() {
       "form "
       "a closed loop), about 1971, in Russian",
       "Martynikhin 1971",
-      "Statics of a yarding line whose return rope is led back over the tail sheave and carries with its upper branch: "
+      "Statics of a yarding line whose return rope is led back over the tail sheave, so that its upper branch carries "
+      "part of the load: "
       "load "
       "share of the branches, tensions, rope areas, single and two-section carriage, in-haul and out-haul. The "
       "closed-form "
@@ -63,7 +64,7 @@ const Method& about() {
       "rolling resistance, bending stiffness of the rope, branches that are not parallel, a rigid carriage, bending "
       "over "
       "sheaves, splices and wear, several spans (use the product of efficiencies as an estimate), dynamics, wind, "
-      "temperature. Exact elastic catenaries of the same loop stand beside all of it.",
+      "temperature. Exact elastic catenaries of the same loop are given too.",
       {"0 < eta <= 1, |alpha_s| < 60 deg, 0 <= gamma < 90 deg from the vertical",
        "Paper's formulas: local slope f/min(x, l - x) <= 0.2 and |alpha_s| <= 10 deg (P_b and T_lA then within 7 %)",
        "(8), (10): load at midspan", "Closed-form tier: end tensions within 2 % of catenaries for f/l <= 0.15"},

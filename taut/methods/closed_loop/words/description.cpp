@@ -16,15 +16,15 @@ void describe_line(Describe<Input>& d) {
   d.field(&Input::height_difference, "height_difference", "h", si::m,
           "height of B above A, in place of slope (negative when B is lower)");
   d.field(&Input::position, "position", "x", si::m,
-          "horizontal distance from A to the carriage, one or a list; midspan when left out")
+          "horizontal distance from A to the carriage, one or a list; default: midspan")
       .above(0);
-  d.choice(
-      &Input::mode, "mode",
-      {{"sag", Mode::sag},
-       {"winch_pull", Mode::winch_pull},
-       {"loop_length", Mode::loop_length},
-       {"free_running", Mode::free_running}},
-      "what is given: the sag; the winch pull; the loop's length; or that the return rope runs freely at the carriage");
+  d.choice(&Input::mode, "mode",
+           {{"sag", Mode::sag},
+            {"winch_pull", Mode::winch_pull},
+            {"loop_length", Mode::loop_length},
+            {"free_running", Mode::free_running}},
+           "what is given: the sag, the winch pull, the length of the loop, or that the return rope runs freely at the "
+           "carriage");
   d.field(&Input::sag, "sag", "f", si::m, "vertical sag of the lower branch at the carriage, under the chord").above(0);
   d.field(&Input::winch_pull, "winch_pull", "W", si::N, "pull of the winch on the traction rope (mode winch_pull)")
       .above(0);
@@ -38,9 +38,8 @@ void describe_line(Describe<Input>& d) {
 
 void describe_load(Describe<Input>& d) {
   d.field(&Input::gathering_force, "gathering_force", "S", si::N, "force in the gathering line").required().above(0);
-  d.field(
-       &Input::gathering_angle, "gathering_angle", "gamma", si::rad,
-       "angle of the gathering line, down and toward B; from the vertical unless gathering_angle_from says otherwise")
+  d.field(&Input::gathering_angle, "gathering_angle", "gamma", si::rad,
+          "angle of the gathering line, down and toward B, measured from the line that gathering_angle_from names")
       .required()
       .at_least(0)
       .at_most(90 * degree);
@@ -52,10 +51,11 @@ void describe_load(Describe<Input>& d) {
   d.field(&Input::traction_weight, "traction_weight", "q_T", si::N_per_m,
           "weight of the traction rope per metre of rope")
       .above(0);
-  d.field(&Input::return_rope, "return_rope",
-          "return rope of the catalogue, by id or in words, 6x36-IWRC 16 mm 1960 MPa; in place of return_weight");
+  d.field(
+      &Input::return_rope, "return_rope",
+      "return rope of the catalogue, by id or by its properties, 6x36-IWRC 16 mm 1960 MPa; in place of return_weight");
   d.field(&Input::traction_rope, "traction_rope",
-          "traction rope of the catalogue, by id or in words; in place of traction_weight");
+          "traction rope of the catalogue, by id or by its properties; in place of traction_weight");
   d.field(&Input::tail_efficiency, "tail_efficiency", "eta", si::one, "efficiency of one sheave at B")
       .required()
       .above(0)
@@ -73,9 +73,9 @@ void describe_carriage(Describe<Input>& d) {
            {{"horizontal", DistanceKind::horizontal}, {"rope", DistanceKind::rope}},
            "section_distance is a horizontal distance, or the length of the rope between the sections");
   d.choice(&Input::sag_of, "sag_of", {{"first", Section::first}, {"second", Section::second}},
-           "the section that sag belongs to");
+           "the section at which sag is given");
   d.choice(&Input::position_of, "position_of", {{"first", Section::first}, {"second", Section::second}},
-           "the section that position belongs to");
+           "the section at which position is given");
   d.field(&Input::branch_distance, "branch_distance", "c", si::m, "distance of the upper branch from the lower one")
       .at_least(0);
   d.choice(&Input::branch_offset, "branch_offset",
@@ -89,14 +89,14 @@ void describe_carriage(Describe<Input>& d) {
       .above(0)
       .may_be_infinite();
   d.choice(&Input::roller, "roller", {{"free", Roller::free}, {"vertical", Roller::vertical}},
-           "free: the roller presses normal to the rope; vertical: straight up and down, as the paper has it");
+           "free: the roller force is normal to the rope; vertical: it is vertical, as in the paper");
   d.choice(&Input::haul, "haul", {{"in", Haul::in}, {"out", Haul::out}},
-           "in: T_uB = eta T_lB, the load moves to the winch; out: the other way");
+           "in: T_uB = eta T_lB, the load moves to the winch; out: the opposite");
 }
 
 void describe_sizing(Describe<Input>& d) {
   d.field(&Input::safety_factor, "safety_factor", "n", si::one,
-          "breaking force / largest tension, at least; never assumed")
+          "least breaking force / largest tension; it has no default")
       .above(1);
   d.field(&Input::wire_strength, "wire_strength", "sigma_pa", si::Pa,
           "minimum breaking force / metallic area of the rope (not the wire grade)")
@@ -114,9 +114,9 @@ void describe_sizing(Describe<Input>& d) {
 const Description& RopeFilter::describe() {
   static const Description d =
       Describe<RopeFilter>()
-          .field(&RopeFilter::construction, "construction", "construction, such as 6x36; any when left out")
-          .field(&RopeFilter::core, "core", "core, FC, IWRC or WSC; any when left out")
-          .field(&RopeFilter::grade, "grade", "R", si::Pa, "nominal wire strength; any when left out")
+          .field(&RopeFilter::construction, "construction", "construction, such as 6x36; default: any")
+          .field(&RopeFilter::core, "core", "core, FC, IWRC or WSC; default: any")
+          .field(&RopeFilter::grade, "grade", "R", si::Pa, "nominal wire strength; default: any")
           .above(0);
   return d;
 }
@@ -136,7 +136,7 @@ const Description& Input::describe() {
 namespace {
 
 void describe_paper(Describe<Output>& d) {
-  d.field(&Output::x, "x", "x", si::m, "position of the carriage these values belong to");
+  d.field(&Output::x, "x", "x", si::m, "position of the carriage for these values");
   d.field(&Output::f, "f", "f", si::m, "sag at the carriage");
   d.field(&Output::f_second, "f_second", "f_second", si::m, "a deeper sag with the same tension");
   d.field(&Output::q_b, "q_b", "q_b", si::N_per_m, "weight of the return rope");
@@ -179,7 +179,8 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::delta_f_closed, "delta_f_closed", "delta_f_closed", si::m,
           "sag of section 2 under the line from section 1 to B")
       .from("closed-form tier");
-  d.field(&Output::phi, "phi", "phi", si::rad, "lean of the link from clamp to roller, its top toward A when positive")
+  d.field(&Output::phi, "phi", "phi", si::rad,
+          "inclination of the link from clamp to roller, positive when its top is toward A")
       .from("closed-form tier");
   d.field(&Output::T_uA, "T_uA", "T_uA", si::N, "upper branch at A").from("closed-form tier");
   d.field(&Output::T_uB, "T_uB", "T_uB", si::N, "upper branch at B").from("closed-form tier");
@@ -192,9 +193,12 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::T_12, "T_12", "T_12", si::N, "connecting rope between the sections").from("closed-form tier");
   d.field(&Output::H_1, "H_1", "H_1", si::N, "horizontal tension of the lower branch between A and the carriage")
       .from("closed-form tier");
-  d.field(&Output::H_2, "H_2", "H_2", si::N, "of the lower branch between the carriage and B").from("closed-form tier");
-  d.field(&Output::H_3, "H_3", "H_3", si::N, "of the upper branch between A and the carriage").from("closed-form tier");
-  d.field(&Output::H_4, "H_4", "H_4", si::N, "of the upper branch between the carriage and B").from("closed-form tier");
+  d.field(&Output::H_2, "H_2", "H_2", si::N, "horizontal tension of the lower branch between the carriage and B")
+      .from("closed-form tier");
+  d.field(&Output::H_3, "H_3", "H_3", si::N, "horizontal tension of the upper branch between A and the carriage")
+      .from("closed-form tier");
+  d.field(&Output::H_4, "H_4", "H_4", si::N, "horizontal tension of the upper branch between the carriage and B")
+      .from("closed-form tier");
   d.field(&Output::T_max, "T_max", "T_max", si::N, "largest of the four end tensions").from("closed-form tier");
 }
 
@@ -225,7 +229,7 @@ void describe_exact(Describe<Output>& d) {
   add(&Output::P_v_exact, "P_v_exact", si::N, "vertical part of the roller force on the upper branch");
   add(&Output::N_exact, "N_exact", si::N, "roller force on the upper branch");
   add(&Output::phi_exact, "phi_exact", si::rad,
-      "lean of the link from clamp to roller, its top toward A when positive");
+      "inclination of the link from clamp to roller, positive when its top is toward A");
   add(&Output::T_uA_exact, "T_uA_exact", si::N, "upper branch at A");
   add(&Output::T_uB_exact, "T_uB_exact", si::N, "upper branch at B");
   add(&Output::T_lA_exact, "T_lA_exact", si::N, "lower branch (traction rope) at A");
@@ -237,12 +241,13 @@ void describe_exact(Describe<Output>& d) {
   add(&Output::upper_sag_exact, "upper_sag_exact", si::m, "sag of the upper branch at the roller, under its own chord");
   add(&Output::loop_length_exact, "loop_length_exact", si::m, "unstretched length of the whole loop");
   add(&Output::traction_length_exact, "traction_length_exact", si::m,
-      "of the traction rope between A and the carriage");
-  add(&Output::return_length_exact, "return_length_exact", si::m, "of the return rope from the carriage over B to A");
+      "unstretched length of the traction rope between A and the carriage");
+  add(&Output::return_length_exact, "return_length_exact", si::m,
+      "unstretched length of the return rope from the carriage over B to A");
   add(&Output::residual_exact, "residual_exact", si::one,
-      "largest force left unbalanced at a node, of the largest tension; 1e-12 stands for rounding");
+      "largest unbalanced force at a node, over the largest tension; 1e-12: rounding level");
   add(&Output::closure_exact, "closure_exact", si::one,
-      "largest distance of a rope's end from its node, of the span; 1e-12 stands for rounding");
+      "largest distance of the end of a rope from its node, over the span; 1e-12: rounding level");
 }
 
 }  // namespace

@@ -22,24 +22,26 @@ void describe_paper(Outputs& d) {
   d.field(&Output::P_tight_printed, "P_tight_printed", "P_tight_printed", si::N, "the same by (13) as printed, wrong")
       .from("(13)");
   d.field(&Output::P_T, "P_T", "P_T", si::N, "pull of the drive at the limit of slip").from("(17)");
-  d.field(&Output::P_M, "P_M", "P_M", si::N, "initial tension, (18) as it follows; slips").from("(18) derived");
+  d.field(&Output::P_M, "P_M", "P_M", si::N, "initial tension, (18) as derived correctly; the drive slips with it")
+      .from("(18) derived");
   d.field(&Output::P_M_printed, "P_M_printed", "P_M_printed", si::N, "initial tension, (18) as printed").from("(18)");
   d.field(&Output::P_M_3_printed, "P_M_3_printed", "P_M_3_printed", si::N,
           "initial tension by (3) as printed, wrong sign")
       .from("(3)");
   d.field(&Output::T_1, "T_1", "T_1", si::N, "tight branch under P_M").from("before (3)");
   d.field(&Output::T_2, "T_2", "T_2", si::N, "slack branch under P_M").from("before (3)");
-  d.field(&Output::slip_ratio, "slip_ratio", "slip_ratio", si::one, "(T_1 - c)/(T_2 - c) under P_M; slips above e")
+  d.field(&Output::slip_ratio, "slip_ratio", "slip_ratio", si::one,
+          "(T_1 - c)/(T_2 - c) under P_M; above e the drive slips")
       .from("(13)");
   d.field(&Output::cutting_force_at_P_M, "cutting_force_at_P_M", "P_p_at_P_M", si::N,
-          "largest cutting force that a take-up holding P_M passes on");
+          "largest cutting force that the drive can transmit with P_M");
 }
 
 void describe_no_slip(Outputs& d) {
   d.field(&Output::T_1_no_slip, "T_1_no_slip", "T_1_no_slip", si::N, "tight branch of the drive that does not slip");
   d.field(&Output::T_2_no_slip, "T_2_no_slip", "T_2_no_slip", si::N, "slack branch of the drive that does not slip");
   d.field(&Output::takeup_no_slip, "takeup_no_slip", "W_no_slip", si::N,
-          "pull on the idler of the drive that does not slip, idler loss left out");
+          "pull on the idler of the drive that does not slip, without the idler loss");
   d.field(&Output::takeup_with_idler_loss, "takeup_with_idler_loss", "W_idler_loss", si::N,
           "the same with the idler loss of (14)");
   d.field(&Output::takeup_15_16, "takeup_15_16", "W_15_16", si::N, "pull on the idler by (15), (16)");
@@ -50,7 +52,7 @@ void describe_no_slip(Outputs& d) {
 void describe_machine(Outputs& d) {
   d.field(&Output::F_0, "F_0", "F_0", si::N, "tension of each branch at rest under takeup_no_slip");
   d.field(&Output::sigma_0, "sigma_0", "sigma_0", si::Pa, "stress at rest").from("F_0 = A sigma_0");
-  d.field(&Output::sigma_tight, "sigma_tight", "sigma_tight", si::Pa, "stress in the tight branch, bending left out");
+  d.field(&Output::sigma_tight, "sigma_tight", "sigma_tight", si::Pa, "stress in the tight branch, without bending");
   d.field(&Output::torque, "torque", "M", si::N_m, "torque of the driving sheave at the limit of slip")
       .from("(1), (2)");
   d.field(&Output::torque_working, "torque_working", "M_working", si::N_m, "torque of the cutting force")
@@ -63,16 +65,17 @@ void describe_machine(Outputs& d) {
 
 void describe_exact(Inputs& d) {
   d.record(&Input::take_up, "take_up",
-           "take-up, for the exact solution; left out: the pull with idler loss that the method says to build by");
+           "take-up, for the exact solution; default: takeup_with_idler_loss of the method");
   d.field(&Input::rope_stiffness, "rope_stiffness", "EA", si::N,
-          "tension per strain, for the creep; 100 GPa times the area when left out")
+          "stiffness EA, for the creep; default: 100 GPa times the area")
       .above(0);
   d.field(&Input::centre_distance, "centre_distance", "", si::m,
-          "of driving sheave and idler, for the rope's length under a screw; with sheave_radius the arcs count too")
+          "distance of driving sheave and idler, for the length of the rope with a screw; with sheave_radius the arcs "
+          "count too")
       .above(0);
   d.choice(&Input::cut, "cut", {{"at_idler", CutPlace::at_idler}, {"in_tight_branch", CutPlace::in_tight_branch}},
-           "where the cut holds the rope in the exact solution: at_idler, so that the idler feels the whole tight "
-           "tension as in the method, or in the middle of the tight branch");
+           "place of the cutting force in the exact solution: at_idler (the idler feels the whole tight tension, as in "
+           "the method), or in the middle of the tight branch");
 }
 
 }  // namespace
@@ -82,9 +85,9 @@ const Description& TakeUp::describe() {
       Describe<TakeUp>()
           .field(&TakeUp::weight, "weight", "W", si::N, "constant pull on the idler; or give mass or screw")
           .above(0)
-          .field(&TakeUp::mass, "mass", "", si::kg, "of a weight that hangs on the idler")
+          .field(&TakeUp::mass, "mass", "", si::kg, "mass of a weight that pulls the idler")
           .above(0)
-          .field(&TakeUp::screw, "screw", "W_0", si::N, "fixed centres: pull on the idler as set at rest without load")
+          .field(&TakeUp::screw, "screw", "W_0", si::N, "fixed centres: pull on the idler, set at rest without load")
           .above(0)
           .exactly_one({"weight", "mass", "screw"});
   return d;
@@ -116,10 +119,10 @@ const Description& Input::describe() {
             "fill factor of the rope over the largest of its family")
         .at_least(0)
         .at_most(1);
-    d.field(&Input::rest_arc, "rest_arc", "alpha_rest", si::rad, "arc of rest m_a d/R, taken off the wrap").at_least(0);
+    d.field(&Input::rest_arc, "rest_arc", "alpha_rest", si::rad, "arc of rest m_a d/R, subtracted from the wrap")
+        .at_least(0);
     d.field(&Input::idler_loss, "idler_loss", "r", si::one, "factor of idler and bearing losses in (14)").at_least(1);
-    d.field(&Input::rope_area, "rope_area", "A", si::m2, "metallic area of the rope; that of `rope` when left out")
-        .above(0);
+    d.field(&Input::rope_area, "rope_area", "A", si::m2, "metallic area of the rope; default: that of `rope`").above(0);
     d.field(&Input::sheave_radius, "sheave_radius", "R", si::m, "radius of the driving sheave to the rope's centre")
         .above(0);
     d.field(&Input::rope, "rope",

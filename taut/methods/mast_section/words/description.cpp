@@ -18,7 +18,7 @@ const Description& Span::describe() {
           .above(-std::numbers::pi / 2)
           .below(std::numbers::pi / 2)
           .field(&Span::carriage_position, "carriage_position", "x", si::m,
-                 "distance of the carriage from the mast, horizontal; one or a list, of which the worst governs")
+                 "horizontal distance of the carriage from the mast; of a list the worst one governs")
           .required()
           .above(0)
           .field(&Span::rope_weight, "rope_weight", "w", si::N_per_m, "weight of the skyline per metre")
@@ -55,9 +55,9 @@ const Description& ChooseSection::describe() {
                   {{"verified", LeastTrust::verified},
                    {"derived", LeastTrust::derived},
                    {"unverified", LeastTrust::unverified}},
-                  "how far the section's numbers have to be trusted")
+                  "least trust of the section's numbers")
           .field(&ChooseSection::largest_slenderness, "largest_slenderness", "", si::one,
-                 "outer size over wall at most; thinner walls may buckle locally before they reach their yield")
+                 "largest ratio of outer size to wall; thinner walls may buckle locally below the yield stress")
           .above(0);
   return d;
 }
@@ -65,7 +65,7 @@ const Description& ChooseSection::describe() {
 const Description& GuyInstall::describe() {
   static const Description d =
       Describe<GuyInstall>()
-          .field(&GuyInstall::tension, "tension", "T_0", si::N, "tension while the mast stands plumb and unloaded")
+          .field(&GuyInstall::tension, "tension", "T_0", si::N, "tension while the mast is vertical and unloaded")
           .required()
           .above(0)
           .choice(&GuyInstall::at, "at", {{"top", GuyEnd::top}, {"anchor", GuyEnd::anchor}},
@@ -76,30 +76,32 @@ const Description& GuyInstall::describe() {
 const Description& Guy::describe() {
   static const Description d =
       Describe<Guy>()
-          .field(&Guy::rope, "rope", "rope of the catalogue, by id or in words; or give stiffness and weight")
-          .field(&Guy::stiffness, "stiffness", "EA", si::N, "tension per strain; modulus times area when left out")
+          .field(&Guy::rope, "rope", "rope of the catalogue, by id or by its properties; or give stiffness and weight")
+          .field(&Guy::stiffness, "stiffness", "EA", si::N, "stiffness EA; default: modulus times area")
           .above(0)
           .field(&Guy::modulus, "modulus", "E", si::Pa, "modulus of the rope on its metallic area")
           .above(0)
-          .field(&Guy::weight, "weight", "w", si::N_per_m, "weight per metre; that of the rope when left out")
+          .field(&Guy::weight, "weight", "w", si::N_per_m, "weight per metre; default: that of the rope")
           .at_least(0)
           .field(&Guy::breaking_force, "breaking_force", "F_min", si::N,
-                 "minimum breaking force; that of the rope when left out")
+                 "minimum breaking force; default: that of the rope")
           .above(0)
-          .field(
-              &Guy::plan_angle, "plan_angle", "", si::rad,
-              "direction of the anchor in plan, from the span's direction counter-clockwise; 180 deg: behind the mast")
+          .field(&Guy::plan_angle, "plan_angle", "", si::rad,
+                 "direction of the anchor in plan, counter-clockwise from the direction of the span; 180 deg: behind "
+                 "the mast")
           .required()
           .at_least(-2 * std::numbers::pi)
           .at_most(2 * std::numbers::pi)
-          .field(&Guy::anchor_distance, "anchor_distance", "", si::m, "of the anchor from the mast's axis, horizontal")
+          .field(&Guy::anchor_distance, "anchor_distance", "", si::m,
+                 "horizontal distance of the anchor from the axis of the mast")
           .required()
           .above(0)
-          .field(&Guy::anchor_height, "anchor_height", "", si::m, "of the anchor above the clamp; negative below it")
+          .field(&Guy::anchor_height, "anchor_height", "", si::m,
+                 "height of the anchor above the clamp; negative below it")
           .field(&Guy::attachment_height, "attachment_height", "", si::m,
-                 "of the guy's upper end above the clamp; as the higher block when left out")
+                 "height of the upper end of the guy above the clamp; default: that of the higher block")
           .above(0)
-          .record(&Guy::install, "install", "the tension as installed; or give length")
+          .record(&Guy::install, "install", "installed tension; or give length")
           .shorthand("tension")
           .field(&Guy::length, "length", "L_0", si::m, "unstretched length; or give install")
           .above(0)
@@ -121,7 +123,7 @@ const Description& Input::describe() {
           .required()
           .above(0)
           .field(&Input::mainline_block_height, "mainline_block_height", "h_main", si::m,
-                 "height of the mainline block above the clamp; as the skyline's when left out")
+                 "height of the mainline block above the clamp; default: as the skyline's")
           .above(0)
           .field(&Input::block_friction, "block_friction", "f", si::one,
                  "friction of the rope on the block; the paper: 0.10 to 0.16")
@@ -130,7 +132,7 @@ const Description& Input::describe() {
           .choice(&Input::wrap, "wrap", {{"geometric", Wrap::geometric}, {"paper", Wrap::paper}},
                   "wrap angle on the block: 90 deg + alpha, or the paper's 120 deg for any alpha")
           .field(&Input::paid_out_force, "paid_out_force", "T_out", si::N,
-                 "largest force of a rope while it is paid out: its brake slips there; the full force when left out")
+                 "largest force of a rope while it is paid out, at which its brake slips; default: the full force")
           .above(0)
           .field(&Input::branch_angle, "branch_angle", "alpha", si::rad,
                  "angle of the span side of the ropes below the horizontal, negative when it rises; or give span")
@@ -150,8 +152,8 @@ const Description& Input::describe() {
           .record(&Input::choose_section, "choose_section", "which catalogue sections may be chosen; or give section")
           .record(&Input::guys, "guys", "guylines, for the exact solution; not in the published method")
           .field(&Input::lateral_force, "lateral_force", "P_y", si::N,
-                 "force across the span at the skyline block, to the left seen towards the span, for the exact "
-                 "solution: haulback rope, wind")
+                 "horizontal force normal to the span at the skyline block, to the left when looking towards the span, "
+                 "for the exact solution: haulback rope, wind")
           .choice(&Input::base, "base", {{"clamped", Base::clamped}, {"hinged", Base::hinged}},
                   "foot of the mast in the exact solution; hinged needs guys");
   return d;
@@ -175,7 +177,7 @@ void describe_forces(Describe<Output>& d) {
   d.field(&Output::R_main, "R_main", "R_main", si::N, "resultant on the mainline block").from("(4), (6)");
   d.field(&Output::gamma_main, "gamma_main", "gamma_main", si::rad, "angle of R_main below the horizontal")
       .from("(8), (9) corrected");
-  d.field(&Output::N, "N", "N", si::N, "axial force at the clamp, pressing down").from("figure 7");
+  d.field(&Output::N, "N", "N", si::N, "axial force at the clamp, compression positive").from("figure 7");
   d.field(&Output::M, "M", "M", si::N_m, "bending moment at the clamp, towards the span").from("figure 7");
   d.field(&Output::Q, "Q", "Q", si::N, "shear at the clamp, towards the span").from("figure 7");
 }
