@@ -153,16 +153,22 @@ struct DeepSag {
   std::string rope, from, to, state;
 };
 
-void note(DeepSag& worst, double sag, double span, const machine::Reeving& rope, const machine::Node& from,
-          const machine::Node& to, const std::string& state) {
+/// A part of a rope between two of its stops.
+struct Stops {
+  const machine::Reeving& rope;
+  const machine::Node& from;
+  const machine::Node& to;
+};
+
+void note(DeepSag& worst, double sag, double span, const Stops& stops, const std::string& state) {
   if (!(span > 0) || !(sag > worst.share * span)) return;
-  worst = {sag / span, sag, span, rope.name, from.name, to.name, state};
+  worst = {sag / span, sag, span, stops.rope.name, stops.from.name, stops.to.name, state};
 }
 
 void note_spans(const results::Answer& answer, DeepSag& worst) {
   for (const solve::SpanResult& span : answer.result->spans) {
     const machine::Reeving& rope = answer.model->reevings[span.reeving];
-    note(worst, span.sag, span.chord, rope, rope.nodes[span.from], rope.nodes[span.to], answer.words);
+    note(worst, span.sag, span.chord, {rope, rope.nodes[span.from], rope.nodes[span.to]}, answer.words);
   }
 }
 
@@ -188,7 +194,7 @@ void note_carriages(const results::Answer& answer, DeepSag& worst) {
     const double level = chord.head<2>().norm();
     if (!(level > 0)) continue;
     const double part = place.head<2>().dot(chord.head<2>()) / (level * level);
-    note(worst, part * chord.z() - place.z(), chord.norm(), rope, *before, *after, answer.words);
+    note(worst, part * chord.z() - place.z(), chord.norm(), {rope, *before, *after}, answer.words);
   }
 }
 

@@ -28,6 +28,17 @@ bool is_in(const Array<int>& all, std::size_t index) {
   return std::find(all.begin(), all.end(), static_cast<int>(index)) != all.end();
 }
 
+/// A body that ropes held and none holds any more.
+bool has_lost_its_ropes(const machine::Model& model, int body, const Array<bool>& ropes_gone) {
+  bool had = false;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    if (!holds(model.reevings[r], body)) continue;
+    if (!ropes_gone[r]) return false;
+    had = true;
+  }
+  return had;
+}
+
 /// Which bodies and ropes go, until nothing more does. `gone` bodies and ropes are given; those in `with` stay.
 void spread(const machine::Model& model, int kept, const PutUpWith& with, Array<bool>& gone, Array<bool>& ropes_gone) {
   for (bool changed = true; changed;) {
@@ -39,15 +50,21 @@ void spread(const machine::Model& model, int kept, const PutUpWith& with, Array<
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       if (gone[b] || model.bodies[b].free.empty() || is_in(with.bodies, b)) continue;
       if (model.bodies[b].beam >= 0) continue;  // its beam holds a section
-      bool had = false, has = false;
-      for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-        if (!holds(model.reevings[r], static_cast<int>(b))) continue;
-        had = true;
-        has = has || !ropes_gone[r];
-      }
-      if (had && !has) changed = gone[b] = true;
+      if (has_lost_its_ropes(model, static_cast<int>(b), ropes_gone)) changed = gone[b] = true;
     }
   }
+}
+
+/// Loads on what is still there; of those on a body that stays on the rope the ones that are named.
+Array<machine::Load> loads_left(const machine::Model& model, const PutUpWith& with, const Array<bool>& gone) {
+  Array<machine::Load> all;
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const int body = model.loads[i].at.body;
+    const bool off =
+        body != machine::ground && (gone[body] || (is_in(with.bodies, as_size(body)) && !is_in(with.loads, i)));
+    if (!off) all.push_back(model.loads[i]);
+  }
+  return all;
 }
 
 /// The stretched length of what lies on the contacts of a rope: R theta.
@@ -153,13 +170,7 @@ EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& 
     line.model.bodies[b].free.clear();
     line.model.bodies[b].mass = 0;
   }
-  line.model.loads.clear();
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const int body = model.loads[i].at.body;
-    const bool left =
-        body != machine::ground && (gone[body] || (is_in(with.bodies, as_size(body)) && !is_in(with.loads, i)));
-    if (!left) line.model.loads.push_back(model.loads[i]);
-  }
+  line.model.loads = loads_left(model, with, gone);
   Array<machine::Reeving> kept;
   for (std::size_t r = 0; r < ropes_gone.size(); ++r) {
     if (static_cast<int>(r) == reeving) line.reeving = static_cast<int>(kept.size());

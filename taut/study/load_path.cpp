@@ -23,35 +23,52 @@ double ground_height(const Array<machine::GroundPoint>& terrain, double x) {
 
 namespace {
 
+/// The last three of equal steps; without a third one `first` is `before`.
+struct LastStates {
+  const machine::State &last, &before, &first;
+  bool curved = false;  ///< three of them
+
+  /// The next value on the parabola, or the line, through the last ones.
+  double next(double a, double b, double c) const { return curved ? 3 * a - 3 * b + c : 2 * a - b; }
+  Vector3 next(const Vector3& a, const Vector3& b, const Vector3& c) const {
+    return curved ? Vector3(3 * (a - b) + c) : Vector3(2 * a - b);
+  }
+};
+
+/// None where its length would shrink to a quarter and below.
+std::optional<machine::BranchState> next_branch(const LastStates& s, std::size_t rope, std::size_t branch) {
+  const machine::BranchState &a = s.last.branches[rope][branch], &b = s.before.branches[rope][branch],
+                             &c = s.first.branches[rope][branch];
+  machine::BranchState next = a;
+  next.length = s.next(a.length, b.length, c.length);
+  if (next.length < a.length / 4) return std::nullopt;
+  if (!a.force || !b.force || !c.force) return next;
+  next.force =
+      rope::CatenaryForce{s.next(a.force->H, b.force->H, c.force->H), s.next(a.force->V, b.force->V, c.force->V)};
+  if (next.force->H <= 0) next.force = a.force;
+  return next;
+}
+
 /// A start for the next of equal steps: the parabola through the last three states, or what there is of it. Branch
 /// lengths stay positive; what touches and how bodies are turned stays as it was last.
 std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
   const std::size_t n = points.size();
   if (n == 0 || !points[n - 1].at.outcome.ok()) return std::nullopt;
-  machine::State next = points[n - 1].at.state;
-  if (n < 2 || !points[n - 2].at.outcome.ok()) return next;
+  const machine::State& last = points[n - 1].at.state;
+  if (n < 2 || !points[n - 2].at.outcome.ok()) return last;
   const bool curved = n >= 3 && points[n - 3].at.outcome.ok();
-  const machine::State &last = points[n - 1].at.state, &before = points[n - 2].at.state;
-  const machine::State& first = curved ? points[n - 3].at.state : before;
-  if (last.touched != before.touched || last.touched != first.touched) return next;
-  const auto extrapolate = [&](const auto& a, const auto& b, const auto& c) {
-    return curved ? 3 * a - 3 * b + c : 2 * a - b;
-  };
+  const LastStates s{last, points[n - 2].at.state, points[curved ? n - 3 : n - 2].at.state, curved};
+  if (s.last.touched != s.before.touched || s.last.touched != s.first.touched) return last;
+  machine::State next = last;
   for (std::size_t b = 0; b < next.bodies.size(); ++b) {
     next.bodies[b].position =
-        curved ? Vector3(3 * (last.bodies[b].position - before.bodies[b].position) + first.bodies[b].position)
-               : Vector3(2 * last.bodies[b].position - before.bodies[b].position);
+        s.next(s.last.bodies[b].position, s.before.bodies[b].position, s.first.bodies[b].position);
   }
   for (std::size_t r = 0; r < next.branches.size(); ++r) {
     for (std::size_t k = 0; k < next.branches[r].size(); ++k) {
-      const machine::BranchState &a = last.branches[r][k], &b = before.branches[r][k], &c = first.branches[r][k];
-      machine::BranchState& branch = next.branches[r][k];
-      branch.length = extrapolate(a.length, b.length, c.length);
-      if (branch.length < a.length / 4) return last;
-      if (!a.force || !b.force || !c.force) continue;
-      branch.force = rope::CatenaryForce{extrapolate(a.force->H, b.force->H, c.force->H),
-                                         extrapolate(a.force->V, b.force->V, c.force->V)};
-      if (branch.force->H <= 0) branch.force = a.force;
+      const auto branch = next_branch(s, r, k);
+      if (!branch) return last;
+      next.branches[r][k] = *branch;
     }
   }
   return next;

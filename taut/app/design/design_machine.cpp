@@ -77,6 +77,45 @@ double mass_per_metre(const machine::description::Beam& beam) {
   return beam.A.value_or(0) * steel_density;
 }
 
+template <class Candidates>
+std::optional<std::size_t> free_one(const Candidates& free, const std::string& name) {
+  const auto found = std::find_if(free.begin(), free.end(), [&](const auto& one) { return one.name == name; });
+  if (found == free.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - free.begin());
+}
+
+/// Of the ropes that are free; in `rest` the mass of the others, where that counts.
+void set_rope_lengths(const MachineDeck& deck, const machine::Model& model, const design::DesignSpace& space,
+                      bool by_mass, design::DesignLengths& lengths) {
+  std::map<std::string, double> of_rope;
+  const machine::State state = machine::initial_state(model);
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const std::string& rope = checks::rope_name_of(deck.machine, i);
+    const double length = length_of(model.reevings[i], state);
+    of_rope[rope] += length;
+    if (by_mass && !free_one(space.ropes, rope)) lengths.rest += model.reevings[i].mass * length;
+  }
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    const double length = of_rope[space.ropes[k].name];
+    if (length > 0) lengths.ropes[k] = length;
+  }
+}
+
+/// Of the sections that are free, beams' and masts'; in `rest` the mass of the other beams, where that counts.
+void set_section_lengths(const MachineDeck& deck, const machine::Model& model, const design::DesignSpace& space,
+                         bool by_mass, design::DesignLengths& lengths) {
+  for (const machine::Beam& beam : model.beams) {
+    if (const auto free = free_one(space.sections, beam.name)) {
+      lengths.sections[*free] = beam.length;
+    } else if (const auto own = free_one(deck.machine.beams, beam.name); own && by_mass) {
+      lengths.rest += mass_per_metre(deck.machine.beams[*own]) * beam.length;
+    }
+  }
+  for (std::size_t k = 0; k < space.sections.size() && deck.checks; ++k) {
+    if (const auto height = mast_height(deck.checks->masts, space.sections[k].name)) lengths.sections[k] = *height;
+  }
+}
+
 /// Lengths of what is free; in `rest` the mass of the ropes, beams and take-ups that are not.
 design::DesignLengths lengths_of(const MachineDeck& deck, const design::DesignSpace& space,
                                  const std::vector<double>& values) {
@@ -88,34 +127,8 @@ design::DesignLengths lengths_of(const MachineDeck& deck, const design::DesignSp
   const auto model = machine::compile(own.machine);
   if (!model) return lengths;
   const bool by_mass = deck.design->seek == design::Seek::lightest;
-  std::map<std::string, double> of_rope;
-  const machine::State state = machine::initial_state(*model);
-  for (std::size_t i = 0; i < model->reevings.size(); ++i) {
-    const std::string& rope = checks::rope_name_of(own.machine, i);
-    const double length = length_of(model->reevings[i], state);
-    of_rope[rope] += length;
-    const bool is_free = std::any_of(space.ropes.begin(), space.ropes.end(),
-                                     [&](const design::RopeCandidates& one) { return one.name == rope; });
-    if (by_mass && !is_free) lengths.rest += model->reevings[i].mass * length;
-  }
-  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    const double length = of_rope[space.ropes[k].name];
-    if (length > 0) lengths.ropes[k] = length;
-  }
-  for (const machine::Beam& beam : model->beams) {
-    const auto free = std::find_if(space.sections.begin(), space.sections.end(),
-                                   [&](const design::SectionCandidates& one) { return one.name == beam.name; });
-    if (free != space.sections.end()) {
-      lengths.sections[static_cast<std::size_t>(free - space.sections.begin())] = beam.length;
-    } else if (by_mass) {
-      for (const auto& one : own.machine.beams) {
-        if (one.name == beam.name) lengths.rest += mass_per_metre(one) * beam.length;
-      }
-    }
-  }
-  for (std::size_t k = 0; k < space.sections.size() && own.checks; ++k) {
-    if (const auto height = mast_height(own.checks->masts, space.sections[k].name)) lengths.sections[k] = *height;
-  }
+  set_rope_lengths(own, *model, space, by_mass, lengths);
+  set_section_lengths(own, *model, space, by_mass, lengths);
   for (const auto& one : own.machine.take_up) {
     if (by_mass) lengths.rest += one.weight.value_or(0);
   }
@@ -223,6 +236,27 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
   return own;
 }
 
+namespace {
+
+/// The list of candidates by each name that a check may have: of a rope, of what it is rove as, of a beam.
+std::map<std::string, std::size_t> lists_by_name(const machine::Machine& machine, const design::DesignSpace& space) {
+  std::map<std::string, std::size_t> lists;
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    const std::string& rope = space.ropes[k].name;
+    lists[rope] = k;
+    for (const auto& one : machine.reevings) {
+      if (one.rope == rope) lists[one.name.value_or(one.rope)] = k;
+    }
+    for (const auto& one : machine.guys) {
+      if (one.rope == rope) lists[one.name] = k;
+    }
+  }
+  for (std::size_t k = 0; k < space.sections.size(); ++k) lists[space.sections[k].name] = space.ropes.size() + k;
+  return lists;
+}
+
+}  // namespace
+
 design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,
                                 std::function<bool(const Progress&)> progress) {
   design::DesignTask task;
@@ -233,19 +267,7 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
   task.given = given_of(MachineDeck::describe(), deck.get());
   const auto own = std::make_shared<const design::DesignSpace>(task.space);
   task.lengths = [deck, own](const std::vector<double>& values) { return lengths_of(*deck, *own, values); };
-  for (std::size_t k = 0; k < task.space.ropes.size(); ++k) {
-    const std::string& rope = task.space.ropes[k].name;
-    task.list_of[rope] = k;
-    for (const auto& one : deck->machine.reevings) {
-      if (one.rope == rope) task.list_of[one.name.value_or(one.rope)] = k;
-    }
-    for (const auto& one : deck->machine.guys) {
-      if (one.rope == rope) task.list_of[one.name] = k;
-    }
-  }
-  for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
-    task.list_of[task.space.sections[k].name] = task.space.ropes.size() + k;
-  }
+  task.list_of = lists_by_name(deck->machine, task.space);
   const auto memory = std::make_shared<Memory>();
   task.run = [deck, own, memory, run = std::move(run)](const design::DesignPlace& place, design::Depth depth,
                                                        const std::function<bool(const Progress&)>& ask) {

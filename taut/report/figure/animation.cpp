@@ -31,7 +31,7 @@ struct View {
 };
 
 View view_of(const Animation& a) {
-  double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
+  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
   const auto add = [&](const Point& p, double r) {
     if (!is_finite(p)) return;
     low_x = std::min(low_x, p.x - r), high_x = std::max(high_x, p.x + r);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,10 @@ struct Pixel {
 
 /// A rectangle on paper; empty until something is put into it.
 struct Box {
-  double left = 1e300;
-  double top = 1e300;
-  double right = -1e300;
-  double bottom = -1e300;
+  double left = HUGE_VAL;
+  double top = HUGE_VAL;
+  double right = -HUGE_VAL;
+  double bottom = -HUGE_VAL;
 
   bool empty() const { return right < left; }
   double width() const { return right - left; }

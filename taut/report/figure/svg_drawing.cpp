@@ -270,7 +270,7 @@ Layout layout_of(const Drawing& d, double wide) {
   const double high = layout.is_polygon ? polygon_height : drawing_height;
   const double w = box.empty() ? 0 : box.width();
   const double h = box.empty() ? 0 : box.height();
-  if (w > 0 || h > 0) layout.fit.scale = std::min(w > 0 ? wide / w : 1e300, h > 0 ? high / h : 1e300);
+  if (w > 0 || h > 0) layout.fit.scale = std::min(w > 0 ? wide / w : HUGE_VAL, h > 0 ? high / h : HUGE_VAL);
   const double force = largest_force(d);
   if (force > 0) layout.force_scale = layout.is_polygon ? layout.fit.scale : longest_arrow / force;
   return layout;

@@ -32,8 +32,8 @@ constexpr std::array<Style, 6> styles{{{"#1d5fa6", ""},
 constexpr std::string_view limit_colour = "#b3261e";
 
 struct Span {
-  double low = 1e300;
-  double high = -1e300;
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
   bool empty() const { return high < low; }
   double size() const { return high - low; }
   void add(double v) {

@@ -72,7 +72,7 @@ void add_mode_values(const study::ModesRun& run, Result& r) {
 
 /// The side from which most is seen: the broadest of xz and yz, and xy where the machine lies flat.
 std::array<int, 2> mode_view(const solve::TransientFrame& rest, const solve::TransientFrame& moved) {
-  Vector3 low = Vector3::Constant(1e300), high = -low, shift = Vector3::Zero();
+  Vector3 low = Vector3::Constant(HUGE_VAL), high = -low, shift = Vector3::Zero();
   for (std::size_t i = 0; i < rest.branches.size(); ++i) {
     for (const Vector3& p : {rest.branches[i].start, rest.branches[i].end}) {
       low = low.cwiseMin(p);
@@ -92,6 +92,26 @@ std::array<int, 2> mode_view(const solve::TransientFrame& rest, const solve::Tra
   return {sideways || size.y() > size.x() ? 1 : 0, 2};
 }
 
+/// The ropes of a state, and lines from each body to what sits on it. `point`: as the drawing sees a place.
+template <class Seen>
+void add_ropes_and_bodies(const machine::Model& model, const solve::TransientFrame& frame, Role role, const Seen& point,
+                          Drawing& d) {
+  for (const RopePart& part : rope_parts(model, frame)) {
+    Polyline line;
+    line.role = role;
+    for (const Vector3& p : part.points) line.points.push_back(point(p));
+    if (line.points.size() > 1) d.shapes.emplace_back(std::move(line));
+  }
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
+      const auto& body = frame.bodies[node.at.body];
+      d.shapes.emplace_back(
+          Polyline{{point(body.position), point(body.position + body.orientation * node.at.at)}, role, false, false});
+    }
+  }
+}
+
 Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std::size_t index) {
   const solve::Mode& mode = set.modes[index];
   const auto axes = mode_view(run.result.rest, mode.shape);
@@ -103,25 +123,9 @@ Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std:
                         run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", study::sheaves_words(run, set)));
   d.caption = axes[1] == 2 ? "At rest and displaced, not to scale." : "Plan, at rest and displaced, not to scale.";
   d.legend = {{Role::hidden, "at rest"}, {Role::highlight, "displaced"}};
-  const auto lines = [&](const solve::TransientFrame& frame, Role role) {
-    for (const RopePart& part : rope_parts(run.model, frame)) {
-      Polyline line;
-      line.role = role;
-      for (const Vector3& p : part.points) line.points.push_back(point(p));
-      if (line.points.size() > 1) d.shapes.emplace_back(std::move(line));
-    }
-    for (const machine::Reeving& rope : run.model.reevings) {
-      for (const machine::Node& node : rope.nodes) {
-        if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
-        const auto& body = frame.bodies[node.at.body];
-        d.shapes.emplace_back(
-            Polyline{{point(body.position), point(body.position + body.orientation * node.at.at)}, role, false, false});
-      }
-    }
-  };
-  lines(run.result.rest, Role::hidden);
-  lines(mode.shape, Role::highlight);
-  Vector3 low = Vector3::Constant(1e300), high = -low;
+  add_ropes_and_bodies(run.model, run.result.rest, Role::hidden, point, d);
+  add_ropes_and_bodies(run.model, mode.shape, Role::highlight, point, d);
+  Vector3 low = Vector3::Constant(HUGE_VAL), high = -low;
   for (const auto& b : run.result.rest.branches) {
     low = low.cwiseMin(b.start).cwiseMin(b.end);
     high = high.cwiseMax(b.start).cwiseMax(b.end);

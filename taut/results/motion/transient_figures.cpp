@@ -182,6 +182,40 @@ std::vector<std::pair<double, std::string>> marked_events(const study::Transient
   return marked;
 }
 
+/// What an animation shows of one frame.
+struct ShownFrame {
+  std::vector<std::array<Vector3, 2>> bodies;
+  std::vector<RopePart> ropes;
+  std::vector<HeldPart> held;
+};
+
+/// A line for each body and rope, a round for each part that is held.
+void begin(Animation& a, const ShownFrame& f, const PlaneView& view) {
+  a.lines.resize(f.bodies.size() + f.ropes.size());
+  for (std::size_t i = 0; i < f.bodies.size(); ++i) a.lines[i].role = Role::structure;
+  for (std::size_t i = 0; i < f.ropes.size(); ++i) {
+    a.lines[f.bodies.size() + i].role = f.ropes[i].reeving == 0 ? Role::rope : Role::second_rope;
+  }
+  for (const HeldPart& part : f.held) {
+    a.rounds.push_back({part.name, Role::body, view.sense(part.axis) != 0 ? part.radius : 0, {}, {}});
+  }
+}
+
+void add(Animation& a, const ShownFrame& f, const PlaneView& view) {
+  for (std::size_t i = 0; i < f.bodies.size(); ++i) {
+    a.lines[i].points.push_back({view.point(f.bodies[i][0]), view.point(f.bodies[i][1])});
+  }
+  for (std::size_t i = 0; i < f.ropes.size(); ++i) {
+    std::vector<Point> points;
+    for (const Vector3& p : f.ropes[i].points) points.push_back(view.point(p));
+    a.lines[f.bodies.size() + i].points.push_back(std::move(points));
+  }
+  for (std::size_t i = 0; i < f.held.size(); ++i) {
+    a.rounds[i].at.push_back(view.point(f.held[i].at));
+    a.rounds[i].angle.push_back(view.sense(f.held[i].axis) * f.held[i].turned);
+  }
+}
+
 Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   const auto& frames = run.result.frames;
   Animation a;
@@ -191,31 +225,10 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   a.t = times_of(run);
   a.events = main_events(run);
   for (const auto& frame : frames) {
-    const auto bodies = body_lines(run.model, frame);
-    const auto ropes = rope_parts(run.model, frame);
-    const auto held = held_parts(run.model, frame, frames.front());
-    if (a.lines.empty()) {
-      a.lines.resize(bodies.size() + ropes.size());
-      for (std::size_t i = 0; i < bodies.size(); ++i) a.lines[i].role = Role::structure;
-      for (std::size_t i = 0; i < ropes.size(); ++i) {
-        a.lines[bodies.size() + i].role = ropes[i].reeving == 0 ? Role::rope : Role::second_rope;
-      }
-      for (const HeldPart& part : held) {
-        a.rounds.push_back({part.name, Role::body, view.sense(part.axis) != 0 ? part.radius : 0, {}, {}});
-      }
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      a.lines[i].points.push_back({view.point(bodies[i][0]), view.point(bodies[i][1])});
-    }
-    for (std::size_t i = 0; i < ropes.size(); ++i) {
-      std::vector<Point> points;
-      for (const Vector3& p : ropes[i].points) points.push_back(view.point(p));
-      a.lines[bodies.size() + i].points.push_back(std::move(points));
-    }
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      a.rounds[i].at.push_back(view.point(held[i].at));
-      a.rounds[i].angle.push_back(view.sense(held[i].axis) * held[i].turned);
-    }
+    const ShownFrame shown{body_lines(run.model, frame), rope_parts(run.model, frame),
+                           held_parts(run.model, frame, frames.front())};
+    if (a.lines.empty()) begin(a, shown, view);
+    add(a, shown, view);
   }
   for (std::size_t i = 0; i < run.model.observed.size() && a.readouts.size() < most_readouts; ++i) {
     const machine::Observable& o = run.model.observed[i];
