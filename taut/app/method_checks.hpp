@@ -13,13 +13,8 @@
 /// The block `checks:` beside the `input:` of a published method.
 namespace taut::app {
 
-/// What a method offers to `checks:`. `ropes`: its ropes by name, with what the deck says of them; with a result also
-/// with the largest tensions in it. Empty: it has none.
-template <class Input>
-struct MethodChecks {
-  std::vector<rope::RopeUse> (*ropes)(const Input&, const Result*) = nullptr;
-};
-
+// What methods offer to `checks:`: their ropes by name, with what the deck says of them; with a result also with the
+// largest tensions in it.
 /// Of mast_section `skyline` and `mainline`.
 std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Result* r);
 /// Of closed_loop `return` and `traction`, of friction_drive `rope`, of boom_ropes `extension` and `retraction`.

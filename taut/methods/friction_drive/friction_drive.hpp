@@ -108,5 +108,7 @@ Outcome solve(const Input& in, Output& out);
 
 /// The whole calculation note: values, steps, checks, comparisons, tables, figures; and the rope's strength.
 Result run(const Input& in);
+/// The same, with its values for whoever goes on from there.
+Result run(const Input& in, Output& out);
 
 }  // namespace taut::friction_drive

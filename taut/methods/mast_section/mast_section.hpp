@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -10,10 +9,6 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-
-namespace taut::catalogue {
-struct SectionRow;
-}
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
@@ -146,11 +141,6 @@ struct Output {
 
 const Method& about();
 
-struct ClampForces;
-/// The largest stress anywhere in a clamped mast of that section with the moments of its own deflection, Pa; NaN where
-/// it finds no equilibrium. From outside: the published method does not know how.
-using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
-
 /// Rules between fields and names that the catalogue lacks; paths below `input`.
 std::vector<Complaint> complaints(const Input& in);
 
@@ -160,14 +150,11 @@ std::vector<Complaint> complaints(const Input& in);
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 
-/// compute<double>: no allocation when [sigma] is given.
+/// compute<double>: of one carriage position without allocation when [sigma] is given.
 Outcome solve(const Input& in, Output& out);
 
 /// The whole calculation note: values, steps, tables of positions and of catalogue sections, checks, figures. A section
-/// is chosen and checked for ropes hauled in and paid out, and by second order where `second` is handed in
-/// (sizing.hpp).
-Result run(const Input& in, const SecondOrder& second);
-/// The same by first order alone.
+/// is chosen and checked for ropes hauled in and paid out, by first order; run.hpp has the same by second order.
 Result run(const Input& in);
 
 }  // namespace taut::mast_section
