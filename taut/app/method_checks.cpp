@@ -146,9 +146,9 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& /*in*/, const 
   return all;
 }
 
-std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
-                                               const std::vector<rope::RopeUse>& ropes, const std::string& method) {
-  std::vector<Complaint> complaints;
+checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
+                                   const std::string& method, std::vector<Complaint>& complaints) {
+  checks::AskedChecks asked;
   std::vector<std::string> known;
   known.reserve(ropes.size());
   for (const rope::RopeUse& use : ropes) known.push_back(use.name);
@@ -162,7 +162,8 @@ std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& requ
       continue;
     }
     const catalogue::RopeRow rope = checks::with_request(use->rope, one);
-    checks::rope_rules(one, rope, path, complaints);
+    const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
+    checks::complain_of_limits(one, rules, rope, path, complaints);
     checks::complain_of_life(one, rope, {}, path, complaints);
   }
   checks::complain_of_method_masts(request.masts, method, complaints);
@@ -173,17 +174,18 @@ std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& requ
   refuse(request.guys, "guys");
   refuse(request.anchors, "anchors");
   refuse(request.lines, "lines");
-  return complaints;
+  return asked;
 }
 
-void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r) {
+void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
+                       const std::vector<rope::RopeUse>& ropes, Result& r) {
   if (r.status != Status::ok) return;
-  for (const checks::RopeCheckRequest& one : request.ropes) {
+  for (std::size_t k = 0; k < request.ropes.size(); ++k) {
+    const checks::RopeCheckRequest& one = request.ropes[k];
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
       use.rope = checks::with_request(std::move(use.rope), one);
-      std::vector<Complaint> reported_before;
-      checks::add_checks_of(one, use, checks::rope_rules(one, use.rope, {}, reported_before), r);
+      checks::add_checks_of(one, use, checks::rope_rules(one, asked.ropes.at(k), use.rope), r);
     }
   }
   checks::add_method_masts(request.masts, r);

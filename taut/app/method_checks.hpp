@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/checks/asked_checks.hpp"
 #include "taut/checks/checks_deck.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -22,11 +23,12 @@ std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Res
 std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const Result* r);
 std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r);
 
-/// Complaints of a method's checks, at paths below "checks".
-std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
-                                               const std::vector<rope::RopeUse>& ropes, const std::string& method);
+/// What a method's checks name, with complaints at paths below "checks".
+checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
+                                   const std::string& method, std::vector<Complaint>& complaints);
 
 /// Adds the checks of the ropes, groups all, and refuses what rests on unverified numbers where the deck says so.
-void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r);
+void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
+                       const std::vector<rope::RopeUse>& ropes, Result& r);
 
 }  // namespace taut::app

@@ -31,18 +31,21 @@ tl::expected<study::Parameter, std::string> MethodDeck::parameter(const std::str
 
 Result MethodDeck::calculate() const {
   Result r = method->run(input);
-  if (blocks.checks) add_method_checks(*blocks.checks, ropes(&r), r);
+  if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);
   std::erase_if(r.unjudged, [&](const std::string& part) {
     return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
   });
   return r;
 }
 
-void MethodDeck::complain(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const {
+checks::AskedChecks MethodDeck::resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const {
   const std::vector<Complaint> broken = method->complaints(input);
   io::place(node, broken, mistakes);
-  if (!broken.empty() || !blocks.checks) return;
-  io::place(*others, method_check_complaints(*blocks.checks, ropes(nullptr), method->about->name), mistakes);
+  if (!broken.empty() || !blocks.checks) return {};
+  std::vector<Complaint> complaints;
+  checks::AskedChecks found = resolve_checks(*blocks.checks, ropes(nullptr), method->about->name, complaints);
+  io::place(*others, complaints, mistakes);
+  return found;
 }
 
 std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
@@ -53,14 +56,14 @@ std::function<Result()> prepare_method(const MethodEntry& method, const io::Node
   if (others != nullptr) io::read(*others, MethodBlocks::describe(), &deck.blocks, "the deck", mistakes);
   if (mistakes.size() > before) return {};
   if (!deck.blocks.design) {
-    deck.complain(node, others, mistakes);
+    deck.asked = deck.resolve(node, others, mistakes);
     if (mistakes.size() > before) return {};
     return [deck = std::move(deck)] { return deck.calculate(); };
   }
   design::DesignSpace space = method_space(*others, deck, mistakes);
   if (mistakes.size() > before) return {};
   // what is free is read as the first of its candidates
-  with_design(deck, space, design::first_place(space)).complain(node, others, mistakes);
+  deck.asked = with_design(deck, space, design::first_place(space)).resolve(node, others, mistakes);
   if (mistakes.size() > before) return {};
   return [task = method_task(std::move(deck), std::move(space), progress)] { return design::run_design(task); };
 }

@@ -7,6 +7,7 @@
 
 #include "taut/app/methods.hpp"
 #include "taut/calc/progress.hpp"
+#include "taut/checks/asked_checks.hpp"
 #include "taut/checks/checks_deck.hpp"
 #include "taut/design/design.hpp"
 #include "taut/io/deck/node.hpp"
@@ -26,6 +27,7 @@ struct MethodDeck {
   const MethodEntry* method = nullptr;
   MethodInput input;
   MethodBlocks blocks = {};
+  checks::AskedChecks asked = {};                         ///< what its checks name, as resolve() has found it
   std::map<std::string, catalogue::RopeRow> chosen = {};  ///< ropes that a design has put in
 
   /// Its ropes; with a result also with the tensions in it.
@@ -38,7 +40,7 @@ struct MethodDeck {
   Result calculate() const;
 
   /// Notes what is wrong with input and checks at their places; `others`: the map with the blocks.
-  void complain(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const;
+  checks::AskedChecks resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const;
 };
 
 /// Reads `node`, the deck's input (and of the map `others` the blocks `checks` and `design`, where the deck has any)
