@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "taut/app/fingerprint.hpp"
-#include "taut/app/methods.hpp"
+#include "taut/app/method_deck.hpp"
 #include "taut/app/prepare_machine.hpp"
 #include "taut/io/deck/deck.hpp"
 
@@ -26,9 +26,10 @@ Prepared prepare(const Job& job) {
   p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
   if (!p.deck) return p;
   if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress);
-  const MethodEntry* entry = find_method(p.deck->method);
-  if (entry != nullptr)
-    p.calculate = entry->prepare(p.deck->input, p.deck->others ? &*p.deck->others : nullptr, job.progress, p.mistakes);
+  if (const MethodEntry* method = find_method(p.deck->method)) {
+    const io::Node* others = p.deck->others ? &*p.deck->others : nullptr;
+    p.calculate = prepare_method(*method, p.deck->input, others, job.progress, p.mistakes);
+  }
   if (!p.mistakes.empty()) p.calculate = {};
   return p;
 }

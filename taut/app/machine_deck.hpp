@@ -20,11 +20,12 @@ struct MachineDeck {
   std::vector<study::AnalysisRequest> analyses;
   std::optional<checks::ChecksRequest> checks;
   std::optional<design::DesignRequest> design;
+  checks::AskedChecks asked;                         ///< not of the deck: what its checks name
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.
-  operator checks::CheckedDeck() const { return {machine, analyses, checks, chosen}; }
+  operator checks::CheckedDeck() const { return {machine, analyses, checks, asked, chosen}; }
 };
 
 }  // namespace taut::app

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
+#include <initializer_list>
 #include <utility>
 
 #include "taut/base/suggest.hpp"
@@ -64,36 +64,49 @@ std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Re
   return all;
 }
 
-std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r) {
-  std::vector<rope::RopeUse> all = {named_use("return"), named_use("traction")};
-  const std::optional<std::string>* const named[] = {&in.return_rope, &in.traction_rope};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    rope::RopeUse& use = all[i];
-    if (*named[i]) {
-      if (const auto row = catalogue::find_rope(**named[i])) use.rope = *row;
-    } else if (in.choose_ropes) {
-      use.rope.construction = in.choose_ropes->construction.value_or("");
-      use.rope.core = in.choose_ropes->core.value_or("");
-    }
-    if (r == nullptr) continue;
-    if (const Table* t = r->find_table("ropes")) {
-      for (std::size_t k = 0; k < t->rows.size(); ++k) {
-        if (text_in(*t, k, "role") != use.name) continue;
-        if (const auto row = catalogue::find_rope(text_in(*t, k, "designation"))) use.rope = *row;
-        use.tension = number_in(*t, k, "largest_tension");
-        use.where = text_in(*t, k, "where");
-      }
-    }
-    // by figures alone: the values of the worst position, exact where known
-    const bool exact = r->find_value("T_lA_exact") != nullptr;
-    const std::vector<std::string> places = i == 0 ? std::vector<std::string>{"T_uA", "T_U", "T_uB", "T_lB", "T_lLB"}
-                                                   : std::vector<std::string>{"T_lA", "T_lLA"};
-    const bool in_table = use.tension > 0;
-    for (const std::string& place : places) {
-      if (!in_table) raise_to(use, *r, exact ? place + "_exact" : place);
-    }
-    one_end(use);
+namespace {
+
+/// A rope of the loop as the deck says it, by its name or by what it is chosen from.
+rope::RopeUse rope_of_loop(const char* name, const std::optional<std::string>& row, const closed_loop::Input& in) {
+  rope::RopeUse use = named_use(name);
+  if (row) {
+    if (const auto known = catalogue::find_rope(*row)) use.rope = *known;
+  } else if (in.choose_ropes) {
+    use.rope.construction = in.choose_ropes->construction.value_or("");
+    use.rope.core = in.choose_ropes->core.value_or("");
   }
+  return use;
+}
+
+/// The rope chosen and its largest tension, from the result's table of ropes.
+void take_rope_row(const Result& r, rope::RopeUse& use) {
+  const Table* t = r.find_table("ropes");
+  if (t == nullptr) return;
+  for (std::size_t k = 0; k < t->rows.size(); ++k) {
+    if (text_in(*t, k, "role") != use.name) continue;
+    if (const auto row = catalogue::find_rope(text_in(*t, k, "designation"))) use.rope = *row;
+    use.tension = number_in(*t, k, "largest_tension");
+    use.where = text_in(*t, k, "where");
+  }
+}
+
+/// Where the table has no tension: the values of the worst position at these places, exact where known.
+void take_worst_position(const Result& r, std::initializer_list<const char*> places, rope::RopeUse& use) {
+  if (use.tension > 0) return;
+  const char* const tier = r.find_value("T_lA_exact") != nullptr ? "_exact" : "";
+  for (const char* place : places) raise_to(use, r, fmt::format("{}{}", place, tier));
+}
+
+}  // namespace
+
+std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r) {
+  std::vector<rope::RopeUse> all = {rope_of_loop("return", in.return_rope, in),
+                                    rope_of_loop("traction", in.traction_rope, in)};
+  if (r == nullptr) return all;
+  for (rope::RopeUse& use : all) take_rope_row(*r, use);
+  take_worst_position(*r, {"T_uA", "T_U", "T_uB", "T_lB", "T_lLB"}, all[0]);
+  take_worst_position(*r, {"T_lA", "T_lLA"}, all[1]);
+  for (rope::RopeUse& use : all) one_end(use);
   return all;
 }
 
@@ -133,9 +146,9 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& /*in*/, const 
   return all;
 }
 
-std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
-                                               const std::vector<rope::RopeUse>& ropes, const std::string& method) {
-  std::vector<Complaint> complaints;
+checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
+                                   const std::string& method, std::vector<Complaint>& complaints) {
+  checks::AskedChecks asked;
   std::vector<std::string> known;
   known.reserve(ropes.size());
   for (const rope::RopeUse& use : ropes) known.push_back(use.name);
@@ -149,7 +162,8 @@ std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& requ
       continue;
     }
     const catalogue::RopeRow rope = checks::with_request(use->rope, one);
-    checks::rope_rules(one, rope, path, complaints);
+    const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
+    checks::complain_of_limits(one, rules, rope, path, complaints);
     checks::complain_of_life(one, rope, {}, path, complaints);
   }
   checks::complain_of_method_masts(request.masts, method, complaints);
@@ -160,17 +174,18 @@ std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& requ
   refuse(request.guys, "guys");
   refuse(request.anchors, "anchors");
   refuse(request.lines, "lines");
-  return complaints;
+  return asked;
 }
 
-void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r) {
+void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
+                       const std::vector<rope::RopeUse>& ropes, Result& r) {
   if (r.status != Status::ok) return;
-  for (const checks::RopeCheckRequest& one : request.ropes) {
+  for (std::size_t k = 0; k < request.ropes.size(); ++k) {
+    const checks::RopeCheckRequest& one = request.ropes[k];
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
       use.rope = checks::with_request(std::move(use.rope), one);
-      std::vector<Complaint> reported_before;
-      checks::add_checks_of(one, use, checks::rope_rules(one, use.rope, {}, reported_before), r);
+      checks::add_checks_of(one, use, checks::rope_rules(one, asked.ropes.at(k), use.rope), r);
     }
   }
   checks::add_method_masts(request.masts, r);

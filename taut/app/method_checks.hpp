@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/checks/asked_checks.hpp"
 #include "taut/checks/checks_deck.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -13,13 +14,8 @@
 /// The block `checks:` beside the `input:` of a published method.
 namespace taut::app {
 
-/// What a method offers to `checks:`. `ropes`: its ropes by name, with what the deck says of them; with a result also
-/// with the largest tensions in it. Empty: it has none.
-template <class Input>
-struct MethodChecks {
-  std::vector<rope::RopeUse> (*ropes)(const Input&, const Result*) = nullptr;
-};
-
+// What methods offer to `checks:`: their ropes by name, with what the deck says of them; with a result also with the
+// largest tensions in it.
 /// Of mast_section `skyline` and `mainline`.
 std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Result* r);
 /// Of closed_loop `return` and `traction`, of friction_drive `rope`, of boom_ropes `extension` and `retraction`.
@@ -27,11 +23,12 @@ std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Res
 std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const Result* r);
 std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r);
 
-/// Complaints of a method's checks, at paths below "checks".
-std::vector<Complaint> method_check_complaints(const checks::ChecksRequest& request,
-                                               const std::vector<rope::RopeUse>& ropes, const std::string& method);
+/// What a method's checks name, with complaints at paths below "checks".
+checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
+                                   const std::string& method, std::vector<Complaint>& complaints);
 
 /// Adds the checks of the ropes, groups all, and refuses what rests on unverified numbers where the deck says so.
-void add_method_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes, Result& r);
+void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
+                       const std::vector<rope::RopeUse>& ropes, Result& r);
 
 }  // namespace taut::app

@@ -4,31 +4,46 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/app/job.hpp"
+#include "taut/app/method_input.hpp"
+#include "taut/calc/field.hpp"
 #include "taut/calc/method.hpp"
 #include "taut/calc/result.hpp"
-
-namespace taut::io {
-struct Node;
-}
+#include "taut/rope/rope_use.hpp"
 
 namespace taut::app {
 
-/// A method as the doors see it: what it is, its fields, its example, and how to run it on a deck's `input:`.
+/// How a method's input takes what a design chooses. What is empty it does not have.
+struct MethodDesign {
+  /// Puts a rope in by its name; `modulus`: Pa, on its area.
+  std::function<void(MethodInput&, const std::string& name, const catalogue::RopeRow& row, double modulus)> put_rope =
+      {};
+  /// m; 1 where the input does not tell.
+  std::function<double(const MethodInput&, const std::string& rope)> rope_length = {};
+  std::function<void(MethodInput&, const std::string& section)> put_section = {};  ///< of its one mast, `mast`
+  std::function<double(const MethodInput&)> height = {};                           ///< of that mast, m
+  std::function<double(const MethodInput&)> mass = {};         ///< of what else is built: take-up weights, kg
+  std::function<std::string(const MethodInput&)> refuse = {};  ///< why its ropes or section can't be chosen
+};
+
+/// A method as the doors see it: what it is, its fields, its example, and all that is done with its input.
 struct MethodEntry {
   const Method* about = nullptr;
+  MethodInput (*input_of_defaults)() = nullptr;
   const Description* input = nullptr;
   const Description* output = nullptr;
   const Description* exact = nullptr;  ///< values that the engine adds; none where it does not
   std::string_view example;            ///< the text of examples/<name>.yaml
-  /// Reads `input` (and of the map `others` the blocks `checks` and `design`, where the deck has any) and notes every
-  /// mistake; without mistakes returns the calculation, ready to be called; else an empty one. `progress`: as in a Job.
-  std::function<std::function<Result()>(const io::Node& input, const io::Node* others,
-                                        const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes)>
-      prepare;
+  /// Rules between fields and names that the catalogue lacks; paths below `input`.
+  std::function<std::vector<Complaint>(const MethodInput&)> complaints;
+  /// The whole calculation, with the engine's values: each input is solved once. For inputs without complaints.
+  std::function<Result(const MethodInput&)> run;
+  /// Its ropes by name for `checks`, with what the deck says of them; with a result also with the largest tensions in
+  /// it.
+  std::function<std::vector<rope::RopeUse>(const MethodInput&, const Result*)> ropes;
+  MethodDesign design;
 };
 
-/// Every method that taut has, in the order of print. To add one: a line in methods.cpp.
+/// Every method that taut has, in the order of print. To add one: a row in methods.cpp.
 const std::vector<MethodEntry>& methods();
 
 /// nullptr when there is none of that name.

@@ -247,11 +247,12 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     io::place(input, missing, mistakes);
     return {};
   }
-  if (const auto wrong = checks::check_complaints(*first, *model); !wrong.empty()) {
-    io::place(input, wrong, mistakes);
+  std::vector<Complaint> complaints;
+  first->asked = deck->asked = checks::resolve(*first, *model, complaints);
+  if (!complaints.empty()) {
+    io::place(input, complaints, mistakes);
     return {};
   }
-  std::vector<Complaint> complaints;
   const auto asked = std::make_shared<const study::AskedAll>(
       study::resolve(first->analyses, first->design.has_value(), first->machine, *model, complaints));
   if (!complaints.empty()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/catalogue/rope.hpp"
+#include "taut/checks/asked_checks.hpp"
 #include "taut/checks/checks_deck.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/analyses.hpp"
@@ -16,6 +17,7 @@ struct CheckedDeck {
   const machine::Machine& machine;
   const std::vector<study::AnalysisRequest>& analyses;
   const std::optional<ChecksRequest>& checks;
+  const AskedChecks& asked;                                 ///< as resolve() has found them
   const std::map<std::string, catalogue::RopeRow>& chosen;  ///< rows of the ropes that a design has put in
 };
 

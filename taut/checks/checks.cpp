@@ -66,15 +66,15 @@ void finish_checks(const ChecksRequest& request, Result& r) {
   r.checks = grouped(std::move(r.checks));
 }
 
-std::vector<Complaint> check_complaints(const CheckedDeck& deck, const machine::Model& model) {
-  std::vector<Complaint> complaints;
-  if (!deck.checks) return complaints;
-  complain_of_ropes(*deck.checks, deck, model, complaints);
+AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
+  AskedChecks asked;
+  if (!deck.checks) return asked;
+  asked.ropes = resolve_ropes(*deck.checks, deck, model, complaints);
   complain_of_masts(deck.checks->masts, deck, model, complaints);
   complain_of_guys(deck.checks->guys, deck, model, complaints);
   complain_of_anchors(deck.checks->anchors, model, complaints);
   complain_of_lines(deck.checks->lines, model, complaints);
-  return complaints;
+  return asked;
 }
 
 void add_checks(const CheckedDeck& deck, const machine::Model& model, const CheckedParts& seen, Result& r) {

@@ -8,23 +8,26 @@
 #include "taut/rope/rope_check.hpp"
 
 /// The block `checks:` at work. One pair of functions for each kind of part: one that complains of the deck before
-/// anything is computed, one that adds checks, values and tables to the result. To add a kind: a member of
-/// ChecksRequest, the pair in a file of its own, and a line in each of the two functions of checks.cpp.
+/// anything is computed, and keeps what it has found by name, one that adds checks, values and tables to the result. To
+/// add a kind: a member of ChecksRequest, the pair in a file of its own, and a line in each of the two functions of
+/// checks.cpp.
 namespace taut::checks {
 
-/// What is wrong with a machine's checks, at paths below "checks".
-std::vector<Complaint> check_complaints(const CheckedDeck& deck, const machine::Model& model);
+/// Complains of what is wrong with a machine's checks, at paths below "checks". What they name is for the deck to keep;
+/// `deck.asked` is not looked at.
+AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints);
 
-/// Adds the checks that a machine's deck asks for; then all checks of the result stand in groups by part, the worst
-/// first, what rests on unverified numbers is refused where the deck says so, and the verdict's scope is known.
+/// Adds the checks that a machine's deck asks for, with the names in `deck.asked`; then all checks of the result stand
+/// in groups by part, the worst first, what rests on unverified numbers is refused where the deck says so, and the
+/// verdict's scope is known.
 void add_checks(const CheckedDeck& deck, const machine::Model& model, const CheckedParts& seen, Result& r);
 
 /// The last step of both wings: groups, and the refusal.
 void finish_checks(const ChecksRequest& request, Result& r);
 
 // Ropes of a machine: rope_checks.cpp.
-void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
-                       std::vector<Complaint>& complaints);
+std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
+                                      const machine::Model& model, std::vector<Complaint>& complaints);
 /// All that is to be reported of one rope: checks, and what was left out.
 void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
 /// `uses`: by reeving, over all states that are load cases.

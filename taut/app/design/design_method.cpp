@@ -1,6 +1,9 @@
 #include "taut/app/design/design_method.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "taut/design/design_checks.hpp"
@@ -11,92 +14,120 @@ namespace {
 
 constexpr const char* the_mast = "mast";  // of a method that has one section
 
-double tension_of(const MethodCopy& copy, const Result& r, const std::optional<std::string>& of) {
+FindParameter parameters_of(MethodDeck& deck) {
+  return [&deck](const std::string& path) { return deck.parameter(path); };
+}
+
+double tension_of(const MethodDeck& deck, const Result& r) {
   double most = std::nan("");
-  if (!copy.tensions || r.status != Status::ok) return most;
-  for (const auto& [name, tension] : copy.tensions(r)) {
-    if (!of || *of == name) most = std::fmax(most, tension);
+  if (r.status != Status::ok) return most;
+  const auto& of = deck.blocks.design->of;
+  for (const rope::RopeUse& use : deck.ropes(&r)) {
+    if (!of || *of == use.name) most = std::fmax(most, use.tension);
   }
   return most;
 }
 
+/// The result of a deck that a design has changed: what was put in may not fit the method.
+Result calculate_changed(const MethodDeck& deck) {
+  const std::vector<Complaint> broken = deck.method->complaints(deck.input);
+  if (broken.empty()) return deck.calculate();
+  Result r;
+  r.status = Status::infeasible;
+  r.message = fmt::format("{}: {}", broken.front().path, broken.front().message);
+  return r;
+}
+
+/// Lengths of ropes and masts with these values of the unknowns, and what else costs.
+design::DesignLengths lengths_of(const MethodDeck& deck, const design::DesignSpace& space,
+                                 const std::vector<double>& values) {
+  const design::DesignRequest& request = *deck.blocks.design;
+  design::DesignLengths lengths = by_the_metre(request, space, values);
+  if (request.seek == design::Seek::smallest) return lengths;
+  design::DesignPlace place = design::first_place(space);
+  place.values = values;
+  const MethodDeck own = with_design(deck, space, place);
+  const MethodDesign& method = own.method->design;
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    if (method.rope_length) lengths.ropes[k] = method.rope_length(own.input, space.ropes[k].name);
+  }
+  for (std::size_t k = 0; k < space.sections.size(); ++k) {
+    const std::string& name = space.sections[k].name;
+    if (method.height && name == the_mast) lengths.sections[k] = method.height(own.input);
+    if (!own.blocks.checks) continue;
+    if (const auto height = mast_height(own.blocks.checks->masts, name)) lengths.sections[k] = *height;
+  }
+  if (request.seek == design::Seek::lightest && method.mass) lengths.rest += method.mass(own.input);
+  return lengths;
+}
+
 }  // namespace
 
-design::DesignSpace method_space(const io::Node& block, const design::DesignRequest& design, const MethodCopy& copy,
-                                 Diagnostics& mistakes) {
+design::DesignSpace method_space(const io::Node& block, const MethodDeck& deck, Diagnostics& mistakes) {
+  const MethodDesign& method = deck.method->design;
+  const design::DesignRequest& design = *deck.blocks.design;
+  const std::string refused = method.refuse ? method.refuse(deck.input) : std::string();
+  MethodDeck own = deck;
   DesignParts parts;
   parts.owner = "the method";
-  parts.tensions = copy.ropes;
-  if (copy.put_rope) parts.ropes = copy.ropes;
-  if (copy.put_section) parts.sections.push_back({the_mast, {}, copy.refused});
-  if (copy.checks != nullptr) add_masts(copy.checks->masts, parts.sections);
-  parts.parameter = copy.parameter;
-  if (!design.ropes.empty() && !copy.refused.empty()) {
-    io::place(block, {{"design.ropes", copy.refused}}, mistakes);
-  }
+  for (const rope::RopeUse& use : deck.ropes(nullptr)) parts.tensions.push_back(use.name);
+  if (method.put_rope) parts.ropes = parts.tensions;
+  if (method.put_section) parts.sections.push_back({the_mast, {}, refused});
+  if (deck.blocks.checks) add_masts(deck.blocks.checks->masts, parts.sections);
+  parts.parameter = parameters_of(own);
+  if (!design.ropes.empty() && !refused.empty()) io::place(block, {{"design.ropes", refused}}, mistakes);
   return design_space(block, design, parts, mistakes);
 }
 
-void put_design(MethodCopy& copy, const design::DesignSpace& space, const design::DesignPlace& place,
-                const design::DesignCase* load_case) {
+MethodDeck with_design(MethodDeck deck, const design::DesignSpace& space, const design::DesignPlace& place,
+                       const design::DesignCase* load_case) {
+  const MethodDesign& method = deck.method->design;
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const design::RopeCandidates& free = space.ropes[k];
-    copy.put_rope(free.name, free.rows[place.choice[k]], free.modulus);
+    const catalogue::RopeRow& row = free.rows[place.choice[k]];
+    method.put_rope(deck.input, free.name, row, free.modulus);
+    deck.chosen[free.name] = row;
   }
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
     const catalogue::SectionRow& row = space.sections[k].rows[place.choice[space.ropes.size() + k]];
-    if (copy.put_section && space.sections[k].name == the_mast) copy.put_section(row.name);
+    if (method.put_section && space.sections[k].name == the_mast) method.put_section(deck.input, row.name);
   }
-  if (copy.checks != nullptr) put_masts(space, place.choice, copy.checks->masts);
+  if (deck.blocks.checks) put_masts(space, place.choice, deck.blocks.checks->masts);
   // behind the ropes: a weight or stiffness that is free goes before that of the rope
-  put_values(space, place.values, copy.parameter);
-  if (load_case != nullptr) put_case(*load_case, copy.parameter);
+  put_values(space, place.values, parameters_of(deck));
+  if (load_case != nullptr) put_case(*load_case, parameters_of(deck));
+  return deck;
 }
 
-design::DesignTask method_task(const design::DesignRequest& design, design::DesignSpace space, CopyMethod copy,
+design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
                                std::function<bool(const Progress&)> progress) {
   design::DesignTask task;
-  task.request = design;
+  task.request = *deck.blocks.design;
   task.space = std::move(space);
   task.progress = std::move(progress);
   for (std::size_t k = 0; k < task.space.ropes.size(); ++k) task.list_of[task.space.ropes[k].name] = k;
   for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
     const std::string& name = task.space.sections[k].name;
     // a method with one section checks it without naming a part
-    task.list_of[name == the_mast && copy()->put_section ? std::string{} : name] = task.space.ropes.size() + k;
+    const bool only = name == the_mast && deck.method->design.put_section;
+    task.list_of[only ? std::string{} : name] = task.space.ropes.size() + k;
   }
-  const auto own = std::make_shared<const design::DesignSpace>(task.space);
-  task.lengths = [design, own, copy](const std::vector<double>& values) {
-    design::DesignLengths lengths = by_the_metre(design, *own, values);
-    if (design.seek == design::Seek::smallest) return lengths;
-    const auto one = copy();
-    design::DesignPlace place = design::first_place(*own);
-    place.values = values;
-    put_design(*one, *own, place);
-    for (std::size_t k = 0; k < own->ropes.size(); ++k) {
-      if (one->rope_length) lengths.ropes[k] = one->rope_length(own->ropes[k].name);
-    }
-    for (std::size_t k = 0; k < own->sections.size(); ++k) {
-      const std::string& name = own->sections[k].name;
-      if (one->height && name == the_mast) lengths.sections[k] = one->height();
-      if (one->checks == nullptr) continue;
-      if (const auto height = mast_height(one->checks->masts, name)) lengths.sections[k] = *height;
-    }
-    if (design.seek == design::Seek::lightest && one->mass) lengths.rest += one->mass();
-    return lengths;
+  struct Shared {
+    MethodDeck deck;
+    design::DesignSpace space;
+    std::size_t first_case = 0;
   };
-  const auto first_case = std::make_shared<std::size_t>(0);
-  task.run = [design, own, copy = std::move(copy), first_case](const design::DesignPlace& place, design::Depth depth,
-                                                               const std::function<bool(const Progress&)>&) {
+  const auto own = std::make_shared<Shared>(Shared{std::move(deck), task.space});
+  task.lengths = [own](const std::vector<double>& values) { return lengths_of(own->deck, own->space, values); };
+  task.run = [own](const design::DesignPlace& place, design::Depth depth, const std::function<bool(const Progress&)>&) {
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
-      const auto fresh = copy();
-      put_design(*fresh, *own, place, load_case);
-      design::DesignRun done{fresh->run(), 0};
-      if (depth != design::Depth::report) design::disregard(design.disregard, done.result);
-      done.tension = tension_of(*fresh, done.result, design.of);
+      const MethodDeck changed = with_design(own->deck, own->space, place, load_case);
+      design::DesignRun done{calculate_changed(changed), 0};
+      if (depth != design::Depth::report) design::disregard(changed.blocks.design->disregard, done.result);
+      done.tension = tension_of(changed, done.result);
       return done;
     };
-    return run_cases(own->cases, depth, *first_case, one);
+    return run_cases(own->space.cases, depth, own->first_case, one);
   };
   return task;
 }

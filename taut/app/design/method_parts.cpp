@@ -1,11 +1,16 @@
+#include "taut/app/design/method_parts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "taut/app/design/design_method.hpp"
 #include "taut/base/gravity.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/methods/mast_section/mast_section.hpp"
 
 namespace taut::app {
 namespace {
@@ -79,48 +84,47 @@ double length_in_boom(const boom_ropes::Input& in, const std::string& name) {
   return name == "extension" ? 2 * in.sliding->extension_length : in.sliding->retraction_length;
 }
 
+std::string refuse_in_loop(const closed_loop::Input& in) {
+  return in.choose_ropes ? "'choose_ropes' of the input chooses them already: leave one of the two out" : "";
+}
+
+std::string refuse_in_boom(const boom_ropes::Input& in) {
+  return in.sliding ? "" : "the stiffness of a rope follows from its length: give 'sliding' with the lengths";
+}
+
+/// Its forces are given: a rope is chosen by its checks alone.
+void put_in_mast(mast_section::Input& /*in*/, const std::string& /*name*/, const catalogue::RopeRow& /*row*/,
+                 double /*modulus*/) {}
+
+void put_section_in_mast(mast_section::Input& in, const std::string& section) { in.section = section; }
+
+double height_of_mast(const mast_section::Input& in) {
+  return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
+}
+
+std::string refuse_in_mast(const mast_section::Input& in) {
+  return in.choose_section ? "'choose_section' of the input chooses it already: leave one of the two out" : "";
+}
+
 }  // namespace
 
-MethodDesign<closed_loop::Input> design_of_loop() {
-  MethodDesign<closed_loop::Input> d;
-  d.put_rope = put_in_loop;
-  d.rope_length = length_in_loop;
-  d.refuse = [](const closed_loop::Input& in) -> std::string {
-    return in.choose_ropes ? "'choose_ropes' of the input chooses them already: leave one of the two out" : "";
-  };
-  return d;
+MethodDesign design_of_loop() {
+  return {.put_rope = on(put_in_loop), .rope_length = on(length_in_loop), .refuse = on(refuse_in_loop)};
 }
 
-MethodDesign<friction_drive::Input> design_of_drive() {
-  MethodDesign<friction_drive::Input> d;
-  d.put_rope = put_in_drive;
-  d.rope_length = length_in_drive;
-  d.mass = mass_of_take_up;
-  return d;
+MethodDesign design_of_drive() {
+  return {.put_rope = on(put_in_drive), .rope_length = on(length_in_drive), .mass = on(mass_of_take_up)};
 }
 
-MethodDesign<boom_ropes::Input> design_of_boom() {
-  MethodDesign<boom_ropes::Input> d;
-  d.put_rope = put_in_boom;
-  d.rope_length = length_in_boom;
-  d.refuse = [](const boom_ropes::Input& in) -> std::string {
-    return in.sliding ? "" : "the stiffness of a rope follows from its length: give 'sliding' with the lengths";
-  };
-  return d;
+MethodDesign design_of_boom() {
+  return {.put_rope = on(put_in_boom), .rope_length = on(length_in_boom), .refuse = on(refuse_in_boom)};
 }
 
-MethodDesign<mast_section::Input> design_of_mast() {
-  MethodDesign<mast_section::Input> d;
-  // its forces are given: a rope is chosen by its checks alone
-  d.put_rope = [](mast_section::Input&, const std::string&, const catalogue::RopeRow&, double) {};
-  d.put_section = [](mast_section::Input& in, const std::string& section) { in.section = section; };
-  d.height = [](const mast_section::Input& in) {
-    return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
-  };
-  d.refuse = [](const mast_section::Input& in) -> std::string {
-    return in.choose_section ? "'choose_section' of the input chooses it already: leave one of the two out" : "";
-  };
-  return d;
+MethodDesign design_of_mast() {
+  return {.put_rope = on(put_in_mast),
+          .put_section = on(put_section_in_mast),
+          .height = on(height_of_mast),
+          .refuse = on(refuse_in_mast)};
 }
 
 }  // namespace taut::app

@@ -106,10 +106,10 @@ solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_driv
   return d;
 }
 
-void complete_friction_drive(const friction_drive::Input& in, Result& r) {
-  if (r.status != Status::ok) return;
-  friction_drive::Output out;
-  if (!friction_drive::solve(in, out).ok() || !(out.phi > 0)) return;
+namespace {
+
+/// Adds the exact column to the method's result.
+void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, Result& r) {
   const solve::BeltDrive d = belt_drive(in, out);
   solve::BeltDriveState s;
   const Outcome outcome = solve::solve(d, s);
@@ -134,6 +134,15 @@ void complete_friction_drive(const friction_drive::Input& in, Result& r) {
   }
   const auto values = values_of(FrictionDriveExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
+}
+
+}  // namespace
+
+Result run_friction_drive(const friction_drive::Input& in) {
+  friction_drive::Output out;
+  Result r = friction_drive::run(in, out);
+  if (r.status == Status::ok && out.phi > 0) complete_friction_drive(in, out, r);
+  return r;
 }
 
 const Description& FrictionDriveExact::describe() {

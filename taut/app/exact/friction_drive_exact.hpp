@@ -23,8 +23,8 @@ struct FrictionDriveExact {
 /// The engine's drive for a deck whose method is computed: `out` of the same input.
 solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_drive::Output& out);
 
-/// Adds the exact values, comparisons and, with a take-up in the deck, the check of its grip. A take-up that leaves the
-/// rope without tension makes the result infeasible.
-void complete_friction_drive(const friction_drive::Input& in, Result& r);
+/// The method with the exact values, comparisons and, with a take-up in the deck, the check of its grip. A take-up that
+/// leaves the rope without tension makes the result infeasible.
+Result run_friction_drive(const friction_drive::Input& in);
 
 }  // namespace taut::app

@@ -13,8 +13,7 @@
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
-#include "taut/methods/mast_section/position.hpp"
-#include "taut/methods/mast_section/sizing.hpp"
+#include "taut/methods/mast_section/run.hpp"
 
 namespace taut::app {
 namespace {
@@ -52,57 +51,75 @@ solve::Guy engine_guy(const Input& in, std::size_t i) {
   return out;
 }
 
-/// The carriage positions that the method can do, and which of them governs it; what the mast carries at all of them.
-struct Cases {
-  std::vector<Position> positions;
-  std::size_t governing = 0;
-  std::vector<ClampForces> forces;
+/// The mast of a deck under one pair of block forces, solved.
+struct LoadedMast {
+  solve::GuyedMast mast;
+  solve::GuyedMastResult found;
+  Outcome outcome;
 };
 
-Cases cases_of(const Input& in) {
-  Cases c;
-  c.forces = clamp_forces(in);
-  if (in.span) {
-    const std::size_t governs = governing_positions(in).of[0];
-    for (Position& p : sweep(in)) {
-      if (!p.outcome.ok()) continue;
-      if (p.index == governs) c.governing = c.positions.size();
-      c.positions.push_back(p);
-    }
-    return c;
+/// The masts of one deck, each solved once: the lightest section of all, the lightest of its shape and the exact column
+/// ask for the same ones. The deck outlives it.
+class EngineMasts {
+ public:
+  explicit EngineMasts(const Input& in) : in_(in) {}
+
+  /// `name`: what tells the section from the others.
+  const LoadedMast& under(const ClampForces& forces, const std::string& name, const structure::BeamSection& section) {
+    const Key key{name, forces.skyline.across, forces.skyline.down, forces.mainline.across, forces.mainline.down};
+    const auto [entry, is_new] = solved_.try_emplace(key);
+    LoadedMast& one = entry->second;
+    if (!is_new) return one;
+    one.mast = guyed_mast(in_, forces, section);
+    one.outcome = solve::solve(one.mast, one.found);
+    return one;
   }
-  Position only;
-  only.outcome = mast_section::solve(in, only.out);
-  c.positions.push_back(only);
-  return c;
-}
+
+  /// The largest stress, Pa; NaN where there is no equilibrium.
+  double stress(const catalogue::SectionRow& section, const ClampForces& forces) {
+    const LoadedMast& one = under(forces, name_of(section), structure::beam_section(section));
+    return one.outcome.ok() ? one.found.points[one.found.worst].stress : not_computed;
+  }
+
+  static std::string name_of(const catalogue::SectionRow& section) {
+    return fmt::format("{} {}", section.standard, section.name);
+  }
+
+ private:
+  using Key = std::tuple<std::string, double, double, double, double>;
+  const Input& in_;
+  std::map<Key, LoadedMast> solved_;
+};
 
 /// What the mast is made of: the section given or chosen, or the method's ideal tube.
 struct Section {
   std::string name;
+  std::string full_name;  ///< with its standard
   structure::BeamSection beam;
   double allowable = 0;
   std::string trust;
 };
 
-Section section_of(const Input& in, const Cases& cases) {
+const Output& governing_output(const Solved& method) { return method.positions[method.governing.of[0]].out; }
+
+Section section_of(const Input& in, const Solved& method) {
   const std::string trust = trust_of(limit_of(in));
-  if (const auto a = section_in_use(in, cases.forces, second_order_of(in))) {
-    return {a->section.name, structure::beam_section(a->section), a->allowable, trust};
+  if (const auto& a = method.section) {
+    return {a->section.name, EngineMasts::name_of(a->section), structure::beam_section(a->section), a->allowable,
+            trust};
   }
-  const Output& o = cases.positions[cases.governing].out;
+  const Output& o = governing_output(method);
   const double wall = std::min(o.t_tube, o.D_tube / 2);
-  return {fmt::format("ideal tube {:.1f} x {:.1f} mm", o.D_tube * 1e3, wall * 1e3),
-          structure::tube_section(o.D_tube, wall), o.sigma_allow, trust};
+  const std::string name = fmt::format("ideal tube {:.1f} x {:.1f} mm", o.D_tube * 1e3, wall * 1e3);
+  return {name, name, structure::tube_section(o.D_tube, wall), o.sigma_allow, trust};
 }
 
 Vector3 block_force(const BlockForce& f) { return {f.across, 0, -f.down}; }
 
 /// The forces of one position with the ropes hauled in.
-ClampForces hauled_in_at(const Cases& cases, std::size_t index) {
-  const auto at = std::find_if(cases.forces.begin(), cases.forces.end(),
-                               [&](const ClampForces& f) { return f.index == index && !f.paid_out; });
-  return *at;
+const ClampForces& hauled_in_at(const Solved& method, std::size_t index) {
+  return *std::find_if(method.forces.begin(), method.forces.end(),
+                       [&](const ClampForces& f) { return f.index == index && !f.paid_out; });
 }
 
 double largest_tension(const solve::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
@@ -266,75 +283,71 @@ solve::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const st
 }
 
 SecondOrder second_order_of(const Input& in) {
-  // the lightest section of all and the lightest of its shape are asked for one after the other
-  using Key = std::tuple<std::string, std::string, double, double, double, double>;
-  const auto known = std::make_shared<std::map<Key, double>>();
-  return [&in, known](const catalogue::SectionRow& section, const ClampForces& forces) {
-    const Key key{section.standard,    section.name,           forces.skyline.across,
-                  forces.skyline.down, forces.mainline.across, forces.mainline.down};
-    const auto [entry, is_new] = known->try_emplace(key, not_computed);
-    if (is_new) {
-      solve::GuyedMastResult m;
-      const Outcome outcome = solve::solve(guyed_mast(in, forces, structure::beam_section(section)), m);
-      if (outcome.ok()) entry->second = m.points[m.worst].stress;
-    }
-    return entry->second;
+  const auto masts = std::make_shared<EngineMasts>(in);
+  return [masts](const catalogue::SectionRow& section, const ClampForces& forces) {
+    return masts->stress(section, forces);
   };
 }
-
-Result run_mast_section(const Input& in) { return run(in, second_order_of(in)); }
 
 namespace {
 
 /// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
-void take_other_cases(const Input& in, const Cases& cases, const Section& section, MastSectionExact& e, Result& r) {
-  for (const ClampForces& forces : cases.forces) {
-    solve::GuyedMastResult m;
-    const Outcome outcome = solve::solve(guyed_mast(in, forces, section.beam), m);
-    if (outcome.ok()) {
-      take_worst(m, e);
+void take_other_cases(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                      MastSectionExact& e, Result& r) {
+  for (const ClampForces& forces : method.forces) {
+    const LoadedMast& at = masts.under(forces, section.full_name, section.beam);
+    if (at.outcome.ok()) {
+      take_worst(at.found, e);
     } else if (asks_for_exact(in) && r.status == Status::ok) {
-      r.status = outcome.status;
-      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + outcome.message;
+      r.status = at.outcome.status;
+      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + at.outcome.message;
     }
   }
 }
 
-}  // namespace
-
-void complete_mast_section(const Input& in, Result& r) {
-  if (r.status != Status::ok) return;
+/// Adds the exact column to the method's result.
+void complete_mast_section(const Input& in, const Solved& method, EngineMasts& masts, Result& r) {
   if (asks_for_exact(in)) {
     // The method's checks are those of another mast: a clamped one without guys.
     std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
   }
-  const Cases cases = cases_of(in);
-  const Section section = section_of(in, cases);
+  const Section section = section_of(in, method);
   MastSectionExact e;
   Table positions = positions_table();
-  for (std::size_t i = 0; i < cases.positions.size(); ++i) {
-    const Position& p = cases.positions[i];
-    const solve::GuyedMast mast = guyed_mast(in, hauled_in_at(cases, p.index), section.beam);
-    solve::GuyedMastResult m;
-    const Outcome outcome = solve::solve(mast, m);
-    positions.rows.push_back(position_row(p.out.x, m, outcome));
-    if (!outcome.ok()) {
-      refuse(in, p, outcome, r);
+  for (const Position& p : method.positions) {
+    if (!p.outcome.ok()) continue;
+    const LoadedMast& at = masts.under(hauled_in_at(method, p.index), section.full_name, section.beam);
+    positions.rows.push_back(position_row(p.out.x, at.found, at.outcome));
+    if (!at.outcome.ok()) {
+      refuse(in, p, at.outcome, r);
       continue;
     }
-    take_worst(m, e);
-    if (i != cases.governing) continue;
-    take_position(m, e);
-    if (!in.guys.empty()) r.tables.push_back(guys_table(mast, m));
-    add_mast_figures(mast, m, section.allowable, r);
+    take_worst(at.found, e);
+    if (p.index != method.governing.of[0]) continue;
+    take_position(at.found, e);
+    if (!in.guys.empty()) r.tables.push_back(guys_table(at.mast, at.found));
+    add_mast_figures(at.mast, at.found, section.allowable, r);
   }
-  take_other_cases(in, cases, section, e, r);
-  if (cases.positions.size() > 1) r.tables.push_back(std::move(positions));
+  take_other_cases(in, method, section, masts, e, r);
+  if (positions.rows.size() > 1) r.tables.push_back(std::move(positions));
   add_words(in, section, e, r);
-  if (!std::isnan(e.N_exact)) add_comparisons(in, cases.positions[cases.governing].out, section, e, r);
+  if (!std::isnan(e.N_exact)) add_comparisons(in, governing_output(method), section, e, r);
   if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, section, e, r);
   const auto values = values_of(MastSectionExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
+}
+
+}  // namespace
+
+Result run_mast_section(const Input& in) {
+  EngineMasts masts(in);
+  Solved method;
+  const SecondOrder second = [&masts](const catalogue::SectionRow& section, const ClampForces& forces) {
+    return masts.stress(section, forces);
+  };
+  Result r = run(in, second, method);
+  if (r.status == Status::ok) complete_mast_section(in, method, masts, r);
+  return r;
 }
 
 }  // namespace taut::app

@@ -1,5 +1,4 @@
 #pragma once
-#include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
 #include "taut/solve/exact/guyed_mast.hpp"
 
@@ -38,11 +37,9 @@ solve::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::C
 /// The engine's largest stress for the method's choice and checks; `in` must outlive it.
 mast_section::SecondOrder second_order_of(const mast_section::Input& in);
 
-/// The method with second order from the engine.
+/// The method with second order from the engine, and with the exact values, comparisons, tables, checks and figures. A
+/// deck with guys, a lateral force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever
+/// is warned of.
 Result run_mast_section(const mast_section::Input& in);
-
-/// Adds the exact values, comparisons, tables, checks and figures to the method's result. A deck with guys, a lateral
-/// force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever is warned of.
-void complete_mast_section(const mast_section::Input& in, Result& r);
 
 }  // namespace taut::app

@@ -85,7 +85,8 @@ void complain_of_beam(const MastCheckRequest& request, const std::string& name, 
     complaints.push_back({path, fmt::format("beam '{}' has no 'steel': give it here or there", name)});
     return;
   }
-  mast_material(request, *beam->section, steel_of(request, *beam), path, complaints);
+  const auto material = mast_material(request, *beam->section, steel_of(request, *beam), path);
+  if (!material) complaints.push_back(material.error());
 }
 
 /// The forces of a beam's section; N of the engine is tension, of the checks compression.
@@ -112,8 +113,8 @@ class MachineMast {
     for (std::size_t i = 0; i < mast.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck, beams_of(request)[i]);
       lengths_.push_back(model.beams[mast.beams[i]].length);
-      std::vector<Complaint> reported_before;
-      report_.materials.push_back(*mast_material(request, *beam.section, steel_of(request, beam), {}, reported_before));
+      // complain_of_beam has seen it
+      report_.materials.push_back(mast_material(request, *beam.section, steel_of(request, beam), {}).value());
     }
   }
 

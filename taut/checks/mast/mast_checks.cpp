@@ -227,25 +227,15 @@ std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const
   return m;
 }
 
-std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const std::string& section,
-                                          const std::string& steel, const std::string& path,
-                                          std::vector<Complaint>& complaints) {
+tl::expected<MastMaterial, Complaint> mast_material(const MastCheckRequest& request, const std::string& section,
+                                                    const std::string& steel, const std::string& path) {
   const auto row = catalogue::find_section(section);
-  if (!row) {
-    complaints.push_back({path + ".section", to_text(row.error())});
-    return std::nullopt;
-  }
+  if (!row) return tl::unexpected(Complaint{path + ".section", to_text(row.error())});
   const auto found = catalogue::find_steel(steel);
-  if (!found) {
-    complaints.push_back({path + ".steel", to_text(found.error())});
-    return std::nullopt;
-  }
+  if (!found) return tl::unexpected(Complaint{path + ".steel", to_text(found.error())});
   const auto yield = catalogue::yield(*found, row->thickness);
-  if (!yield) {
-    complaints.push_back({path + ".steel", to_text(yield.error())});
-    return std::nullopt;
-  }
-  return mast_material(request, *row, steel);
+  if (!yield) return tl::unexpected(Complaint{path + ".steel", to_text(yield.error())});
+  return *mast_material(request, *row, steel);
 }
 
 std::string factor_words(const MastCheckRequest& request, const MastReport& report) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "taut/calc/result.hpp"
@@ -23,10 +24,9 @@ struct MastMaterial {
   std::string trust;                       ///< of the yield stress
 };
 
-/// The section `name` in the steel `steel`; empty with complaints at `path`.section, `path`.steel.
-std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const std::string& section,
-                                          const std::string& steel, const std::string& path,
-                                          std::vector<Complaint>& complaints);
+/// The section of that name in the steel `steel`, or what is wrong with them, at `path`.section or `path`.steel.
+tl::expected<MastMaterial, Complaint> mast_material(const MastCheckRequest& request, const std::string& section,
+                                                    const std::string& steel, const std::string& path);
 /// The same for a row of the catalogue; empty where the steel is not made so thick.
 std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const catalogue::SectionRow& row,
                                           const std::string& steel);

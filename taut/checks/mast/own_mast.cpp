@@ -85,27 +85,29 @@ void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
   for (auto& c : m.cases) c.critical_force.clear();
 }
 
-std::optional<structure::MastPiece> piece_of(const MastCheckRequest& request, const MastPieceRequest& given,
-                                             const std::string& path, std::vector<Complaint>& complaints,
-                                             std::vector<MastMaterial>& materials) {
+/// A piece of a mast, and what its lower end is made of.
+struct FoundPiece {
+  structure::MastPiece piece;
+  MastMaterial material;
+};
+
+/// The piece with its sections and steel found, or what is wrong with it, at `path` and below.
+tl::expected<FoundPiece, Complaint> piece_of(const MastCheckRequest& request, const MastPieceRequest& given,
+                                             const std::string& path) {
   const std::string steel = request.steel.value_or("");
-  const auto low = mast_material(request, given.section, steel, path, complaints);
-  if (!low) return std::nullopt;
-  materials.push_back(*low);
-  structure::MastPiece p{given.length, low->section, {}, low->yield, low->allowable_stress};
-  if (!given.top) return p;
-  std::vector<Complaint> of_top;
-  const auto high = mast_material(request, *given.top, steel, path, of_top);
-  for (const Complaint& c : of_top) complaints.push_back({path + ".top", c.message});
-  if (!high) return std::nullopt;
+  const auto low = mast_material(request, given.section, steel, path);
+  if (!low) return tl::unexpected(low.error());
+  FoundPiece found{{given.length, low->section, {}, low->yield, low->allowable_stress}, *low};
+  if (!given.top) return found;
+  const auto high = mast_material(request, *given.top, steel, path);
+  if (!high) return tl::unexpected(Complaint{path + ".top", high.error().message});
   if (high->section.shape != low->section.shape || high->section.forming != low->section.forming) {
-    complaints.push_back(
-        {path + ".top", "a taper keeps shape and making: a tube ends as a tube, hot-finished as such"});
-    return std::nullopt;
+    return tl::unexpected(
+        Complaint{path + ".top", "a taper keeps shape and making: a tube ends as a tube, hot-finished as such"});
   }
-  p.top = high->section;
-  p.yield = std::min(p.yield, high->yield);
-  return p;
+  found.piece.top = high->section;
+  found.piece.yield = std::min(found.piece.yield, high->yield);
+  return found;
 }
 
 void complain_of_loads(const MastCheckRequest& request, const std::string& path, double height,
@@ -154,16 +156,14 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
     complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
   }
   if (complaints.size() > before) return;
-  std::vector<MastMaterial> unused;
   const std::vector<MastPieceRequest> pieces = pieces_of(request);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string at = request.pieces.empty() ? path : fmt::format("{}.pieces[{}]", path, i);
-    std::vector<Complaint> found;
-    piece_of(request, pieces[i], at, found, unused);
-    for (Complaint& c : found) {
-      if (c.path == at + ".steel") c.path = path + ".steel";
-      complaints.push_back(std::move(c));
-    }
+    const auto found = piece_of(request, pieces[i], at);
+    if (found) continue;
+    // the steel is that of all pieces
+    complaints.push_back(
+        {found.error().path == at + ".steel" ? path + ".steel" : found.error().path, found.error().message});
   }
   complain_of_loads(request, path, height_of(request), analyses, complaints);
   refuse_both_factors(request, path, complaints);
@@ -178,10 +178,10 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   MastReport report;
   report.name = request.name;
   ColumnMast column = own_column(request, loads);
-  std::vector<Complaint> reported_before;
   for (const MastPieceRequest& given : pieces_of(request)) {
-    if (auto p = piece_of(request, given, {}, reported_before, report.materials))
-      column.pieces.push_back(*std::move(p));
+    FoundPiece found = piece_of(request, given, {}).value();  // complain_of_own_mast has seen them
+    report.materials.push_back(std::move(found.material));
+    column.pieces.push_back(std::move(found.piece));
   }
   structure::ColumnMastResult solved = column_mast(column);
   report.refused = solved.refused;

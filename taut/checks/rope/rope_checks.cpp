@@ -54,8 +54,9 @@ void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
 
 }  // namespace
 
-void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
-                       std::vector<Complaint>& complaints) {
+std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
+                                      const machine::Model& model, std::vector<Complaint>& complaints) {
+  std::vector<AskedRules> all;
   for (const RopeCheckRequest& one : request.ropes) {
     const std::string path = fmt::format("checks.ropes.{}", one.name);
     const auto reevings = reevings_named(one.name, deck, model);
@@ -69,10 +70,12 @@ void complain_of_ropes(const ChecksRequest& request, const CheckedDeck& deck, co
     }
     const catalogue::RopeRow rope = with_request(row_in(deck, rope_name_of(deck.machine, reevings.front())), one);
     const std::vector<std::string> rounds = rounds_of(model);
-    rope_rules(one, rope, path, complaints);
+    const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
+    complain_of_limits(one, asked, rope, path, complaints);
     complain_of_life(one, rope, rounds, path, complaints);
     complain_of_places(one, path, rounds, complaints);
   }
+  return all;
 }
 
 void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
@@ -100,13 +103,13 @@ void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, co
 
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r) {
-  for (const RopeCheckRequest& one : request.ropes) {
+  for (std::size_t k = 0; k < request.ropes.size(); ++k) {
+    const RopeCheckRequest& one = request.ropes[k];
     for (const std::size_t i : reevings_named(one.name, deck, model)) {
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
-      std::vector<Complaint> reported_before;
-      add_checks_of(one, use, rope_rules(one, use.rope, {}, reported_before), r);
+      add_checks_of(one, use, rope_rules(one, deck.asked.ropes.at(k), use.rope), r);
     }
   }
 }

@@ -65,13 +65,26 @@ bool begins(const std::string& id, std::initializer_list<const char*> topics) {
   return std::any_of(topics.begin(), topics.end(), [&](const char* one) { return id.starts_with(one); });
 }
 
-class RopeRuleReader {
- public:
-  RopeRuleReader(const RopeCheckRequest& request, const catalogue::RopeRow& rope, std::string path,
-                 std::vector<Complaint>& complaints)
-      : request_(request), rope_(rope), path_(std::move(path)), complaints_(complaints) {}
+/// Terminations of the tables, each once.
+std::vector<std::string> terminations() {
+  std::vector<std::string> known;
+  for (const RuleRow& row : catalogue::rules_of("termination")) {
+    const std::size_t begin = std::string_view("termination.").size();
+    const std::size_t end = row.id.rfind('.');
+    if (end <= begin || !row.low) continue;
+    const std::string name = row.id.substr(begin, end - begin);
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+  }
+  return known;
+}
 
-  rope::RopeRules read() {
+/// Finds what a deck names, and the limits that hold for any rope.
+class RequestReader {
+ public:
+  RequestReader(const RopeCheckRequest& request, std::string path, std::vector<Complaint>& complaints)
+      : request_(request), path_(std::move(path)), complaints_(complaints) {}
+
+  AskedRules read() {
     for (std::size_t i = 0; i < request_.field.size(); ++i) field(request_.field[i], fmt::format("field[{}]", i));
     if (request_.rope) {
       const auto row = catalogue::find_rope_in_words(*request_.rope);
@@ -82,9 +95,9 @@ class RopeRuleReader {
     termination();
     temperature();
     ratios();
-    grooves_and_wires();
+    rules_.bending_modulus = request_.bending_modulus;
     drums();
-    return std::move(rules_);
+    return std::move(asked_);
   }
 
  private:
@@ -118,7 +131,7 @@ class RopeRuleReader {
     if (!row && used_group_)
       return complain("class", fmt::format("'{}' has no class '{}': M1 to M8", name, *request_.group));
     if (!row) return no_such_field(name, key);
-    ids_.push_back(row->id);
+    asked_.fields.push_back(row->id);
     if (begins(row->id, {"safety.crane_", "safety.ropeway_"})) rules_.factor_covers_bending = true;
     if (row->id == "safety.crane_running.en13001") {
       rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
@@ -174,8 +187,6 @@ class RopeRuleReader {
                                        *slope->low, number, given.speed, least->source);
   }
 
-  bool fibre() const { return rope_.core == "FC"; }
-
   void termination() {
     if (request_.termination_efficiency) {
       rules_.termination = Limit{*request_.termination_efficiency,
@@ -183,47 +194,18 @@ class RopeRuleReader {
     } else if (request_.termination) {
       named_termination(*request_.termination);
     }
-    if (!rules_.termination || !rules_.factor_covers_bending) return;
-    const bool crane =
-        std::any_of(ids_.begin(), ids_.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
-    if (const auto row = rule_named("termination.least_crane"); row && crane) {
-      rules_.least_termination = limit_of(*row, SafeEnd::high);
-    }
-  }
-
-  /// Terminations of the tables, each once.
-  static std::vector<std::string> terminations() {
-    std::vector<std::string> known;
-    for (const RuleRow& row : catalogue::rules_of("termination")) {
-      const std::size_t begin = std::string_view("termination.").size();
-      const std::size_t end = row.id.rfind('.');
-      if (end <= begin || !row.low) continue;
-      const std::string name = row.id.substr(begin, end - begin);
-      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-    }
-    return known;
   }
 
   void named_termination(const std::string& given) {
     const std::vector<std::string> known = terminations();
-    std::string name = given;
     const auto begins_so = [&](const std::string& one) { return one.starts_with(given); };
-    const bool exact = std::find(known.begin(), known.end(), given) != known.end();
+    auto found = std::find(known.begin(), known.end(), given);
     // "wedge" means the one whose name begins so
-    if (!exact && std::count_if(known.begin(), known.end(), begins_so) == 1) {
-      name = *std::find_if(known.begin(), known.end(), begins_so);
+    if (found == known.end() && std::count_if(known.begin(), known.end(), begins_so) == 1) {
+      found = std::find_if(known.begin(), known.end(), begins_so);
     }
-    std::optional<RuleRow> worst;
-    for (const char* core : {"IWRC", "FC"}) {
-      // of a rope whose core nobody knows the weaker one
-      if (!rope_.core.empty() && fibre() != (std::string_view(core) == "FC")) continue;
-      const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
-      if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
-    }
-    if (worst) {
-      rules_.termination = limit_of(*worst, SafeEnd::low);
-    } else if (std::find(known.begin(), known.end(), name) != known.end()) {
-      complain("termination", fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", name));
+    if (found != known.end()) {
+      asked_.termination = *found;
     } else {
       complain("termination", fmt::format("there is no termination '{}' in the tables: {}; or give "
                                           "'termination_efficiency'",
@@ -234,13 +216,6 @@ class RopeRuleReader {
   void temperature() {
     if (!request_.temperature) return;
     rules_.temperature = request_.temperature;
-    const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
-    for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
-      const double upto = degrees_of(row) + freezing;
-      rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
-      if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
-      if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
-    }
     if (!request_.termination) return;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != *request_.termination) continue;
@@ -251,7 +226,8 @@ class RopeRuleReader {
 
   bool runs() const {
     if (request_.running != Choose::by_field) return request_.running == Choose::yes;
-    return ids_.empty() || std::any_of(ids_.begin(), ids_.end(), [](const std::string& id) {
+    const auto& ids = asked_.fields;
+    return ids.empty() || std::any_of(ids.begin(), ids.end(), [](const std::string& id) {
              return !begins(id, {"safety.skyline", "safety.guyline", "safety.crane_stay", "safety.ropeway_track",
                                  "safety.cableway"});
            });
@@ -273,11 +249,6 @@ class RopeRuleReader {
       ladder("crane_compensating_sheave", rules_.compensating_ratios);
       ladder("crane_drum", rules_.drum_ratios);
     }
-    for (const RuleRow& row : catalogue::rules_of("ratio.maker")) {
-      if (!is_for_rope(row.group)) continue;
-      rules_.sheave_ratios.push_back(limit_of(row, SafeEnd::high));
-      rules_.drum_ratios.push_back(limit_of(row, SafeEnd::high));
-    }
   }
 
   void ladder(const char* which, std::vector<Limit>& limits) {
@@ -286,6 +257,87 @@ class RopeRuleReader {
       limits.push_back(limit_of(*row, SafeEnd::high));
     } else if (limits.empty() && std::string_view(which) == "crane_sheave") {
       complain("class", fmt::format("there is no class '{}': M1 to M8", *request_.group));
+    }
+  }
+
+  void drums() {
+    rules_.rated_pull = request_.rated_pull;
+    const bool grooved = request_.drum == DrumFace::grooved;
+    if (request_.fleet_angle) {
+      rules_.fleet_angle = Limit{*request_.fleet_angle, "fleet angle of the deck", "user"};
+    } else if (request_.drum != DrumFace::unsaid) {
+      const auto row = rule_named(grooved ? "layout.fleet_angle_grooved" : "layout.fleet_angle_smooth");
+      if (row) rules_.fleet_angle = limit_of(*row, SafeEnd::low);
+    }
+    if (const auto row = rule_named("groove.drum_layers"); row && grooved) {
+      rules_.layers = limit_of(*row, SafeEnd::low);
+    }
+  }
+
+  const RopeCheckRequest& request_;
+  std::string path_;
+  std::vector<Complaint>& complaints_;
+  bool used_group_ = false;
+  AskedRules asked_;
+  rope::RopeRules& rules_ = asked_.of_any_rope;
+};
+
+/// The limits of one rope.
+class RopeLimits {
+ public:
+  RopeLimits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope)
+      : request_(request), asked_(asked), rope_(rope), rules_(asked.of_any_rope) {}
+
+  rope::RopeRules read() {
+    termination();
+    temperature();
+    ratios();
+    grooves_and_wires();
+    return std::move(rules_);
+  }
+
+ private:
+  bool fibre() const { return rope_.core == "FC"; }
+
+  void termination() {
+    if (!asked_.termination.empty()) named_termination(asked_.termination);
+    if (!rules_.termination || !rules_.factor_covers_bending) return;
+    const auto& ids = asked_.fields;
+    const bool crane =
+        std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
+    if (const auto row = rule_named("termination.least_crane"); row && crane) {
+      rules_.least_termination = limit_of(*row, SafeEnd::high);
+    }
+  }
+
+  void named_termination(const std::string& name) {
+    std::optional<RuleRow> worst;
+    for (const char* core : {"IWRC", "FC"}) {
+      // of a rope whose core nobody knows the weaker one
+      if (!rope_.core.empty() && fibre() != (std::string_view(core) == "FC")) continue;
+      const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
+      if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
+    }
+    if (worst) rules_.termination = limit_of(*worst, SafeEnd::low);
+  }
+
+  void temperature() {
+    if (!request_.temperature) return;
+    const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
+    for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
+      const double upto = degrees_of(row) + freezing;
+      rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
+      if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
+      if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
+    }
+  }
+
+  void ratios() {
+    if (!rules_.runs) return;
+    for (const RuleRow& row : catalogue::rules_of("ratio.maker")) {
+      if (!is_for_rope(row.group)) continue;
+      rules_.sheave_ratios.push_back(limit_of(row, SafeEnd::high));
+      rules_.drum_ratios.push_back(limit_of(row, SafeEnd::high));
     }
   }
 
@@ -317,15 +369,8 @@ class RopeRuleReader {
       rules_.groove_pressure = Limit{*request_.groove_pressure, "groove pressure of the deck", "user"};
     } else if (request_.groove != Groove::none) {
       const auto row = rule_named(fmt::format("pressure.{}.{}", names[static_cast<int>(request_.groove)], group));
-      if (row) {
-        rules_.groove_pressure = limit_of(*row, SafeEnd::low);
-      } else {
-        complain("groove", fmt::format("the tables have no groove pressure for {}; give 'groove_pressure'",
-                                       rope_.construction.empty() ? "a rope whose 'construction' is not known"
-                                                                  : "the construction '" + rope_.construction + "'"));
-      }
+      if (row) rules_.groove_pressure = limit_of(*row, SafeEnd::low);
     }
-    rules_.bending_modulus = request_.bending_modulus;
     if (request_.wire_diameter && rope_.diameter > 0) {
       rules_.wire = Limit{*request_.wire_diameter / rope_.diameter, "of the deck", "user"};
     } else if (const auto row = rule_named("wire." + group); row && !group.empty()) {
@@ -334,26 +379,9 @@ class RopeRuleReader {
     }
   }
 
-  void drums() {
-    rules_.rated_pull = request_.rated_pull;
-    const bool grooved = request_.drum == DrumFace::grooved;
-    if (request_.fleet_angle) {
-      rules_.fleet_angle = Limit{*request_.fleet_angle, "fleet angle of the deck", "user"};
-    } else if (request_.drum != DrumFace::unsaid) {
-      const auto row = rule_named(grooved ? "layout.fleet_angle_grooved" : "layout.fleet_angle_smooth");
-      if (row) rules_.fleet_angle = limit_of(*row, SafeEnd::low);
-    }
-    if (const auto row = rule_named("groove.drum_layers"); row && grooved) {
-      rules_.layers = limit_of(*row, SafeEnd::low);
-    }
-  }
-
   const RopeCheckRequest& request_;
+  const AskedRules& asked_;
   const catalogue::RopeRow& rope_;
-  std::string path_;
-  std::vector<Complaint>& complaints_;
-  std::vector<std::string> ids_;
-  bool used_group_ = false;
   rope::RopeRules rules_;
 };
 
@@ -380,9 +408,28 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
   return rope;
 }
 
-rope::RopeRules rope_rules(const RopeCheckRequest& request, const catalogue::RopeRow& rope, const std::string& path,
-                           std::vector<Complaint>& complaints) {
-  return RopeRuleReader(request, rope, path, complaints).read();
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  return RequestReader(request, path, complaints).read();
+}
+
+rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope) {
+  return RopeLimits(request, asked, rope).read();
+}
+
+void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+                        const std::string& path, std::vector<Complaint>& complaints) {
+  const rope::RopeRules rules = rope_rules(request, asked, rope);
+  if (!asked.termination.empty() && !rules.termination) {
+    complaints.push_back(
+        {path + ".termination",
+         fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", asked.termination)});
+  }
+  if (request.groove != Groove::none && !rules.groove_pressure) {
+    complaints.push_back(
+        {path + ".groove", fmt::format("the tables have no groove pressure for {}; give 'groove_pressure'",
+                                       rope.construction.empty() ? "a rope whose 'construction' is not known"
+                                                                 : "the construction '" + rope.construction + "'")});
+  }
 }
 
 }  // namespace taut::checks

@@ -11,9 +11,22 @@ namespace taut::checks {
 /// The rope with what the deck says beside the catalogue: construction, core, grade, area.
 catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request);
 
+/// What a deck asks of a rope, with all its names found: good for any rope that a design may put in its place.
+struct AskedRules {
+  rope::RopeRules of_any_rope;      ///< without the limits that depend on the rope
+  std::vector<std::string> fields;  ///< of use: "safety.crane_running.M4"
+  std::string termination;          ///< by its name in the tables; empty: none, or by its efficiency
+};
+
+/// Complaints of names that the tables do not have, at paths below `path`.
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
+
 /// The limits that a deck asks for, from the tables of rules, for this rope. Of a rule that is a range the safe end
-/// counts. Complaints at paths below `path`.
-rope::RopeRules rope_rules(const RopeCheckRequest& request, const catalogue::RopeRow& rope, const std::string& path,
-                           std::vector<Complaint>& complaints);
+/// counts.
+rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope);
+
+/// Complaints of rules that the tables have for other ropes only.
+void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+                        const std::string& path, std::vector<Complaint>& complaints);
 
 }  // namespace taut::checks

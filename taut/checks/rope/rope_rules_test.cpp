@@ -18,14 +18,16 @@ catalogue::RopeRow six_strand(const std::string& core) {
 
 rope::RopeRules rules_for(const RopeCheckRequest& request, const catalogue::RopeRow& rope) {
   std::vector<Complaint> complaints;
-  rope::RopeRules rules = rope_rules(request, rope, "checks.ropes.x", complaints);
+  const AskedRules asked = asked_rules(request, "checks.ropes.x", complaints);
+  complain_of_limits(request, asked, rope, "checks.ropes.x", complaints);
   EXPECT_TRUE(complaints.empty()) << complaints.front().path << complaints.front().message;
-  return rules;
+  return rope_rules(request, asked, rope);
 }
 
 std::string complaint_for(const RopeCheckRequest& request, const catalogue::RopeRow& rope) {
   std::vector<Complaint> complaints;
-  rope_rules(request, rope, "checks.ropes.x", complaints);
+  const AskedRules asked = asked_rules(request, "checks.ropes.x", complaints);
+  complain_of_limits(request, asked, rope, "checks.ropes.x", complaints);
   return complaints.empty() ? std::string() : complaints.front().path + ": " + complaints.front().message;
 }
 

@@ -325,22 +325,22 @@ Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& eng
 
 namespace {
 
-/// The peaks of both hauls; infeasible when no position is feasible as asked.
-Outcome both_peaks(const Input& in, const Ropes& ropes, const Engine& engine, Peaks& peaks) {
-  const std::vector<Row> rows = sweep(in, ropes, engine);
+/// Positions and the peaks of both hauls; infeasible when no position is feasible as asked.
+Outcome prove(const Input& in, const Engine& engine, Solved& solved) {
+  solved.rows = sweep(in, solved.ropes, engine);
+  const auto& rows = solved.rows;
   const bool any = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.outcome.ok(); });
-  if (any) peaks = peaks_of_both_hauls(in, ropes, engine, rows);
+  if (any) solved.peaks = peaks_of_both_hauls(in, solved.ropes, engine, rows);
   return any ? Outcome{} : rows.front().outcome;
 }
 
-}  // namespace
-
-Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
+/// Ropes chosen, with what proved them, or the deck's own.
+Outcome find_ropes(const Input& in, const Engine& engine, Solved& found) {
   if (in.choose_ropes) {
     return choose(
-        *in.choose_ropes, *in.safety_factor,
-        [&](const Ropes& r, Peaks& peaks) { return both_peaks(in, r, engine, peaks); }, ropes);
+        *in.choose_ropes, *in.safety_factor, [&](Solved& solved) { return prove(in, engine, solved); }, found);
   }
+  Ropes& ropes = found.ropes;
   if (in.return_rope) {
     ropes.return_rope = known_rope(*in.return_rope);
     ropes.q_b = ropes.return_rope->mass_per_length * standard_gravity;
@@ -354,6 +354,50 @@ Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
     ropes.q_T = *in.traction_weight;
   }
   return {};
+}
+
+/// The exact values of a position that is solved already, for its note; the engine itself where it had none. Both
+/// passes have the same numbers to the bit, so that all of them may be taken over.
+Engine known_answers(const Row& row, const Engine& engine) {
+  if (!row.outcome.ok() || !std::isfinite(row.out.T_lA_exact)) return engine;
+  Engine known;
+  if (engine.sag) {
+    known.sag = [&row](const Input&, const Case<double>&, ExactSag& found) {
+      found = {row.out.f, row.out.f_second};
+      return Outcome{};
+    };
+  }
+  known.solve = [&row](const Input&, const Case<double>&, Output& out) {
+    out = row.out;
+    return Outcome{};
+  };
+  return known;
+}
+
+}  // namespace
+
+Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
+  Solved found;
+  Outcome o = find_ropes(in, engine, found);
+  ropes = std::move(found.ropes);
+  return o;
+}
+
+Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out) {
+  if (Outcome o = find_ropes(in, engine, found); !o.ok()) return o;
+  if (found.rows.empty() && in.position.size() <= 1) {
+    Outcome o = solve_position(in, setting_of(in, found.ropes, 0, engine), s, out);
+    found.rows.push_back({o, out});
+    return o;
+  }
+  if (found.rows.empty()) found.rows = sweep(in, found.ropes, engine);
+  const std::size_t at = worst_of(found.rows);
+  const Engine known = known_answers(found.rows[at], engine);
+  Outcome o = solve_position(in, setting_of(in, found.ropes, at, known), s, out);
+  if (!o.ok() && found.rows.size() > 1) {
+    o.message = fmt::format("none of the {} positions is feasible; the first: {}", found.rows.size(), o.message);
+  }
+  return o;
 }
 
 }  // namespace taut::closed_loop

@@ -11,12 +11,6 @@ namespace taut::closed_loop {
 template <class T>
 Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& out);
 
-/// One position of a sweep.
-struct Row {
-  Outcome outcome;
-  Output out;
-};
-
 /// The positions of the deck, midspan when it gives none, each computed in double.
 std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine = no_engine);
 
@@ -32,5 +26,9 @@ Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const
 
 /// Weights from the deck, from ropes it names, or from ropes chosen. Precondition: complaints(in) is empty.
 Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine = no_engine);
+
+/// The whole deck: ropes, positions, and the note of the worst position with its values in `out`. Infeasible: no ropes
+/// can be chosen (`found.rows` is empty then), or no position is feasible.
+Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out);
 
 }  // namespace taut::closed_loop

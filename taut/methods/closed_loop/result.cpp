@@ -88,9 +88,11 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
   return c;
 }
 
-void add_checks(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows, Result& r) {
+/// `found`: the positions, with the peaks where a search for ropes has them already.
+void add_checks(const Input& in, const Engine& engine, const Solved& found, Result& r) {
+  const auto& [ropes, rows, known] = found;
   const bool named = ropes.return_rope || ropes.traction_rope;
-  const Peaks peaks = named ? peaks_of_both_hauls(in, ropes, engine, rows) : Peaks{};
+  const Peaks peaks = known ? *known : named ? peaks_of_both_hauls(in, ropes, engine, rows) : Peaks{};
   const bool any = peaks.return_rope.tension > 0;
   if (any && named) r.tables.push_back(ropes_table(ropes, peaks));
   if (any && in.safety_factor && ropes.return_rope) {
@@ -207,20 +209,11 @@ Result run(const Input& in) { return run(in, no_engine); }
 
 Result run(const Input& in, const Engine& engine) {
   Result r = result_of(about(), Input::describe(), &in);
-  Ropes ropes;
+  Solved found;
   Output out;
   Sheet<Num> s(about().short_source, Input::describe(), &in);
-  Outcome outcome = ropes_of(in, ropes, engine);
-  std::vector<Row> rows;
-  if (outcome.ok()) {
-    rows = sweep(in, ropes, engine);
-    const std::size_t at = worst_of(rows);
-    outcome = solve_position(in, setting_of(in, ropes, at, engine), s, out);
-    if (!outcome.ok() && rows.size() > 1) {
-      outcome.message =
-          fmt::format("none of the {} positions is feasible; the first: {}", rows.size(), outcome.message);
-    }
-  }
+  const Outcome outcome = solve_deck(in, engine, s, found, out);
+  const std::vector<Row>& rows = found.rows;
   if (outcome.ok()) prove_paper_choice(in, out, r.warnings);
   r.status = outcome.status;
   r.message = outcome.message;
@@ -230,11 +223,12 @@ Result run(const Input& in, const Engine& engine) {
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
   add_words(in, rows, r);
   if (!outcome.ok()) return r;
-  add_checks(in, ropes, engine, rows, r);
+  add_checks(in, engine, found, r);
   add_comparisons(in, out, r);
   if (std::isfinite(out.T_lA)) r.figures = {loop_drawing(in, out), force_polygon(in, out)};
-  r.figures.emplace_back(tension_plot(in, ropes, rows, engine));
-  if (in.carriage == Carriage::single && std::isfinite(out.T_lA)) r.figures.emplace_back(error_plot(in, ropes, out));
+  r.figures.emplace_back(tension_plot(in, found.ropes, rows, engine));
+  if (in.carriage == Carriage::single && std::isfinite(out.T_lA))
+    r.figures.emplace_back(error_plot(in, found.ropes, out));
   return r;
 }
 

@@ -129,7 +129,7 @@ Peaks closed_form_peaks_of(const Output& out) {
 namespace {
 
 using Candidates = std::vector<catalogue::RopeRow>;
-using Verify = std::function<Outcome(const Ropes&, Peaks&)>;
+using Verify = std::function<Outcome(Solved&)>;
 
 Candidates candidates_of(const RopeFilter& filter) {
   catalogue::RopeFilter wanted;
@@ -153,6 +153,7 @@ Ropes pair_of(const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
 
 /// One trial: which of the two ropes are strong enough.
 struct Trial {
+  Solved solved;
   Outcome outcome;
   bool return_passes = false;
   bool traction_passes = false;
@@ -160,9 +161,10 @@ struct Trial {
 };
 
 Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double n, const Verify& verify) {
-  Peaks peaks;
   Trial trial;
-  trial.outcome = verify(pair_of(b, t), peaks);
+  trial.solved.ropes = pair_of(b, t);
+  trial.outcome = verify(trial.solved);
+  const Peaks peaks = trial.solved.peaks.value_or(Peaks{});
   trial.return_passes = b.breaking_force >= n * peaks.return_rope.tension;
   trial.traction_passes = t.breaking_force >= n * peaks.traction_rope.tension;
   return trial;
@@ -182,12 +184,15 @@ Outcome none_strong_enough(const char* role, double n, const Candidates& all) {
 Outcome least_peaks(const Candidates& all, const Verify& verify, Peaks& least) {
   const auto lightest = std::min_element(
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.mass_per_length < b.mass_per_length; });
-  return verify(pair_of(*lightest, *lightest), least);
+  Solved solved{pair_of(*lightest, *lightest), {}, {}};
+  Outcome o = verify(solved);
+  least = solved.peaks.value_or(Peaks{});
+  return o;
 }
 
 }  // namespace
 
-Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Ropes& chosen) {
+Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Solved& chosen) {
   const Candidates all = candidates_of(filter);
   if (all.empty()) return infeasible("no rope of the catalogue fits choose_ropes: drop construction, core or grade");
   Peaks least;
@@ -201,19 +206,26 @@ Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Ropes& 
   for (;;) {
     Trial trial = try_pair(returns[b], tractions[t], n, verify);
     if (!trial.outcome.ok()) return trial.outcome;
-    if (trial.passes()) break;
+    if (trial.passes()) {
+      chosen = std::move(trial.solved);
+      break;
+    }
     if (!trial.return_passes && ++b == returns.size()) return none_strong_enough("return", n, all);
     if (!trial.traction_passes && ++t == tractions.size()) return none_strong_enough("traction", n, all);
   }
   // A row further up is not always heavier (fibre core, other standard): look back for a smaller one beside the
   // partner.
+  const auto passes = [&](std::size_t of_return, std::size_t of_traction) {
+    Trial trial = try_pair(returns[of_return], tractions[of_traction], n, verify);
+    if (trial.passes()) chosen = std::move(trial.solved);
+    return trial.passes();
+  };
   for (std::size_t i = 0; i < b; ++i) {
-    if (try_pair(returns[i], tractions[t], n, verify).passes()) b = i;
+    if (passes(i, t)) b = i;
   }
   for (std::size_t i = 0; i < t; ++i) {
-    if (try_pair(returns[b], tractions[i], n, verify).passes()) t = i;
+    if (passes(b, i)) t = i;
   }
-  chosen = pair_of(returns[b], tractions[t]);
   return {};
 }
 

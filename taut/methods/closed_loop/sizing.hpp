@@ -42,11 +42,23 @@ Peaks peaks_of(const Output& out);
 /// By the closed-form tier.
 Peaks closed_form_peaks_of(const Output& out);
 
+/// One position of a sweep.
+struct Row {
+  Outcome outcome;
+  Output out;
+};
+
+/// The ropes of a deck and its positions with them, each computed once.
+struct Solved {
+  Ropes ropes;
+  std::vector<Row> rows;       ///< in the order of the deck; midspan when it gives none
+  std::optional<Peaks> peaks;  ///< of both hauls; none: nobody has asked yet
+};
+
 /// The smallest ropes of the catalogue (by diameter, then area and breaking force) that keep MBF/T >= n with their own
-/// weights at every position. `verify` computes the peaks for two weights. The search steps each rope up until both
-/// pass, because each rope's weight raises both tensions. Infeasible: the filter or the catalogue has no such rope, or
-/// the deck itself is infeasible.
-Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(const Ropes&, Peaks&)>& verify,
-               Ropes& chosen);
+/// weights at every position. `verify` computes positions and peaks for the ropes in it. The search steps each rope up
+/// until both pass, because each rope's weight raises both tensions. Infeasible: the filter or the catalogue has no
+/// such rope, or the deck itself is infeasible.
+Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(Solved&)>& verify, Solved& chosen);
 
 }  // namespace taut::closed_loop

@@ -110,5 +110,7 @@ Outcome solve(const Input& in, Output& out);
 
 /// The result for a report: values, steps, checks, comparisons, tables, figures, and the strength of the rope.
 Result run(const Input& in);
+/// The same, with its values for whoever goes on from there.
+Result run(const Input& in, Output& out);
 
 }  // namespace taut::friction_drive

@@ -28,8 +28,8 @@ void add_comparisons(const Output& o, Result& r) {
       "without slip; (15), (16) contain the idler loss and put the reserve on the centrifugal tension too");
 }
 
-/// The two readings of k that are found, none, and the one at hand.
-Table readings(const Input& in) {
+/// The two readings of k that are found, none, and the one at hand, which `as_given` is of.
+Table readings(const Input& in, const Output& as_given) {
   Table t{"readings",
           "Readings of Andreev's k",
           {{"reading", si::one},
@@ -46,10 +46,13 @@ Table readings(const Input& in) {
        {"half the section about a diameter, 0.180 (1 - nu)", 0.180 * (1 - nu)},
        {"whole section about the contact, 0.8 (1 - nu)", 0.8 * (1 - nu)}}};
   for (const auto& [words, k] : all) {
-    Input at = in;
-    at.section_factor = k;
-    Output out;
-    solve(at, out);
+    Output out = as_given;
+    if (k != in.section_factor) {
+      Input at = in;
+      at.section_factor = k;
+      out = {};
+      solve(at, out);
+    }
     t.rows.push_back({std::string(words), k, out.phi, out.e, out.P_M, out.takeup_no_slip});
   }
   return t;
@@ -105,19 +108,23 @@ void add_assumptions(Result& r) {
 }  // namespace
 
 Result run(const Input& in) {
+  Output out;
+  return run(in, out);
+}
+
+Result run(const Input& in, Output& out) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   const auto rope = rope_of(in);
   Input with_area = in;
   if (rope && !in.rope_area) with_area.rope_area = rope->area;
-  Output out;
   Sheet<Num> s(m.short_source, Input::describe(), &with_area);
   const Outcome outcome = compute(with_area, s, out);
   s.move_to(r);
   r.status = outcome.status;
   r.message = outcome.message;
   add_assumptions(r);
-  if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings(in));
+  if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings(in, out));
   if (outcome.ok()) {
     add_warnings(in, out, r);
     add_comparisons(out, r);

@@ -23,9 +23,7 @@ void take_size(std::size_t k, const Output& from, Output& out) {
 }  // namespace
 
 template <class T>
-Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
-  if (position_count(in) == 1) return compute_at(in, 0, s, out);
-  const Governing governing = governing_positions(in);
+Outcome compute_governing(const Input& in, const Governing& governing, Sheet<T>& s, Output& out) {
   if (!governing.outcome.ok()) {
     compute_at(in, 0, s, out);  // the steps up to where it fails
     return governing.outcome;
@@ -39,6 +37,15 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
     take_size(k, there, out);
   }
   return outcome;
+}
+
+template Outcome compute_governing<double>(const Input&, const Governing&, Sheet<double>&, Output&);
+template Outcome compute_governing<Num>(const Input&, const Governing&, Sheet<Num>&, Output&);
+
+template <class T>
+Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
+  if (position_count(in) == 1) return compute_at(in, 0, s, out);
+  return compute_governing(in, governing_of(sweep(in)), s, out);
 }
 
 template Outcome compute<double>(const Input&, Sheet<double>&, Output&);

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -10,10 +9,6 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-
-namespace taut::catalogue {
-struct SectionRow;
-}
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
@@ -148,11 +143,6 @@ struct Output {
 
 const Method& about();
 
-struct ClampForces;
-/// The largest stress in a clamped mast of that section, including the moments from its own deflection, Pa; NaN where
-/// there is no equilibrium. The caller provides it, because the published method has no second order.
-using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
-
 /// The rules between fields that the deck violates, and names that the catalogue does not have. Paths below `input`.
 std::vector<Complaint> complaints(const Input& in);
 
@@ -162,13 +152,11 @@ std::vector<Complaint> complaints(const Input& in);
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 
-/// compute<double>: no allocation when [sigma] is given.
+/// compute<double>: of one carriage position without allocation when [sigma] is given.
 Outcome solve(const Input& in, Output& out);
 
-/// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section is
-/// chosen and checked for ropes hauled in and paid out, and by second order where `second` is given (sizing.hpp).
-Result run(const Input& in, const SecondOrder& second);
-/// The same by first order only.
+/// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section
+/// is chosen and checked for ropes hauled in and paid out, by first order; run.hpp has the same by second order.
 Result run(const Input& in);
 
 }  // namespace taut::mast_section

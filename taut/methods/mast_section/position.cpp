@@ -290,21 +290,18 @@ std::vector<Position> sweep(const Input& in) {
   return all;
 }
 
-Governing governing_positions(const Input& in) {
+Governing governing_of(const std::vector<Position>& positions) {
   Governing g;
   std::array<double, sizes.size()> most{};
   most.fill(-1);
-  Sheet<double> s;
-  for (std::size_t i = 0; i < position_count(in); ++i) {
-    Output out;
-    Outcome outcome = compute_at(in, i, s, out);
-    if (!outcome.ok()) {
-      if (most.front() < 0) g.outcome = std::move(outcome);
+  for (const Position& p : positions) {
+    if (!p.outcome.ok()) {
+      if (most.front() < 0) g.outcome = p.outcome;
       continue;
     }
     g.outcome = {};
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      if (out.*sizes[k] > most[k]) most[k] = out.*sizes[k], g.of[k] = i;
+      if (p.out.*sizes[k] > most[k]) most[k] = p.out.*sizes[k], g.of[k] = p.index;
     }
   }
   return g;

@@ -40,6 +40,11 @@ struct Governing {
   std::array<std::size_t, sizes.size()> of{};
   Outcome outcome;
 };
-Governing governing_positions(const Input& in);
+Governing governing_of(const std::vector<Position>& positions);
+
+/// The equations at the positions that govern, of several; of none that is feasible those of the first, up to where it
+/// fails. Instantiated for double and Num.
+template <class T>
+Outcome compute_governing(const Input& in, const Governing& governing, Sheet<T>& s, Output& out);
 
 }  // namespace taut::mast_section

@@ -69,7 +69,7 @@ TEST(MastSectionPosition, KindsMayHaveDifferentGoverningPositions) {
   in.span->carriage_position.clear();
   in.span->horizontal_tension = 9e3;
   for (int i = 1; i <= 300; ++i) in.span->carriage_position.push_back(i);
-  const Governing g = governing_positions(in);
+  const Governing g = governing_of(sweep(in));
   ASSERT_TRUE(g.outcome.ok());
   EXPECT_NE(g.of[0], g.of[1]);
   Output out;

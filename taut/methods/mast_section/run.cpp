@@ -1,3 +1,5 @@
+#include "taut/methods/mast_section/run.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +10,6 @@
 #include "taut/calc/shown.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
-#include "taut/methods/mast_section/mast_section.hpp"
-#include "taut/methods/mast_section/position.hpp"
-#include "taut/methods/mast_section/sizing.hpp"
 
 namespace taut::mast_section {
 namespace {
@@ -290,25 +289,38 @@ void add_figures(const Input& in, const Output& out, const std::vector<Position>
   r.figures.emplace_back(stress_plot(in, out, section));
 }
 
+/// Every carriage position, and the note of those that govern.
+Outcome solve_positions(const Input& in, Sheet<Num>& s, Solved& found, Output& out) {
+  if (position_count(in) == 1) {
+    Outcome outcome = compute_at(in, 0, s, out);
+    found.positions = {{0, out, outcome}};
+    found.governing = governing_of(found.positions);
+    return outcome;
+  }
+  found.positions = sweep(in);
+  found.governing = governing_of(found.positions);
+  return compute_governing(in, found.governing, s, out);
+}
+
 }  // namespace
 
-Result run(const Input& in) { return run(in, SecondOrder{}); }
+Result run(const Input& in) {
+  Solved found;
+  return run(in, SecondOrder{}, found);
+}
 
-Result run(const Input& in, const SecondOrder& second) {
+Result run(const Input& in, const SecondOrder& second, Solved& found) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   Output out;
   Sheet<Num> s(m.short_source, Input::describe(), &in);
-  const Outcome outcome = compute(in, s, out);
+  const Outcome outcome = solve_positions(in, s, found, out);
+  const std::vector<Position>& positions = found.positions;
   s.move_to(r);
   r.status = outcome.status;
   r.message = outcome.message;
   add_assumptions(in, r);
-  std::vector<Position> positions;
-  if (in.span) {
-    positions = sweep(in);
-    r.tables.push_back(positions_table(positions, out));
-  }
+  if (in.span) r.tables.push_back(positions_table(positions, out));
   if (outcome.ok()) {
     const auto lost = std::count_if(positions.begin(), positions.end(), [](const auto& p) { return !p.outcome.ok(); });
     if (lost > 0) {
@@ -319,10 +331,10 @@ Result run(const Input& in, const SecondOrder& second) {
       r.missing.push_back({"carriage positions", static_cast<int>(lost), static_cast<int>(positions.size()),
                            fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
     }
-    const std::vector<ClampForces> forces = clamp_forces(in);
+    found.forces = clamp_forces(in, positions);
     add_warnings(in, out, r);
-    const auto section = find_sections(in, forces, second, r);
-    if (section) check_section(in, *section, forces, s, r, out);
+    const auto& section = found.section = find_sections(in, found.forces, second, r);
+    if (section) check_section(in, *section, found.forces, s, r, out);
     if (!section) r.unjudged.emplace_back("mast");
     add_comparisons(in, out, r);
     add_figures(in, out, positions, section, r);

@@ -7,7 +7,6 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/steel.hpp"
-#include "taut/methods/mast_section/position.hpp"
 
 namespace taut::mast_section {
 namespace {
@@ -68,13 +67,6 @@ ClampForces paid_out(const Input& in, const Position& p) {
   return {o.N_payout, o.M_payout, p.index, true, {sky * across, sky * down}, {main * across, main * down}};
 }
 
-std::vector<Position> positions_of(const Input& in) {
-  if (in.span) return sweep(in);
-  Position only;
-  only.outcome = solve(in, only.out);
-  return {only};
-}
-
 }  // namespace
 
 StressLimit limit_of(const Input& in) {
@@ -97,20 +89,20 @@ std::string trust_of(const StressLimit& limit) {
   return unverified ? fmt::format("UNVERIFIED: {}", limit.steel->trust_text) : std::string(to_text(limit.steel->trust));
 }
 
-std::vector<ClampForces> clamp_forces(const Input& in) {
+std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions) {
   std::vector<ClampForces> all;
-  const auto add = [&](const Input& one) {
-    for (const Position& p : positions_of(one)) {
+  const auto add = [&all](const Input& one, const std::vector<Position>& solved) {
+    for (const Position& p : solved) {
       if (!p.outcome.ok()) continue;
       all.push_back(hauled_in(p));
       all.push_back(paid_out(one, p));
     }
   };
-  add(in);
+  add(in, positions);
   if (in.wrap == Wrap::paper) {
     Input geometric = in;
     geometric.wrap = Wrap::geometric;
-    add(geometric);
+    add(geometric, sweep(geometric));
   }
   return all;
 }

@@ -1,12 +1,13 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
-#include "taut/methods/mast_section/mast_section.hpp"
+#include "taut/methods/mast_section/position.hpp"
 
 namespace taut::mast_section {
 
@@ -25,9 +26,14 @@ struct ClampForces {
   BlockForce skyline = {}, mainline = {};
 };
 
-/// What a section must carry: at every carriage position that the method can do the ropes hauled in and paid out, by
-/// the wrap as asked for and, where that is the paper's, by the geometric one as well. Empty: no position is feasible.
-std::vector<ClampForces> clamp_forces(const Input& in);
+/// What a section must carry: at every carriage position that the method can do (`positions`: all of the deck) the
+/// ropes hauled in and paid out, by the wrap as asked for and, where that is the paper's, by the geometric one as well.
+/// Empty: no position is feasible.
+std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions);
+
+/// The largest stress anywhere in a clamped mast of that section with the moments of its own deflection, Pa; NaN where
+/// it finds no equilibrium. From outside: the published method does not know how.
+using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
 
 /// A catalogue section under the worst of several clamp forces.
 struct Assessment {

@@ -1,0 +1,12 @@
+#pragma once
+#include "taut/app/methods.hpp"
+
+/// What a design may put into the inputs of the published methods.
+namespace taut::app {
+
+MethodDesign design_of_loop();
+MethodDesign design_of_drive();
+MethodDesign design_of_boom();
+MethodDesign design_of_mast();
+
+}  // namespace taut::app

@@ -1,0 +1,71 @@
+#include "taut/app/method_deck.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "taut/app/design/design_method.hpp"
+#include "taut/app/method_checks.hpp"
+#include "taut/io/deck/read.hpp"
+
+namespace taut::app {
+
+const Description& MethodBlocks::describe() {
+  static const Description d = Describe<MethodBlocks>()
+                                   .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
+                                   .record(&MethodBlocks::design, "design", "free choices; the best one that passes all checks is found");
+  return d;
+}
+
+std::vector<rope::RopeUse> MethodDeck::ropes(const Result* r) const {
+  std::vector<rope::RopeUse> all = method->ropes(input, r);
+  for (rope::RopeUse& use : all) {
+    if (const auto row = chosen.find(use.name); row != chosen.end()) use.rope = row->second;
+  }
+  return all;
+}
+
+tl::expected<study::Parameter, std::string> MethodDeck::parameter(const std::string& path) {
+  return study::find_parameter(*method->input, input.place(), path.starts_with("input.") ? path.substr(6) : path);
+}
+
+Result MethodDeck::calculate() const {
+  Result r = method->run(input);
+  if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);
+  std::erase_if(r.unjudged, [&](const std::string& part) {
+    return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
+  });
+  return r;
+}
+
+checks::AskedChecks MethodDeck::resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const {
+  const std::vector<Complaint> broken = method->complaints(input);
+  io::place(node, broken, mistakes);
+  if (!broken.empty() || !blocks.checks) return {};
+  std::vector<Complaint> complaints;
+  checks::AskedChecks found = resolve_checks(*blocks.checks, ropes(nullptr), method->about->name, complaints);
+  io::place(*others, complaints, mistakes);
+  return found;
+}
+
+std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
+                                       const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes) {
+  MethodDeck deck{.method = &method, .input = method.input_of_defaults()};
+  const std::size_t before = mistakes.size();
+  io::read(node, *method.input, deck.input.place(), "the input of " + method.about->name, mistakes);
+  if (others != nullptr) io::read(*others, MethodBlocks::describe(), &deck.blocks, "the deck", mistakes);
+  if (mistakes.size() > before) return {};
+  if (!deck.blocks.design) {
+    deck.asked = deck.resolve(node, others, mistakes);
+    if (mistakes.size() > before) return {};
+    return [deck = std::move(deck)] { return deck.calculate(); };
+  }
+  design::DesignSpace space = method_space(*others, deck, mistakes);
+  if (mistakes.size() > before) return {};
+  // what is free is read as the first of its candidates
+  deck.asked = with_design(deck, space, design::first_place(space)).resolve(node, others, mistakes);
+  if (mistakes.size() > before) return {};
+  return [task = method_task(std::move(deck), std::move(space), progress)] { return design::run_design(task); };
+}
+
+}  // namespace taut::app

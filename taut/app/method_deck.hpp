@@ -1,0 +1,52 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/app/methods.hpp"
+#include "taut/calc/progress.hpp"
+#include "taut/checks/asked_checks.hpp"
+#include "taut/checks/checks_deck.hpp"
+#include "taut/design/design.hpp"
+#include "taut/io/deck/node.hpp"
+#include "taut/study/deck/parameter.hpp"
+
+namespace taut::app {
+
+/// The blocks of a deck beside its input.
+struct MethodBlocks {
+  std::optional<checks::ChecksRequest> checks;
+  std::optional<design::DesignRequest> design;
+  static const Description& describe();
+};
+
+/// A deck of a method as read, or as a design has changed it. A value: a copy is another deck.
+struct MethodDeck {
+  const MethodEntry* method = nullptr;
+  MethodInput input;
+  MethodBlocks blocks = {};
+  checks::AskedChecks asked = {};                         ///< what its checks name, as resolve() has found it
+  std::map<std::string, catalogue::RopeRow> chosen = {};  ///< ropes that a design has put in
+
+  /// Its ropes; with a result also with the tensions in it.
+  std::vector<rope::RopeUse> ropes(const Result* r) const;
+
+  /// A number of the input, by its path with or without "input.".
+  tl::expected<study::Parameter, std::string> parameter(const std::string& path);
+
+  /// The method and the checks of the deck.
+  Result calculate() const;
+
+  /// Notes what is wrong with input and checks at their places; `others`: the map with the blocks.
+  checks::AskedChecks resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const;
+};
+
+/// Reads `node`, the deck's input (and of the map `others` the blocks `checks` and `design`, where the deck has any)
+/// and notes every mistake; without mistakes returns the calculation, ready to be called; else an empty one.
+/// `progress`: as in a Job.
+std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
+                                       const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes);
+
+}  // namespace taut::app
