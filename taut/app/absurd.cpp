@@ -156,7 +156,13 @@ struct DeepSag {
 void note(DeepSag& worst, double sag, double span, const machine::Reeving& rope, const machine::Node& from,
           const machine::Node& to, const std::string& state) {
   if (!(span > 0) || !(sag > worst.share * span)) return;
-  worst = {sag / span, sag, span, rope.name, from.name, to.name, state};
+  worst = {.share = sag / span,
+           .sag = sag,
+           .span = span,
+           .rope = rope.name,
+           .from = from.name,
+           .to = to.name,
+           .state = state};
 }
 
 void note_spans(const results::Answer& answer, DeepSag& worst) {

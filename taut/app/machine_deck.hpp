@@ -24,7 +24,9 @@ struct MachineDeck {
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.
-  operator checks::CheckedDeck() const { return {machine, analyses, checks, chosen}; }
+  operator checks::CheckedDeck() const {
+    return {.machine = machine, .analyses = analyses, .checks = checks, .chosen = chosen};
+  }
 };
 
 }  // namespace taut::app

@@ -32,7 +32,7 @@ design::DesignSpace method_space(const io::Node& block, const design::DesignRequ
   if (copy.checks != nullptr) add_masts(copy.checks->masts, parts.sections);
   parts.parameter = copy.parameter;
   if (!design.ropes.empty() && !copy.refused.empty()) {
-    io::place(block, {{"design.ropes", copy.refused}}, mistakes);
+    io::place(block, {{.path = "design.ropes", .message = copy.refused}}, mistakes);
   }
   return design_space(block, design, parts, mistakes);
 }
@@ -91,7 +91,7 @@ design::DesignTask method_task(const design::DesignRequest& design, design::Desi
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const auto fresh = copy();
       put_design(*fresh, *own, place, load_case);
-      design::DesignRun done{fresh->run(), 0};
+      design::DesignRun done{.result = fresh->run(), .tension = 0};
       if (depth != design::Depth::report) design::disregard(design.disregard, done.result);
       done.tension = tension_of(*fresh, done.result, design.of);
       return done;

@@ -45,7 +45,7 @@ std::string words_of(const RuleRow& row) {
 /// The end of a range that is safe: the high one of what must be reached, the low one of what must not be passed.
 enum class SafeEnd { low, high };
 Limit limit_of(const RuleRow& row, SafeEnd end) {
-  Limit limit{end == SafeEnd::high ? *row.high : *row.low, words_of(row), trust_of(row)};
+  Limit limit{.value = end == SafeEnd::high ? *row.high : *row.low, .rule = words_of(row), .trust = trust_of(row)};
   if (*row.low != *row.high) {
     const bool angle = row.unit == "rad";
     const double shown = angle ? std::numbers::pi / 180 : 1;
@@ -98,8 +98,9 @@ class RopeRuleReader {
       if (row.id == "safety.skyline_elastic_limit") continue;
       known.push_back(row.id.substr(std::string_view("safety.").size()));
     }
-    complain(key, to_text(catalogue::LookupError{fmt::format("there is no field of use '{}'", name),
-                                                 catalogue::nearest_names(name, known, catalogue::suggested)}) +
+    complain(key, to_text(catalogue::LookupError{
+                      .message = fmt::format("there is no field of use '{}'", name),
+                      .candidates = catalogue::nearest_names(name, known, catalogue::suggested)}) +
                       "; taut list rules --name safety");
   }
 
@@ -121,7 +122,7 @@ class RopeRuleReader {
     ids_.push_back(row->id);
     if (begins(row->id, {"safety.crane_", "safety.ropeway_"})) rules_.factor_covers_bending = true;
     if (row->id == "safety.crane_running.en13001") {
-      rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+      rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
     } else if (row->low) {
       rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
     }
@@ -136,7 +137,7 @@ class RopeRuleReader {
     }
     if (request_.en13001 && !rules_.resistance) {
       if (const auto row = rule_named("safety.crane_running.en13001")) {
-        rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+        rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
       }
     }
     if (request_.en13001 && request_.en13001->bends) {
@@ -154,10 +155,12 @@ class RopeRuleReader {
     }
     if (request_.hoist) hoist(*request_.hoist);
     if (request_.dynamic_safety_factor) {
-      rules_.dynamic_safety = Limit{*request_.dynamic_safety_factor, "dynamic safety factor of the deck", "user"};
+      rules_.dynamic_safety =
+          Limit{.value = *request_.dynamic_safety_factor, .rule = "dynamic safety factor of the deck", .trust = "user"};
     }
     if (request_.elastic_limit) {
-      rules_.elastic_share = Limit{*request_.elastic_limit, "elastic limit of the deck", "user"};
+      rules_.elastic_share =
+          Limit{.value = *request_.elastic_limit, .rule = "elastic limit of the deck", .trust = "user"};
     } else if (const auto row = rule_named("safety.skyline_elastic_limit")) {
       rules_.elastic_share = limit_of(*row, SafeEnd::low);
     }
@@ -178,8 +181,9 @@ class RopeRuleReader {
 
   void termination() {
     if (request_.termination_efficiency) {
-      rules_.termination = Limit{*request_.termination_efficiency,
-                                 request_.termination.value_or("the termination") + ", efficiency of the deck", "user"};
+      rules_.termination = Limit{.value = *request_.termination_efficiency,
+                                 .rule = request_.termination.value_or("the termination") + ", efficiency of the deck",
+                                 .trust = "user"};
     } else if (request_.termination) {
       named_termination(*request_.termination);
     }
@@ -237,7 +241,7 @@ class RopeRuleReader {
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
       const double upto = degrees_of(row) + freezing;
-      rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
+      rules_.hottest = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }
@@ -245,7 +249,7 @@ class RopeRuleReader {
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != *request_.termination) continue;
       const double upto = degrees_of(row) + freezing;
-      rules_.hottest_end = Limit{upto, words_of(row), trust_of(row)};
+      rules_.hottest_end = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
     }
   }
 
@@ -260,10 +264,10 @@ class RopeRuleReader {
   void ratios() {
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
-      const Limit sheave{request_.diameter_ratio.front(), "D/d of the deck", "user"};
+      const Limit sheave{.value = request_.diameter_ratio.front(), .rule = "D/d of the deck", .trust = "user"};
       rules_.sheave_ratios = {sheave};
       rules_.compensating_ratios = {sheave};
-      rules_.drum_ratios = {{request_.diameter_ratio.back(), "D/d of the deck", "user"}};
+      rules_.drum_ratios = {{.value = request_.diameter_ratio.back(), .rule = "D/d of the deck", .trust = "user"}};
       return;
     }
     rules_.runs = runs();
@@ -314,7 +318,8 @@ class RopeRuleReader {
     static constexpr const char* names[] = {"", "wood", "cast_iron", "cast_steel", "chilled_iron", "manganese_steel"};
     const std::string group = catalogue::construction_class(rope_.construction);
     if (request_.groove_pressure) {
-      rules_.groove_pressure = Limit{*request_.groove_pressure, "groove pressure of the deck", "user"};
+      rules_.groove_pressure =
+          Limit{.value = *request_.groove_pressure, .rule = "groove pressure of the deck", .trust = "user"};
     } else if (request_.groove != Groove::none) {
       const auto row = rule_named(fmt::format("pressure.{}.{}", names[static_cast<int>(request_.groove)], group));
       if (row) {
@@ -327,7 +332,7 @@ class RopeRuleReader {
     }
     rules_.bending_modulus = request_.bending_modulus;
     if (request_.wire_diameter && rope_.diameter > 0) {
-      rules_.wire = Limit{*request_.wire_diameter / rope_.diameter, "of the deck", "user"};
+      rules_.wire = Limit{.value = *request_.wire_diameter / rope_.diameter, .rule = "of the deck", .trust = "user"};
     } else if (const auto row = rule_named("wire." + group); row && !group.empty()) {
       rules_.wire = limit_of(*row, SafeEnd::high);
       rules_.wire->rule = fmt::format("{:.3g} d for class {}", rules_.wire->value, group);
@@ -338,7 +343,7 @@ class RopeRuleReader {
     rules_.rated_pull = request_.rated_pull;
     const bool grooved = request_.drum == DrumFace::grooved;
     if (request_.fleet_angle) {
-      rules_.fleet_angle = Limit{*request_.fleet_angle, "fleet angle of the deck", "user"};
+      rules_.fleet_angle = Limit{.value = *request_.fleet_angle, .rule = "fleet angle of the deck", .trust = "user"};
     } else if (request_.drum != DrumFace::unsaid) {
       const auto row = rule_named(grooved ? "layout.fleet_angle_grooved" : "layout.fleet_angle_smooth");
       if (row) rules_.fleet_angle = limit_of(*row, SafeEnd::low);

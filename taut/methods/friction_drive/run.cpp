@@ -30,15 +30,15 @@ void add_comparisons(const Output& o, Result& r) {
 
 /// The two readings of k that are found, none, and the one at hand.
 Table readings(const Input& in) {
-  Table t{"readings",
-          "Readings of Andreev's k",
-          {{"reading", si::one},
-           {"k", si::one},
-           {"phi", si::rad},
-           {"e", si::one},
-           {"P_M", si::N},
-           {"takeup_no_slip", si::N}},
-          {}};
+  Table t{.name = "readings",
+          .title = "Readings of Andreev's k",
+          .columns = {{.name = "reading", .unit = si::one},
+                      {.name = "k", .unit = si::one},
+                      {.name = "phi", .unit = si::rad},
+                      {.name = "e", .unit = si::one},
+                      {.name = "P_M", .unit = si::N},
+                      {.name = "takeup_no_slip", .unit = si::N}},
+          .rows = {}};
   constexpr double nu = 0.3;
   const std::array<std::pair<const char*, double>, 4> all{
       {{"as given", in.section_factor},
