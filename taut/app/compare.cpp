@@ -103,7 +103,8 @@ class DeckRuns {
     const double before = static_cast<double>(all_.size() - 1) / static_cast<double>(count_);
     if (set_.progress) {
       run_job.progress = [this, before, &one](const Progress& p) {
-        return set_.progress({one.deck, before + p.done / static_cast<double>(count_), p.words});
+        return set_.progress(
+            {.what = one.deck, .done = before + p.done / static_cast<double>(count_), .words = p.words});
       };
     }
     made = run(run_job);
@@ -187,8 +188,10 @@ void add_compared_table(const std::vector<ComparedRow>& rows, const Display& dis
   Table t;
   t.name = "compared";
   t.title = "Published, reference, and what taut gives";
-  t.columns = {{"what", si::one},         {"published", si::one},    {"reference", si::one}, {"taut", si::one},
-               {"to_published", si::one}, {"to_reference", si::one}, {"verdict", si::one},   {"note", si::one}};
+  t.columns = {{.name = "what", .unit = si::one},         {.name = "published", .unit = si::one},
+               {.name = "reference", .unit = si::one},    {.name = "taut", .unit = si::one},
+               {.name = "to_published", .unit = si::one}, {.name = "to_reference", .unit = si::one},
+               {.name = "verdict", .unit = si::one},      {.name = "note", .unit = si::one}};
   for (const ComparedRow& row : rows) {
     t.rows.push_back({row.what, shown_value(display, row.published, row.unit),
                       shown_value(display, row.reference, row.unit), shown_value(display, row.value, row.unit),
@@ -210,7 +213,7 @@ void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
     const auto add = [&](const char* to, double of, double by, const char* rule) {
       if (std::isnan(by)) return;
       r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), row.unit,
-                                    {Sense::at_most, by, rule, "user"}));
+                                    {.sense = Sense::at_most, .limit = by, .rule = rule, .trust = "user"}));
       r.checks.back().part = case_of_row(row.what);
     };
     add("to the published value", row.published, row.tolerance, "published");
@@ -223,9 +226,10 @@ void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
   p.name = "deviations";
   p.title = "Deviations";
   p.caption = "By the row of the table; results over the published value and over the reference.";
-  p.x = {"row of the table", si::one};
-  p.y = {"result over it", si::one};
-  Curve published{"published", {}, {}, false, true}, reference{"reference", {}, {}, false, true};
+  p.x = {.label = "row of the table", .unit = si::one};
+  p.y = {.label = "result over it", .unit = si::one};
+  Curve published{.label = "published", .x = {}, .y = {}, .dashed = false, .points_only = true},
+      reference{.label = "reference", .x = {}, .y = {}, .dashed = false, .points_only = true};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto add = [&](Curve& c, double of) {
       if (std::isnan(rows[i].value) || std::isnan(of) || of == 0) return;

@@ -123,7 +123,7 @@ tl::expected<Job, FileError> read_job(const std::string& path) {
   const std::string name = path == "-" ? "<stdin>" : path;
   auto text = open_already ? io::read_open(*open_already, name) : io::read_file(path);
   if (!text) return tl::unexpected(FileError{std::move(text.error().message)});
-  return Job{std::move(*text), name, {}, {}};
+  return Job{.text = std::move(*text), .name = name, .set = {}, .progress = {}};
 }
 
 tl::expected<void, FileError> check_folder(const std::string& folder) {

@@ -49,7 +49,7 @@ std::string text_in(const Table& t, std::size_t row, const std::string& column) 
   return {};
 }
 
-void one_end(rope::RopeUse& use) { use.ends = {{"an end", use.tension}}; }
+void one_end(rope::RopeUse& use) { use.ends = {{.name = "an end", .tension = use.tension}}; }
 
 }  // namespace
 

@@ -55,7 +55,7 @@ struct TerrainColumns {
 };
 
 TerrainColumns named_columns(const std::vector<std::string_view>& head) {
-  TerrainColumns columns{column_of(head, {"x"}), column_of(head, {"y"}), column_of(head, {"z"})};
+  TerrainColumns columns{.x = column_of(head, {"x"}), .y = column_of(head, {"y"}), .z = column_of(head, {"z"})};
   if (columns.x && columns.y) return columns;
   columns.y.reset();
   if (!columns.x) columns.x = column_of(head, {"chainage", "station"});
@@ -66,8 +66,8 @@ TerrainColumns named_columns(const std::vector<std::string_view>& head) {
 TerrainColumns columns_by_count(const std::vector<std::string_view>& cells) {
   if (!std::all_of(cells.begin(), cells.end(), [](std::string_view c) { return parse_number(c).has_value(); }))
     return {};
-  if (cells.size() == 2) return {0, std::nullopt, 1};
-  if (cells.size() == 3) return {0, 1, 2};
+  if (cells.size() == 2) return {.x = 0, .y = std::nullopt, .z = 1};
+  if (cells.size() == 3) return {.x = 0, .y = 1, .z = 2};
   return {};
 }
 
@@ -87,13 +87,15 @@ class TerrainReader {
       if (!take(cells_of(line_))) return;
     }
     if (mistakes_.size() == before_ && terrain_.x.size() < 2) {
-      mistakes_.push_back({file_, {std::max(number_, 1), 1}, "a ground profile has two points at least", {}, 1});
+      mistakes_.push_back(
+          {file_, {.line = std::max(number_, 1), .column = 1}, "a ground profile has two points at least", {}, 1});
     }
   }
 
  private:
   void wrong(std::string message) {
-    mistakes_.push_back({file_, {number_, 1}, std::move(message), std::string(trimmed(line_).substr(0, 200)), 1});
+    mistakes_.push_back(
+        {file_, {.line = number_, .column = 1}, std::move(message), std::string(trimmed(line_).substr(0, 200)), 1});
   }
 
   /// False where there is no use in reading on.

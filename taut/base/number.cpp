@@ -34,7 +34,7 @@ Ends ends_of(std::string_view text) {
     if (digits > 0) end = fraction;
   }
   if (digits == 0) return {};
-  Ends ends{end, end};
+  Ends ends{.mantissa = end, .number = end};
   if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
     const bool sign = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-');
     const std::size_t power = end + (sign ? 2 : 1);
@@ -64,7 +64,7 @@ NumberAtFront number_at_front(std::string_view text) {
   const double value = nearest_double(text.substr(0, ends.number));
   const bool is_zero = std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(ends.mantissa),
                                    [](char c) { return !is_digit(c) || c == '0'; });
-  return {value, ends.number, std::isfinite(value) && (value != 0 || is_zero)};
+  return {.value = value, .length = ends.number, .in_range = std::isfinite(value) && (value != 0 || is_zero)};
 }
 
 std::optional<double> parse_double(std::string_view text) {

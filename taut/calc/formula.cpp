@@ -62,18 +62,23 @@ std::string write(const FormulaNode& node, Leaf leaf) {
 
 }  // namespace
 
-Formula make_number(double value) { return std::make_shared<FormulaNode>(FormulaNode{Op::number, value, {}, {}}); }
+Formula make_number(double value) {
+  return std::make_shared<FormulaNode>(FormulaNode{.op = Op::number, .value = value, .name = {}, .arguments = {}});
+}
 
 Formula make_symbol(std::string name, double value) {
-  return std::make_shared<FormulaNode>(FormulaNode{Op::symbol, value, std::move(name), {}});
+  return std::make_shared<FormulaNode>(
+      FormulaNode{.op = Op::symbol, .value = value, .name = std::move(name), .arguments = {}});
 }
 
 Formula make_node(Op op, std::vector<Formula> arguments, double value) {
-  return std::make_shared<FormulaNode>(FormulaNode{op, value, {}, std::move(arguments)});
+  return std::make_shared<FormulaNode>(
+      FormulaNode{.op = op, .value = value, .name = {}, .arguments = std::move(arguments)});
 }
 
 Formula make_call(std::string function, std::vector<Formula> arguments, double value) {
-  return std::make_shared<FormulaNode>(FormulaNode{Op::call, value, std::move(function), std::move(arguments)});
+  return std::make_shared<FormulaNode>(
+      FormulaNode{.op = Op::call, .value = value, .name = std::move(function), .arguments = std::move(arguments)});
 }
 
 std::string number_text(double value) { return fmt::format("{:.6g}", value); }

@@ -30,7 +30,9 @@ struct Outcome {
   bool ok() const { return status == Status::ok; }
 };
 
-inline Outcome infeasible(std::string message) { return {Status::infeasible, std::move(message)}; }
-inline Outcome not_converged(std::string message) { return {Status::not_converged, std::move(message)}; }
+inline Outcome infeasible(std::string message) { return {.status = Status::infeasible, .message = std::move(message)}; }
+inline Outcome not_converged(std::string message) {
+  return {.status = Status::not_converged, .message = std::move(message)};
+}
 
 }  // namespace taut

@@ -25,7 +25,8 @@ template <class Row>
 struct Quantity {
   Quantity(std::string name, std::string symbol, const Unit& unit, std::string words,
            std::function<Cell(const Row&)> getter)
-      : about{std::move(name), std::move(symbol), unit, std::move(words)}, of(std::move(getter)) {}
+      : about{.name = std::move(name), .symbol = std::move(symbol), .unit = unit, .words = std::move(words)},
+        of(std::move(getter)) {}
 
   QuantityWords about;
   std::function<Cell(const Row&)> of;  ///< its number in SI (NaN: none here), or its text
@@ -85,7 +86,7 @@ void add_cells(std::vector<Cell>& cells, const Quantities<Row>& quantities, cons
 /// A table with a column for each quantity and a line for each row.
 template <class Row>
 Table make_table(std::string name, std::string title, const Quantities<Row>& quantities, const std::vector<Row>& rows) {
-  Table t{std::move(name), std::move(title), {}, {}};
+  Table t{.name = std::move(name), .title = std::move(title), .columns = {}, .rows = {}};
   add_columns(t.columns, quantities);
   for (const Row& row : rows) add_cells(t.rows.emplace_back(), quantities, row);
   return t;

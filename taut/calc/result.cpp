@@ -190,16 +190,16 @@ Result result_of(const Method& method, const Description& input, const void* val
 }
 
 Table comparison_table(const std::vector<Comparison>& all) {
-  Table t{"comparison",
-          "Printed, corrected and exact",
-          {{"quantity", si::one},
-           {"symbol", si::one},
-           {"unit", si::one},
-           {"printed", si::one},
-           {"corrected", si::one},
-           {"exact", si::one},
-           {"build_by", si::one}},
-          {}};
+  Table t{.name = "comparison",
+          .title = "Printed, corrected and exact",
+          .columns = {{.name = "quantity", .unit = si::one},
+                      {.name = "symbol", .unit = si::one},
+                      {.name = "unit", .unit = si::one},
+                      {.name = "printed", .unit = si::one},
+                      {.name = "corrected", .unit = si::one},
+                      {.name = "exact", .unit = si::one},
+                      {.name = "build_by", .unit = si::one}},
+          .rows = {}};
   for (const Comparison& c : all) {
     t.rows.push_back({c.quantity, c.symbol, std::string(c.unit.symbol), c.printed, c.corrected, c.exact, c.build_by});
   }

@@ -99,7 +99,9 @@ void Sheet<Num>::add_warning(std::string words) {
 void Sheet<Num>::check(const char* name, const Num& x, const Unit& unit, const SheetBound<Num>& bound) {
   const bool alike = x.dimension() == unit.dimension && bound.limit.dimension() == unit.dimension;
   expects(alike, "a check compares unlike quantities");
-  checks_.push_back(make_check(name, x.value(), unit, {bound.sense, bound.limit.value(), bound.rule, bound.trust}));
+  checks_.push_back(
+      make_check(name, x.value(), unit,
+                 {.sense = bound.sense, .limit = bound.limit.value(), .rule = bound.rule, .trust = bound.trust}));
 }
 
 void Sheet<Num>::move_to(Result& r) {

@@ -44,7 +44,7 @@ Verdict failing(const Result& r, std::vector<const Check*> failed) {
     if (c != failed.front()) others.push_back(c->name);
   }
   if (!others.empty()) reason += fmt::format("; fails too: {}", listed(others));
-  return {VerdictKind::fails, {}, std::move(reason)};
+  return {.kind = VerdictKind::fails, .verdict_class = {}, .reason = std::move(reason)};
 }
 
 std::string missing_words(const MissingStates& m) {
@@ -55,10 +55,13 @@ std::string missing_words(const MissingStates& m) {
 std::optional<Verdict> not_judged(const Result& r) {
   if (!r.unmade.empty()) {
     const std::size_t more = r.unmade.size() - 1;
-    return Verdict{VerdictKind::not_judged, "unmade",
-                   r.unmade.front() + (more > 0 ? fmt::format(" (and {} more)", more) : std::string{})};
+    return Verdict{.kind = VerdictKind::not_judged,
+                   .verdict_class = "unmade",
+                   .reason = r.unmade.front() + (more > 0 ? fmt::format(" (and {} more)", more) : std::string{})};
   }
-  if (!r.missing.empty()) return Verdict{VerdictKind::not_judged, "unmade", missing_words(r.missing.front())};
+  if (!r.missing.empty())
+    return Verdict{
+        .kind = VerdictKind::not_judged, .verdict_class = "unmade", .reason = missing_words(r.missing.front())};
   std::vector<std::string> refused;
   for (const Check& c : r.checks) {
     if (c.refused) refused.push_back(c.name);
@@ -66,15 +69,21 @@ std::optional<Verdict> not_judged(const Result& r) {
   if (!refused.empty()) {
     const auto first = std::find_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.refused; });
     return Verdict{
-        VerdictKind::not_judged, "unverified",
-        fmt::format("{} {}: {}", listed(refused),
-                    refused.size() == 1 ? "rests on an unverified limit" : "rest on unverified limits", first->rule)};
+        .kind = VerdictKind::not_judged,
+        .verdict_class = "unverified",
+        .reason = fmt::format("{} {}: {}", listed(refused),
+                              refused.size() == 1 ? "rests on an unverified limit" : "rest on unverified limits",
+                              first->rule)};
   }
   if (!r.unjudged.empty()) {
-    return Verdict{VerdictKind::not_judged, "unasked", fmt::format("no limit is given for {}", listed(r.unjudged))};
+    return Verdict{.kind = VerdictKind::not_judged,
+                   .verdict_class = "unasked",
+                   .reason = fmt::format("no limit is given for {}", listed(r.unjudged))};
   }
   const bool limited = std::any_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.limits; });
-  if (!limited) return Verdict{VerdictKind::not_judged, "unasked", "nothing is checked against a limit"};
+  if (!limited)
+    return Verdict{
+        .kind = VerdictKind::not_judged, .verdict_class = "unasked", .reason = "nothing is checked against a limit"};
   return std::nullopt;
 }
 
@@ -117,15 +126,16 @@ Verdict judged(const Result& r) {
   }
   // A state that exists and fails says more than one that does not exist.
   if (!failed.empty()) return failing(r, std::move(failed));
-  if (r.status != Status::ok && !r.interrupted) return {VerdictKind::no_answer, {}, r.message};
-  if (r.interrupted) return {VerdictKind::not_judged, "unmade", r.message};
+  if (r.status != Status::ok && !r.interrupted)
+    return {.kind = VerdictKind::no_answer, .verdict_class = {}, .reason = r.message};
+  if (r.interrupted) return {.kind = VerdictKind::not_judged, .verdict_class = "unmade", .reason = r.message};
   if (auto open = not_judged(r)) return *std::move(open);
   const std::string best = r.headline.empty() ? governing(r) : r.headline;
   const std::vector<std::string> unsafe = unsafe_of(r);
-  if (unsafe.empty()) return {VerdictKind::passes, {}, best};
+  if (unsafe.empty()) return {.kind = VerdictKind::passes, .verdict_class = {}, .reason = best};
   std::string reason = unsafe.front();
   if (unsafe.size() > 1) reason += fmt::format(" (and {} more)", unsafe.size() - 1);
-  return {VerdictKind::passes_with_warnings, {}, reason};
+  return {.kind = VerdictKind::passes_with_warnings, .verdict_class = {}, .reason = reason};
 }
 
 /// One sentence: a capital letter, one full stop.

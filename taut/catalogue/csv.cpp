@@ -31,16 +31,16 @@ double si_value_of(std::string_view column, double value) {
     double divisor;
   };
   // Powers of ten that a double holds exactly, dividing by which rounds once. Longest suffix first.
-  static constexpr std::array<Unit, 10> units{{{"_kg_per_100m_per_mm2", 1e4, 1.0},
-                                               {"_kg_per_m", 1.0, 1.0},
-                                               {"_mm2", 1.0, 1e6},
-                                               {"_mm3", 1.0, 1e9},
-                                               {"_mm4", 1.0, 1e12},
-                                               {"_mm", 1.0, 1e3},
-                                               {"_MPa", 1e6, 1.0},
-                                               {"_GPa", 1e9, 1.0},
-                                               {"_kN", 1e3, 1.0},
-                                               {"_m", 1.0, 1.0}}};
+  static constexpr std::array<Unit, 10> units{{{.suffix = "_kg_per_100m_per_mm2", .multiplier = 1e4, .divisor = 1.0},
+                                               {.suffix = "_kg_per_m", .multiplier = 1.0, .divisor = 1.0},
+                                               {.suffix = "_mm2", .multiplier = 1.0, .divisor = 1e6},
+                                               {.suffix = "_mm3", .multiplier = 1.0, .divisor = 1e9},
+                                               {.suffix = "_mm4", .multiplier = 1.0, .divisor = 1e12},
+                                               {.suffix = "_mm", .multiplier = 1.0, .divisor = 1e3},
+                                               {.suffix = "_MPa", .multiplier = 1e6, .divisor = 1.0},
+                                               {.suffix = "_GPa", .multiplier = 1e9, .divisor = 1.0},
+                                               {.suffix = "_kN", .multiplier = 1e3, .divisor = 1.0},
+                                               {.suffix = "_m", .multiplier = 1.0, .divisor = 1.0}}};
   for (const Unit& unit : units) {
     if (column.ends_with(unit.suffix)) return value * unit.multiplier / unit.divisor;
   }
@@ -61,13 +61,14 @@ void CsvReader::check_encoding() {
   const auto lines = std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
   const auto line_start = text_.rfind('\n', nul);
   const std::size_t column = line_start == std::string_view::npos ? nul + 1 : nul - line_start;
-  note({static_cast<int>(lines) + 1, static_cast<int>(column)}, "a NUL byte: the table must be UTF-8 text");
+  note({.line = static_cast<int>(lines) + 1, .column = static_cast<int>(column)},
+       "a NUL byte: the table must be UTF-8 text");
   stopped_ = true;
 }
 
 void CsvReader::read_header() {
   if (!read_record()) {
-    if (!failed()) note({1, 1}, "the table is empty: its first line must name the columns");
+    if (!failed()) note({.line = 1, .column = 1}, "the table is empty: its first line must name the columns");
     stopped_ = true;
     return;
   }
@@ -95,7 +96,8 @@ void CsvReader::read_header() {
     index = static_cast<std::ptrdiff_t>(i);
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].required && index_[i] < 0) note({1, 1}, fmt::format("column '{}' is missing", columns_[i].name));
+    if (columns_[i].required && index_[i] < 0)
+      note({.line = 1, .column = 1}, fmt::format("column '{}' is missing", columns_[i].name));
   }
   // Cells of a table with a broken header would only repeat its mistakes.
   stopped_ = failed();

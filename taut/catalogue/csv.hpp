@@ -87,7 +87,7 @@ class CsvReader {
   std::size_t cells_ = 0;  // of record_ in use; the rest keeps its memory for later records
   std::size_t header_cells_ = 0;
   std::size_t at_ = 0;
-  Place place_{1, 1};
+  Place place_{.line = 1, .column = 1};
   Place record_place_;
   bool stopped_ = false;
   std::unordered_map<std::string, std::unordered_map<std::string, int>> seen_;  // column -> text -> line

@@ -82,7 +82,7 @@ std::string listed(const std::vector<std::string>& texts, std::size_t count) {
 }
 
 tl::unexpected<LookupError> failure(std::string message, std::vector<std::string> candidates) {
-  return tl::unexpected(LookupError{std::move(message), std::move(candidates)});
+  return tl::unexpected(LookupError{.message = std::move(message), .candidates = std::move(candidates)});
 }
 
 std::string to_text(const LookupError& error) {

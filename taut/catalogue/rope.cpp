@@ -51,19 +51,19 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
 
 tl::expected<std::vector<RopeRow>, Diagnostics> read_ropes(std::string_view csv_text, std::string file) {
   CsvReader csv(csv_text, std::move(file),
-                {{"id"},
-                 {"standard"},
-                 {"construction"},
-                 {"core"},
-                 {"d_mm"},
-                 {"area_mm2"},
-                 {"mass_kg_per_m"},
-                 {"grade_MPa"},
-                 {"mbf_kN"},
-                 {"trust"},
-                 {"area_trust", false},
-                 {"price_per_m", false},
-                 {"trust_text", false}});
+                {{.name = "id"},
+                 {.name = "standard"},
+                 {.name = "construction"},
+                 {.name = "core"},
+                 {.name = "d_mm"},
+                 {.name = "area_mm2"},
+                 {.name = "mass_kg_per_m"},
+                 {.name = "grade_MPa"},
+                 {.name = "mbf_kN"},
+                 {.name = "trust"},
+                 {.name = "area_trust", .required = false},
+                 {.name = "price_per_m", .required = false},
+                 {.name = "trust_text", .required = false}});
   std::vector<RopeRow> rows;
   std::size_t mistakes = 0;
   while (csv.next()) {

@@ -11,15 +11,15 @@ namespace taut::catalogue {
 
 tl::expected<std::vector<RopeFactorRow>, Diagnostics> read_rope_factors(std::string_view csv_text, std::string file) {
   CsvReader csv(csv_text, std::move(file),
-                {{"construction"},
-                 {"core"},
-                 {"standard"},
-                 {"mass_factor_kg_per_100m_per_mm2"},
-                 {"area_factor"},
-                 {"breaking_factor"},
-                 {"fill_factor"},
-                 {"trust"},
-                 {"trust_text", false}});
+                {{.name = "construction"},
+                 {.name = "core"},
+                 {.name = "standard"},
+                 {.name = "mass_factor_kg_per_100m_per_mm2"},
+                 {.name = "area_factor"},
+                 {.name = "breaking_factor"},
+                 {.name = "fill_factor"},
+                 {.name = "trust"},
+                 {.name = "trust_text", .required = false}});
   std::vector<RopeFactorRow> rows;
   while (csv.next()) {
     RopeFactorRow row;
@@ -55,8 +55,9 @@ Found<RopeFactorRow> find_rope_factors(std::string_view construction, std::strin
     names.push_back(fmt::format("{}-{}", row.construction, row.core));
   }
   const std::string name = fmt::format("{}-{}", construction, core);
-  return tl::unexpected(LookupError{fmt::format("no factors for a rope {}; there are {}", name, listed(names, 30)),
-                                    nearest_names(name, names, 3)});
+  return tl::unexpected(
+      LookupError{.message = fmt::format("no factors for a rope {}; there are {}", name, listed(names, 30)),
+                  .candidates = nearest_names(name, names, 3)});
 }
 
 }  // namespace taut::catalogue

@@ -62,22 +62,22 @@ LookupError no_such_construction(const RopeDescription& wanted, const Rows& all)
   filter.construction = wanted.construction;
   const Rows built = kept(all, [&](const RopeRow& r) { return matches(r, filter); });
   if (built.empty()) {
-    return {fmt::format("no rope of construction {}; there are {}", in_quotes(wanted.construction),
-                        listed(constructions, 20)),
-            nearest_names(wanted.construction, constructions, suggested)};
+    return {.message = fmt::format("no rope of construction {}; there are {}", in_quotes(wanted.construction),
+                                   listed(constructions, 20)),
+            .candidates = nearest_names(wanted.construction, constructions, suggested)};
   }
   filter.standard = wanted.standard;
   const Rows standardised = kept(built, [&](const RopeRow& r) { return matches(r, filter); });
   if (standardised.empty()) {
     const auto standards = distinct(built, [](const RopeRow& r) { return r.standard; });
-    return {fmt::format("no {} rope to {}; {} is listed to {}", wanted.construction, in_quotes(wanted.standard),
-                        wanted.construction, listed(standards)),
-            {}};
+    return {.message = fmt::format("no {} rope to {}; {} is listed to {}", wanted.construction,
+                                   in_quotes(wanted.standard), wanted.construction, listed(standards)),
+            .candidates = {}};
   }
   const auto cores = distinct(standardised, [](const RopeRow& r) { return r.core; });
-  return {fmt::format("no {} rope with core {}; the cores listed are {}", wanted.construction, in_quotes(wanted.core),
-                      listed(cores)),
-          {}};
+  return {.message = fmt::format("no {} rope with core {}; the cores listed are {}", wanted.construction,
+                                 in_quotes(wanted.core), listed(cores)),
+          .candidates = {}};
 }
 
 std::string ambiguity(const RopeDescription& wanted, const Rows& rows) {

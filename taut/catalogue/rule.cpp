@@ -20,13 +20,13 @@ struct RuleUnit {
   double factor;
 };
 
-constexpr std::array<RuleUnit, 7> units{{{"1", "1", 1.0},
-                                         {"deg", "rad", std::numbers::pi / 180.0},
-                                         {"m", "m", 1.0},
-                                         {"GPa", "Pa", 1e9},
-                                         {"MPa", "Pa", 1e6},
-                                         {"s/m", "s/m", 1.0},
-                                         {"kN", "N", 1e3}}};
+constexpr std::array<RuleUnit, 7> units{{{.printed = "1", .si = "1", .factor = 1.0},
+                                         {.printed = "deg", .si = "rad", .factor = std::numbers::pi / 180.0},
+                                         {.printed = "m", .si = "m", .factor = 1.0},
+                                         {.printed = "GPa", .si = "Pa", .factor = 1e9},
+                                         {.printed = "MPa", .si = "Pa", .factor = 1e6},
+                                         {.printed = "s/m", .si = "s/m", .factor = 1.0},
+                                         {.printed = "kN", .si = "N", .factor = 1e3}}};
 
 void read_numbers(CsvReader& csv, RuleRow& row) {
   const std::string& printed = csv.text("unit");
@@ -50,18 +50,18 @@ void read_numbers(CsvReader& csv, RuleRow& row) {
 
 tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv_text, std::string file) {
   CsvReader csv(csv_text, std::move(file),
-                {{"id"},
-                 {"field"},
-                 {"item"},
-                 {"class"},
-                 {"low"},
-                 {"high"},
-                 {"unit"},
-                 {"text"},
-                 {"source"},
-                 {"trust"},
-                 {"trust_text", false},
-                 {"up_to", false}});
+                {{.name = "id"},
+                 {.name = "field"},
+                 {.name = "item"},
+                 {.name = "class"},
+                 {.name = "low"},
+                 {.name = "high"},
+                 {.name = "unit"},
+                 {.name = "text"},
+                 {.name = "source"},
+                 {.name = "trust"},
+                 {.name = "trust_text", .required = false},
+                 {.name = "up_to", .required = false}});
   std::vector<RuleRow> rows;
   while (csv.next()) {
     RuleRow row;
@@ -109,17 +109,20 @@ Found<RuleRow> find_rule(std::string_view id, const std::vector<RuleRow>& table)
     if (normalised(row.id) == wanted) return row;
     names.push_back(row.id);
   }
-  return tl::unexpected(LookupError{fmt::format("no rule {}", in_quotes(id)), nearest_names(id, names, 5)});
+  return tl::unexpected(
+      LookupError{.message = fmt::format("no rule {}", in_quotes(id)), .candidates = nearest_names(id, names, 5)});
 }
 
 Found<double> value_of(const RuleRow& rule) {
   if (!rule.low || !rule.high) {
-    return tl::unexpected(LookupError{fmt::format("rule '{}' has no number: {}", rule.id, rule.text), {}});
+    return tl::unexpected(
+        LookupError{.message = fmt::format("rule '{}' has no number: {}", rule.id, rule.text), .candidates = {}});
   }
   if (*rule.low != *rule.high) {
-    return tl::unexpected(LookupError{fmt::format("rule '{}' is a range, {} to {} {}: choose a value in it", rule.id,
-                                                  short_number(*rule.low), short_number(*rule.high), rule.unit),
-                                      {}});
+    return tl::unexpected(
+        LookupError{.message = fmt::format("rule '{}' is a range, {} to {} {}: choose a value in it", rule.id,
+                                           short_number(*rule.low), short_number(*rule.high), rule.unit),
+                    .candidates = {}});
   }
   return *rule.low;
 }

@@ -97,17 +97,17 @@ std::optional<SectionShape> parse_shape(std::string_view text) { return parse_ki
 std::optional<Forming> parse_forming(std::string_view text) { return parse_kind(formings, text); }
 
 tl::expected<std::vector<SectionRow>, Diagnostics> read_sections(std::string_view csv_text, std::string file) {
-  CsvReader csv(csv_text, std::move(file), {{"name"},     {"standard"},
-                                            {"shape"},    {"forming"},
-                                            {"H_mm"},     {"B_mm"},
-                                            {"t_mm"},     {"r_o_mm"},
-                                            {"r_i_mm"},   {"A_mm2"},
-                                            {"Iy_mm4"},   {"Wely_mm3"},
-                                            {"Wply_mm3"}, {"iy_mm"},
-                                            {"Iz_mm4"},   {"Welz_mm3"},
-                                            {"Wplz_mm3"}, {"iz_mm"},
-                                            {"It_mm4"},   {"mass_kg_per_m"},
-                                            {"trust"},    {"trust_text", false}});
+  CsvReader csv(csv_text, std::move(file), {{.name = "name"},     {.name = "standard"},
+                                            {.name = "shape"},    {.name = "forming"},
+                                            {.name = "H_mm"},     {.name = "B_mm"},
+                                            {.name = "t_mm"},     {.name = "r_o_mm"},
+                                            {.name = "r_i_mm"},   {.name = "A_mm2"},
+                                            {.name = "Iy_mm4"},   {.name = "Wely_mm3"},
+                                            {.name = "Wply_mm3"}, {.name = "iy_mm"},
+                                            {.name = "Iz_mm4"},   {.name = "Welz_mm3"},
+                                            {.name = "Wplz_mm3"}, {.name = "iz_mm"},
+                                            {.name = "It_mm4"},   {.name = "mass_kg_per_m"},
+                                            {.name = "trust"},    {.name = "trust_text", .required = false}});
   std::vector<SectionRow> rows;
   std::size_t mistakes = 0;
   while (csv.next()) {

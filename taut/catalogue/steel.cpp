@@ -93,7 +93,7 @@ LookupError no_such_steel(std::string_view name, const std::vector<SteelRow>& ta
     add(row.name);
     std::for_each(row.also.begin(), row.also.end(), add);
   }
-  return {fmt::format("no steel {}", in_quotes(name)), nearest_names(name, names, 5)};
+  return {.message = fmt::format("no steel {}", in_quotes(name)), .candidates = nearest_names(name, names, 5)};
 }
 
 }  // namespace
@@ -106,16 +106,16 @@ std::string full_name(const SteelRow& steel) {
 
 tl::expected<std::vector<SteelRow>, Diagnostics> read_steels(std::string_view csv_text, std::string file) {
   CsvReader csv(csv_text, std::move(file),
-                {{"name"},
-                 {"also"},
-                 {"standard"},
-                 {"basis"},
-                 {"t_over_mm"},
-                 {"t_to_mm"},
-                 {"fy_MPa"},
-                 {"fu_MPa"},
-                 {"trust"},
-                 {"trust_text", false}});
+                {{.name = "name"},
+                 {.name = "also"},
+                 {.name = "standard"},
+                 {.name = "basis"},
+                 {.name = "t_over_mm"},
+                 {.name = "t_to_mm"},
+                 {.name = "fy_MPa"},
+                 {.name = "fu_MPa"},
+                 {.name = "trust"},
+                 {.name = "trust_text", .required = false}});
   std::vector<SteelRow> rows;
   while (csv.next()) add_line(csv, rows);
   if (csv.failed()) return tl::unexpected(csv.take_diagnostics());
@@ -144,7 +144,8 @@ Found<SteelRow> find_steel(std::string_view name, const std::vector<SteelRow>& t
   if (design_end != found.begin()) found.erase(design_end, found.end());
   if (found.size() == 1) return *found.front();
   return tl::unexpected(
-      LookupError{fmt::format("steel {} is in {} standards", in_quotes(name), found.size()), full_names(found)});
+      LookupError{.message = fmt::format("steel {} is in {} standards", in_quotes(name), found.size()),
+                  .candidates = full_names(found)});
 }
 
 double yield(const SteelRow& steel) {
@@ -162,10 +163,10 @@ Found<double> yield(const SteelRow& steel, double thickness) {
     }
   }
   return tl::unexpected(
-      LookupError{fmt::format("{} has no yield stress for {} mm: its table goes from {} to {} mm", full_name(steel),
-                              short_number(thickness * 1e3), short_number(first.over * 1e3),
-                              short_number(steel.ranges.back().to * 1e3)),
-                  {}});
+      LookupError{.message = fmt::format("{} has no yield stress for {} mm: its table goes from {} to {} mm",
+                                         full_name(steel), short_number(thickness * 1e3),
+                                         short_number(first.over * 1e3), short_number(steel.ranges.back().to * 1e3)),
+                  .candidates = {}});
 }
 
 Found<double> yield(std::string_view name, double thickness) {

@@ -29,15 +29,16 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
   if (std::isfinite(own.law.friction)) {
     made.push_back(make_check(
         own.name + ".grip", d.ratio, si::one,
-        {Sense::at_most, d.limit,
-         d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
-                           : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
-         "derived"}));
+        {.sense = Sense::at_most,
+         .limit = d.limit,
+         .rule = d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
+                                   : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
+         .trust = "derived"}));
   }
   if (!is_limit(m, m.reevings[d.reeving])) return;
   const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[d.reeving].copies;
   made.push_back(make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
-                            {Sense::at_most, most, "the motor's torque", "user"}));
+                            {.sense = Sense::at_most, .limit = most, .rule = "the motor's torque", .trust = "user"}));
 }
 
 void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
@@ -48,16 +49,21 @@ void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector
     // the rope's tension follows from it, or it is a limit
     if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
       made.push_back(
-          make_check(name + ".torque", d.torque, si::N_m, {Sense::at_most, most, "the drum's torque", "user"}));
+          make_check(name + ".torque", d.torque, si::N_m,
+                     {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
     }
   }
   if (d.length && d.capacity) {
     made.push_back(make_check(name + ".capacity", *d.length, si::m,
-                              {Sense::at_most, *d.capacity, "rope that the drum takes within its flanges", "derived"}));
+                              {.sense = Sense::at_most,
+                               .limit = *d.capacity,
+                               .rule = "rope that the drum takes within its flanges",
+                               .trust = "derived"}));
   }
   if (d.length && *d.length < 0) {
-    made.push_back(make_check(name + ".length_on_drum", *d.length, si::m,
-                              {Sense::at_least, 0, "rope left on the drum", "derived"}));
+    made.push_back(
+        make_check(name + ".length_on_drum", *d.length, si::m,
+                   {.sense = Sense::at_least, .limit = 0, .rule = "rope left on the drum", .trust = "derived"}));
   }
 }
 
@@ -84,8 +90,9 @@ void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
     if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
-    slips_[node.name] = {share, fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
-                                            node.name, 100 * share)};
+    slips_[node.name] = {.share = share,
+                         .words = fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
+                                              node.name, 100 * share)};
   }
 }
 

@@ -115,7 +115,7 @@ void Judge::take_height(const std::string& part, const std::string& words, doubl
                         const std::string& where, std::map<std::string, Height>& all) {
   if (std::isnan(height)) return;
   Height& worst = all[part];
-  if (height < worst.value) worst = {height, x, words, where};
+  if (height < worst.value) worst = {.value = height, .x = x, .part = words, .where = where};
 }
 
 void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
@@ -346,7 +346,10 @@ void Judge::add_tensions(Result& r) const {
                         fmt::format("breaking force over the largest tension of {}", rope.name),
                         {}});
     Check c = make_check(symbol, own.T_of_share, si::N,
-                         {Sense::at_most, own.breaking_force, "minimum breaking force of the rope", strength_trust(i)});
+                         {.sense = Sense::at_most,
+                          .limit = own.breaking_force,
+                          .rule = "minimum breaking force of the rope",
+                          .trust = strength_trust(i)});
     c.part = rope.name;
     c.limits = false;
     c.where = own.where_of_share;
@@ -366,8 +369,10 @@ void Judge::add_heights(Result& r) const {
       if (one.value >= 0) continue;
       Check c = make_check(
           part + ".ground", one.value, si::m,
-          {Sense::at_least, 0,
-           fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x), "user"});
+          {.sense = Sense::at_least,
+           .limit = 0,
+           .rule = fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x),
+           .trust = "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
       c.limits = false;

@@ -50,8 +50,8 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
   const design::SizingTrial& last = found.nearest.trial;
   if (!last.governs.empty()) {
     r.message += fmt::format(
-        "; the nearest, {}, fails by {}{}", place_in_words(task.space, {found.nearest.choice, found.nearest_values}),
-        last.governs,
+        "; the nearest, {}, fails by {}{}",
+        place_in_words(task.space, {.choice = found.nearest.choice, .values = found.nearest_values}), last.governs,
         std::isfinite(last.utilisation) ? fmt::format(" (utilisation {:.3g})", last.utilisation) : std::string{});
   }
   if (!found.points.empty()) add_runner_ups(task, found.points.front().answer, {}, r);
@@ -84,7 +84,7 @@ Result run_design(const DesignTask& task) {
   const DesignFound found = search_design(task);
   if (!found.feasible) return no_design(task, found);
   // not asked whether to go on: it is short beside the search, and all that an interrupted one leaves
-  Result r = task.run({found.best.answer.best.choice, found.best.values}, Depth::report, {}).result;
+  Result r = task.run({.choice = found.best.answer.best.choice, .values = found.best.values}, Depth::report, {}).result;
   add_design(task, found, r);
   add_warnings(task, found, r);
   if (found.ended) {

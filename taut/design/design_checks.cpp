@@ -28,19 +28,25 @@ double over_of(const Check& c) {
 }  // namespace
 
 SizingTrial trial_of(const Result& r, const std::map<std::string, std::size_t>& list_of) {
-  if (r.status != Status::ok) return {false, std::nan(""), r.message};
+  if (r.status != Status::ok) return {.passes = false, .utilisation = std::nan(""), .governs = r.message};
   // What is asked must be made, and a part that is chosen needs a limit: nothing passes because nothing spoke against
   // it.
-  if (!r.unmade.empty()) return {false, std::nan(""), r.unmade.front()};
-  if (!r.missing.empty()) return {false, std::nan(""), r.missing.front().analysis + ": " + r.missing.front().reason};
+  if (!r.unmade.empty()) return {.passes = false, .utilisation = std::nan(""), .governs = r.unmade.front()};
+  if (!r.missing.empty())
+    return {.passes = false,
+            .utilisation = std::nan(""),
+            .governs = r.missing.front().analysis + ": " + r.missing.front().reason};
   for (const std::string& part : r.unjudged) {
     if (list_of.find(part) != list_of.end()) {
-      return {false, std::nan(""), fmt::format("'{}' is chosen and has no limit", part)};
+      return {.passes = false,
+              .utilisation = std::nan(""),
+              .governs = fmt::format("'{}' is chosen and has no limit", part)};
     }
   }
   const bool limited = std::any_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.limits; });
-  if (!limited && !r.unjudged.empty()) return {false, std::nan(""), "no limit is given for " + r.unjudged.front()};
-  SizingTrial trial{true, 0, "no check"};
+  if (!limited && !r.unjudged.empty())
+    return {.passes = false, .utilisation = std::nan(""), .governs = "no limit is given for " + r.unjudged.front()};
+  SizingTrial trial{.passes = true, .utilisation = 0, .governs = "no check"};
   for (const Check& c : r.checks) {
     double u = std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation;
     if (!c.passes) trial.passes = false;

@@ -81,8 +81,9 @@ class Searching {
   bool go_on() {
     if (found_.ended || !task_.progress) return !found_.ended;
     const double here = static_cast<double>(tried_here_) / most_here_;
-    found_.ended = !task_.progress({"design", std::min(part_ + share_ * std::min(here, 1.0), 1.0),
-                                    fmt::format("{}, {} choices tried", words_, tried_here_)});
+    found_.ended = !task_.progress({.what = "design",
+                                    .done = std::min(part_ + share_ * std::min(here, 1.0), 1.0),
+                                    .words = fmt::format("{}, {} choices tried", words_, tried_here_)});
     return !found_.ended;
   }
 
@@ -101,7 +102,8 @@ class Searching {
   SizingTrial try_one(const DesignPlace& place) {
     if (const auto known = record_.hopeless(place.choice)) {
       // it may be near to passing between the places of the grid
-      if (!place.values.empty() && known->utilisation < near_enough) remember({place.choice, 0, *known}, place.values);
+      if (!place.values.empty() && known->utilisation < near_enough)
+        remember({.choice = place.choice, .cost = 0, .trial = *known}, place.values);
       return *known;
     }
     SizingTrial trial;
@@ -112,13 +114,13 @@ class Searching {
     trial.measured = measure(one, trial);
     trial.ended = found_.ended;
     record_.take(place.choice, one.result);
-    if (!trial.ended) remember({place.choice, 0, trial}, place.values);
+    if (!trial.ended) remember({.choice = place.choice, .cost = 0, .trial = trial}, place.values);
     return trial;
   }
 
   /// Of each choice the place where it came nearest to passing.
   void remember(SizingCandidate one, const std::vector<double>& values) {
-    if (!measured_) one.cost = cost_of({one.choice, values});
+    if (!measured_) one.cost = cost_of({.choice = one.choice, .values = values});
     const auto [known, is_new] = tried_.try_emplace(one.choice, one, values);
     if (!is_new && better(one, known->second.first)) known->second = {std::move(one), values};
   }
@@ -133,13 +135,15 @@ class Searching {
     for (const auto& one : task_.space.ropes) most_here_ *= static_cast<double>(one.rows.size());
     for (const auto& one : task_.space.sections) most_here_ *= static_cast<double>(one.rows.size());
     most_here_ = std::min(most_here_, static_cast<double>(task_.request.most_trials));
-    const auto one = [&](const std::vector<std::size_t>& choice) { return try_one({choice, values}); };
+    const auto one = [&](const std::vector<std::size_t>& choice) {
+      return try_one({.choice = choice, .values = values});
+    };
     const DesignLengths lengths = task_.lengths(values);
     const auto costs = costs_of(task_, lengths);
     if (!measured_) {
       SizingAnswer answer = design::cheapest(costs, one, options);
       // to the last bit what is compared with it later
-      const auto weigh = [&](SizingCandidate& c) { c.cost = cost_of({c.choice, values}); };
+      const auto weigh = [&](SizingCandidate& c) { c.cost = cost_of({.choice = c.choice, .values = values}); };
       if (answer.outcome.ok()) weigh(answer.best);
       std::for_each(answer.below.begin(), answer.below.end(), weigh);
       std::for_each(answer.above.begin(), answer.above.end(), weigh);
@@ -165,7 +169,7 @@ class Searching {
       share_ = 1 / static_cast<double>(places + (unknowns.empty() ? 0 : 1));
       part_ = static_cast<double>(i) * share_;
       words_ = places > 1 ? fmt::format("place {} of {}", i + 1, places) : std::string("by their cost");
-      DesignPoint point{values, least_at(values)};
+      DesignPoint point{.values = values, .answer = least_at(values)};
       if (found_.ended && point.answer.trials == 0) break;
       found_.points.push_back(std::move(point));
     }
@@ -218,7 +222,7 @@ class Searching {
     std::optional<std::vector<double>> passed;
     const auto look = [&](const std::vector<double>& values) -> std::optional<design::ConstrainedPoint> {
       if ((passed && until_it_passes) || !go_on()) return {};
-      const DesignPlace place{start.choice, values};
+      const DesignPlace place{.choice = start.choice, .values = values};
       const DesignRun one = run(place, Depth::checks);
       if (found_.ended) return {};
       design::ConstrainedPoint point;
@@ -227,7 +231,7 @@ class Searching {
         point.over = constraints.nothing();
         return point;
       }
-      SizingCandidate here{start.choice, 0, trial_of(one.result, task_.list_of)};
+      SizingCandidate here{.choice = start.choice, .cost = 0, .trial = trial_of(one.result, task_.list_of)};
       here.cost = measured_ ? measure(one, here.trial) : cost_of(place);
       point.value = here.cost;
       point.over = constraints.of(one.result);
@@ -238,7 +242,7 @@ class Searching {
     design::ConstrainedOptions options;
     options.tolerance = until_it_passes || !held.empty() ? coarse : fine;
     if (until_it_passes) options.most_evaluations = trials_of_near_miss;
-    design::least_within(look, sought, {start.values, low, high, step}, options);
+    design::least_within(look, sought, {.start = start.values, .low = low, .high = high, .step = step}, options);
     return passed;
   }
 
@@ -264,7 +268,7 @@ class Searching {
 
   /// Where some unknowns do not change the cost, these move on to the most reserve at the cost found.
   void use_the_rest() {
-    const DesignPlace place{found_.best.answer.best.choice, found_.best.values};
+    const DesignPlace place{.choice = found_.best.answer.best.choice, .values = found_.best.values};
     const std::vector<bool> cost = that_cost(place);
     const auto free = std::count(cost.begin(), cost.end(), false);
     if (free == 0 || free == std::ssize(cost) || measured_) return;
@@ -305,16 +309,16 @@ class Searching {
     std::stable_sort(points.begin(), points.end(),
                      [](const DesignPoint* a, const DesignPoint* b) { return better(a->answer.best, b->answer.best); });
     if (points.size() > starts) points.resize(starts);
-    const design::Sought sought = sought_of({choice, found_.best.values});
+    const design::Sought sought = sought_of({.choice = choice, .values = found_.best.values});
     for (const DesignPoint* point : points) {
-      if (!found_.ended) move_from({choice, point->values}, sought, false);
+      if (!found_.ended) move_from({.choice = choice, .values = point->values}, sought, false);
     }
   }
 
   /// Whether a choice could be better than the best, with the unknowns where the best has them.
   bool is_cheaper(const std::vector<std::size_t>& choice) {
     if (!found_.feasible || measured_) return true;
-    return cost_of({choice, found_.best.values}) < found_.best.answer.best.cost;
+    return cost_of({.choice = choice, .values = found_.best.values}) < found_.best.answer.best.cost;
   }
 
   /// Choices beside the best one that may pass, or be better, between the places of the grid: those that come nearest,
@@ -332,7 +336,8 @@ class Searching {
     });
     if (close.size() > most_near_misses) close.resize(most_near_misses);
     for (auto& [candidate, values] : close) {
-      if (found_.feasible && !measured_) candidate.cost = cost_of({candidate.choice, found_.best.values});
+      if (found_.feasible && !measured_)
+        candidate.cost = cost_of({.choice = candidate.choice, .values = found_.best.values});
     }
     std::stable_sort(close.begin(), close.end(),
                      [](const auto& a, const auto& b) { return a.first.cost < b.first.cost; });
@@ -346,9 +351,10 @@ class Searching {
   void move_near_miss(const std::vector<std::size_t>& choice, const std::vector<double>& values) {
     std::optional<std::vector<double>> start = values;
     if (!tried_.at(choice).first.trial.passes) {
-      start = move_from({choice, values}, design::Sought::most_reserve, true);
+      start = move_from({.choice = choice, .values = values}, design::Sought::most_reserve, true);
     }
-    if (start && !found_.ended) move_from({choice, *start}, sought_of({choice, *start}), false);
+    if (start && !found_.ended)
+      move_from({.choice = choice, .values = *start}, sought_of({.choice = choice, .values = *start}), false);
   }
 
   const DesignTask& task_;

@@ -51,16 +51,16 @@ std::string cost_words(const DesignRequest& request) {
 }
 
 Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
-  Table t{"design", "The ropes chosen", {}, {}};
-  t.columns = {{"rope", si::one},
-               {"designation", si::one},
-               {"diameter", si::m.in("mm")},
-               {"area", si::m2},
-               {"mass_per_metre", si::kg_per_m},
-               {"grade", si::Pa},
-               {"breaking_force", si::N},
-               {"stiffness", si::N},
-               {"trust", si::one}};
+  Table t{.name = "design", .title = "The ropes chosen", .columns = {}, .rows = {}};
+  t.columns = {{.name = "rope", .unit = si::one},
+               {.name = "designation", .unit = si::one},
+               {.name = "diameter", .unit = si::m.in("mm")},
+               {.name = "area", .unit = si::m2},
+               {.name = "mass_per_metre", .unit = si::kg_per_m},
+               {.name = "grade", .unit = si::Pa},
+               {.name = "breaking_force", .unit = si::N},
+               {.name = "stiffness", .unit = si::N},
+               {.name = "trust", .unit = si::one}};
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const RopeRow& row = space.ropes[k].rows[best.choice[k]];
     t.rows.push_back({space.ropes[k].name, row.id, row.diameter, row.area, row.mass_per_length,
@@ -71,8 +71,11 @@ Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
 }
 
 Table section_table(const DesignSpace& space, const SizingCandidate& best) {
-  Table t{"design_sections", "The sections chosen", {}, {}};
-  t.columns = {{"beam", si::one}, {"section", si::one}, {"mass_per_metre", si::kg_per_m}, {"trust", si::one}};
+  Table t{.name = "design_sections", .title = "The sections chosen", .columns = {}, .rows = {}};
+  t.columns = {{.name = "beam", .unit = si::one},
+               {.name = "section", .unit = si::one},
+               {.name = "mass_per_metre", .unit = si::kg_per_m},
+               {.name = "trust", .unit = si::one}};
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
     const catalogue::SectionRow& row = space.sections[k].rows[best.choice[space.ropes.size() + k]];
     t.rows.push_back(
@@ -82,8 +85,13 @@ Table section_table(const DesignSpace& space, const SizingCandidate& best) {
 }
 
 Table active_checks(const Result& r) {
-  Table t{"design_active", "Checks near their limits: what holds the design", {}, {}};
-  t.columns = {{"part", si::one}, {"check", si::one}, {"utilisation", si::one}, {"rule", si::one}, {"trust", si::one}};
+  Table t{
+      .name = "design_active", .title = "Checks near their limits: what holds the design", .columns = {}, .rows = {}};
+  t.columns = {{.name = "part", .unit = si::one},
+               {.name = "check", .unit = si::one},
+               {.name = "utilisation", .unit = si::one},
+               {.name = "rule", .unit = si::one},
+               {.name = "trust", .unit = si::one}};
   std::vector<Check> all = r.checks;
   std::stable_sort(all.begin(), all.end(),
                    [](const Check& a, const Check& b) { return a.utilisation > b.utilisation; });
@@ -105,8 +113,9 @@ Plot trade_off_plot(const DesignTask& task, const DesignFound& found) {
   Plot p;
   p.name = "design_trade_off";
   p.title = (flat ? "Utilisation of the check that governs over " : "The least cost over ") + unknown.name;
-  p.x = {unknown.name, unknown.unit};
-  p.y = flat ? Axis{"utilisation", si::one} : Axis{"cost", cost_unit(task.request.seek)};
+  p.x = {.label = unknown.name, .unit = unknown.unit};
+  p.y = flat ? Axis{.label = "utilisation", .unit = si::one}
+             : Axis{.label = "cost", .unit = cost_unit(task.request.seek)};
   const auto height = [&](const SizingCandidate& c) { return flat ? c.trial.utilisation : c.cost; };
   Curve least;
   least.label = "least that passes, of the grid";
@@ -142,12 +151,15 @@ void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, 
                     Result& r) {
   const DesignSpace& space = task.space;
   if (space.ropes.empty() && space.sections.empty()) return;
-  Table t{"design_runner_ups", "The choice between its neighbours, and what governs each", {}, {}};
-  t.columns = {{"choice", si::one},
-               {"cost", cost_unit(task.request.seek)},
-               {"outcome", si::one},
-               {"governs", si::one},
-               {"utilisation", si::one}};
+  Table t{.name = "design_runner_ups",
+          .title = "The choice between its neighbours, and what governs each",
+          .columns = {},
+          .rows = {}};
+  t.columns = {{.name = "choice", .unit = si::one},
+               {.name = "cost", .unit = cost_unit(task.request.seek)},
+               {.name = "outcome", .unit = si::one},
+               {.name = "governs", .unit = si::one},
+               {.name = "utilisation", .unit = si::one}};
   const auto add = [&](const SizingCandidate& c, const char* outcome) {
     t.rows.push_back({names_of(space, c.choice), c.cost, std::string(outcome), c.trial.governs, c.trial.utilisation});
   };
@@ -163,19 +175,25 @@ void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, 
 
 void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& points, Result& r) {
   const DesignSpace& space = task.space;
-  Table t{"design_trade_off", "The least choice over what is free besides, and what holds it", {}, {}};
+  Table t{.name = "design_trade_off",
+          .title = "The least choice over what is free besides, and what holds it",
+          .columns = {},
+          .rows = {}};
   for (const UnknownValues& one : space.unknowns) t.columns.push_back({one.name, one.unit});
-  const std::vector<Column> rest = {
-      {"cost", cost_unit(task.request.seek)}, {"governs", si::one}, {"utilisation", si::one}, {"choice", si::one}};
+  const std::vector<Column> rest = {{.name = "cost", .unit = cost_unit(task.request.seek)},
+                                    {.name = "governs", .unit = si::one},
+                                    {.name = "utilisation", .unit = si::one},
+                                    {.name = "choice", .unit = si::one}};
   t.columns.insert(t.columns.end(), rest.begin(), rest.end());
   for (const DesignPoint& point : points) {
     std::vector<Cell> row(point.values.begin(), point.values.end());
     const auto& answer = point.answer;
     const bool found = answer.outcome.ok();
     const bool failed = !found && !answer.below.empty();
-    const design::SizingTrial last = found    ? answer.best.trial
-                                     : failed ? answer.below.back().trial
-                                              : design::SizingTrial{false, std::nan(""), {}};
+    const design::SizingTrial last =
+        found    ? answer.best.trial
+        : failed ? answer.below.back().trial
+                 : design::SizingTrial{.passes = false, .utilisation = std::nan(""), .governs = {}};
     std::string words = found ? names_of(space, answer.best.choice) : answer.outcome.message;
     if (words.empty()) words = "passes";
     row.insert(row.end(), {found ? answer.best.cost : std::nan(""), last.governs, last.utilisation, std::move(words)});

@@ -38,13 +38,15 @@ const char* kind_of_file(mode_t mode) {
 }
 
 tl::unexpected<Unreadable> refused(const std::string& name, mode_t mode) {
-  return tl::unexpected(Unreadable{fmt::format("{} is not a file, it is {}", in_quotes(name), kind_of_file(mode))});
+  return tl::unexpected(
+      Unreadable{.message = fmt::format("{} is not a file, it is {}", in_quotes(name), kind_of_file(mode))});
 }
 
 tl::unexpected<Unreadable> unreadable(const std::string& name) {
   const int reason = errno;
-  return tl::unexpected(Unreadable{fmt::format("{} can't be read: {}", in_quotes(name), std::strerror(reason)),
-                                   reason == ENOENT || reason == ENOTDIR});
+  return tl::unexpected(
+      Unreadable{.message = fmt::format("{} can't be read: {}", in_quotes(name), std::strerror(reason)),
+                 .missing = reason == ENOENT || reason == ENOTDIR});
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ tl::expected<std::string, Unreadable> read_file(const std::string& path) {
 
 std::optional<NamedFile> read_named(const Node& node, const std::string& name, Diagnostics& mistakes) {
   const fs::path deck = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
-  NamedFile file{(deck.parent_path() / name).string(), {}};
+  NamedFile file{.path = (deck.parent_path() / name).string(), .text = {}};
   auto text = read_file(file.path);
   if (!text) {
     Diagnostic mistake = at(node.spot, text.error().message);

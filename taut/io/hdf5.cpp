@@ -150,7 +150,7 @@ bool read_column(hid_t group, const std::string& name, Table& t) {
   const auto rows = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
   const auto column = static_cast<std::size_t>(index);
   if (t.columns.size() <= column) t.columns.resize(column + 1);
-  t.columns[column] = {read_text(set.get(), "name"), unit_of(read_text(set.get(), "unit"))};
+  t.columns[column] = {.name = read_text(set.get(), "name"), .unit = unit_of(read_text(set.get(), "unit"))};
   if (t.rows.size() < rows) t.rows.resize(rows);
   for (auto& row : t.rows) row.resize(std::max(row.size(), column + 1), Cell(std::nan("")));
   if (H5Tget_class(type.get()) == H5T_STRING) {

@@ -50,9 +50,15 @@ description::PathElement falls(int count, const std::string& first, const std::s
   return stop;
 }
 
-Known length(double metres) { return {metres, std::nullopt, std::nullopt}; }
-Known tension_at_start(double newtons) { return {std::nullopt, newtons, std::nullopt}; }
-Known tension_at_end(double newtons) { return {std::nullopt, std::nullopt, newtons}; }
+Known length(double metres) {
+  return {.length = metres, .tension_at_start = std::nullopt, .tension_at_end = std::nullopt};
+}
+Known tension_at_start(double newtons) {
+  return {.length = std::nullopt, .tension_at_start = newtons, .tension_at_end = std::nullopt};
+}
+Known tension_at_end(double newtons) {
+  return {.length = std::nullopt, .tension_at_start = std::nullopt, .tension_at_end = newtons};
+}
 
 Builder& Builder::point(const std::string& name, const Triple& at) {
   machine_.points.push_back({name, std::nullopt, at});
@@ -154,7 +160,7 @@ Builder& Builder::guy(const std::string& name, const std::string& rope, const st
   guy.rope = rope;
   guy.from = from;
   guy.to = to;
-  guy.install = description::Install{tension, description::InstallAt::top};
+  guy.install = description::Install{.tension = tension, .at = description::InstallAt::top};
   return *this;
 }
 

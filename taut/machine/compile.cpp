@@ -106,8 +106,8 @@ class Compiler {
         }
         const bool turns = way->front() == 'r';
         rotations += turns ? 1 : 0;
-        body.free.push_back(turns ? Freedom{Vector3::Zero(), axis_of(way->substr(1))}
-                                  : Freedom{axis_of(*way), Vector3::Zero()});
+        body.free.push_back(turns ? Freedom{.along = Vector3::Zero(), .about = axis_of(way->substr(1))}
+                                  : Freedom{.along = axis_of(*way), .about = Vector3::Zero()});
       }
       if (rotations == 2) complain(path + ".free", "one rotation or all three; two depend on their order");
       if (given.guide) {
@@ -177,7 +177,7 @@ class Compiler {
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
-    set_given(machine_, model_, {given, rope_of_reeving_.back(), path}, reeving, complaints_);
+    set_given(machine_, model_, {.given = given, .rope = rope_of_reeving_.back(), .path = path}, reeving, complaints_);
     stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), path, complaints_));
     model_.reevings.push_back(std::move(reeving));
   }

@@ -10,7 +10,7 @@
 namespace taut::machine {
 namespace {
 
-SignalValue value_of(double constant, double /*t*/) { return {constant, 0, 0}; }
+SignalValue value_of(double constant, double /*t*/) { return {.value = constant, .rate = 0, .acceleration = 0}; }
 
 SignalValue value_of(const Moves& law, double t) {
   double from = law.from;
@@ -22,12 +22,13 @@ SignalValue value_of(const Moves& law, double t) {
     }
     const double s = (t - move.at) / move.over;
     const double step = move.to - from;
-    if (!move.smooth) return {from + step * s, step / move.over, 0};
+    if (!move.smooth) return {.value = from + step * s, .rate = step / move.over, .acceleration = 0};
     const double s2 = s * s;
-    return {from + step * s2 * s * (10 + s * (6 * s - 15)), step * 30 * s2 * (1 + s * (s - 2)) / move.over,
-            step * 60 * s * (1 + s * (2 * s - 3)) / (move.over * move.over)};
+    return {.value = from + step * s2 * s * (10 + s * (6 * s - 15)),
+            .rate = step * 30 * s2 * (1 + s * (s - 2)) / move.over,
+            .acceleration = step * 60 * s * (1 + s * (2 * s - 3)) / (move.over * move.over)};
   }
-  return {from, 0, 0};
+  return {.value = from, .rate = 0, .acceleration = 0};
 }
 
 /// The cubic between two points with given slopes (Hermite), at the share s of the way.
@@ -35,26 +36,29 @@ SignalValue hermite(double h, double y0, double y1, double m0, double m1, double
   const double d = (y1 - y0) / h;
   const double a = m0 - d, b = m1 - d;  // deviation of the slopes from the straight line
   const double r = 1 - s;
-  return {y0 + s * (y1 - y0) + h * s * r * (r * a - s * b), d + a * r * (1 - 3 * s) - b * s * (2 - 3 * s),
-          (a * (6 * s - 4) + b * (6 * s - 2)) / h};
+  return {.value = y0 + s * (y1 - y0) + h * s * r * (r * a - s * b),
+          .rate = d + a * r * (1 - 3 * s) - b * s * (2 - 3 * s),
+          .acceleration = (a * (6 * s - 4) + b * (6 * s - 2)) / h};
 }
 
 SignalValue value_of(const Curve& law, double t) {
-  if (t < law.t.front()) return {law.value.front(), 0, 0};
-  if (t >= law.t.back()) return {law.value.back(), 0, 0};
+  if (t < law.t.front()) return {.value = law.value.front(), .rate = 0, .acceleration = 0};
+  if (t >= law.t.back()) return {.value = law.value.back(), .rate = 0, .acceleration = 0};
   const auto after = std::upper_bound(law.t.begin(), law.t.end(), t);
   const auto i = static_cast<std::size_t>(after - law.t.begin()) - 1;
   const double h = law.t[i + 1] - law.t[i];
   const double s = (t - law.t[i]) / h;
   const double step = law.value[i + 1] - law.value[i];
-  if (law.slopes.empty()) return {law.value[i] + s * step, step / h, 0};
+  if (law.slopes.empty()) return {.value = law.value[i] + s * step, .rate = step / h, .acceleration = 0};
   return hermite(h, law.value[i], law.value[i + 1], law.slopes[i], law.slopes[i + 1], s);
 }
 
 SignalValue value_of(const Sine& law, double t) {
   const double angle = law.omega * t + law.phase;
   const double s = law.amplitude * std::sin(angle);
-  return {law.mean + s, law.amplitude * law.omega * std::cos(angle), -law.omega * law.omega * s};
+  return {.value = law.mean + s,
+          .rate = law.amplitude * law.omega * std::cos(angle),
+          .acceleration = -law.omega * law.omega * s};
 }
 
 /// Between two breakpoints: a polynomial of degree 5 at most, for which three points of Gauss are exact.
@@ -118,7 +122,7 @@ Curve smooth_curve(Array<double> t, Array<double> value) {
     slopes[i] = (right - before * slopes[i - 1]) / pivot;
   }
   for (std::size_t i = last; i-- > 1;) slopes[i] -= upper[i] * slopes[i + 1];
-  return {std::move(t), std::move(value), std::move(slopes)};
+  return {.t = std::move(t), .value = std::move(value), .slopes = std::move(slopes)};
 }
 
 }  // namespace taut::machine

@@ -204,8 +204,10 @@ class PieceRates {
     start << in.reference, first() ? small_by(in) : in.section, in.force, in.moment;
     if (!first()) start.head<3>().setZero();
     const Eigen::Matrix<double, 12, 1> end = rates_ * start;
-    add_force_rows(column, piece_.start, {in.start_body, start_.force, in.force, in.moment}, 1);
-    add_force_rows(column, piece_.end, {in.end_body, end_.force, end.segment<3>(6), end.tail<3>()}, -1);
+    add_force_rows(column, piece_.start,
+                   {.turn = in.start_body, .force = start_.force, .dF = in.force, .dM = in.moment}, 1);
+    add_force_rows(column, piece_.end,
+                   {.turn = in.end_body, .force = end_.force, .dF = end.segment<3>(6), .dM = end.tail<3>()}, -1);
     const int row = p_.unknown;
     J_.block<3, 1>(row, column) += in.start + end.head<3>() - in.end;
     if (piece_.end_hold == BeamHold::hinged) {

@@ -40,11 +40,11 @@ Loss loss(const machine::ContactLaw& law, double wrap) {
   const double bearing = -std::log(law.efficiency);
   if (std::isinf(law.friction)) {
     expects(std::isfinite(bearing), "a contact either turns or slips");
-    return {bearing, 0};
+    return {.log = bearing, .by_wrap = 0};
   }
   if (wrap <= 0) return {};
   const double grip = law.friction * wrap;
-  return grip < bearing ? Loss{grip, law.friction} : Loss{bearing, 0};
+  return grip < bearing ? Loss{.log = grip, .by_wrap = law.friction} : Loss{.log = bearing, .by_wrap = 0};
 }
 
 }  // namespace taut::mechanics

@@ -72,7 +72,8 @@ bool step_sagging(const rope::CatenaryRope& rope, Branch& b, const rope::Catenar
   const double open = std::sqrt(open_x * open_x + open_z * open_z);
   if (!(open <= nearly * (x + std::abs(b.chord.z())))) return false;
   const rope::CatenaryStiffness k = stiffness_of(rope, f, p);
-  const rope::CatenaryForce next{f.H + k.dH_dx * open_x + k.dH_dz * open_z, f.V + k.dH_dz * open_x + k.dV_dz * open_z};
+  const rope::CatenaryForce next{.H = f.H + k.dH_dx * open_x + k.dH_dz * open_z,
+                                 .V = f.V + k.dH_dz * open_x + k.dV_dz * open_z};
   const bool near = next.H > f.H / 2 && next.H < 2 * f.H;  // false for NaN too
   if (!near) return false;
   b.span.rope = rope;
@@ -181,7 +182,7 @@ std::optional<rope::NoCatenary> close(rope::CatenaryRope rope, const BranchEnd& 
     b.offset_to = tangent_offset(to, b.arrives);
     Eigen::Vector4d open;
     open << X + b.offset_to - b.offset_from - b.chord,
-        given - arcs_between(from, to, free, {b.leaves, b.arrives}) - rope.length;
+        given - arcs_between(from, to, free, {.leaves = b.leaves, .arrives = b.arrives}) - rope.length;
     b.closure = open.norm();
     if (b.closure <= tangents_settled * size) break;
     if (!std::isfinite(b.closure)) return rope::NoCatenary::not_converged;
@@ -203,7 +204,7 @@ tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& ro
   machine::BranchState near = start;
   near.length = rope.length;
   const bool known = start.leaves != Vector3::Zero() && start.arrives != Vector3::Zero();
-  BranchDirections free{start.leaves, start.arrives};
+  BranchDirections free{.leaves = start.leaves, .arrives = start.arrives};
   if (round && !known) {
     free = straight_directions(from, to);
     near.leaves = free.leaves;
@@ -216,8 +217,10 @@ tl::expected<Branch, rope::NoCatenary> solve_branch(const rope::CatenaryRope& ro
   const auto at = branch_force(rope, from, to, free);
   if (!at) return tl::unexpected(*no);
   const Vector3 half = rope.weight * at->length / 2 * up();
-  near = {at->length, (at->force - half).normalized(), (at->force + half).normalized(),
-          rope::CatenaryForce{std::hypot(at->force.x(), at->force.y()), at->force.z()}};
+  near = {.length = at->length,
+          .leaves = (at->force - half).normalized(),
+          .arrives = (at->force + half).normalized(),
+          .force = rope::CatenaryForce{.H = std::hypot(at->force.x(), at->force.y()), .V = at->force.z()}};
   b = {};
   if (close(rope, from, to, free, near, b)) return tl::unexpected(*no);
   return b;

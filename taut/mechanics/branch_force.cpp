@@ -45,12 +45,12 @@ Gap gap(const BranchProblem& p, const BranchForce& at) {
   const double H = std::max(std::hypot(at.force.x(), at.force.y()), 1e-12 * (std::abs(at.force.z()) + half));
   Vector3 along(at.force.x() / H, at.force.y() / H, 0);
   if (along.norm() < 0.5) along = Vector3::UnitX();
-  const rope::CatenaryForce f{H, at.force.z()};
+  const rope::CatenaryForce f{.H = H, .V = at.force.z()};
   const rope::EndPosition end = rope::end_position(rope, f);
   const rope::EndRates by_length = rope::end_rates(rope, f);
   const Vector3 side(-along.y(), along.x(), 0), pull_from = at.force - half * up(), pull_to = at.force + half * up();
   const double T_from = pull_from.norm(), T_to = pull_to.norm();
-  const BranchDirections now{pull_from / T_from, pull_to / T_to};
+  const BranchDirections now{.leaves = pull_from / T_from, .arrives = pull_to / T_to};
   Matrix3 compliance = end.dx_dH * along * along.transpose() + end.x / H * side * side.transpose();
   compliance += end.dz_dV * up() * up().transpose();
   compliance += end.dx_dV * (along * up().transpose() + up() * along.transpose());
@@ -81,7 +81,7 @@ bool newton(const BranchProblem& p, BranchForce& at) {
     bool better = false;
     double part = by[3] < -0.9 * at.length ? -0.9 * at.length / by[3] : 1;
     for (int k = 0; k < most_force_halvings && !better; ++k, part /= 2) {
-      const BranchForce next{at.force + part * by.head<3>(), at.length + part * by[3]};
+      const BranchForce next{.force = at.force + part * by.head<3>(), .length = at.length + part * by[3]};
       const Gap then = gap(p, next);
       if (!(then.open.norm() < (1 - part / 10) * open)) continue;
       at = next;
@@ -98,7 +98,7 @@ std::optional<BranchForce> force_of_chord(rope::CatenaryRope rope, const Vector3
   if (std::isinf(rope.stiffness)) rope.length = std::max(rope.length, 1.001 * chord.norm());
   const auto span = rope::solve_span(rope, chord);
   if (!span) return std::nullopt;
-  return BranchForce{span->force.H * span->along + span->force.V * up(), rope.length};
+  return BranchForce{.force = span->force.H * span->along + span->force.V * up(), .length = rope.length};
 }
 
 /// From the straight line tangent to both rounds.
@@ -143,8 +143,8 @@ BranchDirections straight_directions(const BranchEnd& from, const BranchEnd& to)
     chord = X + tangent_offset(to, direction) - tangent_offset(from, direction);
   }
   const Vector3 direction = chord.normalized();
-  if (!direction.allFinite()) return {X.normalized(), X.normalized()};
-  return {direction, direction};
+  if (!direction.allFinite()) return {.leaves = X.normalized(), .arrives = X.normalized()};
+  return {.leaves = direction, .arrives = direction};
 }
 
 double arcs_between(const BranchEnd& from, const BranchEnd& to, const BranchDirections& then,
@@ -176,7 +176,7 @@ Matrix3 tangent_offset_rate(const BranchEnd& end, const Vector3& direction) {
 std::optional<BranchForce> branch_force(const rope::CatenaryRope& rope, const BranchEnd& from, const BranchEnd& to,
                                         const BranchDirections& free) {
   const double size = (to.centre - from.centre).norm() + std::abs(from.radius) + std::abs(to.radius);
-  const BranchProblem p{rope, from, to, free, size};
+  const BranchProblem p{.rope = rope, .from = from, .to = to, .free = free, .size = size};
   if (auto at = from_line(p)) return at;
   return from_points(p);
 }

@@ -54,7 +54,7 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[link_index];
-  const BranchAt at{a.system, a.c, link_index, b};
+  const BranchAt at{.system = a.system, .c = a.c, .link = link_index, .branch = b};
   const bool stiff = link.force >= 0;
   const BranchRates r = stiff ? stiff_rates(at) : rates(rope_of(rope, a.c.links[link_index].length), start, end, b);
   BranchWays ends;
@@ -113,9 +113,13 @@ void add_ropes(Assembly& a) {
     };
     const Vector3 from = arm(link.from, columns.from_body, b.offset_from);
     const Vector3 to = arm(link.to, columns.to_body, b.offset_to);
-    add_force_rows(a, {columns.from_body, b.pull_from, from, columns.pull_from, columns.arm_from}, columns,
-                   rope.copies);
-    add_force_rows(a, {columns.to_body, b.pull_to, to, columns.pull_to, columns.arm_to}, columns, -rope.copies);
+    add_force_rows(
+        a,
+        {.body = columns.from_body, .F = b.pull_from, .arm = from, .dF = columns.pull_from, .darm = columns.arm_from},
+        columns, rope.copies);
+    add_force_rows(a,
+                   {.body = columns.to_body, .F = b.pull_to, .arm = to, .dF = columns.pull_to, .darm = columns.arm_to},
+                   columns, -rope.copies);
   }
 }
 
@@ -277,7 +281,7 @@ void jacobian(const System& system, const Configuration& c, const Evaluation& e,
               Array<BranchColumns>& columns) {
   J.setZero(system.layout.size, system.layout.size);
   columns.resize(system.layout.links.size());
-  Assembly a{system, c, e, J, columns};
+  Assembly a{.system = system, .c = c, .e = e, .J = J, .columns = columns};
   for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[k]);
   add_ropes(a);
   add_dead_forces(a);

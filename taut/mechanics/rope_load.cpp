@@ -22,7 +22,7 @@ LoadedSpan span_of(const System& s, int turn) {
   int first = turn, last = turn;
   while (first > rope.first_turn && is_load(s, turns[first - 1])) --first;
   while (last + 1 < rope.first_turn + rope.turn_count && is_load(s, turns[last + 1])) ++last;
-  return {turns[first].before, turns[last].after};
+  return {.first = turns[first].before, .last = turns[last].after};
 }
 
 double length_between(const Configuration& c, int first, int last) {
@@ -40,7 +40,7 @@ struct Along {
 Along along(const Layout::Turn& t, const Evaluation& e) {
   const Vector3 sum = e.branches[t.before].arrives + e.branches[t.after].leaves;
   const double size = sum.norm();
-  return {size > 0 ? Vector3(sum / size) : Vector3(Vector3::UnitX()), std::max(size, 1e-3)};
+  return {.d = size > 0 ? Vector3(sum / size) : Vector3(Vector3::UnitX()), .size = std::max(size, 1e-3)};
 }
 
 /// Rows of a load's point: its three translations.

@@ -20,11 +20,11 @@ struct LinkEnds {
 LinkEnds ends_of(const System& s, int link, const Configuration& c) {
   const Layout::Link& l = s.layout.links[link];
   const machine::Reeving& rope = rope_at(s, link);
-  return {end_at(rope.nodes[l.from], c.bodies), end_at(rope.nodes[l.to], c.bodies)};
+  return {.from = end_at(rope.nodes[l.from], c.bodies), .to = end_at(rope.nodes[l.to], c.bodies)};
 }
 
 /// A line between the same ends with the same length: its strain is its tension.
-rope::CatenaryRope unit_line(double length) { return {length, 0, 1}; }
+rope::CatenaryRope unit_line(double length) { return {.length = length, .weight = 0, .stiffness = 1}; }
 
 /// Where a rope with weight ends, seen from its start, at the force in its middle.
 struct EndInSpace {
@@ -35,7 +35,7 @@ struct EndInSpace {
 EndInSpace in_plane(const rope::CatenaryRope& rope, const Vector3& F) {
   const double level = std::hypot(F.x(), F.y()), half = rope.weight * rope.length / 2;
   EndInSpace p;
-  p.force = {std::max(level, least_level * (std::abs(F.z()) + half)), F.z()};
+  p.force = {.H = std::max(level, least_level * (std::abs(F.z()) + half)), .V = F.z()};
   if (level > 0) p.along = Vector3(F.x() / level, F.y() / level, 0);
   return p;
 }
@@ -81,7 +81,7 @@ void pull_straight(const rope::CatenaryRope& rope, double T, Branch& b) {
   const double x = std::hypot(b.chord.x(), b.chord.y());
   if (x > 0) b.span.along = Vector3(b.chord.x() / x, b.chord.y() / x, 0);
   b.span.slack = b.slack;
-  if (!b.slack) b.span.force = {T * std::hypot(b.leaves.x(), b.leaves.y()), T * b.leaves.z()};
+  if (!b.slack) b.span.force = {.H = T * std::hypot(b.leaves.x(), b.leaves.y()), .V = T * b.leaves.z()};
 }
 
 double stretching(const System& s, const machine::Reeving& rope, double T) {
@@ -110,7 +110,7 @@ std::optional<Branch> stiff_branch(const System& s, int link, const Configuratio
   if (!line) return std::nullopt;
   Branch b = *line;
   residual[row] = s.layout.length * (line->T_from - F.x() / stretching(s, reeving, F.x()));
-  pull_straight({b.length, 0, reeving.stiffness}, F.x(), b);
+  pull_straight({.length = b.length, .weight = 0, .stiffness = reeving.stiffness}, F.x(), b);
   return b;
 }
 

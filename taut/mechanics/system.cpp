@@ -132,11 +132,11 @@ const machine::Node& node_of(const System& s, const Layout::Turn& t) {
 }
 
 rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length) {
-  return {length, reeving.weight / (1 + reeving.thermal_strain), reeving.stiffness};
+  return {.length = length, .weight = reeving.weight / (1 + reeving.thermal_strain), .stiffness = reeving.stiffness};
 }
 
 BranchEnd end_at(const machine::Node& node, const Array<machine::Pose>& bodies) {
-  BranchEnd end{node.at.at, node.axis, node.side < 0 ? -node.radius : node.radius};
+  BranchEnd end{.centre = node.at.at, .axis = node.axis, .radius = node.side < 0 ? -node.radius : node.radius};
   if (node.at.body != machine::ground) {
     const machine::Pose& pose = bodies[node.at.body];
     end.centre = pose.position + pose.orientation * node.at.at;
@@ -179,7 +179,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
     const machine::Reeving& rope = reeving_of(s, link.reeving);
     if (link.force >= 0) {
       const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
-      if (!stiff) return NoBranch{static_cast<int>(k), rope::NoCatenary::not_converged};
+      if (!stiff) return NoBranch{.link = static_cast<int>(k), .why = rope::NoCatenary::not_converged};
       e.branches[k] = *stiff;
       keep_shape(rope, *stiff, c.links[k]);
       c.links[k].force = stiff->span.force;
@@ -187,7 +187,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
     }
     auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[link.from], c.bodies),
                                end_at(rope.nodes[link.to], c.bodies), c.links[k]);
-    if (!branch) return NoBranch{static_cast<int>(k), branch.error()};
+    if (!branch) return NoBranch{.link = static_cast<int>(k), .why = branch.error()};
     e.branches[k] = *branch;
     keep_shape(rope, *branch, c.links[k]);
   }
@@ -207,7 +207,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
 
 Change change_of(const System& system, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
                  const Eigen::VectorXd& step) {
-  Change change{step, Array<rope::CatenaryForce>(columns.size())};
+  Change change{.step = step, .force = Array<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (!c.links[k].force || system.layout.links[k].force >= 0) continue;
     Vector3 pull = Vector3::Zero();
@@ -218,7 +218,7 @@ Change change_of(const System& system, const Configuration& c, const Evaluation&
     }
     const rope::Span& span = e.branches[k].span;
     const double half = span.rope.weight * length / 2;
-    change.force[k] = {span.along.dot(pull), pull.z() + half};
+    change.force[k] = {.H = span.along.dot(pull), .V = pull.z() + half};
   }
   return change;
 }

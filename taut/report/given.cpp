@@ -46,7 +46,7 @@ RecordKey record_key(std::string_view key) {
   const std::size_t open = key.rfind('[');
   const std::size_t close = key.find("].", open == std::string_view::npos ? 0 : open);
   if (open == std::string_view::npos || close == std::string_view::npos || open == 0) return {};
-  RecordKey k{key.substr(0, open), 0, key.substr(close + 2)};
+  RecordKey k{.list = key.substr(0, open), .index = 0, .field = key.substr(close + 2)};
   const auto [end, error] = std::from_chars(key.data() + open + 1, key.data() + close, k.index);
   return error == std::errc{} && end == key.data() + close ? k : RecordKey{};
 }

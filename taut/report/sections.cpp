@@ -200,18 +200,18 @@ std::string comparison_title(const Result& r) {
 }
 
 std::vector<Section> sections(const Result& r) {
-  std::vector<Section> all{{"errors", "Mistakes in the deck", errors_html(r)},
-                           {"warnings", "Warnings", list_html(r.warnings)},
-                           {"drawings", "Drawings", drawings_html(r)},
-                           {"animation", "Motion", animations_html(r)},
-                           {"comparison", comparison_title(r), comparisons_html(r)},
-                           {"results", "Results", values_html(r)},
-                           {"checks", "Checks", checks_html(r)},
-                           {"given", "Given", given_html(r)},
-                           {"calculation", "Calculation", steps_html(r)},
-                           {"plots", "Plots", plots_html(r)},
-                           {"tables", "Tables", tables_html(r)},
-                           {"assumptions", "Assumptions", list_html(r.assumptions)}};
+  std::vector<Section> all{{.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r)},
+                           {.id = "warnings", .title = "Warnings", .html = list_html(r.warnings)},
+                           {.id = "drawings", .title = "Drawings", .html = drawings_html(r)},
+                           {.id = "animation", .title = "Motion", .html = animations_html(r)},
+                           {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},
+                           {.id = "results", .title = "Results", .html = values_html(r)},
+                           {.id = "checks", .title = "Checks", .html = checks_html(r)},
+                           {.id = "given", .title = "Given", .html = given_html(r)},
+                           {.id = "calculation", .title = "Calculation", .html = steps_html(r)},
+                           {.id = "plots", .title = "Plots", .html = plots_html(r)},
+                           {.id = "tables", .title = "Tables", .html = tables_html(r)},
+                           {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)}};
   std::erase_if(all, [](const Section& s) { return s.html.empty(); });
   return all;
 }

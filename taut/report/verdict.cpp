@@ -52,10 +52,14 @@ Banner banner(const Result& r) {
   if (!verdict) {
     const std::string count =
         r.errors.size() > 1 ? fmt::format("The deck has {} mistakes", r.errors.size()) : "The deck has a mistake";
-    return {Mood::bad, icon_of(Mood::bad), count, r.message, {}};
+    return {.mood = Mood::bad, .icon = icon_of(Mood::bad), .headline = count, .detail = r.message, .scope = {}};
   }
   const Mood mood = mood_of(verdict->kind);
-  return {mood, icon_of(mood), std::string(headline(verdict->kind)), verdict->reason, scope_of(r)};
+  return {.mood = mood,
+          .icon = icon_of(mood),
+          .headline = std::string(headline(verdict->kind)),
+          .detail = verdict->reason,
+          .scope = scope_of(r)};
 }
 
 std::string utilisation_text(double u) {

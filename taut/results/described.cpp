@@ -17,7 +17,7 @@ Words both(Words first, const Words& second) {
 }
 
 QuantityWords one(const char* name, const char* symbol, const Unit& unit, const char* words) {
-  return {name, symbol, unit, words};
+  return {.name = name, .symbol = symbol, .unit = unit, .words = words};
 }
 
 /// `payload` and `governing` stand behind the carriage's place.
@@ -30,53 +30,71 @@ Words payload_words() {
 }
 
 std::vector<TableWords> of_states() {
-  return {{"spans", "every branch of free rope",
+  return {
+      {.name = "spans",
+       .rows = "every branch of free rope",
+       .columns =
            both(both(words_of(solve::branch_quantities()), words_of(solve::branch_band_quantities())),
                 {one("clearance", "", si::m, "least height of the branch over the ground, where there is terrain")})},
-          {"sheaves", "every contact: sheaves, supports and carriages on their ropes",
-           both(words_of(solve::contact_quantities()), words_of(solve::contact_band_quantities()))},
-          {"bodies", "every body", words_of(solve::body_quantities())},
-          {"anchors", "every end of a rope", words_of(solve::rope_end_quantities())},
-          {"ropes", "every rope", words_of(solve::rope_quantities())},
-          {"rope_loads", "every force along a rope", words_of(solve::rope_load_quantities())},
-          {"drives", "every driven sheave", words_of(solve::drive_quantities())},
-          {"drums", "every drum", words_of(solve::drum_quantities())},
-          {"closure", "the state as a whole: the worst of all", words_of(solve::closure_quantities())},
-          {"beams", "points along every beam", words_of(solve::beam_point_quantities())},
-          {"beam_ends", "every beam", words_of(solve::beam_quantities())},
-          {"put_up", "every line that is put up (`install:`)", words_of(study::put_up_quantities())}};
+      {.name = "sheaves",
+       .rows = "every contact: sheaves, supports and carriages on their ropes",
+       .columns = both(words_of(solve::contact_quantities()), words_of(solve::contact_band_quantities()))},
+      {.name = "bodies", .rows = "every body", .columns = words_of(solve::body_quantities())},
+      {.name = "anchors", .rows = "every end of a rope", .columns = words_of(solve::rope_end_quantities())},
+      {.name = "ropes", .rows = "every rope", .columns = words_of(solve::rope_quantities())},
+      {.name = "rope_loads", .rows = "every force along a rope", .columns = words_of(solve::rope_load_quantities())},
+      {.name = "drives", .rows = "every driven sheave", .columns = words_of(solve::drive_quantities())},
+      {.name = "drums", .rows = "every drum", .columns = words_of(solve::drum_quantities())},
+      {.name = "closure",
+       .rows = "the state as a whole: the worst of all",
+       .columns = words_of(solve::closure_quantities())},
+      {.name = "beams", .rows = "points along every beam", .columns = words_of(solve::beam_point_quantities())},
+      {.name = "beam_ends", .rows = "every beam", .columns = words_of(solve::beam_quantities())},
+      {.name = "put_up",
+       .rows = "every line that is put up (`install:`)",
+       .columns = words_of(study::put_up_quantities())}};
 }
 
 std::vector<TableWords> of_analyses() {
   const Words tensions = prefixed("ROPE.", words_of(solve::rope_end_tensions()));
-  return {{"load_path", "every place with an equilibrium", load_path_words()},
-          {"payload", "every place", payload_words()},
-          {"installation", "every temperature",
-           both(words_of(study::installation_quantities()), {one("sag_N", "f", si::m, "sag of span N at its half")})},
-          {"lengths", "every rope at the first temperature", lengths_words()},
-          {"cycle", "every place of every phase",
-           both(words_of(study::cycle_quantities()), {one("WINCH.pull", "F", si::N, "pull of that winch")})},
-          {"cycle_work", "every winch in every phase", words_of(study::winch_quantities())},
-          {"envelope", "forces; `envelope_lengths` and `envelope_angles` the same for lengths and angles",
-           words_of(study::envelope_quantities(si::N))},
-          {"sweep", "every value of the parameter", sweep_words()},
-          {"modes", "every mode", words_of(study::mode_quantities())},
-          {"mode_shapes", "every free body in every mode", words_of(study::mode_shape_quantities())},
-          {"tensioning", "every pull; what the deck observes stands behind",
-           both(words_of(study::pull_quantities()), tensions)},
-          {"least_tension", "every rope whose length follows",
-           both(words_of(study::least_tension_quantities()),
-                {one("T_min, CASE", "", si::N, "its least tension in that case")})}};
+  return {{.name = "load_path", .rows = "every place with an equilibrium", .columns = load_path_words()},
+          {.name = "payload", .rows = "every place", .columns = payload_words()},
+          {.name = "installation",
+           .rows = "every temperature",
+           .columns = both(words_of(study::installation_quantities()),
+                           {one("sag_N", "f", si::m, "sag of span N at its half")})},
+          {.name = "lengths", .rows = "every rope at the first temperature", .columns = lengths_words()},
+          {.name = "cycle",
+           .rows = "every place of every phase",
+           .columns = both(words_of(study::cycle_quantities()), {one("WINCH.pull", "F", si::N, "pull of that winch")})},
+          {.name = "cycle_work", .rows = "every winch in every phase", .columns = words_of(study::winch_quantities())},
+          {.name = "envelope",
+           .rows = "forces; `envelope_lengths` and `envelope_angles` the same for lengths and angles",
+           .columns = words_of(study::envelope_quantities(si::N))},
+          {.name = "sweep", .rows = "every value of the parameter", .columns = sweep_words()},
+          {.name = "modes", .rows = "every mode", .columns = words_of(study::mode_quantities())},
+          {.name = "mode_shapes",
+           .rows = "every free body in every mode",
+           .columns = words_of(study::mode_shape_quantities())},
+          {.name = "tensioning",
+           .rows = "every pull; what the deck observes stands behind",
+           .columns = both(words_of(study::pull_quantities()), tensions)},
+          {.name = "least_tension",
+           .rows = "every rope whose length follows",
+           .columns = both(words_of(study::least_tension_quantities()),
+                           {one("T_min, CASE", "", si::N, "its least tension in that case")})}};
 }
 
 std::vector<TableWords> of_motions() {
-  return {{"events", "every event of a motion", words_of(study::event_quantities())},
-          {"envelope (of a motion)", "everything that is observed", words_of(study::observed_quantities())},
-          {"dynamic", "every rope in a motion", words_of(study::dynamic_quantities())},
-          {"energy",
-           "every form of energy in a motion",
-           {one("form", "", si::one, "the form"), one("at_start", "", si::J, "at the start of the motion"),
-            one("at_end", "", si::J, "at its end")}}};
+  return {{.name = "events", .rows = "every event of a motion", .columns = words_of(study::event_quantities())},
+          {.name = "envelope (of a motion)",
+           .rows = "everything that is observed",
+           .columns = words_of(study::observed_quantities())},
+          {.name = "dynamic", .rows = "every rope in a motion", .columns = words_of(study::dynamic_quantities())},
+          {.name = "energy",
+           .rows = "every form of energy in a motion",
+           .columns = {one("form", "", si::one, "the form"), one("at_start", "", si::J, "at the start of the motion"),
+                       one("at_end", "", si::J, "at its end")}}};
 }
 
 }  // namespace

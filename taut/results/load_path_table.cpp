@@ -121,7 +121,7 @@ std::vector<Cell> load_path_cells(const LoadPathRow& row) {
   std::vector<Cell> cells;
   add_cells(cells, place_columns(), row);
   for (int i = 0; i < count; ++i) {
-    const solve::RopeRow rope{row.model, e, i};
+    const solve::RopeRow rope{.model = row.model, .at = e, .reeving = i};
     add_cells(cells, solve::rope_end_tensions(), rope);
     add_cells(cells, rope_columns(), rope);
   }
@@ -143,10 +143,13 @@ std::vector<Cell> load_path_cells(const LoadPathRow& row) {
 }
 
 Table load_path_table(const machine::Model& all, const study::LoadPathRun& run) {
-  Table t{"load_path", fmt::format("Load path, {}", run.words), load_path_columns(all), {}};
+  Table t{.name = "load_path",
+          .title = fmt::format("Load path, {}", run.words),
+          .columns = load_path_columns(all),
+          .rows = {}};
   for (const study::LoadPathPart& part : run.parts) {
     for (const auto& point : part.result.points) {
-      if (point.at.outcome.ok()) t.rows.push_back(load_path_cells({all, part.model, point}));
+      if (point.at.outcome.ok()) t.rows.push_back(load_path_cells({.all = all, .model = part.model, .point = point}));
     }
   }
   return t;

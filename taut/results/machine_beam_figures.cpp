@@ -30,7 +30,7 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
   Plot plot;
   plot.name = name;
   plot.title = title;
-  plot.x = {"along the beam from its base", si::m};
+  plot.x = {.label = "along the beam from its base", .unit = si::m};
   plot.y = y;
   bool dashed = false;
   for (const study::EquilibriumRun& one : run.equilibria) {
@@ -75,13 +75,13 @@ double shown_times(const solve::EquilibriumResult& e, double size) {
 
 void add_beam_plots(const MachineRun& run, Result& r) {
   add_plot(
-      run, "beam_moments", "Bending moment along the beams", {"bending moment", si::N_m},
+      run, "beam_moments", "Bending moment along the beams", {.label = "bending moment", .unit = si::N_m},
       [](const solve::BeamPoint& p) { return p.M; }, r);
   add_plot(
-      run, "beam_forces", "Axial force along the beams, tension positive", {"axial force", si::N},
+      run, "beam_forces", "Axial force along the beams, tension positive", {.label = "axial force", .unit = si::N},
       [](const solve::BeamPoint& p) { return p.N; }, r);
   add_plot(
-      run, "beam_deflections", "Deflection across the beams", {"deflection", si::m.in("mm")},
+      run, "beam_deflections", "Deflection across the beams", {.label = "deflection", .unit = si::m.in("mm")},
       [](const solve::BeamPoint& p) { return p.w; }, r);
 }
 

@@ -64,31 +64,36 @@ void check_stress(const machine::description::Beam& given, const checks::WorstOf
       unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
   add_fact(given.name, stress.when,
            make_check(given.name + ".stress_max", stress.value, si::Pa,
-                      {Sense::at_most, yield,
-                       fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
-                                   full_name(*steel), where),
-                       trust}),
+                      {.sense = Sense::at_most,
+                       .limit = yield,
+                       .rule = fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
+                                           full_name(*steel), where),
+                       .trust = trust}),
            r);
 }
 
 void check_buckling(const machine::description::Beam& given, const checks::WorstOf& factor, Result& r) {
   if (std::isnan(factor.value)) return;
   if (given.order == machine::description::Order::first) {
-    add_fact(given.name, factor.when,
-             make_check(given.name + ".alpha_cr", factor.value, si::one,
-                        {Sense::at_least, first_order_factor,
-                         "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
-                         "verified"}),
-             r);
+    add_fact(
+        given.name, factor.when,
+        make_check(given.name + ".alpha_cr", factor.value, si::one,
+                   {.sense = Sense::at_least,
+                    .limit = first_order_factor,
+                    .rule = "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
+                    .trust = "verified"}),
+        r);
     return;
   }
   add_fact(
       given.name, factor.when,
-      make_check(given.name + ".alpha_cr", factor.value, si::one,
-                 {Sense::at_least, 1,
-                  "critical over present axial force, in the state found (bending of second order is in the stress "
-                  "already)",
-                  "derived"}),
+      make_check(
+          given.name + ".alpha_cr", factor.value, si::one,
+          {.sense = Sense::at_least,
+           .limit = 1,
+           .rule = "critical over present axial force, in the state found (bending of second order is in the stress "
+                   "already)",
+           .trust = "derived"}),
       r);
 }
 

@@ -30,7 +30,7 @@ struct View {
   Vector3 right = Vector3::UnitX();
   Vector3 above = up();
   bool plan = false;
-  Point point(const Vector3& v) const { return {v.dot(right), v.dot(above)}; }
+  Point point(const Vector3& v) const { return {.x = v.dot(right), .y = v.dot(above)}; }
 };
 
 struct Box {
@@ -154,11 +154,17 @@ void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumR
                   double size) {
   for (const auto& [name, h] : held_of(m, e)) {
     const bool round = h.radius > 0 && !view.plan;
-    d.shapes.emplace_back(Circle{view.point(h.at), round ? h.radius : size / 300, Role::body, 0, 0, !round});
-    d.shapes.emplace_back(Label{view.point(h.at), name});
+    d.shapes.emplace_back(Circle{.center = view.point(h.at),
+                                 .radius = round ? h.radius : size / 300,
+                                 .role = Role::body,
+                                 .from = 0,
+                                 .to = 0,
+                                 .filled = !round});
+    d.shapes.emplace_back(Label{.at = view.point(h.at), .text = name});
     if (h.moves) continue;  // its ropes are in balance with its weight
     const Point f = view.point(h.force);
-    d.shapes.emplace_back(ForceArrow{view.point(h.at), f.x, f.y, "F", Role::force, false});
+    d.shapes.emplace_back(
+        ForceArrow{.at = view.point(h.at), .fx = f.x, .fy = f.y, .label = "F", .role = Role::force, .towards = false});
   }
 }
 
@@ -179,7 +185,8 @@ void draw_rope_loads(Drawing& d, const solve::EquilibriumResult& e, const machin
     place /= static_cast<double>(last - i);
     const Point f = view.point(force);
     if (std::hypot(f.x, f.y) > 0) {
-      d.shapes.emplace_back(ForceArrow{view.point(place), f.x, f.y, name, Role::second_force, false});
+      d.shapes.emplace_back(ForceArrow{
+          .at = view.point(place), .fx = f.x, .fy = f.y, .label = name, .role = Role::second_force, .towards = false});
     }
     i = last;
   }
@@ -189,8 +196,12 @@ void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumR
   const auto draw = [&](const machine::Place& place, const Vector3& force, const char* label) {
     const Point f = view.point(force);
     if (std::hypot(f.x, f.y) <= 0) return;
-    d.shapes.emplace_back(
-        ForceArrow{view.point(machine::in_ground(e.state, place)), f.x, f.y, label, Role::second_force, false});
+    d.shapes.emplace_back(ForceArrow{.at = view.point(machine::in_ground(e.state, place)),
+                                     .fx = f.x,
+                                     .fy = f.y,
+                                     .label = label,
+                                     .role = Role::second_force,
+                                     .towards = false});
   };
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
     const machine::Body& body = m.bodies[i];
@@ -206,7 +217,7 @@ void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumR
         draw(load.at, load.force, "P");
       }
     }
-    draw({index, body.centre}, own, body.mass > 0 ? "W" : "P");
+    draw({.body = index, .at = body.centre}, own, body.mass > 0 ? "W" : "P");
   }
 }
 
@@ -242,7 +253,7 @@ void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, co
   // seen across its longer horizontal side, or across the line that the ground or a load path follows
   const Vector3 longer = size.y() > size.x() ? Vector3(Vector3::UnitY()) : Vector3(Vector3::UnitX());
   const Vector3 right = line ? *line : longer;
-  r.figures.emplace_back(drawing_of(m, e, {right}, words));
+  r.figures.emplace_back(drawing_of(m, e, {.right = right}, words));
   const Vector3 aside = up().cross(right);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto& s : e.spans) {
@@ -252,14 +263,14 @@ void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, co
     }
   }
   if (high - low <= least_width * std::max(size.x(), size.y())) return;
-  r.figures.emplace_back(drawing_of(m, e, {Vector3::UnitX(), Vector3::UnitY(), true}, words));
+  r.figures.emplace_back(drawing_of(m, e, {.right = Vector3::UnitX(), .above = Vector3::UnitY(), .plan = true}, words));
 }
 
 Plot plot(const study::LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
   Plot p;
   p.name = name + run.ending;
   p.title = fmt::format("{}, {}", title, run.words);
-  p.x = {"x of the carriage", si::m};
+  p.x = {.label = "x of the carriage", .unit = si::m};
   p.y = y;
   return p;
 }
@@ -279,17 +290,18 @@ Curve curve(const study::LoadPathRun& run, const std::string& label, Of&& of, bo
 }
 
 void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r) {
-  Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {"tension", si::N});
+  Plot tensions = plot(run, "load_path_tensions", "Largest tension of each rope", {.label = "tension", .unit = si::N});
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
   }
   r.figures.emplace_back(std::move(tensions));
-  Plot way = plot(run, "load_path_height", "Way of the carriage", {"height", si::m});
+  Plot way = plot(run, "load_path_height", "Way of the carriage", {.label = "height", .unit = si::m});
   way.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.z; }));
   if (!m.terrain.empty()) {
     way.curves.push_back(curve(
         run, "ground", [](const auto& p) { return p.z - p.clearance; }, true));
-    Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {"clearance", si::m});
+    Plot clearance =
+        plot(run, "load_path_clearance", "Clearance over the ground", {.label = "clearance", .unit = si::m});
     clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
     clearance.curves.push_back(
         curve(run, "lowest rope", [&](const auto& p) { return study::rope_clearance(m, p.at).height; }));

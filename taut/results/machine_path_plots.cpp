@@ -67,8 +67,8 @@ Plot path_plot(const std::string& name, const std::string& title) {
   Plot p;
   p.name = name;
   p.title = title;
-  p.x = {"way along the rope", si::m};
-  p.y = {"tension", si::N};
+  p.x = {.label = "way along the rope", .unit = si::m};
+  p.y = {.label = "tension", .unit = si::N};
   return p;
 }
 

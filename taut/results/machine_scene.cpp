@@ -15,7 +15,10 @@ std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z(
 
 SceneLine line_of(const machine::Model& m, const solve::SpanResult& s) {
   const machine::Reeving& rope = m.reevings[s.reeving];
-  SceneLine line{fmt::format("{}[{}]", rope.name, s.from + 1), s.reeving == 0 ? Role::rope : Role::second_rope, {}, {}};
+  SceneLine line{.name = fmt::format("{}[{}]", rope.name, s.from + 1),
+                 .role = s.reeving == 0 ? Role::rope : Role::second_rope,
+                 .points = {},
+                 .tension = {}};
   std::vector<std::array<double, 3>> points;
   std::vector<double> tension;
   const bool sags = !s.slack && s.shape.rope.weight > 0 && s.shape.rope.length > 0;

@@ -17,13 +17,13 @@ void add_places(const MachineRun& run, Result& r) {
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
     if (body.free.empty() || body.of_rope || !is_listed(body)) continue;
-    const solve::BodyRow row{first->model, first->result, static_cast<int>(i)};
+    const solve::BodyRow row{.model = first->model, .at = first->result, .body = static_cast<int>(i)};
     for (const char* axis : {"x", "y", "z"}) {
       r.values.push_back(make_value(named(solve::body_quantities(), axis), row, body.name, "", first->words));
     }
   }
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
-    const solve::RopeRow row{first->model, first->result, static_cast<int>(i)};
+    const solve::RopeRow row{.model = first->model, .at = first->result, .reeving = static_cast<int>(i)};
     const std::string& name = run.model.reevings[i].name;
     r.values.push_back(make_value(named(solve::rope_quantities(), "unstretched"), row, name, "", first->words));
   }
@@ -35,7 +35,7 @@ void add_ends(const MachineRun& run, Result& r) {
     if (!one.result.outcome.ok()) continue;
     for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
       const machine::Reeving& rope = one.model.reevings[i];
-      const solve::RopeRow row{one.model, one.result, static_cast<int>(i)};
+      const solve::RopeRow row{.model = one.model, .at = one.result, .reeving = static_cast<int>(i)};
       for (const auto& q : solve::rope_end_tensions()) {
         Value value = make_value(q, row, rope.name, one.ending, one.words);
         const int end = q.about.name == "T_start" ? solve::first_branch(one.result, row.reeving).from

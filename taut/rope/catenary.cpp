@@ -80,7 +80,9 @@ Integrals integrals(const CatenaryRope& rope, double H, const Ends<double>& e) {
 
 CatenaryRope heated(const CatenaryRope& rope, double thermal_strain) {
   expects(thermal_strain > -1, "a rope keeps some length");
-  return {rope.length * (1 + thermal_strain), rope.weight / (1 + thermal_strain), rope.stiffness};
+  return {.length = rope.length * (1 + thermal_strain),
+          .weight = rope.weight / (1 + thermal_strain),
+          .stiffness = rope.stiffness};
 }
 
 std::string_view to_text(NoCatenary why) {
@@ -112,8 +114,8 @@ EndPosition end_position(const CatenaryRope& rope, const CatenaryForce& f) {
 ExactEnd exact_end(const CatenaryRope& rope, const CatenaryForce& f) {
   const Ends<long double> e = ends_of<long double>(rope, f.H, f.V);
   const long double compliance = static_cast<long double>(rope.length) / rope.stiffness;
-  return {f.H == 0 ? 0 : f.H * (compliance + inverse_tension(rope, e)),
-          e.sum > 0 ? f.V * (compliance + 2 * static_cast<long double>(rope.length) / e.sum) : 0};
+  return {.x = f.H == 0 ? 0 : f.H * (compliance + inverse_tension(rope, e)),
+          .z = e.sum > 0 ? f.V * (compliance + 2 * static_cast<long double>(rope.length) / e.sum) : 0};
 }
 
 EndRates end_rates(const CatenaryRope& rope, const CatenaryForce& f) {

@@ -26,10 +26,11 @@ double RopePoint::tension() const { return std::hypot(H, V); }
 RopePoint point_at(const CatenaryRope& rope, const CatenaryForce& f, double s) {
   expects(s >= 0 && s <= rope.length, "a point of a rope lies on it");
   const double V = start_V(rope, f) + rope.weight * s;
-  if (s == 0) return {0, 0, f.H, V};
+  if (s == 0) return {.x = 0, .z = 0, .H = f.H, .V = V};
   // the piece up to s is a rope of its own
-  const EndPosition p = end_position({s, rope.weight, rope.stiffness}, {f.H, V - rope.weight * s / 2});
-  return {p.x, p.z, f.H, V};
+  const EndPosition p = end_position({.length = s, .weight = rope.weight, .stiffness = rope.stiffness},
+                                     {.H = f.H, .V = V - rope.weight * s / 2});
+  return {.x = p.x, .z = p.z, .H = f.H, .V = V};
 }
 
 double length_to(const CatenaryRope& rope, const CatenaryForce& f, double x) {
@@ -61,11 +62,11 @@ Sag largest_sag(const CatenaryRope& rope, const CatenaryForce& f) {
   const EndPosition end = end_position(rope, f);
   if (!(end.x > upright * std::abs(end.z))) {
     const double s = lowest_point(rope, f);
-    return {std::min(0.0, end.z) - point_at(rope, f, s).z, 0, s};
+    return {.depth = std::min(0.0, end.z) - point_at(rope, f, s).z, .x = 0, .s = s};
   }
   const double s = length_to_V(rope, f, f.H * (end.z / end.x));
   const RopePoint p = point_at(rope, f, s);
-  return {p.x * (end.z / end.x) - p.z, p.x, s};
+  return {.depth = p.x * (end.z / end.x) - p.z, .x = p.x, .s = s};
 }
 
 double lowest_point(const CatenaryRope& rope, const CatenaryForce& f) { return length_to_V(rope, f, 0); }

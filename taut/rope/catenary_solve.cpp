@@ -22,12 +22,13 @@ tl::expected<CatenarySolution, NoCatenary> solve_vertical(const CatenaryRope& ro
   const double half = rope.weight * L / 2;
   const double compliance = L / rope.stiffness;
   // all of it pulled one way: z = +-L + V L/EA
-  if (compliance > 0 && z - L >= half * compliance) return CatenarySolution{{0, (z - L) / compliance}, 0, 0};
+  if (compliance > 0 && z - L >= half * compliance)
+    return CatenarySolution{.force = {.H = 0, .V = (z - L) / compliance}, .closure = 0, .iterations = 0};
   if (rope.weight == 0) return tl::unexpected(z < L ? NoCatenary::slack : NoCatenary::too_short);
   // a loop hangs between the ends: z = V (L/EA + 2/w)
   const double V = z / (compliance + L / half);
   if (V > half) return tl::unexpected(NoCatenary::too_short);
-  return CatenarySolution{{0, V}, 0, 0};
+  return CatenarySolution{.force = {.H = 0, .V = V}, .closure = 0, .iterations = 0};
 }
 
 double size_of(double x, double z) { return std::sqrt(x * x + z * z); }
@@ -56,7 +57,7 @@ CatenaryForce first_guess(const CatenaryRope& rope, double x, double z) {
   if (L <= chord) {
     // the straight spring, with the tension that its sag alone would give added in
     const double T = rigid ? sag : rope.stiffness * (chord - L) / L + std::cbrt(rope.stiffness * sag * sag / 24);
-    return {T * x / chord, T * z / chord};
+    return {.H = T * x / chord, .V = T * z / chord};
   }
   const double y = std::sqrt((L - z) * (L + z)) / x, lambda = sinh_ratio_root(y);
   const double H = w * x / (2 * lambda);
@@ -66,18 +67,18 @@ CatenaryForce first_guess(const CatenaryRope& rope, double x, double z) {
     const double most = rope.stiffness * sag * sag / 3 * level * level * level * level * level;
     if (H * H * H > most) {
       const double held = std::cbrt(most);
-      return {held, w / 2 * z / std::tanh(w * x / (2 * held))};
+      return {.H = held, .V = w / 2 * z / std::tanh(w * x / (2 * held))};
     }
   }
   // coth(lambda), with sinh(lambda) = lambda y
-  return {H, w / 2 * z * std::sqrt(1 + 1 / (lambda * y * lambda * y))};
+  return {.H = H, .V = w / 2 * z * std::sqrt(1 + 1 / (lambda * y * lambda * y))};
 }
 
 struct Residual {
   double x, z, size;
 };
 
-Residual residual_of(double rx, double rz) { return {rx, rz, size_of(rx, rz)}; }
+Residual residual_of(double rx, double rz) { return {.x = rx, .z = rz, .size = size_of(rx, rz)}; }
 
 Residual exact_residual(const CatenaryRope& rope, double x, double z, const CatenaryForce& f) {
   const ExactEnd at = exact_end(rope, f);
@@ -87,7 +88,7 @@ Residual exact_residual(const CatenaryRope& rope, double x, double z, const Cate
 /// The step of H and V that closes the residual to first order.
 CatenaryForce newton_step(const EndPosition& p, const Residual& r) {
   const double determinant = p.dx_dH * p.dz_dV - p.dx_dV * p.dx_dV;
-  return {(p.dz_dV * r.x - p.dx_dV * r.z) / determinant, (p.dx_dH * r.z - p.dx_dV * r.x) / determinant};
+  return {.H = (p.dz_dV * r.x - p.dx_dV * r.z) / determinant, .V = (p.dx_dH * r.z - p.dx_dV * r.x) / determinant};
 }
 
 /// The first of f + step, f + step/2, .. at which the residual is smaller than `now`, or the complementary energy,
@@ -101,7 +102,7 @@ bool damped_step(CatenaryForce& f, Residual& now, const CatenaryForce& step, con
   const double falls = now.x * step.H + now.z * step.V;
   double part = f.H + step.H > 0 ? 1.0 : std::min(1.0, -0.9 * f.H / step.H);
   for (int k = 0; k < most_catenary_halvings; ++k, part /= 2) {
-    const CatenaryForce next{f.H + part * step.H, f.V + part * step.V};
+    const CatenaryForce next{.H = f.H + part * step.H, .V = f.V + part * step.V};
     const Residual then = residual_at(next);
     const bool less_energy = then.x * step.H + then.z * step.V >= -falls / 2;
     if (then.size < now.size || (less_energy && !at_rounding)) {
@@ -160,7 +161,7 @@ tl::expected<CatenarySolution, NoCatenary> solve_rising(const CatenaryRope& rope
   if (rope.weight == 0) {
     if (rope.length > chord) return tl::unexpected(NoCatenary::slack);
     const double T = rope.stiffness * (chord - rope.length) / rope.length;
-    return CatenarySolution{{T * x / chord, T * z / chord}, 0, 0};
+    return CatenarySolution{.force = {.H = T * x / chord, .V = T * z / chord}, .closure = 0, .iterations = 0};
   }
   const bool usable = start && start->H > 0 && std::isfinite(start->H) && std::isfinite(start->V);
   CatenarySolution s = iterate(rope, x, z, usable ? *start : first_guess(rope, x, z));
@@ -177,7 +178,7 @@ tl::expected<CatenarySolution, NoCatenary> solve_catenary(const CatenaryRope& ro
   expects(rope.weight >= 0 && std::isfinite(rope.weight) && rope.stiffness > 0, "a rope has weight and stiffness");
   expects(x >= 0 && std::isfinite(x) && std::isfinite(z), "a span has finite ends, the end beside or above the start");
   if (z >= 0) return solve_rising(rope, x, z, start);
-  const auto mirror = [](const CatenaryForce& f) { return CatenaryForce{f.H, -f.V}; };
+  const auto mirror = [](const CatenaryForce& f) { return CatenaryForce{.H = f.H, .V = -f.V}; };
   auto s = solve_rising(rope, x, -z, start ? std::optional(mirror(*start)) : std::nullopt);
   if (s) s->force = mirror(s->force);
   return s;

@@ -25,9 +25,9 @@ struct GripLimit {
 
 GripLimit limit_of(const Contact& c) {
   const double groove = capstan(c);
-  if (!c.turns) return {groove, true};
+  if (!c.turns) return {.log = groove, .by_groove = true};
   const double bearing = -std::log(c.efficiency);
-  return groove < bearing ? GripLimit{groove, true} : GripLimit{bearing, false};
+  return groove < bearing ? GripLimit{.log = groove, .by_groove = true} : GripLimit{.log = bearing, .by_groove = false};
 }
 
 double log_ratio(const Contact& c, double T_in, double T_out) {
@@ -53,13 +53,13 @@ OutTension tension_out(const Contact& contact, double T_in, Flow flow) {
   const double ratio = grows ? largest_ratio(contact) : 1 / largest_ratio(contact);
   const double pressing = (T_in - contact.momentum_flow) * ratio;
   const double along_arc = limit_of(contact).by_groove ? contact.friction * pressing : 0;
-  return {contact.momentum_flow + pressing, ratio, grows ? along_arc : -along_arc};
+  return {.T = contact.momentum_flow + pressing, .dT_dT_in = ratio, .dT_dwrap = grows ? along_arc : -along_arc};
 }
 
 Band band_at_rest(const Contact& contact, double T_in) {
   expects(T_in >= 0, "a rope pulls");
   const double ratio = largest_ratio(contact);
-  return {T_in / ratio, T_in * ratio};
+  return {.low = T_in / ratio, .high = T_in * ratio};
 }
 
 ContactState state_of(const Contact& contact, double T_in, double T_out, double tolerance) {

@@ -26,21 +26,22 @@ double ernst_secant_stiffness(const GuyLine& guy, double T_1, double T_2) {
 GuyStiffness horizontal_stiffness(const GuyLine& guy) {
   const double c = std::cos(guy.slope), s = std::sin(guy.slope);
   const double across = guy.tension / guy.length;
-  return {ernst_stiffness(guy) / guy.length * c * c + across * s * s, across};
+  return {.in_plane = ernst_stiffness(guy) / guy.length * c * c + across * s * s, .across = across};
 }
 
 RingStiffness operator+(const RingStiffness& a, const RingStiffness& b) {
-  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+  return {.xx = a.xx + b.xx, .xy = a.xy + b.xy, .yy = a.yy + b.yy};
 }
 
 RingStiffness in_ring(const GuyStiffness& guy, double azimuth) {
   const double c = std::cos(azimuth), s = std::sin(azimuth);
-  return {guy.in_plane * c * c + guy.across * s * s, (guy.in_plane - guy.across) * c * s,
-          guy.in_plane * s * s + guy.across * c * c};
+  return {.xx = guy.in_plane * c * c + guy.across * s * s,
+          .xy = (guy.in_plane - guy.across) * c * s,
+          .yy = guy.in_plane * s * s + guy.across * c * c};
 }
 
 GuyPull pull_on_mast(const GuyLine& guy) {
-  return {guy.tension * std::cos(guy.slope), guy.tension * std::sin(guy.slope)};
+  return {.horizontal = guy.tension * std::cos(guy.slope), .downwards = guy.tension * std::sin(guy.slope)};
 }
 
 }  // namespace taut::rope

@@ -8,7 +8,9 @@
 namespace taut::rope {
 
 RopeLengths operator+(const RopeLengths& a, const RopeLengths& b) {
-  return {a.unstretched + b.unstretched, a.installed + b.installed, a.stretched + b.stretched};
+  return {.unstretched = a.unstretched + b.unstretched,
+          .installed = a.installed + b.installed,
+          .stretched = a.stretched + b.stretched};
 }
 
 RopeLengths path_lengths(std::span<const TensionPiece> path, double stiffness, double thermal_strain) {
@@ -18,7 +20,7 @@ RopeLengths path_lengths(std::span<const TensionPiece> path, double stiffness, d
     expects(piece.unstretched >= 0 && piece.T_from >= 0 && piece.T_to >= 0, "a rope has length and pulls");
     const double warm = piece.unstretched * (1 + thermal_strain);
     const double stretch = (piece.T_from + piece.T_to) / 2 / stiffness;
-    sum = sum + RopeLengths{piece.unstretched, warm, warm * (1 + stretch)};
+    sum = sum + RopeLengths{.unstretched = piece.unstretched, .installed = warm, .stretched = warm * (1 + stretch)};
   }
   return sum;
 }
@@ -30,7 +32,7 @@ double unstretched_length(double stretched, double T_from, double T_to, double s
 
 RopeLengths stretched_span(const CatenaryRope& rope, const CatenaryForce& force, double thermal_strain) {
   const CatenaryRope warm = heated(rope, thermal_strain);
-  return {rope.length, warm.length, stretched_length(warm, force)};
+  return {.unstretched = rope.length, .installed = warm.length, .stretched = stretched_length(warm, force)};
 }
 
 double unstretched_on_arc(double arc, double T_from, double T_to, double stiffness) {

@@ -28,10 +28,10 @@ struct Piece {
 /// The piece of length l whose tension at its start is T.
 Piece piece_of(const CatenaryRope& rope, double l, const Vector3& T) {
   Piece p;
-  p.rope = {l, rope.weight, rope.stiffness};
+  p.rope = {.length = l, .weight = rope.weight, .stiffness = rope.stiffness};
   const double H = std::hypot(T.x(), T.y());
   if (H > 0) p.along = Vector3(T.x() / H, T.y() / H, 0);
-  p.force = {H, T.z() + rope.weight * l / 2};
+  p.force = {.H = H, .V = T.z() + rope.weight * l / 2};
   return p;
 }
 
@@ -97,9 +97,9 @@ Vector3 first_guess(const LoadedSpan& span) {
   const double w = rope.weight + std::max(size, 1e-9) / L;
   const double x = std::hypot(span.chord.x(), span.chord.y());
   const double aside = std::max(x, 1e-3 * std::max(L, span.chord.norm()));  // off the vertical line
-  const auto spread = solve_catenary({L, w, rope.stiffness}, aside, span.chord.z());
+  const auto spread = solve_catenary({.length = L, .weight = w, .stiffness = rope.stiffness}, aside, span.chord.z());
   const Vector3 along = x > 0 ? Vector3(span.chord.x() / x, span.chord.y() / x, 0) : Vector3::UnitX();
-  const CatenaryForce f = spread ? spread->force : CatenaryForce{w * L, 0};
+  const CatenaryForce f = spread ? spread->force : CatenaryForce{.H = w * L, .V = 0};
   return f.H * along + (f.V - rope.weight * L / 2) * up() + at_start;
 }
 

@@ -35,7 +35,7 @@ double sag_at(const Parabola& p, double H, double x) {
 ParabolaEnds end_forces(const Parabola& p, double H) {
   check(p);
   const double mean = H * p.rise / p.span, half = p.weight * chord(p) / 2;
-  return {mean - half, mean + half};
+  return {.V_start = mean - half, .V_end = mean + half};
 }
 
 double arc_length(const Parabola& p, double H) {

@@ -100,10 +100,11 @@ class RopeChecker {
     for (std::size_t i = 0; i < rules_.safety_factors.size(); ++i) {
       const Limit& limit = rules_.safety_factors[i];
       add(i == 0 ? "safety_factor" : fmt::format("safety_factor_{}", i + 1), strength() / use_.tension, si::one,
-          {Sense::at_least, limit.value,
-           fmt::format("{} over the largest tension {} ({}): {}", strength_words(), kilonewton(use_.tension),
-                       use_.where, limit.rule),
-           trust(limit.trust)});
+          {.sense = Sense::at_least,
+           .limit = limit.value,
+           .rule = fmt::format("{} over the largest tension {} ({}): {}", strength_words(), kilonewton(use_.tension),
+                               use_.where, limit.rule),
+           .trust = trust(limit.trust)});
     }
   }
 
@@ -113,8 +114,10 @@ class RopeChecker {
     if (rules_.least_termination) {
       const Limit& least = *rules_.least_termination;
       add("termination", efficiency.value, si::one,
-          {Sense::at_least, least.value, fmt::format("efficiency of {}: {}", efficiency.rule, least.rule),
-           least.trust});
+          {.sense = Sense::at_least,
+           .limit = least.value,
+           .rule = fmt::format("efficiency of {}: {}", efficiency.rule, least.rule),
+           .trust = least.trust});
       return;
     }
     if (!has_strength()) return;
@@ -122,11 +125,13 @@ class RopeChecker {
       for (const Limit& limit : rules_.safety_factors) {
         if (!(end.tension > 0)) continue;
         const bool doubt = efficiency.trust.starts_with("UNVERIFIED");
-        keep_worst("termination", efficiency.value * strength() / end.tension, si::one,
-                   {Sense::at_least, limit.value,
-                    fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(), efficiency.value,
-                                efficiency.rule, kilonewton(end.tension), end.name, limit.rule),
-                    trust(doubt ? efficiency.trust : limit.trust)});
+        keep_worst(
+            "termination", efficiency.value * strength() / end.tension, si::one,
+            {.sense = Sense::at_least,
+             .limit = limit.value,
+             .rule = fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(),
+                                 efficiency.value, efficiency.rule, kilonewton(end.tension), end.name, limit.rule),
+             .trust = trust(doubt ? efficiency.trust : limit.trust)});
       }
     }
   }
@@ -137,12 +142,13 @@ class RopeChecker {
       if (!(bend.tension > 0) || bend.wrap < least_wrap) continue;
       const double left = sheave_strength(ratio_of(bend, use_));
       for (const Limit& limit : rules_.safety_factors) {
-        keep_worst(
-            "on_sheave", left * strength() / bend.tension, si::one,
-            {Sense::at_least, limit.value,
-             fmt::format("{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
-                         strength_words(), left, ratio_of(bend, use_), kilonewton(bend.tension), bend.name, limit.rule),
-             trust("UNVERIFIED: weakening on a sheave, recalled")});
+        keep_worst("on_sheave", left * strength() / bend.tension, si::one,
+                   {.sense = Sense::at_least,
+                    .limit = limit.value,
+                    .rule = fmt::format(
+                        "{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
+                        strength_words(), left, ratio_of(bend, use_), kilonewton(bend.tension), bend.name, limit.rule),
+                    .trust = trust("UNVERIFIED: weakening on a sheave, recalled")});
       }
     }
   }
@@ -156,12 +162,14 @@ class RopeChecker {
       // out of the formula's range no factor is enough
       const double gamma = ratio > least_ratio_en13001 ? resistance_factor(ratio) : HUGE_VAL;
       const double pull = rules_.dynamic_factor * bend.tension;
-      keep_worst("resistance", pull, si::N,
-                 {Sense::at_most, strength() / gamma,
-                  fmt::format("F_Sd = {:.3g} x {} at '{}' at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}",
-                              rules_.dynamic_factor, kilonewton(bend.tension), bend.name, gamma, ratio,
-                              rules_.resistance->rule),
-                  trust(rules_.resistance->trust)});
+      keep_worst(
+          "resistance", pull, si::N,
+          {.sense = Sense::at_most,
+           .limit = strength() / gamma,
+           .rule = fmt::format("F_Sd = {:.3g} x {} at '{}' at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}",
+                               rules_.dynamic_factor, kilonewton(bend.tension), bend.name, gamma, ratio,
+                               rules_.resistance->rule),
+           .trust = trust(rules_.resistance->trust)});
     }
   }
 
@@ -169,10 +177,12 @@ class RopeChecker {
     if (!rules_.fatigue_history || !rules_.resistance || !has_strength()) return;
     const double pull = rules_.dynamic_factor * use_.tension;
     add("fatigue", pull, si::N,
-        {Sense::at_most, fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
-         fmt::format("F_Sd = {:.3g} x {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2",
-                     rules_.dynamic_factor, kilonewton(use_.tension), rules_.fatigue_factor, *rules_.fatigue_history),
-         trust(rules_.resistance->trust)});
+        {.sense = Sense::at_most,
+         .limit = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
+         .rule = fmt::format(
+             "F_Sd = {:.3g} x {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2",
+             rules_.dynamic_factor, kilonewton(use_.tension), rules_.fatigue_factor, *rules_.fatigue_history),
+         .trust = trust(rules_.resistance->trust)});
   }
 
   void dynamics() {
@@ -184,27 +194,35 @@ class RopeChecker {
                                                 kilonewton(use_.tension), rules_.dynamic_words);
     if (rules_.dynamic_safety) {
       add("dynamic_safety_factor", strength() / peak, si::one,
-          {Sense::at_least, rules_.dynamic_safety->value,
-           fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
-           trust_of_peak(rules_.dynamic_safety->trust)});
+          {.sense = Sense::at_least,
+           .limit = rules_.dynamic_safety->value,
+           .rule = fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
+           .trust = trust_of_peak(rules_.dynamic_safety->trust)});
     }
     if (rules_.elastic_share) {
       add("elastic_limit", peak, si::N,
-          {Sense::at_most, rules_.elastic_share->value * strength(),
-           fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
-                       rules_.elastic_share->rule),
-           trust_of_peak(rules_.elastic_share->trust)});
+          {.sense = Sense::at_most,
+           .limit = rules_.elastic_share->value * strength(),
+           .rule = fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
+                               rules_.elastic_share->rule),
+           .trust = trust_of_peak(rules_.elastic_share->trust)});
     }
   }
 
   void heat() {
     if (rules_.temperature && rules_.hottest_end) {
       add("end_temperature", *rules_.temperature, si::K.in("degC"),
-          {Sense::at_most, rules_.hottest_end->value, rules_.hottest_end->rule, rules_.hottest_end->trust});
+          {.sense = Sense::at_most,
+           .limit = rules_.hottest_end->value,
+           .rule = rules_.hottest_end->rule,
+           .trust = rules_.hottest_end->trust});
     }
     if (!rules_.temperature || !rules_.hottest) return;
     add("temperature", *rules_.temperature, si::K.in("degC"),
-        {Sense::at_most, rules_.hottest->value, rules_.hottest->rule, rules_.hottest->trust});
+        {.sense = Sense::at_most,
+         .limit = rules_.hottest->value,
+         .rule = rules_.hottest->rule,
+         .trust = rules_.hottest->trust});
   }
 
   void ratios() {
@@ -215,10 +233,11 @@ class RopeChecker {
         if (!has_diameter()) return leave_out("D/d", "the diameter is not known");
         for (const Limit& limit : limits) {
           keep_worst(key, ratio_of(bend, use_), si::one,
-                     {Sense::at_least, limit.value,
-                      fmt::format("D/d of '{}', {:.4g} mm over {:.4g} mm: {}", bend.name, bend.diameter * 1e3,
-                                  use_.rope.diameter * 1e3, limit.rule),
-                      limit.trust});
+                     {.sense = Sense::at_least,
+                      .limit = limit.value,
+                      .rule = fmt::format("D/d of '{}', {:.4g} mm over {:.4g} mm: {}", bend.name, bend.diameter * 1e3,
+                                          use_.rope.diameter * 1e3, limit.rule),
+                      .trust = limit.trust});
         }
       }
     };
@@ -240,10 +259,11 @@ class RopeChecker {
     for (const Bend& bend : use_.bends) {
       if (!(bend.tension > 0)) continue;
       keep_worst("groove_pressure", groove_pressure(bend.tension, use_.rope.diameter, bend.diameter), si::Pa,
-                 {Sense::at_most, rules_.groove_pressure->value,
-                  fmt::format("p = 2 F/(d D) at '{}', F = {}: {}", bend.name, kilonewton(bend.tension),
-                              rules_.groove_pressure->rule),
-                  rules_.groove_pressure->trust});
+                 {.sense = Sense::at_most,
+                  .limit = rules_.groove_pressure->value,
+                  .rule = fmt::format("p = 2 F/(d D) at '{}', F = {}: {}", bend.name, kilonewton(bend.tension),
+                                      rules_.groove_pressure->rule),
+                  .trust = rules_.groove_pressure->trust});
     }
   }
 
@@ -256,33 +276,39 @@ class RopeChecker {
       const double bent = bending_stress(rules_.bending_modulus, wire, bend.diameter);
       const bool doubt = rules_.wire->trust.starts_with("UNVERIFIED");
       keep_worst("wire_stress", bend.tension / use_.rope.area + bent, si::Pa,
-                 {Sense::at_most, *use_.rope.grade,
-                  fmt::format("T/A {:.4g} MPa + E_r delta/D {:.4g} MPa at '{}' (delta = {:.3g} mm, {}; an upper bound, "
-                              "Shigley), the bending alone as much as a pull of {}: grade of the wires",
-                              bend.tension / use_.rope.area / 1e6, bent / 1e6, bend.name, wire * 1e3, rules_.wire->rule,
-                              kilonewton(bent * use_.rope.area)),
-                  doubt ? rules_.wire->trust : "derived"});
+                 {.sense = Sense::at_most,
+                  .limit = *use_.rope.grade,
+                  .rule = fmt::format(
+                      "T/A {:.4g} MPa + E_r delta/D {:.4g} MPa at '{}' (delta = {:.3g} mm, {}; an upper bound, "
+                      "Shigley), the bending alone as much as a pull of {}: grade of the wires",
+                      bend.tension / use_.rope.area / 1e6, bent / 1e6, bend.name, wire * 1e3, rules_.wire->rule,
+                      kilonewton(bent * use_.rope.area)),
+                  .trust = doubt ? rules_.wire->trust : "derived"});
     }
   }
 
   void on_drum(const DrumEnd& drum) {
     if (rules_.fleet_angle && drum.fleet_angle) {
-      keep_worst(
-          "fleet_angle", *drum.fleet_angle, si::rad,
-          {Sense::at_most, rules_.fleet_angle->value,
-           fmt::format("at the flanges of '{}': {}", drum.name, rules_.fleet_angle->rule), rules_.fleet_angle->trust});
+      keep_worst("fleet_angle", *drum.fleet_angle, si::rad,
+                 {.sense = Sense::at_most,
+                  .limit = rules_.fleet_angle->value,
+                  .rule = fmt::format("at the flanges of '{}': {}", drum.name, rules_.fleet_angle->rule),
+                  .trust = rules_.fleet_angle->trust});
     }
     if (rules_.layers && drum.layers) {
       keep_worst("drum_layers", *drum.layers, si::one,
-                 {Sense::at_most, rules_.layers->value,
-                  fmt::format("layers on '{}': {}", drum.name, rules_.layers->rule), rules_.layers->trust});
+                 {.sense = Sense::at_most,
+                  .limit = rules_.layers->value,
+                  .rule = fmt::format("layers on '{}': {}", drum.name, rules_.layers->rule),
+                  .trust = rules_.layers->trust});
     }
     if (rules_.rated_pull && drum.first_radius && drum.last_radius && drum.tension > 0) {
       keep_worst("last_layer_pull", drum.tension, si::N,
-                 {Sense::at_most, *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
-                  fmt::format("pull of '{}' in its last layer: {} in the first one x {:.4g} m/{:.4g} m", drum.name,
-                              kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
-                  "user"});
+                 {.sense = Sense::at_most,
+                  .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
+                  .rule = fmt::format("pull of '{}' in its last layer: {} in the first one x {:.4g} m/{:.4g} m",
+                                      drum.name, kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
+                  .trust = "user"});
     }
   }
 

@@ -56,14 +56,15 @@ EndForceRates length_rates(const Span& span) {
   if (span.slack) return {};
   const CatenaryStiffness k = stiffness(span.rope, span.force);
   const double w = span.rope.weight;
-  return {in_space(span, k.dH_dlength, k.dV_dlength - w / 2), -in_space(span, k.dH_dlength, k.dV_dlength + w / 2)};
+  return {.start = in_space(span, k.dH_dlength, k.dV_dlength - w / 2),
+          .end = -in_space(span, k.dH_dlength, k.dV_dlength + w / 2)};
 }
 
 EndForceRates heat_rates(const Span& span) {
   if (span.slack) return {};
   const CatenaryStiffness k = stiffness(span.rope, span.force);
   const Vector3 rate = in_space(span, k.dH_dheat, k.dV_dheat);
-  return {rate, -rate};
+  return {.start = rate, .end = -rate};
 }
 
 double tension_at_start(const Span& span) { return std::hypot(span.force.H, span.force.V - half_weight(span)); }

@@ -21,7 +21,7 @@ struct Frame {
 Frame frame_at(const Round& round, double angle) {
   const Vector3 other = round.axis.cross(round.zero);
   const double c = std::cos(angle), s = std::sin(angle);
-  return {c * round.zero + s * other, c * other - s * round.zero};
+  return {.r = c * round.zero + s * other, .tangent = c * other - s * round.zero};
 }
 
 double angle_of(const Round& round, const Vector3& r) {
@@ -58,7 +58,7 @@ std::optional<Angles> parallel_angles(const Round& from, const Round& to) {
   const double R2 = to.side * to.radius * (opposite ? -1 : 1);
   const auto t = direction_across(main.axis, to.centre - from.centre, R1, R2);
   if (!t) return std::nullopt;
-  return Angles{contact_angle(from, *t), contact_angle(to, *t)};
+  return Angles{.from = contact_angle(from, *t), .to = contact_angle(to, *t)};
 }
 
 /// A few passes of "the other end is a point": a start for Newton that is on the right side of both rounds.
@@ -86,7 +86,7 @@ struct TangentEnds {
 };
 
 TangentEnds ends_at(const Round& from, const Round& to, const Angles& a) {
-  TangentEnds e{frame_at(from, a.from), frame_at(to, a.to), {}, {}, {}};
+  TangentEnds e{.f1 = frame_at(from, a.from), .f2 = frame_at(to, a.to), .d = {}, .g = {}, .J = {}};
   e.d = to.centre + to.radius * e.f2.r - from.centre - from.radius * e.f1.r;
   e.g << e.d.dot(e.f1.r), e.d.dot(e.f2.r);
   e.J << e.d.dot(e.f1.tangent), to.radius * e.f2.tangent.dot(e.f1.r), -from.radius * e.f1.tangent.dot(e.f2.r),
@@ -167,7 +167,7 @@ Round sheave(const Vector3& centre, const Vector3& axis, double radius, int side
   expects(centre.allFinite() && axis.allFinite() && axis.norm() > 0, "a sheave has a centre and an axis");
   expects(radius >= 0 && std::isfinite(radius), "a sheave has a radius");
   expects(side == 1 || side == -1, "a rope runs right-handed or left-handed over a sheave");
-  Round round{centre, axis.normalized(), Vector3::Zero(), radius, side};
+  Round round{.centre = centre, .axis = axis.normalized(), .zero = Vector3::Zero(), .radius = radius, .side = side};
   // by default the coordinate direction that is farthest from the axis
   Eigen::Index least = 0;
   round.axis.cwiseAbs().minCoeff(&least);
@@ -178,7 +178,9 @@ Round sheave(const Vector3& centre, const Vector3& axis, double radius, int side
   return round;
 }
 
-Round point(const Vector3& at) { return {at, Vector3::UnitY(), Vector3::UnitX(), 0, 1}; }
+Round point(const Vector3& at) {
+  return {.centre = at, .axis = Vector3::UnitY(), .zero = Vector3::UnitX(), .radius = 0, .side = 1};
+}
 
 Round reversed(Round round) {
   round.side = -round.side;
@@ -196,7 +198,7 @@ tl::expected<TangentLine, NoLine> tangent_line(const Round& from, const Round& t
     return line_at(from, to, *a, 0);
   }
   if (start) {
-    Angles a{start->first, start->second};
+    Angles a{.from = start->first, .to = start->second};
     if (const auto steps = close(from, to, a)) return line_at(from, to, a, *steps);
   }
   // nearly parallel axes: the closed form of their projection is the better start, and right for crossed ropes
@@ -209,7 +211,7 @@ tl::expected<TangentLine, NoLine> tangent_line(const Round& from, const Round& t
 }
 
 LineRates line_rates(const Round& from, const Round& to, const TangentLine& line) {
-  const TangentEnds e = ends_at(from, to, {line.angle_from, line.angle_to});
+  const TangentEnds e = ends_at(from, to, {.from = line.angle_from, .to = line.angle_to});
   const Vector3 &r1 = e.f1.r, &r2 = e.f2.r;
   Eigen::Matrix<double, 2, 12> g;  // of the two conditions, at constant angles
   g.row(0) << -r1.transpose(), r1.cross(e.d).transpose(), r1.transpose(), to.radius * r2.cross(r1).transpose();

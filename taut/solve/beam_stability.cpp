@@ -286,7 +286,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
                                             bool factors) {
   int kept = -1;
   const mechanics::Layout bare = without_beams(s.layout, kept);
-  const mechanics::System rest{s.model, bare, s.coordinate, s.losses};
+  const mechanics::System rest{.model = s.model, .layout = bare, .coordinate = s.coordinate, .losses = s.losses};
   mechanics::Configuration now = c;
   mechanics::Evaluation e;
   if (mechanics::evaluate(rest, now, e)) return std::nullopt;

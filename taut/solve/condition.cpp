@@ -61,7 +61,7 @@ class ConditionSearch {
     const double open = misfit(varied, r);
     if (!(std::abs(open) > best_misfit)) {
       best_misfit = std::abs(open);
-      best = {std::move(varied), std::move(r)};
+      best = {.model = std::move(varied), .result = std::move(r)};
     }
     return open;
   }
@@ -166,7 +166,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   const bool by_carriage = condition.kind == Kind::sag_at_carriage || condition.kind == Kind::free_running;
   expects(!by_carriage || options.prescribed, "a condition at a carriage needs its place");
   if (direct(condition.kind)) {
-    Conditioned done{model, {}};
+    Conditioned done{.model = model, .result = {}};
     machine::Reeving& rope = done.model.reevings[condition.reeving];
     rope.given = condition.kind == Kind::length             ? machine::Given::length
                  : condition.kind == Kind::tension_at_start ? machine::Given::tension_at_start

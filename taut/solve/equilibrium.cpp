@@ -121,7 +121,11 @@ struct Solved {
 
 mechanics::System system_of(const machine::Model& model, const mechanics::Layout& layout,
                             const EquilibriumOptions& options) {
-  return {model, layout, options.prescribed ? options.prescribed->x : 0, 1, options.lengths_kept};
+  return {.model = model,
+          .layout = layout,
+          .coordinate = options.prescribed ? options.prescribed->x : 0,
+          .losses = 1,
+          .lengths_kept = options.lengths_kept};
 }
 
 /// Whether an answer is one to stay in, and its carriages hang as carriages do.
@@ -149,7 +153,11 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
     double growth, ropes;
     bool from_taut;
   };
-  for (const Way& way : {Way{any, 0.01, false}, {30, 0.01, false}, {any, 1, false}, {any, 1, true}, {3, 1, false}}) {
+  for (const Way& way : {Way{.growth = any, .ropes = 0.01, .from_taut = false},
+                         {.growth = 30, .ropes = 0.01, .from_taut = false},
+                         {.growth = any, .ropes = 1, .from_taut = false},
+                         {.growth = any, .ropes = 1, .from_taut = true},
+                         {.growth = 3, .ropes = 1, .from_taut = false}}) {
     s.c = way.from_taut ? taut_start(system, state) : start;
     it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
     s.steps += it.steps;
@@ -200,7 +208,7 @@ Iteration find(const mechanics::System& system, const machine::State& state, con
     if (found.rope) {
       // which way a rope runs off is a matter of chance
       const Array<rope::CatenaryForce> no_change(s.c.links.size());
-      mechanics::move(system, unstable->c, {found.push, no_change}, 1, start);
+      mechanics::move(system, unstable->c, {.step = found.push, .force = no_change}, 1, start);
     }
   }
   it = come_to_rest(system, state, start, options, s);
@@ -241,7 +249,7 @@ bool bring_on_weight(const machine::Model& model, const machine::State& state, c
   machine::Model light = model;
   bool weighs_at_all = false;
   const auto weigh = [&](double share) {
-    for (const FedEnd& end : fed_ends({model, s.layout, 0})) {
+    for (const FedEnd& end : fed_ends({.model = model, .layout = s.layout, .coordinate = 0})) {
       const double weight = model.reevings[end.rope].weight;
       light.reevings[end.rope].weight = share * weight;
       weighs_at_all = weighs_at_all || weight > 0;
@@ -320,8 +328,14 @@ Solved solve_by_lengths(const machine::Model& model, const machine::State& state
 Solved with_forces_from(const machine::Model& model, const Solved& near, double softest,
                         const EquilibriumOptions& options) {
   const double coordinate = options.prescribed ? options.prescribed->x : 0;
-  StiffAnswer s = with_stiff_ropes(model, {near.outcome, near.layout, near.c, near.e, 0}, coordinate, softest, options);
-  return {s.outcome, std::move(s.layout), std::move(s.c), std::move(s.e), near.steps + s.steps};
+  StiffAnswer s =
+      with_stiff_ropes(model, {.outcome = near.outcome, .layout = near.layout, .c = near.c, .e = near.e, .steps = 0},
+                       coordinate, softest, options);
+  return {.outcome = s.outcome,
+          .layout = std::move(s.layout),
+          .c = std::move(s.c),
+          .e = std::move(s.e),
+          .steps = near.steps + s.steps};
 }
 
 /// Of ropes that hardly stretch: by way of softer ones, which also show whether it is an answer to stay in.
@@ -354,7 +368,7 @@ Solved solve(const machine::Model& model, const machine::State& state, const Equ
   const double force = force_scale(model, mechanics::layout(model, state, options.prescribed, flow));
   if (has_stiff_ropes(model, force)) return solve_stiff(model, state, force, options, flow);
   Solved s = solve_by_lengths(model, state, options, flow);
-  if (!s.outcome.ok() || !is_rough({model, s.layout, 0}, s.e)) return s;
+  if (!s.outcome.ok() || !is_rough({.model = model, .layout = s.layout, .coordinate = 0}, s.e)) return s;
   Solved fine = with_forces_from(model, s, std::numeric_limits<double>::infinity(), options);
   return fine.outcome.ok() ? fine : s;
 }
@@ -370,7 +384,7 @@ Solved solve_touching(const machine::Model& model, machine::State& state, const 
     s.steps = steps += s.steps;
     if (!s.outcome.ok()) return s;
     keep(s.layout, s.c, state);
-    if (!change_touch({model, s.layout, 0}, s.c, s.e, state, let_go)) return s;
+    if (!change_touch({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e, state, let_go)) return s;
   }
   Solved s;
   s.outcome = not_converged("the ropes lift off their supports and come back without end");
@@ -422,32 +436,33 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   const machine::State start = machine::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);
   if (!s.outcome.ok() || s.layout.hold < 0) return {};
-  const mechanics::System system{without, s.layout, 0};
-  if (std::string past = past_stop(system, s.c); !past.empty()) return {past};
+  const mechanics::System system{.model = without, .layout = s.layout, .coordinate = 0};
+  if (std::string past = past_stop(system, s.c); !past.empty()) return {.why = past};
   machine::State held = start;
   keep(s.layout, s.c, held);
   const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[carriage.body].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
-  const Vector3 pull = machine::in_ground({s.c.bodies, {}, {}}, mainline.nodes[beside].at) - place;
+  const Vector3 pull =
+      machine::in_ground({.bodies = s.c.bodies, .branches = {}, .touched = {}}, mainline.nodes[beside].at) - place;
   if (hold.norm() <= no_force * weight_on(model, carriage.body)) {
     if (mainline.weight > 0) {
-      return {
-          fmt::format("'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
-                      "there: choose another x",
-                      carriage.name, options.prescribed->x, mainline.name)};
+      return {.why = fmt::format(
+                  "'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
+                  "there: choose another x",
+                  carriage.name, options.prescribed->x, mainline.name)};
     }
-    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, 0), true};
+    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, carriage.mainline, 0), .no_force = true};
   }
   if (hold.dot(pull) > 0) {
     const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
-    return {{}, machine::with_rope(std::move(held), mainline, carriage.mainline, tension)};
+    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, carriage.mainline, tension)};
   }
-  return {
-      fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
-                  "can't push: choose another x, or pull from the other side",
-                  carriage.name, options.prescribed->x, mainline.name, hold.norm())};
+  return {.why =
+              fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
+                          "can't push: choose another x, or pull from the other side",
+                          carriage.name, options.prescribed->x, mainline.name, hold.norm())};
 }
 
 /// The tensions of both directions of motion beside the answer at rest.
@@ -488,7 +503,7 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
 
 /// Whether a mainline hangs deep: see deep_mainline_link.
 bool hangs_deep(const machine::Model& model, const Solved& s) {
-  return s.outcome.ok() && deep_mainline_link({model, s.layout, 0}, s.c, s.e) >= 0;
+  return s.outcome.ok() && deep_mainline_link({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e) >= 0;
 }
 
 /// A machine without an answer, or with a mainline that hangs deep: the taut answer by way of the machine without its
@@ -498,8 +513,10 @@ void pull_mainline_taut(const machine::Model& model, const EquilibriumOptions& o
   const bool deep = hangs_deep(model, s);
   if (s.outcome.ok() && !deep) return;
   const std::string past =
-      deep ? "" : section_past_stop({model, s.layout, options.prescribed ? options.prescribed->x : 0});
-  const WithoutMainline found = past.empty() ? without_mainline(model, options, flow) : WithoutMainline{past};
+      deep ? ""
+           : section_past_stop(
+                 {.model = model, .layout = s.layout, .coordinate = options.prescribed ? options.prescribed->x : 0});
+  const WithoutMainline found = past.empty() ? without_mainline(model, options, flow) : WithoutMainline{.why = past};
   if (found.near) {
     EquilibriumOptions near = options;
     if (found.no_force) near.tolerance = std::max(options.tolerance, no_force);

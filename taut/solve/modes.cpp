@@ -135,7 +135,7 @@ struct VibrationPencil {
 };
 VibrationPencil pencil_of(const VibrationMatrices& a) {
   const auto n = static_cast<Index>(a.moving.size()), p = static_cast<Index>(a.massless.size());
-  VibrationPencil q{MatrixXd::Zero(2 * n + p, 2 * n + p), MatrixXd::Zero(2 * n + p, 2 * n + p)};
+  VibrationPencil q{.F = MatrixXd::Zero(2 * n + p, 2 * n + p), .E = MatrixXd::Zero(2 * n + p, 2 * n + p)};
   q.E.topLeftCorner(n, n).setIdentity();
   q.F.topRightCorner(n, n).setIdentity();
   q.E.block(n, n, p, p) = a.C(a.massless, a.massless);

@@ -197,7 +197,7 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, cons
   Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(s, c, e, J, columns);
   const Coordinates all = coordinates_of(s, e, fed);
-  EnergyCurvature curvature{all.rows, {}, unknowns_by(s, c, e, columns, all)};
+  EnergyCurvature curvature{.rows = all.rows, .matrix = {}, .unknowns = unknowns_by(s, c, e, columns, all)};
   const auto n = static_cast<Eigen::Index>(all.rows.size());
   const Eigen::MatrixXd slopes = J * curvature.unknowns;
   curvature.matrix.resize(n, n);

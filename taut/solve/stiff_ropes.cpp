@@ -47,7 +47,7 @@ Shortage shortage(const mechanics::System& s, const mechanics::Evaluation& e, st
   const bool fixed = std::all_of(rope.nodes.begin(), rope.nodes.end(),
                                  [](const machine::Node& node) { return node.at.body == machine::ground; });
   if (converged && !fixed) return {};
-  Shortage found{0, rope.value * (1 + rope.thermal_strain), 0};
+  Shortage found{.share = 0, .length = rope.value * (1 + rope.thermal_strain), .way = 0};
   for (int k = l.first; k < l.first + l.count; ++k) found.way += e.branches[k].chord.norm();
   for (int t = l.first_turn; t < l.first_turn + l.turn_count; ++t) found.way += mechanics::arc(s, e, t).length;
   const double share = found.way / found.length - 1;
@@ -145,7 +145,7 @@ StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& nea
   const double force = force_scale(model, near.layout);
   const double limit = options.tolerance * force / rounded_length;
   s.layout = mechanics::with_forces(near.layout, model, limit, std::min(softest, found_by_length * force));
-  const mechanics::System system{model, s.layout, coordinate};
+  const mechanics::System system{.model = model, .layout = s.layout, .coordinate = coordinate};
   s.c = mechanics::with_forces(system, near.c, near.e);
   for (std::size_t k = 0; k < s.c.links.size(); ++k) {
     const double is = model.reevings[s.layout.links[k].reeving].stiffness, was = std::min(softest, is);

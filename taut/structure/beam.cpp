@@ -54,15 +54,15 @@ Vector3 turn_between(const Matrix3& from, const Matrix3& to) {
 }  // namespace
 
 BeamSection beam_section(const catalogue::SectionRow& row, const Elasticity& steel) {
-  return {row.area,
-          steel.E * row.area,
-          steel.E * row.I_y,
-          steel.E * row.I_z,
-          steel.G * row.I_t,
-          row.W_el_y,
-          row.W_el_z,
-          0,
-          row.shape == catalogue::SectionShape::chs};
+  return {.area = row.area,
+          .EA = steel.E * row.area,
+          .EI_x = steel.E * row.I_y,
+          .EI_y = steel.E * row.I_z,
+          .GJ = steel.G * row.I_t,
+          .W_x = row.W_el_y,
+          .W_y = row.W_el_z,
+          .weight = 0,
+          .round = row.shape == catalogue::SectionShape::chs};
 }
 
 BeamSection tube_section(double diameter, double wall, const Elasticity& steel) {
@@ -70,7 +70,15 @@ BeamSection tube_section(double diameter, double wall, const Elasticity& steel) 
   const double pi = std::numbers::pi, inner = diameter - 2 * wall;
   const double area = pi * (diameter - wall) * wall;
   const double I = pi / 64 * (std::pow(diameter, 4) - std::pow(inner, 4)), W = 2 * I / diameter;
-  return {area, steel.E * area, steel.E * I, steel.E * I, 2 * steel.G * I, W, W, 0, true};
+  return {.area = area,
+          .EA = steel.E * area,
+          .EI_x = steel.E * I,
+          .EI_y = steel.E * I,
+          .GJ = 2 * steel.G * I,
+          .W_x = W,
+          .W_y = W,
+          .weight = 0,
+          .round = true};
 }
 
 double largest_stress(const BeamSection& section, double axial, double bends_to_x, double bends_to_y) {
@@ -81,7 +89,8 @@ double largest_stress(const BeamSection& section, double axial, double bends_to_
 
 SectionForces section_forces(const BeamState& state) {
   const Vector3 f = state.axes.transpose() * state.force, m = state.axes.transpose() * state.moment;
-  return {f.z(), f.x(), f.y(), m.y(), -m.x(), m.z()};
+  return {
+      .axial = f.z(), .shear_x = f.x(), .shear_y = f.y(), .bends_to_x = m.y(), .bends_to_y = -m.x(), .torsion = m.z()};
 }
 
 BeamState carry(const BeamSection& section, const BeamState& from, double length, int steps,

@@ -75,8 +75,10 @@ double euler_load(double E, double I, double buckling_length) {
 template <class T>
 T second_order_moment(const T& H, const T& N, const T& E, const T& I, const T& L, Sheet<T>& s) {
   if (value(N) <= 0) return s.eq("", "M_II", si::N_m, H * L, "no axial compression");
-  const T k = s.eq("", "k", Unit{dimension(0, -1, 0), "1/m", "1/m", false, "wave number"}, sqrt(N / (E * I)),
-                   "beam-column, balance in the bent shape");
+  const T k = s.eq(
+      "", "k",
+      Unit{.dimension = dimension(0, -1, 0), .symbol = "1/m", .shown = "1/m", .is_angle = false, .kind = "wave number"},
+      sqrt(N / (E * I)), "beam-column, balance in the bent shape");
   expects(value(k) * value(L) < std::numbers::pi / 2, "the axial load stays below Euler's");
   return s.eq("", "M_II", si::N_m, H * tan(k * L) / k, "beam-column, balance in the bent shape");
 }

@@ -75,7 +75,7 @@ class March {
     }
   }
   ColumnPoint point(const ColumnLine& l, double x, double N) const {
-    return {x, l[0], l[1], N, N * (l[1] + built_slope(x)) - l[3], l[2]};
+    return {.x = x, .w = l[0], .turn = l[1], .N = N, .V = N * (l[1] + built_slope(x)) - l[3], .M = l[2]};
   }
 
   const Column& c_;
@@ -104,7 +104,8 @@ struct Shot {
 Shot shoot(const Column& c, double factor) {
   const March march(c, factor, false);
   const double h = c.height(), EI = c.pieces.front().EI;
-  return {left_open(c, march(base(c, c.clamped_base ? EI / h : 1, 0))), left_open(c, march(base(c, 0, EI / (h * h))))};
+  return {.first = left_open(c, march(base(c, c.clamped_base ? EI / h : 1, 0))),
+          .second = left_open(c, march(base(c, 0, EI / (h * h))))};
 }
 
 void expect_column(const Column& c) {

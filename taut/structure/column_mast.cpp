@@ -30,8 +30,13 @@ struct Slice {
 
 SectionRow between(const SectionRow& a, const SectionRow& b, double x) {
   const auto mix = [&](double SectionRow::*of) { return a.*of + (b.*of - a.*of) * x; };
-  return hollow_section({a.shape, a.forming, mix(&SectionRow::height), mix(&SectionRow::width),
-                         mix(&SectionRow::thickness), mix(&SectionRow::outer_radius), mix(&SectionRow::inner_radius)});
+  return hollow_section({.shape = a.shape,
+                         .forming = a.forming,
+                         .height = mix(&SectionRow::height),
+                         .width = mix(&SectionRow::width),
+                         .wall = mix(&SectionRow::thickness),
+                         .outer_radius = mix(&SectionRow::outer_radius),
+                         .inner_radius = mix(&SectionRow::inner_radius)});
 }
 
 /// The base, and where pieces and the parts of tapered ones end.
@@ -93,7 +98,8 @@ std::vector<Slice> slices_of(const ColumnMast& m) {
       base += m.pieces[piece++].length;
     }
     const MastPiece& p = m.pieces[piece];
-    Slice s{cuts[i - 1], cuts[i], p.section, p.section, p.section, piece};
+    Slice s{
+        .from = cuts[i - 1], .to = cuts[i], .section = p.section, .low = p.section, .high = p.section, .piece = piece};
     if (p.top) {
       s.low = between(p.section, *p.top, (s.from - base) / p.length);
       s.high = between(p.section, *p.top, (s.to - base) / p.length);
@@ -256,11 +262,17 @@ class Combination {
       const double inside = i % of_slice == 0 ? 1e-6 * height() : -1e-6 * height();
       const double N = compression_at(m_, slices_, c_, y[i].x + inside, true);
       const double plain = compression_at(m_, slices_, c_, y[i].x + inside, false);
-      one.stations.push_back({y[i].x,
-                              slice,
-                              {plain, plain_z[i].V, plain_y[i].V, plain_y[i].M, plain_z[i].M, 0},
-                              {y[i].N, z[i].V, y[i].V, y[i].M, z[i].M, 0},
-                              {N, first_z[i].V, first_y[i].V, first_y[i].M, first_z[i].M, 0}});
+      one.stations.push_back(
+          {y[i].x,
+           slice,
+           {.N = plain,
+            .V_y = plain_z[i].V,
+            .V_z = plain_y[i].V,
+            .M_y = plain_y[i].M,
+            .M_z = plain_z[i].M,
+            .torsion = 0},
+           {.N = y[i].N, .V_y = z[i].V, .V_z = y[i].V, .M_y = y[i].M, .M_z = z[i].M, .torsion = 0},
+           {.N = N, .V_y = first_z[i].V, .V_z = first_y[i].V, .M_y = first_y[i].M, .M_z = first_z[i].M, .torsion = 0}});
     }
     if (std::isfinite(critical_)) {
       for (const Slice& s : slices_) {
@@ -287,7 +299,7 @@ ColumnMastResult column_mast(const ColumnMast& given) {
   for (const Slice& s : slices) {
     const MastPiece& p = m.pieces[s.piece];
     MastPart part;
-    part.member.steel = {s.section, p.yield, m.E, m.gamma};
+    part.member.steel = {.section = s.section, .yield = p.yield, .E = m.E, .gamma = m.gamma};
     part.member.curve = m.curve;
     part.member.y.C_m = part.member.z.C_m = m.C_m;
     part.allowable_stress = p.allowable_stress;

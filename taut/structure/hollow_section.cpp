@@ -26,7 +26,7 @@ struct Corner {
 Corner corner(double radius) {
   const double c = (10 - 3 * pi) / (12 - 3 * pi);
   const double k = 1.0 / 3 - pi / 16 - 1 / (3 * (12 - 3 * pi));
-  return {(1 - pi / 4) * square(radius), c * radius, k * square(square(radius))};
+  return {.area = (1 - pi / 4) * square(radius), .centroid = c * radius, .inertia = k * square(square(radius))};
 }
 
 struct Bending {
@@ -37,9 +37,9 @@ Bending bending(double high, double wide, const HollowSizes& s) {
   const double t = s.wall, h_i = high - 2 * t, b_i = wide - 2 * t;
   const Corner out = corner(s.outer_radius), in = corner(s.inner_radius);
   const double arm_out = high / 2 - out.centroid, arm_in = h_i / 2 - in.centroid;
-  return {(wide * cube(high) - b_i * cube(h_i)) / 12 - 4 * (out.inertia + out.area * square(arm_out)) +
-              4 * (in.inertia + in.area * square(arm_in)),
-          (wide * square(high) - b_i * square(h_i)) / 4 - 4 * out.area * arm_out + 4 * in.area * arm_in};
+  return {.I = (wide * cube(high) - b_i * cube(h_i)) / 12 - 4 * (out.inertia + out.area * square(arm_out)) +
+               4 * (in.inertia + in.area * square(arm_in)),
+          .W_pl = (wide * square(high) - b_i * square(h_i)) / 4 - 4 * out.area * arm_out + 4 * in.area * arm_in};
 }
 
 double torsion_of_box(const HollowSizes& s) {
@@ -107,8 +107,13 @@ SectionRow with_thinner_wall(const SectionRow& row, double share) {
   expects(share >= 0 && share < 1, "a wall keeps something of its thickness");
   if (share == 0) return row;
   const double left = 1 - share;
-  SectionRow thin = hollow_section({row.shape, row.forming, row.height, row.width, row.thickness * left,
-                                    row.outer_radius * left, row.inner_radius * left});
+  SectionRow thin = hollow_section({.shape = row.shape,
+                                    .forming = row.forming,
+                                    .height = row.height,
+                                    .width = row.width,
+                                    .wall = row.thickness * left,
+                                    .outer_radius = row.outer_radius * left,
+                                    .inner_radius = row.inner_radius * left});
   thin.name = fmt::format("{} with its wall {:.3g} % thinner", row.name, share * 100);
   thin.standard = row.standard;
   thin.mass_per_length = row.mass_per_length;

@@ -12,7 +12,7 @@ namespace taut::structure {
 namespace {
 
 void take_worse(MastWorst& worst, double value, const MastPlace& at) {
-  if (value > worst.value) worst = {value, at};
+  if (value > worst.value) worst = {.value = value, .at = at};
 }
 
 /// Parts that are one member with this one: beside each other in the same section and steel. Cuts where something acts
@@ -56,7 +56,7 @@ void take_member(const Mast& mast, const MastCase& c, std::size_t load_case, std
   u.pressed = true;
   const Member member = member_in(mast, c, part);
   const WallClass wall = section_class(member.steel.section, member.steel.yield, f);
-  const MastPlace at{load_case, 0, part};
+  const MastPlace at{.load_case = load_case, .station = 0, .part = part};
   if (wall.value == 4) {  // the largest of all forces together may ask for more than any of the stations
     take_worse(u.slenderness, wall.slenderness / wall.limit_3, at);
     if (u.refused.empty()) u.refused = class_4_words(member.steel.section, wall);
@@ -107,7 +107,7 @@ MastUse mast_use(const Mast& mast, const std::vector<MastCase>& cases) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (std::size_t k = 0; k < cases[i].stations.size(); ++k) {
       expects(cases[i].stations[k].part < mast.parts.size(), "a station lies in one of the mast's parts");
-      take_station(mast, cases[i], {i, k, cases[i].stations[k].part}, u);
+      take_station(mast, cases[i], {.load_case = i, .station = k, .part = cases[i].stations[k].part}, u);
       any = true;
     }
     for (std::size_t part = 0; part < mast.parts.size(); ++part) take_member(mast, cases[i], i, part, u);

@@ -42,7 +42,7 @@ MastSizing size_mast(const std::vector<catalogue::SectionRow>& by_mass, const Ma
     if (use.utilisation() <= 1) {
       found.passing.push_back({row, std::move(use)});
     } else if (found.passing.empty() && (!found.nearest || use.utilisation() < found.nearest->use.utilisation())) {
-      found.nearest = SizedMast{row, std::move(use)};
+      found.nearest = SizedMast{.section = row, .use = std::move(use)};
     }
   }
   if (!found.passing.empty()) {
@@ -50,7 +50,7 @@ MastSizing size_mast(const std::vector<catalogue::SectionRow>& by_mass, const Ma
   } else if (near) {
     MastUse use = mast_use(near->mast, near->cases);
     if (!found.nearest || use.utilisation() < found.nearest->use.utilisation()) {
-      found.nearest = SizedMast{*near_row, std::move(use)};
+      found.nearest = SizedMast{.section = *near_row, .use = std::move(use)};
     }
   }
   return found;

@@ -19,9 +19,15 @@ struct Packed {
 };
 
 Packed operator+(const Packed& a, const Packed& b) {
-  return {a.place + b.place, a.turn + b.turn, a.force + b.force, a.moment + b.moment, a.q + b.q};
+  return {.place = a.place + b.place,
+          .turn = a.turn + b.turn,
+          .force = a.force + b.force,
+          .moment = a.moment + b.moment,
+          .q = a.q + b.q};
 }
-Packed operator*(double f, const Packed& a) { return {f * a.place, f * a.turn, f * a.force, f * a.moment, f * a.q}; }
+Packed operator*(double f, const Packed& a) {
+  return {.place = f * a.place, .turn = f * a.turn, .force = f * a.force, .moment = f * a.moment, .q = f * a.q};
+}
 
 Eigen::Quaterniond quaternion(const Eigen::Vector4d& q) { return {q[0], q[1], q[2], q[3]}; }
 
@@ -73,7 +79,11 @@ class Equation {
       v_rate->middleRows<3>(6).setZero();
       v_rate->bottomRows<3>() = cross(p.force) * v_rate->topRows<3>() - cross(along) * force;
     }
-    return {along, Vector3::Zero(), b.weight * up(), p.force.cross(along), product(p.q, curvature / 2)};
+    return {.place = along,
+            .turn = Vector3::Zero(),
+            .force = b.weight * up(),
+            .moment = p.force.cross(along),
+            .q = product(p.q, curvature / 2)};
   }
 
   Packed first(double s, const Packed& p, const Rates* v, Rates* v_rate) const {
@@ -94,8 +104,11 @@ class Equation {
       v_rate->block<3, 3>(3, 0) += C * cross(p.moment) - cross(C * p.moment);
       v_rate->block<3, 3>(9, 0) += cross(p.force) * D;
     }
-    return {(1 + stretch) * d + p.turn.cross(d), C * p.moment, b.weight * up(), p.force.cross(d),
-            Eigen::Vector4d::Zero()};
+    return {.place = (1 + stretch) * d + p.turn.cross(d),
+            .turn = C * p.moment,
+            .force = b.weight * up(),
+            .moment = p.force.cross(d),
+            .q = Eigen::Vector4d::Zero()};
   }
 
   const RodPiece& piece_;
@@ -104,7 +117,7 @@ class Equation {
 };
 
 RodState unpack(const RodPiece& piece, const Equation& equation, double s, const Packed& p) {
-  RodState state{p.place, Matrix3::Identity(), p.turn, p.force, p.moment};
+  RodState state{.place = p.place, .axes = Matrix3::Identity(), .turn = p.turn, .force = p.force, .moment = p.moment};
   state.axes = piece.order == BeamOrder::second ? quaternion(p.q).normalized().toRotationMatrix() : equation.built(s);
   return state;
 }
@@ -114,7 +127,11 @@ RodState integrate(const RodPiece& piece, const RodState& start, std::vector<Rod
   const Equation equation(piece, start.axes);
   const double h = (piece.to - piece.from) / piece.steps;
   const Eigen::Quaterniond q(start.axes);
-  Packed p{start.place, start.turn, start.force, start.moment, {q.w(), q.x(), q.y(), q.z()}};
+  Packed p{.place = start.place,
+           .turn = start.turn,
+           .force = start.force,
+           .moment = start.moment,
+           .q = {q.w(), q.x(), q.y(), q.z()}};
   Rates v1, v2, v3, v4, next;
   for (int i = 0; i < piece.steps; ++i) {
     const double s = piece.from + i * h;
@@ -157,7 +174,8 @@ RodState along(const RodPiece& piece, const RodState& start, RodRates& rates) {
 }
 
 SectionForces section_forces(const RodState& state) {
-  return section_forces(BeamState{state.place, state.axes, state.force, state.moment});
+  return section_forces(
+      BeamState{.place = state.place, .axes = state.axes, .force = state.force, .moment = state.moment});
 }
 
 Matrix3 cross(const Vector3& a) {

@@ -43,7 +43,12 @@ WallClass wall_class(const char* name, double side, double t, double yield, doub
     const double alike = stress.axial + stress.across, most = alike + stress.own;
     psi = most > 0 ? (alike - stress.own) / most : -std::numeric_limits<double>::infinity();
   }
-  WallClass w{name, c / t, limit_by_alpha(396, 36, epsilon, alpha), limit_by_alpha(456, 41.5, epsilon, alpha), 0, 1};
+  WallClass w{.wall = name,
+              .slenderness = c / t,
+              .limit_1 = limit_by_alpha(396, 36, epsilon, alpha),
+              .limit_2 = limit_by_alpha(456, 41.5, epsilon, alpha),
+              .limit_3 = 0,
+              .value = 1};
   // elastic: never stricter than class 2, as plastic and elastic states are compared at unlike moments
   w.limit_3 = std::max(std::isinf(psi) ? psi * psi : limit_by_psi(epsilon, psi), w.limit_2);
   w.value = class_of(w.slenderness, w.limit_1, w.limit_2, w.limit_3);
@@ -53,11 +58,21 @@ WallClass wall_class(const char* name, double side, double t, double yield, doub
 }  // namespace
 
 CrossForces operator*(double factor, const CrossForces& f) {
-  return {factor * f.N, factor * f.V_y, factor * f.V_z, factor * f.M_y, factor * f.M_z, factor * f.torsion};
+  return {.N = factor * f.N,
+          .V_y = factor * f.V_y,
+          .V_z = factor * f.V_z,
+          .M_y = factor * f.M_y,
+          .M_z = factor * f.M_z,
+          .torsion = factor * f.torsion};
 }
 
 CrossForces operator+(const CrossForces& a, const CrossForces& b) {
-  return {a.N + b.N, a.V_y + b.V_y, a.V_z + b.V_z, a.M_y + b.M_y, a.M_z + b.M_z, a.torsion + b.torsion};
+  return {.N = a.N + b.N,
+          .V_y = a.V_y + b.V_y,
+          .V_z = a.V_z + b.V_z,
+          .M_y = a.M_y + b.M_y,
+          .M_z = a.M_z + b.M_z,
+          .torsion = a.torsion + b.torsion};
 }
 
 int class_of(double slenderness, double limit_1, double limit_2, double limit_3) {
@@ -68,11 +83,16 @@ std::vector<WallClass> wall_classes(const SectionRow& r, double yield, const Cro
   const double t = r.thickness;
   if (r.shape == SectionShape::chs) {
     const double e2 = reference_yield / yield, slenderness = r.height / t;
-    return {{"tube", slenderness, 50 * e2, 70 * e2, 90 * e2, class_of(slenderness, 50 * e2, 70 * e2, 90 * e2)}};
+    return {{.wall = "tube",
+             .slenderness = slenderness,
+             .limit_1 = 50 * e2,
+             .limit_2 = 70 * e2,
+             .limit_3 = 90 * e2,
+             .value = class_of(slenderness, 50 * e2, 70 * e2, 90 * e2)}};
   }
   const double axial = f.N / r.area, y = std::abs(f.M_y) / r.W_el_y, z = std::abs(f.M_z) / r.W_el_z;
-  return {wall_class("web", r.height, t, yield, f.N, {axial, z, y}),
-          wall_class("flange", r.width, t, yield, f.N, {axial, y, z})};
+  return {wall_class("web", r.height, t, yield, f.N, {.axial = axial, .across = z, .own = y}),
+          wall_class("flange", r.width, t, yield, f.N, {.axial = axial, .across = y, .own = z})};
 }
 
 WallClass section_class(const SectionRow& r, double yield, const CrossForces& f) {

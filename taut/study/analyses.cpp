@@ -110,7 +110,7 @@ AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, 
                  const machine::Model& model, std::vector<Complaint>& complaints) {
   std::vector<AnalysisRequest> all = analyses;
   if (all.empty()) all.emplace_back().equilibrium.emplace();
-  Names names{machine, model, complaints};
+  Names names{.machine = machine, .model = model, .complaints = complaints};
   names.has_envelope =
       std::any_of(all.begin(), all.end(), [](const AnalysisRequest& one) { return one.envelope.has_value(); });
   AnalysesResolver resolver(names, must_judge);

@@ -31,12 +31,12 @@ WinchPull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, co
     const auto drive = std::find_if(e.contacts.begin(), e.contacts.end(),
                                     [&](const auto& c) { return c.reeving == w.reeving && c.node == 0; });
     const double mean = (drive->T_in + drive->T_out) / 2;
-    return {drive->T_in - drive->T_out, passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
+    return {.tension = drive->T_in - drive->T_out, .paid = passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
   }
   const auto own = [&](const auto& s) { return s.reeving == w.reeving; };
   const double T = w.at_end ? std::find_if(e.spans.rbegin(), e.spans.rend(), own)->T_to
                             : std::find_if(e.spans.begin(), e.spans.end(), own)->T_from;
-  return {T, e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
+  return {.tension = T, .paid = e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
 }
 
 /// A part of the way with the carriage in one span, solved; without points where it is on a support.
@@ -55,7 +55,8 @@ std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& r
   std::vector<Stretch> all;
   for (const WayPart& part : parts_of(loaded, phase.way)) {
     if (watch.ended()) break;
-    Stretch& one = all.emplace_back(Stretch{phase.way.x(part.first), part.support != nullptr, part.model, {}});
+    Stretch& one = all.emplace_back(Stretch{
+        .x = phase.way.x(part.first), .on_support = part.support != nullptr, .model = part.model, .points = {}});
     if (part.support != nullptr) continue;
     LoadPathOptions options = path_over(phase.way, part);
     options.equilibrium = motion.options(part.model);
@@ -274,7 +275,11 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
   for (std::size_t i = 0; i < request.phases.size(); ++i) {
     const std::string at = fmt::format("{}.phases[{}]", path, i);
     const PhaseRequest& one = request.phases[i];
-    Phase phase{one.name, rope_motion(one.motion, names.model, at + ".motion", names.complaints), one.load, way, none};
+    Phase phase{.name = one.name,
+                .motion = rope_motion(one.motion, names.model, at + ".motion", names.complaints),
+                .load = one.load,
+                .way = way,
+                .speed = none};
     phase.way.from = one.from.value_or(way.from);
     phase.way.to = one.to.value_or(way.to);
     if (one.speed || request.speed) phase.speed = one.speed ? *one.speed : *request.speed;

@@ -213,7 +213,7 @@ class Combination {
     if (std::isnan(size)) return;
     const auto [known, is_new] = worst_.try_emplace(what);
     if (!is_new && size <= known->second.size + equal * std::abs(known->second.size)) return;
-    known->second = {size, {words, m, e}};
+    known->second = {.size = size, .state = {.words = words, .model = m, .result = e}};
   }
 
   const machine::Model& model_;
@@ -301,12 +301,16 @@ EnvelopeRun resolve(const EnvelopeRequest& request, const std::string& path, Nam
   } else if (all && *request.from == *request.to) {
     names.complaints.push_back({path + ".to", "is the same place as 'from'"});
   }
-  run.way = {run.carriage, request.from.value_or(0), request.to.value_or(0), request.steps,
-             direction_of(request.along, path + ".along", names.complaints)};
+  run.way = {.carriage = run.carriage,
+             .from = request.from.value_or(0),
+             .to = request.to.value_or(0),
+             .steps = request.steps,
+             .along = direction_of(request.along, path + ".along", names.complaints)};
   resolve_loads(request, path, names, run);
   run.motions = request.motions.empty() ? std::vector<std::string>{"at_rest"} : request.motions;
   for (const std::string& motion : run.motions) {
-    run.rope_motions.push_back(rope_motion({{{}, motion}}, names.model, path + ".motions", names.complaints));
+    run.rope_motions.push_back(
+        rope_motion({{.name = {}, .sense = motion}}, names.model, path + ".motions", names.complaints));
   }
   run.temperatures = request.temperatures;
   if (!run.temperatures.empty()) require_references(names.machine, path + ".temperatures", names.complaints);
@@ -323,7 +327,7 @@ void solve(const machine::Model& model, EnvelopeRun& run, Watch& watch, const En
   for (const double temperature : or_none(run.temperatures)) {
     for (const double load : or_none(run.loads)) {
       for (std::size_t i = 0; i < run.motions.size(); ++i) {
-        one.solve(run.rope_motions[i], {none, load, run.motions[i], temperature});
+        one.solve(run.rope_motions[i], {.x = none, .load = load, .motion = run.motions[i], .temperature = temperature});
       }
     }
   }

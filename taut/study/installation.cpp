@@ -104,22 +104,29 @@ using Kind = solve::Condition::Kind;
 solve::Condition own_condition(const machine::Reeving& rope) {
   switch (rope.given) {
     case machine::Given::tension_at_start:
-      return {Kind::tension_at_start, 0, rope.value, 0};
+      return {.kind = Kind::tension_at_start, .reeving = 0, .value = rope.value, .span = 0};
     case machine::Given::tension_at_end:
-      return {Kind::tension_at_end, 0, rope.value, 0};
+      return {.kind = Kind::tension_at_end, .reeving = 0, .value = rope.value, .span = 0};
     case machine::Given::length:
     case machine::Given::torque:
       break;
   }
-  return {Kind::length, 0, rope.value, 0};
+  return {.kind = Kind::length, .reeving = 0, .value = rope.value, .span = 0};
 }
 
 solve::Condition condition_of(const InstallationRun& run, const EmptyLine& line) {
   if (!run.given) return own_condition(line.model.reevings[line.reeving]);
   const InstallationGivenRequest& g = *run.given;
-  if (g.tension) return {g.at == RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start, 0, *g.tension, 0};
-  if (g.length) return {Kind::length, 0, *g.length, 0};
-  return {Kind::sag_of_span, 0, *g.sag, g.span ? *g.span - 1 : longest_span(line.model, line.reeving)};
+  if (g.tension)
+    return {.kind = g.at == RopeEnd::end ? Kind::tension_at_end : Kind::tension_at_start,
+            .reeving = 0,
+            .value = *g.tension,
+            .span = 0};
+  if (g.length) return {.kind = Kind::length, .reeving = 0, .value = *g.length, .span = 0};
+  return {.kind = Kind::sag_of_span,
+          .reeving = 0,
+          .value = *g.sag,
+          .span = g.span ? *g.span - 1 : longest_span(line.model, line.reeving)};
 }
 
 void resolve_temperatures(const InstallationRequest& request, const std::string& path, Names& p, InstallationRun& run) {
@@ -328,7 +335,7 @@ void solve(const machine::Model& model, InstallationRun& run) {
       run.rows.push_back({*run.given->temperature, there});
       return;
     }
-    condition = {Kind::length, 0, there.unstretched, 0};
+    condition = {.kind = Kind::length, .reeving = 0, .value = there.unstretched, .span = 0};
     near = there.at.result.state;
   }
   for (const double temperature : temperatures) {

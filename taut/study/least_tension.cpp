@@ -193,7 +193,7 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
                                  const std::function<bool()>& go_on) {
   expects(!cases.empty() && !chosen.empty() && least > 0, "ropes that are to be taut under some loads");
   LeastTensionResult r;
-  CaseSet set{cases, Array<solve::EquilibriumResult>(cases.size())};
+  CaseSet set{.models = cases, .results = Array<solve::EquilibriumResult>(cases.size())};
   // lengths first: those that the first case gives
   solve::EquilibriumOptions at_rest;
   at_rest.band = false;

@@ -16,7 +16,7 @@ double length_margin(double left, double height) { return left / std::max(1.0, s
 
 /// The largest tension at an end of a rope, the band at rest counted, and its node.
 LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
-  LimitState state{LimitKind::pull, end.reeving, 0, 0, end.tension};
+  LimitState state{.kind = LimitKind::pull, .reeving = end.reeving, .node = 0, .value = 0, .limit = end.tension};
   for (const solve::SpanResult& s : r.spans) {
     if (s.reeving != end.reeving) continue;
     if (!end.at_end) {

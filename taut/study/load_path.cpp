@@ -87,7 +87,7 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
     point.x = options.from + (options.to - options.from) * i / options.steps;
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
-    here.prescribed = machine::Prescribed{options.carriage, point.x, options.along};
+    here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};
     if (options.condition) {
       solve::Conditioned found = solve::equilibrium_under(varied, *options.condition, here, ahead(path.points));
       point.at = std::move(found.result);
@@ -100,8 +100,9 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
       point.z = place.z();
       point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     } else if (path.outcome.ok()) {
-      path.outcome = {point.at.outcome.status,
-                      fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};
+      path.outcome = {
+          .status = point.at.outcome.status,
+          .message = fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};
     }
     path.points.push_back(std::move(point));
   }

@@ -186,7 +186,7 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Names
   if (request.break_angle) l.break_angle = *request.break_angle;
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
-  l.rope_between = {run.way.along, run.way.from, run.way.to};
+  l.rope_between = {.along = run.way.along, .from = run.way.from, .to = run.way.to};
   if (request.rope_clearance && run.way.carriage >= 0) {
     l.rope_clearance[p.model.carriages[run.way.carriage].reeving] = *request.rope_clearance;
   }
@@ -260,7 +260,7 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
     point.x = options.from + (options.to - options.from) * i / options.steps;
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
-    here.prescribed = machine::Prescribed{options.carriage, point.x, options.along};
+    here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};
     point.payload = payload(model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
       start = point.payload.unloaded;

@@ -66,7 +66,8 @@ PretensionResult pull_at_rest(const machine::Model& given, const Array<Pull>& pu
     }
     found = solve::equilibrium(model, at_rest, found.state);
     if (!found.outcome.ok()) {
-      r.outcome = {found.outcome.status, fmt::format("{}: {}", words_of_pull(model, i, pull), found.outcome.message)};
+      r.outcome = {.status = found.outcome.status,
+                   .message = fmt::format("{}: {}", words_of_pull(model, i, pull), found.outcome.message)};
       return r;
     }
     model = solve::installed(model, found);
@@ -95,13 +96,13 @@ machine::Event stop_when(const machine::Observable& of, bool above, double thres
   machine::Event stop;
   stop.words = "pulled";
   stop.kind = machine::EventKind::stop;
-  stop.when = machine::Condition{of, above, threshold};
+  stop.when = machine::Condition{.of = of, .above = above, .threshold = threshold};
   return stop;
 }
 
 void hold_still(machine::Signal& signal) {
   const double value = machine::at(signal, 0).value;
-  if (!std::isnan(value)) signal.law = machine::Moves{value, {}};
+  if (!std::isnan(value)) signal.law = machine::Moves{.from = value, .moves = {}};
 }
 
 void hold_still(machine::Drive& drive) {
@@ -185,7 +186,8 @@ machine::Model being_pulled(const SlowMachine& slow, const Pull& pull, double wa
   tensioner.reeving = pull.reeving;
   tensioner.at_start = !pull.at_end;
   tensioner.change.unit = si::m;
-  tensioner.change.law = machine::Curve{{slow.t, slow.t + slow.options.duration}, {0, -way}, {}};
+  tensioner.change.law =
+      machine::Curve{.t = {slow.t, slow.t + slow.options.duration}, .value = {0, -way}, .slopes = {}};
   m.tensioners.push_back(tensioner);
   if (pull.force) m.events.push_back(stop_when(tension_at(pull), way > 0, *pull.force));
   if (pull.until) {
@@ -256,7 +258,8 @@ PretensionResult pull_slowly(const machine::Model& given, const Array<Pull>& pul
     const Outcome outcome = pull_slowly(pulls[i], options, slow, r.interrupted);
     if (r.interrupted) return r;
     if (!outcome.ok()) {
-      r.outcome = {outcome.status, fmt::format("{}: {}", words_of_pull(given, i, pulls[i]), outcome.message)};
+      r.outcome = {.status = outcome.status,
+                   .message = fmt::format("{}: {}", words_of_pull(given, i, pulls[i]), outcome.message)};
       return r;
     }
     taken[pulls[i].reeving] += slow.last.taken;

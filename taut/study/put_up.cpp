@@ -10,7 +10,7 @@ namespace {
 
 PutUpWith with_of(const machine::Model& model, std::size_t reeving) {
   const machine::PutUp& asked = *model.reevings[reeving].put_up;
-  PutUpWith with{asked.bodies, asked.loads, {}};
+  PutUpWith with{.bodies = asked.bodies, .loads = asked.loads, .absent = {}};
   for (std::size_t later = reeving + 1; later < model.reevings.size(); ++later) {
     if (model.reevings[later].put_up) with.absent.push_back(static_cast<int>(later));
   }
@@ -30,7 +30,7 @@ Array<PutUpLine> put_up(machine::Model& model) {
     one.at_end = rope.put_up->at_end;
     one.line = empty_line(model, one.reeving, with_of(model, r));
     const auto kind = one.at_end ? solve::Condition::Kind::tension_at_end : solve::Condition::Kind::tension_at_start;
-    one.at = installation(one.line, {kind, 0, one.tension, 0});
+    one.at = installation(one.line, {.kind = kind, .reeving = 0, .value = one.tension, .span = 0});
     if (!one.at.outcome.ok()) {
       one.at.outcome.message = fmt::format("'{}' can't be put up with {:.4g} kN at its {}: {}", rope.name,
                                            one.tension / 1000, one.at_end ? "end" : "start", one.at.outcome.message);
@@ -59,7 +59,8 @@ Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
   options.band = false;
   const auto result = solve::equilibrium(bare, options);
   if (!result.outcome.ok()) {
-    return {result.outcome.status, fmt::format("the guys can't be put up: {}", result.outcome.message)};
+    return {.status = result.outcome.status,
+            .message = fmt::format("the guys can't be put up: {}", result.outcome.message)};
   }
   const machine::Model done = solve::installed(bare, result);
   std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));

@@ -321,9 +321,11 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
   if (watchers.progress) {
     o.progress = [&](double t) {
       const double done = (t - begin) / request.duration;
-      return watchers.progress({words_of(run), done,
-                                fmt::format("t = {:.4g} s of {:.4g} s, {:.0f} lines of {} columns", t,
-                                            begin + request.duration, lines_of(request), series_columns(run.model))});
+      return watchers.progress(
+          {.what = words_of(run),
+           .done = done,
+           .words = fmt::format("t = {:.4g} s of {:.4g} s, {:.0f} lines of {} columns", t, begin + request.duration,
+                                lines_of(request), series_columns(run.model))});
     };
   }
   o.anew = [&] {

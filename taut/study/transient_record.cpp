@@ -83,7 +83,7 @@ void TransientRecord::follow_peak(const solve::TransientResult& so_far) {
     const double now = std::abs(so_far.frames[nearest].t - t), before = std::abs(so_far.frames[nearest - 1].t - t);
     if (before <= now) --nearest;
   }
-  peak_ = {so_far.frames[nearest], observed_at(so_far, nearest)};
+  peak_ = {.frame = so_far.frames[nearest], .observed = observed_at(so_far, nearest)};
 }
 
 void TransientRecord::thin() {
@@ -103,7 +103,7 @@ void TransientRecord::show(solve::TransientResult& result) const {
   };
   if (every_ > 1) {
     put_in(peak_);
-    put_in({result.frames.back(), observed_at(result, result.frames.size() - 1)});
+    put_in({.frame = result.frames.back(), .observed = observed_at(result, result.frames.size() - 1)});
   }
   result.frames.clear();
   for (auto& values : result.observed) values.clear();

@@ -28,8 +28,10 @@ void append(std::string& text, const char* symbol, int exponent) {
 
 Dimension power(Dimension d, int numerator, int denominator) {
   expects(denominator != 0, "an exponent with denominator zero");
-  return {scaled(d.mass, numerator, denominator), scaled(d.length, numerator, denominator),
-          scaled(d.time, numerator, denominator), scaled(d.temperature, numerator, denominator)};
+  return {.mass = scaled(d.mass, numerator, denominator),
+          .length = scaled(d.length, numerator, denominator),
+          .time = scaled(d.time, numerator, denominator),
+          .temperature = scaled(d.temperature, numerator, denominator)};
 }
 
 std::string to_text(Dimension d) {

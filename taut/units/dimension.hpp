@@ -13,10 +13,16 @@ struct Dimension {
 
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
   friend constexpr Dimension operator*(Dimension a, Dimension b) {
-    return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
+    return {.mass = a.mass + b.mass,
+            .length = a.length + b.length,
+            .time = a.time + b.time,
+            .temperature = a.temperature + b.temperature};
   }
   friend constexpr Dimension operator/(Dimension a, Dimension b) {
-    return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.temperature - b.temperature};
+    return {.mass = a.mass - b.mass,
+            .length = a.length - b.length,
+            .time = a.time - b.time,
+            .temperature = a.temperature - b.temperature};
   }
 };
 
@@ -25,7 +31,10 @@ inline constexpr int whole_exponent = 6;
 
 /// The dimension kg^mass m^length s^time K^temperature.
 constexpr Dimension dimension(int mass, int length, int time, int temperature = 0) {
-  return {mass * whole_exponent, length * whole_exponent, time * whole_exponent, temperature * whole_exponent};
+  return {.mass = mass * whole_exponent,
+          .length = length * whole_exponent,
+          .time = time * whole_exponent,
+          .temperature = temperature * whole_exponent};
 }
 
 constexpr bool is_plain_number(Dimension d) { return d == Dimension{}; }

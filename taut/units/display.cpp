@@ -48,7 +48,8 @@ tl::expected<void, UnitError> check_display(std::string_view kind, std::string_v
     for (const Unit& u : kinds) names.emplace_back(u.kind);
     std::string hint = did_you_mean(kind, names);
     if (hint.empty()) hint = fmt::format("; the kinds are {}", fmt::join(names, ", "));
-    return tl::unexpected(UnitError{fmt::format("'{}' is not a kind of quantity{}", kind, hint), -1, 1});
+    return tl::unexpected(
+        UnitError{.message = fmt::format("'{}' is not a kind of quantity{}", kind, hint), .offset = -1, .width = 1});
   }
   if (is_celsius(*at, unit)) return {};
   const auto factor = unit_factor(unit, *at);

@@ -13,12 +13,12 @@ struct Wide {
   double low = 0;
 };
 
-constexpr Wide pi{std::numbers::pi, 1.2246467991473532e-16};
+constexpr Wide pi{.high = std::numbers::pi, .low = 1.2246467991473532e-16};
 
 /// The sum of two doubles as it is; |a| >= |b|.
 Wide sum(double a, double b) {
   const double high = a + b;
-  return {high, b - (high - a)};
+  return {.high = high, .low = b - (high - a)};
 }
 
 Wide times(Wide a, Wide b) {
@@ -30,7 +30,7 @@ Wide times(Wide a, Wide b) {
 /// The double nearest to a/b.
 double ratio(Wide a, Wide b) {
   const double first = a.high / b.high;
-  const Wide taken = times({first, 0}, b);
+  const Wide taken = times({.high = first, .low = 0}, b);
   return first + ((a.high - taken.high) + (a.low - taken.low)) / b.high;
 }
 
@@ -46,8 +46,8 @@ double factor_of(const std::vector<UnitPower>& product) {
     const UnitScale& scale = unit.row->scale;
     const int often = std::abs(unit.exponent);
     Wide& above = unit.exponent > 0 ? over : under;
-    multiply(above, {scale.over, 0}, often);
-    multiply(unit.exponent > 0 ? under : over, {scale.under, 0}, often);
+    multiply(above, {.high = scale.over, .low = 0}, often);
+    multiply(unit.exponent > 0 ? under : over, {.high = scale.under, .low = 0}, often);
     if (scale.times_pi) multiply(above, pi, often);
   }
   return ratio(over, under);

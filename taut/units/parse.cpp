@@ -18,8 +18,9 @@ namespace {
 using Failure = tl::unexpected<UnitError>;
 
 Failure fail(std::string message, std::size_t offset = 0, std::size_t width = 1) {
-  return Failure(
-      UnitError{std::move(message), static_cast<int>(offset), static_cast<int>(std::max<std::size_t>(width, 1))});
+  return Failure(UnitError{.message = std::move(message),
+                           .offset = static_cast<int>(offset),
+                           .width = static_cast<int>(std::max<std::size_t>(width, 1))});
 }
 
 constexpr std::size_t longest_quantity = 100;
@@ -56,7 +57,8 @@ struct Superscript {
   std::string_view text;
   int value;
 };
-constexpr std::array<Superscript, 4> superscripts = {{{"¹", 1}, {"²", 2}, {"³", 3}, {"⁴", 4}}};
+constexpr std::array<Superscript, 4> superscripts = {
+    {{.text = "¹", .value = 1}, {.text = "²", .value = 2}, {.text = "³", .value = 3}, {.text = "⁴", .value = 4}}};
 constexpr std::string_view middle_dot = "·";
 constexpr std::string_view degree_sign = "°";
 
@@ -144,7 +146,7 @@ class ExpressionReader {
     if (divide && at_ == from && take("1")) return fail("nothing to divide by", offset_ + from, 1);
     if (!divide && text_.substr(at_, 2) == "1/") {  // "1/s"
       ++at_;
-      return UnitPower{nullptr, 0};
+      return UnitPower{.row = nullptr, .exponent = 0};
     }
     const std::string_view name = read_name();
     if (name.empty()) {
@@ -155,7 +157,7 @@ class ExpressionReader {
     if (row == nullptr) return fail(unknown_unit(name), offset_ + from, name.size());
     const auto exponent = read_exponent();
     if (!exponent) return tl::unexpected(exponent.error());
-    return UnitPower{row, divide ? -*exponent : *exponent};
+    return UnitPower{.row = row, .exponent = divide ? -*exponent : *exponent};
   }
 
   static void add(Expression& e, const UnitPower& f) {
@@ -237,7 +239,7 @@ tl::expected<Split, UnitError> split_number(std::string_view text) {
   const bool minus = !text.empty() && text[0] == '-';
   if (starts_infinite(text.substr(from + (minus ? 1U : 0U)))) {
     const double value = std::numeric_limits<double>::infinity();
-    return Split{minus ? -value : value, from + (minus ? 5U : 4U), true};
+    return Split{.number = minus ? -value : value, .unit_from = from + (minus ? 5U : 4U), .infinite = true};
   }
   if (from < text.size() && (text[from] == '+' || (from == 1 && text[from] == '-'))) return fail("two signs", from, 1);
   Split s;

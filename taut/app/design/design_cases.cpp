@@ -19,10 +19,13 @@ void take_checks(const std::string& name, const std::vector<Check>& checks, std:
 }
 
 Table cases_table() {
-  return {"design_cases",
-          "Load cases of the design, and what governs each",
-          {{"case", si::one}, {"governs", si::one}, {"utilisation", si::one}, {"passes", si::one}},
-          {}};
+  return {.name = "design_cases",
+          .title = "Load cases of the design, and what governs each",
+          .columns = {{.name = "case", .unit = si::one},
+                      {.name = "governs", .unit = si::one},
+                      {.name = "utilisation", .unit = si::one},
+                      {.name = "passes", .unit = si::one}},
+          .rows = {}};
 }
 
 double severity(const design::SizingTrial& trial) {

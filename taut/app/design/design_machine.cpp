@@ -209,7 +209,7 @@ struct Memory {
 design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck, Diagnostics& mistakes) {
   MachineDeck own = deck;
   if (!deck.checks) {
-    io::place(input, {{"design", "needs 'checks': a design is what passes them"}}, mistakes);
+    io::place(input, {{.path = "design", .message = "needs 'checks': a design is what passes them"}}, mistakes);
   }
   return design_space(input, *deck.design, parts_of(own), mistakes);
 }
@@ -277,9 +277,10 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
       if (how == design::Depth::quick && !places.empty()) {
         Result probe = run(at_places(whole, places), true, ask);
         design::disregard(deck->design->disregard, probe);
-        if (!design::trial_of(probe).passes || probe.interrupted) return {std::move(probe), std::nan("")};
+        if (!design::trial_of(probe).passes || probe.interrupted)
+          return {.result = std::move(probe), .tension = std::nan("")};
       }
-      design::DesignRun done{run(whole, how != design::Depth::report, ask), 0};
+      design::DesignRun done{.result = run(whole, how != design::Depth::report, ask), .tension = 0};
       if (depth != design::Depth::report) design::disregard(deck->design->disregard, done.result);
       if (how == design::Depth::quick && !design::trial_of(done.result).passes)
         places = worst_places(*deck, done.result);

@@ -155,7 +155,7 @@ design::RopeCandidates candidates_of_rope(const design::DesignRopeRequest& one, 
 
 design::DesignCase case_of(const design::DesignCaseRequest& one, const design::DesignRequest& design,
                            const FindParameter& find, std::vector<Complaint>& complaints) {
-  design::DesignCase own{one.name, {}};
+  design::DesignCase own{.name = one.name, .settings = {}};
   for (const design::DesignSettingRequest& setting : one.settings) {
     const std::string path = fmt::format("design.cases.{}.{}", one.name, setting.name);
     const auto parameter = find(setting.name);
@@ -261,8 +261,9 @@ void put_case(const design::DesignCase& one, const FindParameter& parameter) {
 
 design::DesignLengths by_the_metre(const design::DesignRequest& request, const design::DesignSpace& space,
                                    const std::vector<double>& values) {
-  design::DesignLengths lengths{std::vector<double>(space.ropes.size(), 1),
-                                std::vector<double>(space.sections.size(), 1), 0};
+  design::DesignLengths lengths{.ropes = std::vector<double>(space.ropes.size(), 1),
+                                .sections = std::vector<double>(space.sections.size(), 1),
+                                .rest = 0};
   if (request.seek != design::Seek::cheapest) return lengths;
   for (std::size_t k = 0; k < values.size(); ++k) lengths.rest += space.unknowns[k].price * values[k];
   return lengths;

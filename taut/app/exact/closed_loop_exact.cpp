@@ -9,8 +9,10 @@ namespace {
 constexpr double rounding = 1e-12;
 
 solve::SecondSection second_section(const closed_loop::Input& in) {
-  return {*in.section_distance, in.distance_kind == closed_loop::DistanceKind::rope,
-          in.sag_of == closed_loop::Section::second, in.position_of == closed_loop::Section::second};
+  return {.distance = *in.section_distance,
+          .along_rope = in.distance_kind == closed_loop::DistanceKind::rope,
+          .sag_is_of_second = in.sag_of == closed_loop::Section::second,
+          .place_is_of_second = in.position_of == closed_loop::Section::second};
 }
 
 Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::ExactSag& found) {
@@ -35,7 +37,7 @@ Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>&
       at.sag = *in.sag;
       break;
   }
-  found = {at.sag, at.second};
+  found = {.sag = at.sag, .second = at.second};
   return o;
 }
 
@@ -64,7 +66,7 @@ void keep(const solve::RunningLoop& loop, const solve::LoopState& s, closed_loop
 Outcome exact_values(const closed_loop::Input& in, const closed_loop::Case<double>& c, closed_loop::Output& out) {
   const solve::RunningLoop loop = running_loop(in, c);
   solve::LoopState s;
-  Outcome o = solve::solve_loop(loop, {c.x, c.f}, s);
+  Outcome o = solve::solve_loop(loop, {.x = c.x, .sag = c.f}, s);
   if (o.ok()) keep(loop, s, out);
   return o;
 }
@@ -77,8 +79,8 @@ solve::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop:
   loop.rise = c.l * c.m;
   loop.branch_distance = in.branch_distance;
   loop.offset_is_vertical = in.branch_offset == closed_loop::BranchOffset::vertical;
-  loop.traction_rope = {c.q_T, in.traction_stiffness};
-  loop.return_rope = {c.q_b, in.return_stiffness};
+  loop.traction_rope = {.weight = c.q_T, .stiffness = in.traction_stiffness};
+  loop.return_rope = {.weight = c.q_b, .stiffness = in.return_stiffness};
   loop.efficiency = c.eta;
   loop.pull_x = c.S * c.sin_g;
   loop.pull_z = -c.S * c.cos_g;
@@ -89,7 +91,7 @@ solve::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop:
 }
 
 const closed_loop::Engine& loop_engine() {
-  static const closed_loop::Engine engine{exact_sag, exact_values};
+  static const closed_loop::Engine engine{.sag = exact_sag, .solve = exact_values};
   return engine;
 }
 

@@ -123,13 +123,17 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   add_comparisons(out, e, r);
   if (in.take_up) {
     if (s.slips) {
-      r.checks.push_back(
-          make_check("grip with the take-up, exact", in.cutting_force, si::N,
-                     {Sense::at_most, s.load, "cutting force against what the slipping drive passes on", "derived"}));
+      r.checks.push_back(make_check("grip with the take-up, exact", in.cutting_force, si::N,
+                                    {.sense = Sense::at_most,
+                                     .limit = s.load,
+                                     .rule = "cutting force against what the slipping drive passes on",
+                                     .trust = "derived"}));
     } else {
-      r.checks.push_back(make_check(
-          "grip with the take-up, exact", s.slip_arc, si::rad,
-          {Sense::at_most, d.working_arc, "slip arc ln((T_1 - c)/(T_2 - c))/mu against the working arc", "derived"}));
+      r.checks.push_back(make_check("grip with the take-up, exact", s.slip_arc, si::rad,
+                                    {.sense = Sense::at_most,
+                                     .limit = d.working_arc,
+                                     .rule = "slip arc ln((T_1 - c)/(T_2 - c))/mu against the working arc",
+                                     .trust = "derived"}));
     }
   }
   const auto values = values_of(FrictionDriveExact::describe(), &e);

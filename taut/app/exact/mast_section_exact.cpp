@@ -45,8 +45,8 @@ solve::Guy engine_guy(const Input& in, std::size_t i) {
   if (g.length) {
     out.install = solve::GuyLength{*g.length};
   } else {
-    out.install = solve::GuyTension{g.install->tension,
-                                    g.install->at == GuyEnd::top ? solve::GuyEnd::top : solve::GuyEnd::anchor};
+    out.install = solve::GuyTension{.tension = g.install->tension,
+                                    .at = g.install->at == GuyEnd::top ? solve::GuyEnd::top : solve::GuyEnd::anchor};
   }
   return out;
 }
@@ -153,19 +153,19 @@ void take_worst(const solve::GuyedMastResult& m, MastSectionExact& out) {
 }
 
 Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
-  Table t{"guys",
-          "Guylines at the governing carriage position, force on the anchor",
-          {{"guy", si::one},
-           {"unstretched", si::m},
-           {"T_installed", si::N},
-           {"T_top", si::N},
-           {"T_anchor", si::N},
-           {"Fx", si::N},
-           {"Fy", si::N},
-           {"Fz", si::N},
-           {"safety_factor", si::one},
-           {"state", si::one}},
-          {}};
+  Table t{.name = "guys",
+          .title = "Guylines at the governing carriage position, force on the anchor",
+          .columns = {{.name = "guy", .unit = si::one},
+                      {.name = "unstretched", .unit = si::m},
+                      {.name = "T_installed", .unit = si::N},
+                      {.name = "T_top", .unit = si::N},
+                      {.name = "T_anchor", .unit = si::N},
+                      {.name = "Fx", .unit = si::N},
+                      {.name = "Fy", .unit = si::N},
+                      {.name = "Fz", .unit = si::N},
+                      {.name = "safety_factor", .unit = si::one},
+                      {.name = "state", .unit = si::one}},
+          .rows = {}};
   for (std::size_t i = 0; i < m.guys.size(); ++i) {
     const solve::GuyState& g = m.guys[i];
     t.rows.push_back({mast.guys[i].name, g.length, g.tension_installed, g.tension_top, g.tension_anchor,
@@ -176,18 +176,18 @@ Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) 
 }
 
 Table positions_table() {
-  return {"positions_exact",
-          "Carriage positions, exact",
-          {{"x", si::m},
-           {"N_exact", si::N},
-           {"Q_exact", si::N},
-           {"M_exact", si::N_m},
-           {"M_max_exact", si::N_m},
-           {"top_displacement_exact", si::m.in("mm")},
-           {"sigma_exact", si::Pa},
-           {"guy_tension_max_exact", si::N},
-           {"reason", si::one}},
-          {}};
+  return {.name = "positions_exact",
+          .title = "Carriage positions, exact",
+          .columns = {{.name = "x", .unit = si::m},
+                      {.name = "N_exact", .unit = si::N},
+                      {.name = "Q_exact", .unit = si::N},
+                      {.name = "M_exact", .unit = si::N_m},
+                      {.name = "M_max_exact", .unit = si::N_m},
+                      {.name = "top_displacement_exact", .unit = si::m.in("mm")},
+                      {.name = "sigma_exact", .unit = si::Pa},
+                      {.name = "guy_tension_max_exact", .unit = si::N},
+                      {.name = "reason", .unit = si::one}},
+          .rows = {}};
 }
 
 std::vector<Cell> position_row(double x, const solve::GuyedMastResult& m, const Outcome& outcome) {
@@ -220,11 +220,13 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
 
 void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
   if (!asks_for_exact(in)) return;  // the method has checked it by second order
-  Check strength = make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, si::Pa,
-                              {Sense::at_most, section.allowable,
-                               "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
-                               "directions of the ropes",
-                               section.trust});
+  Check strength =
+      make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, si::Pa,
+                 {.sense = Sense::at_most,
+                  .limit = section.allowable,
+                  .rule = "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
+                          "directions of the ropes",
+                  .trust = section.trust});
   strength.part = "mast";
   r.checks.push_back(std::move(strength));
   const auto rule = catalogue::find_rule("safety.guyline.ch_at");
@@ -232,8 +234,10 @@ void add_checks(const Input& in, const Section& section, const MastSectionExact&
   const bool unverified = rule->trust == catalogue::Trust::unverified;
   r.checks.push_back(
       make_check("guylines do not break", e.guy_safety_min_exact, si::one,
-                 {Sense::at_least, *rule->low, fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
-                  unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))}));
+                 {.sense = Sense::at_least,
+                  .limit = *rule->low,
+                  .rule = fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
+                  .trust = unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))}));
 }
 
 void add_words(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
@@ -277,7 +281,8 @@ solve::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const st
   m.base = in.base == Base::clamped ? solve::MastBase::clamped : solve::MastBase::hinged;
   for (std::size_t i = 0; i < in.guys.size(); ++i) m.guys.push_back(engine_guy(in, i));
   const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
-  m.loads = {{in.skyline_block_height, block_force(forces.skyline)}, {lower, block_force(forces.mainline)}};
+  m.loads = {{.height = in.skyline_block_height, .force = block_force(forces.skyline)},
+             {.height = lower, .force = block_force(forces.mainline)}};
   if (in.lateral_force) m.loads.push_back({in.skyline_block_height, {0, *in.lateral_force, 0}});
   return m;
 }

@@ -142,7 +142,7 @@ std::string keys_text(const std::string& prefix, const Description& description)
 
 std::string explain_text(const MethodEntry& method) {
   const Method& about = *method.about;
-  const Result example = run(Job{std::string(method.example), about.name + ".yaml", {}});
+  const Result example = run(Job{.text = std::string(method.example), .name = about.name + ".yaml", .set = {}});
   std::string text = fmt::format("{} ({})\n\nSource: {}\n\n{}\n", about.title, about.name, about.source, about.scope);
   if (!about.limits.empty()) text += "\nLimits\n";
   for (const std::string& limit : about.limits) text += fmt::format("  - {}\n", limit);

@@ -47,12 +47,12 @@ void add_anchor_row(const AnchorStates& s, Result& r) {
     r.tables.push_back(
         {"anchor_forces",
          "Largest pull of all ropes together on what holds them, without factors (angle: above the horizontal)",
-         {{"name", si::one},
-          {"force", si::N},
-          {"horizontal", si::N},
-          {"upwards", si::N},
-          {"angle", si::rad},
-          {"where", si::one}},
+         {{.name = "name", .unit = si::one},
+          {.name = "force", .unit = si::N},
+          {.name = "horizontal", .unit = si::N},
+          {.name = "upwards", .unit = si::N},
+          {.name = "angle", .unit = si::rad},
+          {.name = "where", .unit = si::one}},
          {}});
     table = std::prev(r.tables.end());
   }
@@ -118,10 +118,11 @@ void check_holding(const AnchorStates& s, Result& r) {
   const std::string where = with_factor(s.where, s.factor);
   if (one.strength) {
     add_part_check(one.name, "anchor_strength", *one.strength / s.force, si::one,
-                   {Sense::at_least, one.safety_factor,
-                    fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
-                                s.force / 1e3, where),
-                    "user"},
+                   {.sense = Sense::at_least,
+                    .limit = one.safety_factor,
+                    .rule = fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
+                                        s.force / 1e3, where),
+                    .trust = "user"},
                    r);
   }
   if (one.as_strong_as_rope) {
@@ -132,19 +133,23 @@ void check_holding(const AnchorStates& s, Result& r) {
                       one.name));
     }
     add_part_check(one.name, "anchor_as_rope", *one.strength, si::N,
-                   {Sense::at_least, s.strongest_rope,
-                    "strength of the anchor not below the breaking force of the strongest rope fixed to it", "derived"},
+                   {.sense = Sense::at_least,
+                    .limit = s.strongest_rope,
+                    .rule = "strength of the anchor not below the breaking force of the strongest rope fixed to it",
+                    .trust = "derived"},
                    r);
   }
   if (one.tree_diameter) {
     const RuleLimit rule = rule_limit("layout.anchor_tree", false);
     const double share = *one.tree_diameter / rule_diameter;
-    add_part_check(one.name, "anchor_tree", s.force, si::N,
-                   {Sense::at_most, rule.value * share * share,
-                    fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
-                                *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
-                    rule.trust},
-                   r);
+    add_part_check(
+        one.name, "anchor_tree", s.force, si::N,
+        {.sense = Sense::at_most,
+         .limit = rule.value * share * share,
+         .rule = fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
+                             *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
+         .trust = rule.trust},
+        r);
   }
 }
 
@@ -154,7 +159,8 @@ void check_fastening(const AnchorStates& s, Result& r) {
   const auto check = [&](const std::optional<double>& have, const char* name, const std::string& id) {
     if (!have) return;
     const RuleLimit rule = rule_limit(id, true);
-    add_part_check(s.request->name, name, *have, si::one, {Sense::at_least, rule.value, rule.words, rule.trust}, r);
+    add_part_check(s.request->name, name, *have, si::one,
+                   {.sense = Sense::at_least, .limit = rule.value, .rule = rule.words, .trust = rule.trust}, r);
   };
   check(f.wraps, "anchor_wraps", "layout.anchor_wraps");
   check(f.spikes, "anchor_spikes", "layout.anchor_spikes");
@@ -182,12 +188,18 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
     const AnchorCheckRequest& one = *s.request;
     if (one.uplift) {
       add_part_check(one.name, "anchor_uplift", s.uplift, si::N,
-                     {Sense::at_most, *one.uplift, fmt::format("pull upwards ({})", s.where_uplift), "user"}, r);
+                     {.sense = Sense::at_most,
+                      .limit = *one.uplift,
+                      .rule = fmt::format("pull upwards ({})", s.where_uplift),
+                      .trust = "user"},
+                     r);
     }
     if (one.angle) {
       add_part_check(one.name, "anchor_angle", s.angle, si::rad,
-                     {Sense::at_most, *one.angle,
-                      fmt::format("angle of the pull above the horizontal ({})", s.where_angle), "user"},
+                     {.sense = Sense::at_most,
+                      .limit = *one.angle,
+                      .rule = fmt::format("angle of the pull above the horizontal ({})", s.where_angle),
+                      .trust = "user"},
                      r);
     }
   }

@@ -50,14 +50,15 @@ void take_least(double T, double T_slack, const std::string& words, GuyStates& g
 
 void check_safety(const GuyStates& guy, const std::string& name, double strength, Result& r) {
   const GuyCheckRequest& request = *guy.request;
-  RuleLimit limit{2, "partial factor of guys, EN 1993-3-1", by_recalled_gamma};
+  RuleLimit limit{.value = 2, .words = "partial factor of guys, EN 1993-3-1", .trust = by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
-  if (request.safety_factor) limit = {*request.safety_factor, "the deck's own", "user"};
+  if (request.safety_factor) limit = {.value = *request.safety_factor, .words = "the deck's own", .trust = "user"};
   add_part_check(name, "guy_safety", strength / guy.T_max, si::one,
-                 {Sense::at_least, limit.value,
-                  fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}", strength / 1e3,
-                              guy.T_max / 1e3, guy.where_max, limit.words),
-                  limit.trust},
+                 {.sense = Sense::at_least,
+                  .limit = limit.value,
+                  .rule = fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}",
+                                      strength / 1e3, guy.T_max / 1e3, guy.where_max, limit.words),
+                  .trust = limit.trust},
                  r);
 }
 
@@ -68,8 +69,10 @@ void check_pretension(const GuyCheckRequest& request, const std::string& name, d
   const std::string words = fmt::format("tension as put up, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}",
                                         tension / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
   const std::string trust = own ? "user" : by_recalled_window;
-  add_part_check(name, "pretension_min", tension / strength, si::one, {Sense::at_least, low, words, trust}, r);
-  add_part_check(name, "pretension_max", tension / strength, si::one, {Sense::at_most, high, words, trust}, r);
+  add_part_check(name, "pretension_min", tension / strength, si::one,
+                 {.sense = Sense::at_least, .limit = low, .rule = words, .trust = trust}, r);
+  add_part_check(name, "pretension_max", tension / strength, si::one,
+                 {.sense = Sense::at_most, .limit = high, .rule = words, .trust = trust}, r);
 }
 
 /// Why a rule of the catalogue gives no safety factor; empty when it does.
@@ -84,11 +87,12 @@ std::string wrong_safety_rule(const std::string& id) {
 
 RuleLimit rule_limit(const std::string& id, bool high_end) {
   const auto row = catalogue::find_rule(id);
-  if (!row || !row->low || !row->high) return {std::nan(""), "there is no such rule", "UNVERIFIED: no such rule"};
-  RuleLimit limit{high_end ? *row->high : *row->low,
-                  fmt::format("{}: {} ({})", row->item, row->text.empty() ? row->id : row->text, row->source),
-                  row->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row->trust_text)
-                                                             : std::string(to_text(row->trust))};
+  if (!row || !row->low || !row->high)
+    return {.value = std::nan(""), .words = "there is no such rule", .trust = "UNVERIFIED: no such rule"};
+  RuleLimit limit{.value = high_end ? *row->high : *row->low,
+                  .words = fmt::format("{}: {} ({})", row->item, row->text.empty() ? row->id : row->text, row->source),
+                  .trust = row->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row->trust_text)
+                                                                      : std::string(to_text(row->trust))};
   if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
   return limit;
 }
@@ -184,13 +188,15 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
       r.warnings.push_back(r.unmade.back());
     }
     if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
-      add_part_check(rope.name, "slackness", one.T_least, si::N,
-                     {Sense::at_least, one.T_slack,
-                      fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
-                                  "slack and holds nothing ({})",
-                                  one.where_least),
-                      "derived"},
-                     r);
+      add_part_check(
+          rope.name, "slackness", one.T_least, si::N,
+          {.sense = Sense::at_least,
+           .limit = one.T_slack,
+           .rule = fmt::format("least tension against that of a guy just as long as its chord, below which it hangs "
+                               "slack and holds nothing ({})",
+                               one.where_least),
+           .trust = "derived"},
+          r);
     }
     const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
                                   [&](const auto& g) { return g.name == rope.name; });

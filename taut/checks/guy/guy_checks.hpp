@@ -49,10 +49,10 @@ struct LineExtreme {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::string where;
   void largest(double x, const std::string& words) {
-    if (!(x <= value)) *this = {x, words};
+    if (!(x <= value)) *this = {.value = x, .where = words};
   }
   void least(double x, const std::string& words) {
-    if (!(x >= value)) *this = {x, words};
+    if (!(x >= value)) *this = {.value = x, .where = words};
   }
 };
 

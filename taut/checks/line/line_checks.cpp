@@ -101,7 +101,7 @@ void check_clearance(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
   if (!request.clearance && !request.least_clearance) return;
   RuleLimit limit = rule_limit("layout.ground_clearance", true);
-  if (request.least_clearance) limit = {*request.least_clearance, "the deck's own", "user"};
+  if (request.least_clearance) limit = {.value = *request.least_clearance, .words = "the deck's own", .trust = "user"};
   if (std::isnan(line.clearance.value)) {
     r.unmade.push_back(fmt::format(
         "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
@@ -113,8 +113,10 @@ void check_clearance(const LineStates& line, Result& r) {
     r.warnings.push_back(r.unmade.back());
   }
   add_part_check(request.name, "clearance", line.clearance.value, si::m,
-                 {Sense::at_least, limit.value,
-                  fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words), limit.trust},
+                 {.sense = Sense::at_least,
+                  .limit = limit.value,
+                  .rule = fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words),
+                  .trust = limit.trust},
                  r);
 }
 
@@ -124,9 +126,12 @@ void check_tail(const LineStates& line, Result& r) {
                        const char* words) {
     if (std::isnan(x.value)) return;
     RuleLimit limit = rule_limit(rule, false);
-    if (own) limit = {*own, "the deck's own", "user"};
+    if (own) limit = {.value = *own, .words = "the deck's own", .trust = "user"};
     add_part_check(request.name, name, x.value, si::rad,
-                   {Sense::at_most, limit.value, fmt::format("{} ({}); {}", words, x.where, limit.words), limit.trust},
+                   {.sense = Sense::at_most,
+                    .limit = limit.value,
+                    .rule = fmt::format("{} ({}); {}", words, x.where, limit.words),
+                    .trust = limit.trust},
                    r);
   };
   add("tail_angle", line.tail_angle, request.tail_angle, "layout.tail_tree_angle",
@@ -143,20 +148,22 @@ void check_bends(const LineStates& line, Result& r) {
     if (!std::isnan(bend.most.value)) {
       const RuleLimit high =
           rule_limit(end ? "layout.break_angle_loaded_end" : "layout.break_angle_loaded_support", false);
-      add_part_check(
-          request.name, bend.support + ".break_angle", bend.most.value, si::rad,
-          {Sense::at_most, high.value,
-           fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words), high.trust},
-          r);
+      add_part_check(request.name, bend.support + ".break_angle", bend.most.value, si::rad,
+                     {.sense = Sense::at_most,
+                      .limit = high.value,
+                      .rule = fmt::format("largest bend over '{}' ({}); {}", bend.support, bend.most.where, high.words),
+                      .trust = high.trust},
+                     r);
     }
     if (!std::isnan(bend.least.value)) {
       const RuleLimit low =
           rule_limit(request.hold_down ? "layout.break_angle_hold_down" : "layout.break_angle_empty", true);
       add_part_check(request.name, bend.support + ".least_break_angle", bend.least.value, si::rad,
-                     {Sense::at_least, low.value,
-                      fmt::format("least bend over '{}', with the empty line among the states ({}); {}", bend.support,
-                                  bend.least.where, low.words),
-                      low.trust},
+                     {.sense = Sense::at_least,
+                      .limit = low.value,
+                      .rule = fmt::format("least bend over '{}', with the empty line among the states ({}); {}",
+                                          bend.support, bend.least.where, low.words),
+                      .trust = low.trust},
                      r);
     }
   }
@@ -166,21 +173,25 @@ void check_rating(const LineCheckRequest& request, const machine::Model& model, 
   const double strength = request.breaking_force.value_or(line_named(model, request.name)->breaking_force);
   const char* trust = "verified";
   if (request.limiter) {
-    add_part_check(request.name, "limiter", *request.limiter, si::N,
-                   {Sense::at_most, *request.spar_rating,
-                    fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
-                                "breaks at {:.4g} kN (WAC 296-54-553)",
-                                strength / 1e3),
-                    trust},
-                   r);
+    add_part_check(
+        request.name, "limiter", *request.limiter, si::N,
+        {.sense = Sense::at_most,
+         .limit = *request.spar_rating,
+         .rule = fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
+                             "breaks at {:.4g} kN (WAC 296-54-553)",
+                             strength / 1e3),
+         .trust = trust},
+        r);
     return;
   }
-  add_part_check(request.name, "spar_rating", strength, si::N,
-                 {Sense::at_most, *request.spar_rating,
-                  "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
-                  "fuse (WAC 296-54-553)",
-                  trust},
-                 r);
+  add_part_check(
+      request.name, "spar_rating", strength, si::N,
+      {.sense = Sense::at_most,
+       .limit = *request.spar_rating,
+       .rule = "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
+               "fuse (WAC 296-54-553)",
+       .trust = trust},
+      r);
 }
 
 /// The supports that a request names, against those that its line runs over.

@@ -108,7 +108,8 @@ class Combinations {
         const bool known = std::any_of(own.begin(), own.end(), [&](const auto& t) { return t.name == l.load_case; });
         if (!known) own.push_back({l.load_case, request_.load_factor});
       }
-      for (const std::string& analysis : analyses()) add_states("", own, {analysis, request_.load_factor});
+      for (const std::string& analysis : analyses())
+        add_states("", own, {.name = analysis, .factor = request_.load_factor});
       return own_;
     }
     for (const MastCombinationRequest& c : request_.combinations) {
@@ -170,7 +171,7 @@ std::vector<std::pair<std::string, Vector3>> places_of(const machine::Model& mod
 }  // namespace
 
 CarriedState carried_by(const MastCheckRequest& request, const CheckState& state) {
-  CarriedState all{state.words, state.analysis, state.moves, {}};
+  CarriedState all{.words = state.words, .analysis = state.analysis, .moves = state.moves, .loads = {}};
   for (const CheckContact& c : state.contacts) {
     const machine::Reeving& rope = state.model->reevings[c.reeving];
     if (carries(request, rope.nodes[c.node].name)) add_pull(request, c.place, rope.copies * c.force, all);

@@ -91,7 +91,8 @@ void complain_of_beam(const MastCheckRequest& request, const std::string& name, 
 
 /// The forces of a beam's section; N of the engine is tension, of the checks compression.
 structure::CrossForces forces_of(const solve::BeamPoint& p) {
-  return {-p.N, p.shear_y, p.shear_x, p.bends_to_x, p.bends_to_y, p.torsion};
+  return {
+      .N = -p.N, .V_y = p.shear_y, .V_z = p.shear_x, .M_y = p.bends_to_x, .M_z = p.bends_to_y, .torsion = p.torsion};
 }
 
 /// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a.
@@ -136,9 +137,12 @@ class MachineMast {
  private:
   structure::MastPart part(const MastMaterial& material, double E) const {
     structure::MastPart p;
-    p.member.steel = {material.section, material.yield, E, {request_.gamma_M0, request_.gamma_M1}};
+    p.member.steel = {.section = material.section,
+                      .yield = material.yield,
+                      .E = E,
+                      .gamma = {.M0 = request_.gamma_M0, .M1 = request_.gamma_M1}};
     p.member.curve = curve_of(request_);
-    p.member.y = {request_.buckling_length, {}, request_.C_m};
+    p.member.y = {.length = request_.buckling_length, .critical_force = {}, .C_m = request_.C_m};
     p.member.z = p.member.y;
     p.allowable_stress = material.allowable_stress;
     return p;
@@ -275,7 +279,7 @@ std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, 
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
   if (mast.beams.empty() || state.rest == nullptr) return;
-  BeamState& one = mast.states.emplace_back(BeamState{state.words, state.analysis, {}});
+  BeamState& one = mast.states.emplace_back(BeamState{.words = state.words, .analysis = state.analysis, .beams = {}});
   for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
   if (!mast.request->top_criterion) return;
   const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");

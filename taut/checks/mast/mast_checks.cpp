@@ -38,10 +38,11 @@ void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
   const structure::WallClass wall =
       structure::section_class(steel.section, steel.yield, station_at(report.loaded, at).design);
   add_part_check(report.name, "wall", wall.slenderness, si::one,
-                 {Sense::at_most, wall.slenderness / u.slenderness.value,
-                  fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
-                              wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
-                  recalled_section},
+                 {.sense = Sense::at_most,
+                  .limit = wall.slenderness / u.slenderness.value,
+                  .rule = fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
+                                      wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
+                  .trust = recalled_section},
                  r);
 }
 
@@ -51,17 +52,19 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
   add_part_check(report.name, "section", u.section.value, si::one,
-                 {Sense::at_most, 1,
-                  fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
-                              steel.section.name, section_class, steel.yield / 1e6,
-                              section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
-                  recalled_section},
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                                      steel.section.name, section_class, steel.yield / 1e6,
+                                      section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+                  .trust = recalled_section},
                  r);
-  add_part_check(
-      report.name, "shear", u.shear.value, si::one,
-      {Sense::at_most, 1, fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
-       "UNVERIFIED: shear areas as recalled"},
-      r);
+  add_part_check(report.name, "shear", u.shear.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+                  .trust = "UNVERIFIED: shear areas as recalled"},
+                 r);
 }
 
 void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
@@ -72,17 +75,19 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
     return to_text(member.curve.value_or(structure::curve_of(member.steel.section, member.steel.yield)));
   };
   add_part_check(report.name, "buckling", u.flexural.value, si::one,
-                 {Sense::at_most, 1,
-                  fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}", curve(u.flexural.at),
-                              case_at(m, u.flexural.at).words),
-                  recalled_curve},
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}",
+                                      curve(u.flexural.at), case_at(m, u.flexural.at).words),
+                  .trust = recalled_curve},
                  r);
   if (!m.mast.members) return;
   add_part_check(report.name, "member", u.member.value, si::one,
-                 {Sense::at_most, 1,
-                  fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
-                              curve(u.member.at), case_at(m, u.member.at).words),
-                  recalled_curve},
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
+                                      curve(u.member.at), case_at(m, u.member.at).words),
+                  .trust = recalled_curve},
                  r);
 }
 
@@ -98,10 +103,11 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
   const MastPlace& at = u.stress_use.at;
   const double allowed = *m.mast.parts[at.part].allowable_stress;
   add_part_check(report.name, "allowable_stress", u.stress_use.value * allowed, si::Pa,
-                 {Sense::at_most, allowed,
-                  fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
-                              place_words(m, at)),
-                  trust_of_stress(request, report, at.part)},
+                 {.sense = Sense::at_most,
+                  .limit = allowed,
+                  .rule = fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
+                                      place_words(m, at)),
+                  .trust = trust_of_stress(request, report, at.part)},
                  r);
 }
 
@@ -110,20 +116,20 @@ void add_row(const MastReport& report, const MastUse& u, Result& r) {
   if (table == r.tables.end()) {
     r.tables.push_back({"masts",
                         "Masts at their worst section (design forces, N: compression positive) and as members",
-                        {{"name", si::one},
-                         {"section", si::one},
-                         {"class", si::one},
-                         {"f_y", si::Pa},
-                         {"height", si::m},
-                         {"N", si::N},
-                         {"M_y", si::N_m},
-                         {"M_z", si::N_m},
-                         {"V", si::N},
-                         {"section_use", si::one},
-                         {"buckling", si::one},
-                         {"member", si::one},
-                         {"stress", si::Pa},
-                         {"case", si::one}},
+                        {{.name = "name", .unit = si::one},
+                         {.name = "section", .unit = si::one},
+                         {.name = "class", .unit = si::one},
+                         {.name = "f_y", .unit = si::Pa},
+                         {.name = "height", .unit = si::m},
+                         {.name = "N", .unit = si::N},
+                         {.name = "M_y", .unit = si::N_m},
+                         {.name = "M_z", .unit = si::N_m},
+                         {.name = "V", .unit = si::N},
+                         {.name = "section_use", .unit = si::one},
+                         {.name = "buckling", .unit = si::one},
+                         {.name = "member", .unit = si::one},
+                         {.name = "stress", .unit = si::Pa},
+                         {.name = "case", .unit = si::one}},
                         {}});
     table = std::prev(r.tables.end());
   }
@@ -141,13 +147,13 @@ void add_row(const MastReport& report, const MastUse& u, Result& r) {
 
 /// Along the height, of all cases: how far the sections are used by both routes.
 void add_profile(const MastReport& report, Result& r) {
-  Plot plot{fmt::format("{}_profile", report.name),
-            fmt::format("How far the sections of {} are used along its height", report.name),
-            "The largest over all cases.",
-            {"use of the section", si::one},
-            {"height above the base", si::m},
-            {},
-            {}};
+  Plot plot{.name = fmt::format("{}_profile", report.name),
+            .title = fmt::format("How far the sections of {} are used along its height", report.name),
+            .caption = "The largest over all cases.",
+            .x = {.label = "use of the section", .unit = si::one},
+            .y = {.label = "height above the base", .unit = si::m},
+            .curves = {},
+            .marks = {}};
   struct At {
     double height;
     std::size_t part;
@@ -175,7 +181,8 @@ void add_profile(const MastReport& report, Result& r) {
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const At& a, const At& b) { return a.part != b.part ? a.part < b.part : a.height < b.height; });
-  Curve ec3{"EN 1993-1-1, N + M + V", {}, {}}, sigma{"N/A + M/W over [sigma]", {}, {}, true};
+  Curve ec3{.label = "EN 1993-1-1, N + M + V", .x = {}, .y = {}},
+      sigma{.label = "N/A + M/W over [sigma]", .x = {}, .y = {}, .dashed = true};
   for (const At& p : points) {
     ec3.x.push_back(p.ec3);
     ec3.y.push_back(p.height);
@@ -271,7 +278,8 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
                     report.name));
   }
   if (!report.refused.empty()) {
-    add_part_check(report.name, "section", std::nan(""), si::one, {Sense::at_most, 1, report.refused, "derived"}, r);
+    add_part_check(report.name, "section", std::nan(""), si::one,
+                   {.sense = Sense::at_most, .limit = 1, .rule = report.refused, .trust = "derived"}, r);
     r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
     add_mast_choice(request, report, r);
     return;

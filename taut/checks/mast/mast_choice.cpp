@@ -52,13 +52,13 @@ Table& table_in(Result& r) {
   if (known != r.tables.end()) return *known;
   r.tables.push_back({"mast_sections",
                       "Lightest sections of the catalogue that pass by every route asked for",
-                      {{"mast", si::one},
-                       {"section", si::one},
-                       {"mass_per_length", si::kg_per_m},
-                       {"mass", si::kg},
-                       {"utilisation", si::one},
-                       {"governs", si::one},
-                       {"trust", si::one}},
+                      {{.name = "mast", .unit = si::one},
+                       {.name = "section", .unit = si::one},
+                       {.name = "mass_per_length", .unit = si::kg_per_m},
+                       {.name = "mass", .unit = si::kg},
+                       {.name = "utilisation", .unit = si::one},
+                       {.name = "governs", .unit = si::one},
+                       {.name = "trust", .unit = si::one}},
                       {}});
   return r.tables.back();
 }

@@ -72,12 +72,13 @@ void add_top_check(const MastStates& mast, double bending, const machine::Model&
   const double wanted = *request.top_criterion * structure::euler_load(1, bending, height) / height;
   add_part_check(
       request.name, "top_stiffness", std::isfinite(mast.guy_stiffness) ? mast.guy_stiffness : 0, si::N_per_m.in("kN/m"),
-      {Sense::at_least, wanted,
-       fmt::format(
+      {.sense = Sense::at_least,
+       .limit = wanted,
+       .rule = fmt::format(
            "horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
            "mast hinged at both ends; {}",
            *request.top_criterion, mast.where_stiffness.empty() ? "no guy holds it" : mast.where_stiffness),
-       "UNVERIFIED: 3 to 4 recalled practice"},
+       .trust = "UNVERIFIED: 3 to 4 recalled practice"},
       r);
 }
 
@@ -87,8 +88,10 @@ void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, 
   const MastGuys guys = guys_of(request, deck, model);
   if (request.plate->guys) {
     add_part_check(request.name, "guys_by_plate", guys.number, si::one,
-                   {Sense::at_least, *request.plate->guys,
-                    "number of guylines against the plate of the spar (WAC 296-54-553)", "verified"},
+                   {.sense = Sense::at_least,
+                    .limit = *request.plate->guys,
+                    .rule = "number of guylines against the plate of the spar (WAC 296-54-553)",
+                    .trust = "verified"},
                    r);
   }
   if (!request.plate->guy_strength || guys.number == 0) return;
@@ -99,8 +102,10 @@ void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, 
     return;
   }
   add_part_check(request.name, "guy_strength_by_plate", guys.weakest, si::N,
-                 {Sense::at_least, *request.plate->guy_strength,
-                  "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)", "verified"},
+                 {.sense = Sense::at_least,
+                  .limit = *request.plate->guy_strength,
+                  .rule = "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)",
+                  .trust = "verified"},
                  r);
 }
 

@@ -17,7 +17,7 @@ using structure::MastCombination;
 /// The pieces of the request; a mast of one section is one piece.
 std::vector<MastPieceRequest> pieces_of(const MastCheckRequest& request) {
   if (!request.pieces.empty()) return request.pieces;
-  return {{request.height.value_or(1), request.section.value_or(""), {}}};
+  return {{.length = request.height.value_or(1), .section = request.section.value_or(""), .top = {}}};
 }
 
 double height_of(const MastCheckRequest& request) {
@@ -59,7 +59,7 @@ std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
   }
   if (!all.empty()) return all;
   for (const std::string& name : cases_of(loads)) {
-    all.push_back(combination(request, loads, name, {{name, request.load_factor}}));
+    all.push_back(combination(request, loads, name, {{.name = name, .factor = request.load_factor}}));
   }
   return all;
 }
@@ -70,7 +70,7 @@ ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoa
   m.top_stiffness = request.top_stiffness;
   m.own_weight = request.own_weight;
   m.weight_factor = request.load_factor;
-  m.gamma = {request.gamma_M0, request.gamma_M1};
+  m.gamma = {.M0 = request.gamma_M0, .M1 = request.gamma_M1};
   m.curve = curve_of(request);
   m.sway = request.sway;
   m.bow = request.bow;
@@ -185,7 +185,7 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   }
   structure::ColumnMastResult solved = column_mast(column);
   report.refused = solved.refused;
-  report.loaded = {std::move(solved.mast), std::move(solved.cases)};
+  report.loaded = {.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
   use_length(request, report.loaded);
   report.words.push_back(fmt::format(
       "{}: a column in its bent shape, {} below, its top {}; as built leaning by {:.4g}{}; largest displacement of its "
@@ -203,10 +203,14 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
       const auto m = mast_material(request, row, *request.steel);
       if (!m) return std::nullopt;
       ColumnMast other = column;
-      other.pieces = {{column.pieces.front().length, m->section, {}, m->yield, m->allowable_stress}};
+      other.pieces = {{.length = column.pieces.front().length,
+                       .section = m->section,
+                       .top = {},
+                       .yield = m->yield,
+                       .allowable_stress = m->allowable_stress}};
       structure::ColumnMastResult found = column_mast(other);
       if (!found.refused.empty()) return std::nullopt;
-      structure::LoadedMast loaded{std::move(found.mast), std::move(found.cases)};
+      structure::LoadedMast loaded{.mast = std::move(found.mast), .cases = std::move(found.cases)};
       use_length(request, loaded);
       return loaded;
     };

@@ -77,15 +77,15 @@ void add_diameter(const rope::RopeUse& use, Table& t) {
 }  // namespace
 
 void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r) {
-  Table t{"discard_" + use.name,
-          fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
-          {{"criterion", si::one},
-           {"on_length", si::m.in("mm")},
-           {"broken_wires", si::one},
-           {"least_diameter", si::m.in("mm")},
-           {"limit", si::one},
-           {"trust", si::one}},
-          {}};
+  Table t{.name = "discard_" + use.name,
+          .title = fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
+          .columns = {{.name = "criterion", .unit = si::one},
+                      {.name = "on_length", .unit = si::m.in("mm")},
+                      {.name = "broken_wires", .unit = si::one},
+                      {.name = "least_diameter", .unit = si::m.in("mm")},
+                      {.name = "limit", .unit = si::one},
+                      {.name = "trust", .unit = si::one}},
+          .rows = {}};
   add_wires(request, use, t);
   add_diameter(use, t);
   for (const RuleRow& row : catalogue::rules_of("discard")) {

@@ -75,17 +75,17 @@ rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& u
 }
 
 void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, Result& r) {
-  Table t{"life_" + use.name,
-          fmt::format("Life of {}: bendings n in the wanted life, endured N (Feyrer), damage n/N", use.name),
-          {{"count", si::one},
-           {"duty", si::one},
-           {"bent_on", si::one},
-           {"D_over_d", si::one},
-           {"pull", si::N},
-           {"n", si::one},
-           {"N", si::one},
-           {"damage", si::one}},
-          {}};
+  Table t{.name = "life_" + use.name,
+          .title = fmt::format("Life of {}: bendings n in the wanted life, endured N (Feyrer), damage n/N", use.name),
+          .columns = {{.name = "count", .unit = si::one},
+                      {.name = "duty", .unit = si::one},
+                      {.name = "bent_on", .unit = si::one},
+                      {.name = "D_over_d", .unit = si::one},
+                      {.name = "pull", .unit = si::N},
+                      {.name = "n", .unit = si::one},
+                      {.name = "N", .unit = si::one},
+                      {.name = "damage", .unit = si::one}},
+          .rows = {}};
   for (const rope::Life& life : lives) {
     for (const rope::LifeLine& line : life.lines) {
       t.rows.push_back(
@@ -109,12 +109,14 @@ std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& lif
 void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,
                     const rope::RopeUse& use, Result& r) {
   const std::string name = use.name + ".life";
-  Check c = make_check(name, life.damage, si::one,
-                       {Sense::at_most, 1,
-                        fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
-                                    life.constants->count, life.constants->words,
-                                    rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
-                        rope::trust_with_rope(trust, use.rope)});
+  Check c =
+      make_check(name, life.damage, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
+                                      life.constants->count, life.constants->words,
+                                      rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
+                  .trust = rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
   r.checks.push_back(std::move(c));
   r.values.push_back({name + "_damage",
@@ -137,9 +139,11 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
     if (bend.kind != rope::BendKind::saddle) most = std::max(most, bend.tension);
   }
   if (!(most > 0)) return;
-  Check c = make_check(
-      use.name + ".donandt", rules.dynamic_factor * most, si::N,
-      {Sense::at_most, force, "Donandt force: above it wires yield in bending and the life falls off", "user"});
+  Check c = make_check(use.name + ".donandt", rules.dynamic_factor * most, si::N,
+                       {.sense = Sense::at_most,
+                        .limit = force,
+                        .rule = "Donandt force: above it wires yield in bending and the life falls off",
+                        .trust = "user"});
   c.part = use.name;
   r.checks.push_back(std::move(c));
 }

@@ -45,7 +45,7 @@ std::string words_of(const RuleRow& row) {
 /// The end of a range that is safe: the high one of what must be reached, the low one of what must not be passed.
 enum class SafeEnd { low, high };
 Limit limit_of(const RuleRow& row, SafeEnd end) {
-  Limit limit{end == SafeEnd::high ? *row.high : *row.low, words_of(row), trust_of(row)};
+  Limit limit{.value = end == SafeEnd::high ? *row.high : *row.low, .rule = words_of(row), .trust = trust_of(row)};
   if (*row.low != *row.high) {
     const bool angle = row.unit == "rad";
     const double shown = angle ? std::numbers::pi / 180 : 1;
@@ -111,8 +111,9 @@ class RequestReader {
       if (row.id == "safety.skyline_elastic_limit") continue;
       known.push_back(row.id.substr(std::string_view("safety.").size()));
     }
-    complain(key, to_text(catalogue::LookupError{fmt::format("there is no field of use '{}'", name),
-                                                 catalogue::nearest_names(name, known, catalogue::suggested)}) +
+    complain(key, to_text(catalogue::LookupError{
+                      .message = fmt::format("there is no field of use '{}'", name),
+                      .candidates = catalogue::nearest_names(name, known, catalogue::suggested)}) +
                       "; taut list rules --name safety");
   }
 
@@ -134,7 +135,7 @@ class RequestReader {
     asked_.fields.push_back(row->id);
     if (begins(row->id, {"safety.crane_", "safety.ropeway_"})) rules_.factor_covers_bending = true;
     if (row->id == "safety.crane_running.en13001") {
-      rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+      rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
     } else if (row->low) {
       rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
     }
@@ -149,7 +150,7 @@ class RequestReader {
     }
     if (request_.en13001 && !rules_.resistance) {
       if (const auto row = rule_named("safety.crane_running.en13001")) {
-        rules_.resistance = Limit{0, words_of(*row), trust_of(*row)};
+        rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
       }
     }
     if (request_.en13001 && request_.en13001->bends) {
@@ -167,10 +168,12 @@ class RequestReader {
     }
     if (request_.hoist) hoist(*request_.hoist);
     if (request_.dynamic_safety_factor) {
-      rules_.dynamic_safety = Limit{*request_.dynamic_safety_factor, "dynamic safety factor of the deck", "user"};
+      rules_.dynamic_safety =
+          Limit{.value = *request_.dynamic_safety_factor, .rule = "dynamic safety factor of the deck", .trust = "user"};
     }
     if (request_.elastic_limit) {
-      rules_.elastic_share = Limit{*request_.elastic_limit, "elastic limit of the deck", "user"};
+      rules_.elastic_share =
+          Limit{.value = *request_.elastic_limit, .rule = "elastic limit of the deck", .trust = "user"};
     } else if (const auto row = rule_named("safety.skyline_elastic_limit")) {
       rules_.elastic_share = limit_of(*row, SafeEnd::low);
     }
@@ -189,8 +192,9 @@ class RequestReader {
 
   void termination() {
     if (request_.termination_efficiency) {
-      rules_.termination = Limit{*request_.termination_efficiency,
-                                 request_.termination.value_or("the termination") + ", efficiency of the deck", "user"};
+      rules_.termination = Limit{.value = *request_.termination_efficiency,
+                                 .rule = request_.termination.value_or("the termination") + ", efficiency of the deck",
+                                 .trust = "user"};
     } else if (request_.termination) {
       named_termination(*request_.termination);
     }
@@ -220,7 +224,7 @@ class RequestReader {
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != *request_.termination) continue;
       const double upto = degrees_of(row) + freezing;
-      rules_.hottest_end = Limit{upto, words_of(row), trust_of(row)};
+      rules_.hottest_end = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
     }
   }
 
@@ -236,10 +240,10 @@ class RequestReader {
   void ratios() {
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
-      const Limit sheave{request_.diameter_ratio.front(), "D/d of the deck", "user"};
+      const Limit sheave{.value = request_.diameter_ratio.front(), .rule = "D/d of the deck", .trust = "user"};
       rules_.sheave_ratios = {sheave};
       rules_.compensating_ratios = {sheave};
-      rules_.drum_ratios = {{request_.diameter_ratio.back(), "D/d of the deck", "user"}};
+      rules_.drum_ratios = {{.value = request_.diameter_ratio.back(), .rule = "D/d of the deck", .trust = "user"}};
       return;
     }
     rules_.runs = runs();
@@ -366,13 +370,14 @@ class RopeLimits {
     static constexpr const char* names[] = {"", "wood", "cast_iron", "cast_steel", "chilled_iron", "manganese_steel"};
     const std::string group = catalogue::construction_class(rope_.construction);
     if (request_.groove_pressure) {
-      rules_.groove_pressure = Limit{*request_.groove_pressure, "groove pressure of the deck", "user"};
+      rules_.groove_pressure =
+          Limit{.value = *request_.groove_pressure, .rule = "groove pressure of the deck", .trust = "user"};
     } else if (request_.groove != Groove::none) {
       const auto row = rule_named(fmt::format("pressure.{}.{}", names[static_cast<int>(request_.groove)], group));
       if (row) rules_.groove_pressure = limit_of(*row, SafeEnd::low);
     }
     if (request_.wire_diameter && rope_.diameter > 0) {
-      rules_.wire = Limit{*request_.wire_diameter / rope_.diameter, "of the deck", "user"};
+      rules_.wire = Limit{.value = *request_.wire_diameter / rope_.diameter, .rule = "of the deck", .trust = "user"};
     } else if (const auto row = rule_named("wire." + group); row && !group.empty()) {
       rules_.wire = limit_of(*row, SafeEnd::high);
       rules_.wire->rule = fmt::format("{:.3g} d for class {}", rules_.wire->value, group);

@@ -132,8 +132,13 @@ int RopeUses::sense_in(std::size_t reeving, const machine::Node& node) {
 
 rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times) {
   auto& known = bends_[reeving];
-  const Met fresh{{node.name, kind_of(node), 2 * node.radius, 0, 0, sense_in(reeving, node)},
-                  static_cast<int>(known.size())};
+  const Met fresh{.bend = {.name = node.name,
+                           .kind = kind_of(node),
+                           .diameter = 2 * node.radius,
+                           .tension = 0,
+                           .wrap = 0,
+                           .side = sense_in(reeving, node)},
+                  .order = static_cast<int>(known.size())};
   return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
 }
 
@@ -159,16 +164,23 @@ void RopeUses::take_drum(const machine::Model& model, const solve::EquilibriumRe
   auto& bends = bends_[reeving];
   const double first = drum.core_radius + rope.diameter / 2;
   const int order = at_end ? std::numeric_limits<int>::max() : -1;
-  auto& met =
-      bends
-          .try_emplace(
-              "drum " + node.name,
-              Met{{node.name, rope::BendKind::drum, 2 * first, 0, whole_turn, sense_in(as_size(reeving), node)}, order})
-          .first->second;
+  auto& met = bends
+                  .try_emplace("drum " + node.name, Met{.bend = {.name = node.name,
+                                                                 .kind = rope::BendKind::drum,
+                                                                 .diameter = 2 * first,
+                                                                 .tension = 0,
+                                                                 .wrap = whole_turn,
+                                                                 .side = sense_in(as_size(reeving), node)},
+                                                        .order = order})
+                  .first->second;
   met.bend.tension = std::max(met.bend.tension, tension);
   auto& drums = uses_[reeving].drums;
   auto known = std::find_if(drums.begin(), drums.end(), [&](const auto& d) { return d.name == node.name; });
-  if (known == drums.end()) known = drums.insert(drums.end(), rope::DrumEnd{node.name, 0, {}, {}, {}, {}});
+  if (known == drums.end())
+    known = drums.insert(
+        drums.end(),
+        rope::DrumEnd{
+            .name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
   known->tension = std::max(known->tension, tension);
   if (drum.width > 0) {
     const double angle = fleet_angle_of(state.state, node, next, drum.width - rope.diameter);

@@ -36,7 +36,7 @@ class MeteredText : public std::streambuf {
  protected:
   int_type underflow() override {
     if (given_ - at_last_value_ > longest_value) {
-      throw Stop{at({source_, at_last_value_, 1},
+      throw Stop{at({.source = source_, .offset = at_last_value_, .width = 1},
                     fmt::format("more than {} kB from here on without a complete value", longest_value / 1024U))};
     }
     const std::size_t size = std::min(piece, text_.size() - given_);
@@ -133,22 +133,29 @@ class Builder : public YAML::EventHandler {
   std::size_t offset(const YAML::Mark& mark) const {
     return mark.pos < 0 ? 0 : std::min(static_cast<std::size_t>(mark.pos), text_.size());
   }
-  Spot spot(std::size_t at_byte, std::size_t width = 1) const { return {document_.source, at_byte, width}; }
+  Spot spot(std::size_t at_byte, std::size_t width = 1) const {
+    return {.source = document_.source, .offset = at_byte, .width = width};
+  }
   void mistake(const Spot& where, std::string message) { add(document_.mistakes, where, std::move(message)); }
 
   /// Every value passes here: the limits of the whole deck.
   void count(std::size_t text_size) {
     meter_.value_was_read();
     if (++values_ > most_values) {
-      throw Stop{{document_.source->name, {1, 1}, fmt::format("more than {} values in one deck", most_values), {}, 1}};
+      throw Stop{{.file = document_.source->name,
+                  .place = {.line = 1, .column = 1},
+                  .message = fmt::format("more than {} values in one deck", most_values),
+                  .source_line = {},
+                  .width = 1}};
     }
     text_size_ += text_size;
     if (text_size_ > most_text) {
-      throw Stop{{document_.source->name,
-                  {1, 1},
-                  fmt::format("more than {} MB of text in the values of one deck", most_text / 1024U / 1024U),
-                  {},
-                  1}};
+      throw Stop{
+          {.file = document_.source->name,
+           .place = {.line = 1, .column = 1},
+           .message = fmt::format("more than {} MB of text in the values of one deck", most_text / 1024U / 1024U),
+           .source_line = {},
+           .width = 1}};
     }
   }
 
@@ -273,7 +280,7 @@ class Builder : public YAML::EventHandler {
     } else {
       map.drop = false;
     }
-    map.entry = Entry{std::move(n.text), n.spot, {}};
+    map.entry = Entry{.key = std::move(n.text), .key_spot = n.spot, .value = {}};
   }
 
   Document& document_;
@@ -295,7 +302,7 @@ Stop scanner_stop(Document& document, std::string_view text, std::size_t offset,
   auto begun = unclosed_bracket(text);
   if (!begun || begun->offset > offset) begun = long_quote_before(text, offset);
   if (!begun) return Stop{yaml_mistake(document.source, offset, message)};
-  Diagnostic mistake = at({document.source, begun->offset, 1}, begun->words);
+  Diagnostic mistake = at({.source = document.source, .offset = begun->offset, .width = 1}, begun->words);
   const auto behind = [&](const Diagnostic& d) { return d.place.line >= mistake.place.line; };
   document.mistakes.erase(std::remove_if(document.mistakes.begin(), document.mistakes.end(), behind),
                           document.mistakes.end());
@@ -334,9 +341,13 @@ tl::expected<Document, Diagnostics> parse(std::string_view text, SourcePtr sourc
     return fail(stop.mistake);
   }
   if (document.root.kind == Node::Kind::null && document.mistakes.empty()) {
-    return fail({document.source->name, {1, 1}, "there is nothing in it", {}, 1});
+    return fail({.file = document.source->name,
+                 .place = {.line = 1, .column = 1},
+                 .message = "there is nothing in it",
+                 .source_line = {},
+                 .width = 1});
   }
-  if (document.root.spot.source == nullptr) document.root.spot = {document.source, 0, 1};
+  if (document.root.spot.source == nullptr) document.root.spot = {.source = document.source, .offset = 0, .width = 1};
   return document;
 }
 

@@ -39,12 +39,12 @@ using Applied = tl::expected<Measure, std::string>;
 
 Applied root(const Measure& a) {
   if (a.value < 0) return tl::unexpected(std::string("the value is below 0"));
-  return Measure{std::sqrt(a.value), power(a.dimension, 1, 2), false};
+  return Measure{.value = std::sqrt(a.value), .dimension = power(a.dimension, 1, 2), .is_angle = false};
 }
 
 Applied of_angle(double (*f)(double), const Measure& a) {
   if (!a.is_angle) return tl::unexpected(fmt::format("an angle is expected, the value is {}", measure_kind(a)));
-  return Measure{f(a.value), {}, false};
+  return Measure{.value = f(a.value), .dimension = {}, .is_angle = false};
 }
 
 Applied angle_of(double (*f)(double), const Measure& a, double most) {
@@ -52,7 +52,7 @@ Applied angle_of(double (*f)(double), const Measure& a, double most) {
     return tl::unexpected(fmt::format("a plain number is expected, the value is {}", measure_kind(a)));
   }
   if (std::abs(a.value) > most) return tl::unexpected(std::string("the value is outside -1 to 1"));
-  return Measure{f(a.value), {}, true};
+  return Measure{.value = f(a.value), .dimension = {}, .is_angle = true};
 }
 
 /// A function of one value, which it gets twice, or of two of the same kind.
@@ -63,22 +63,30 @@ struct Function {
 };
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::array<Function, 11> functions{{
-    {"sqrt", 1, [](const Measure& a, const Measure&) { return root(a); }},
-    {"abs", 1,
-     [](const Measure& a, const Measure&) -> Applied {
-       return Measure{std::abs(a.value), a.dimension, a.is_angle};
+    {.name = "sqrt", .values = 1, .of = [](const Measure& a, const Measure&) { return root(a); }},
+    {.name = "abs",
+     .values = 1,
+     .of = [](const Measure& a, const Measure&) -> Applied {
+       return Measure{.value = std::abs(a.value), .dimension = a.dimension, .is_angle = a.is_angle};
      }},
-    {"min", 2, [](const Measure& a, const Measure& b) -> Applied { return a.value <= b.value ? a : b; }},
-    {"max", 2, [](const Measure& a, const Measure& b) -> Applied { return a.value >= b.value ? a : b; }},
-    {"sin", 1, [](const Measure& a, const Measure&) { return of_angle(std::sin, a); }},
-    {"cos", 1, [](const Measure& a, const Measure&) { return of_angle(std::cos, a); }},
-    {"tan", 1, [](const Measure& a, const Measure&) { return of_angle(std::tan, a); }},
-    {"asin", 1, [](const Measure& a, const Measure&) { return angle_of(std::asin, a, 1); }},
-    {"acos", 1, [](const Measure& a, const Measure&) { return angle_of(std::acos, a, 1); }},
-    {"atan", 1, [](const Measure& a, const Measure&) { return angle_of(std::atan, a, unbounded); }},
-    {"atan2", 2,
-     [](const Measure& a, const Measure& b) -> Applied {
-       return Measure{std::atan2(a.value, b.value), {}, true};
+    {.name = "min",
+     .values = 2,
+     .of = [](const Measure& a, const Measure& b) -> Applied { return a.value <= b.value ? a : b; }},
+    {.name = "max",
+     .values = 2,
+     .of = [](const Measure& a, const Measure& b) -> Applied { return a.value >= b.value ? a : b; }},
+    {.name = "sin", .values = 1, .of = [](const Measure& a, const Measure&) { return of_angle(std::sin, a); }},
+    {.name = "cos", .values = 1, .of = [](const Measure& a, const Measure&) { return of_angle(std::cos, a); }},
+    {.name = "tan", .values = 1, .of = [](const Measure& a, const Measure&) { return of_angle(std::tan, a); }},
+    {.name = "asin", .values = 1, .of = [](const Measure& a, const Measure&) { return angle_of(std::asin, a, 1); }},
+    {.name = "acos", .values = 1, .of = [](const Measure& a, const Measure&) { return angle_of(std::acos, a, 1); }},
+    {.name = "atan",
+     .values = 1,
+     .of = [](const Measure& a, const Measure&) { return angle_of(std::atan, a, unbounded); }},
+    {.name = "atan2",
+     .values = 2,
+     .of = [](const Measure& a, const Measure& b) -> Applied {
+       return Measure{.value = std::atan2(a.value, b.value), .dimension = {}, .is_angle = true};
      }},
 }};
 
@@ -110,7 +118,9 @@ class ExpressionParser {
 
  private:
   [[noreturn]] static void fail(std::string message, std::size_t from, std::size_t width = 1) {
-    throw UnitError{std::move(message), static_cast<int>(from), static_cast<int>(std::max<std::size_t>(width, 1))};
+    throw UnitError{.message = std::move(message),
+                    .offset = static_cast<int>(from),
+                    .width = static_cast<int>(std::max<std::size_t>(width, 1))};
   }
 
   void skip() {
@@ -167,7 +177,9 @@ class ExpressionParser {
     if (!is_plain_measure(exponent) || whole != exponent.value || std::abs(whole) > largest_exponent) {
       fail(fmt::format("the exponent has to be a whole number up to {}", largest_exponent), from);
     }
-    return {std::pow(base.value, whole), power(base.dimension, static_cast<int>(whole)), base.is_angle && whole == 1};
+    return {.value = std::pow(base.value, whole),
+            .dimension = power(base.dimension, static_cast<int>(whole)),
+            .is_angle = base.is_angle && whole == 1};
   }
 
   /// Everything that nests goes through here, so that no text can exhaust the stack.
@@ -257,7 +269,7 @@ class ExpressionParser {
       const UnitError& e = read.error();
       fail(e.message, from + static_cast<std::size_t>(e.offset), static_cast<std::size_t>(e.width));
     }
-    return {read->value, read->unit.dimension, read->unit.is_angle};
+    return {.value = read->value, .dimension = read->unit.dimension, .is_angle = read->unit.is_angle};
   }
 
   Measure name() {
@@ -266,7 +278,7 @@ class ExpressionParser {
     const std::string_view word = text_.substr(from, i_ - from);
     skip();
     if (i_ < text_.size() && text_[i_] == '(') return call(word, from);
-    if (word == "pi") return {std::numbers::pi, {}, false};
+    if (word == "pi") return {.value = std::numbers::pi, .dimension = {}, .is_angle = false};
     const auto found = meaning_(word);
     if (!found) fail(found.error(), from, word.size());
     return *found;
@@ -309,7 +321,8 @@ class ExpressionParser {
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning) {
   try {
     const Measure m = ExpressionParser(text, meaning).all();
-    if (!std::isfinite(m.value)) return tl::unexpected(UnitError{"this is not a finite number", 0, 1});
+    if (!std::isfinite(m.value))
+      return tl::unexpected(UnitError{.message = "this is not a finite number", .offset = 0, .width = 1});
     return m;
   } catch (UnitError& e) {
     return tl::unexpected(std::move(e));

@@ -24,7 +24,9 @@ Spot Node::inside(std::size_t offset, std::size_t width) const {
   if (!literal) return spot;
   const std::size_t quote = quoted ? 1 : 0;
   const std::size_t from = std::min(offset, text.size());
-  return {spot.source, spot.offset + quote + from, std::max<std::size_t>(1, std::min(width, text.size() - from))};
+  return {.source = spot.source,
+          .offset = spot.offset + quote + from,
+          .width = std::max<std::size_t>(1, std::min(width, text.size() - from))};
 }
 
 std::string_view kind_text(const Node& n) {
@@ -76,11 +78,11 @@ Found follow(const Node& root, std::string_view path) {
       next = node->find(path.substr(0, stop));
       path.remove_prefix(stop);
     }
-    if (next == nullptr) return {node, false};
+    if (next == nullptr) return {.node = node, .all = false};
     node = next;
     if (!path.empty() && path[0] == '.') path.remove_prefix(1);
   }
-  return {node, true};
+  return {.node = node, .all = true};
 }
 
 }  // namespace taut::io

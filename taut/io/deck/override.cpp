@@ -58,7 +58,7 @@ class Override {
 
  private:
   void wrong(std::size_t offset, std::size_t width, std::string message) {
-    add(mistakes_, {source_, offset, width}, std::move(message));
+    add(mistakes_, {.source = source_, .offset = offset, .width = width}, std::move(message));
   }
 
   std::optional<std::vector<PathStep>> read_path(std::size_t end) {
@@ -74,7 +74,10 @@ class Override {
         if (inside.empty()) return wrong(from, 1, "an index such as [0] is expected"), std::nullopt;
         const auto index = index_of(inside);
         i = close + 1;
-        steps.push_back({index ? std::string() : std::string(inside), index, true, {source_, from, i - from}});
+        steps.push_back({index ? std::string() : std::string(inside),
+                         index,
+                         true,
+                         {.source = source_, .offset = from, .width = i - from}});
       } else if (!expects_key && path[i] == '.') {
         ++i;
         expects_key = true;
@@ -83,7 +86,7 @@ class Override {
         i = std::min(path.find_first_of(".[", i), path.size());
         const std::string key(path.substr(from, i - from));
         if (key.empty()) return wrong(from, 1, "a key is missing in the path"), std::nullopt;
-        steps.push_back({key, index_of(key), false, {source_, from, key.size()}});
+        steps.push_back({key, index_of(key), false, {.source = source_, .offset = from, .width = key.size()}});
         expects_key = false;
       } else {
         return wrong(from, 1, "'.' or '[' is expected here"), std::nullopt;

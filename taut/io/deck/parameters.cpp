@@ -37,7 +37,7 @@ class ParameterResolver {
     for (const Entry& e : parameters.entries) {
       if (enough(mistakes_)) return;
       names_.push_back(e.key);
-      all_.emplace(e.key, Parameter{&e});
+      all_.emplace(e.key, Parameter{.entry = &e});
       if (!is_free_name(e.key)) {
         add(mistakes_, e.key_spot,
             fmt::format("parameters: {} can't be a name: letters, digits and _ without a digit first, and neither a "
@@ -142,7 +142,7 @@ class ParameterResolver {
       p.why = fmt::format("{} has no value", in_quotes(name));
     } else if (!is_expression(n)) {
       if (const auto read = parse_any_quantity(n.text)) {
-        p.value = Measure{read->value, read->unit.dimension, read->unit.is_angle};
+        p.value = Measure{.value = read->value, .dimension = read->unit.dimension, .is_angle = read->unit.is_angle};
       }
     } else if (++depth_ > deepest_use) {
       p.why = fmt::format("more than {} parameters use one another", deepest_use);

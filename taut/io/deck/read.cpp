@@ -325,7 +325,7 @@ bool read(const Node& map, const Description& description, void* object, std::st
   note_unknown_keys(map, description, what, mistakes);
   for (const Field& f : description.fields) {
     if (f.rest) {
-      Entry rest{f.key, map.spot, map};
+      Entry rest{.key = f.key, .key_spot = map.spot, .value = map};
       std::erase_if(rest.value.entries, [&](const Entry& e) { return !is_rest(e, description); });
       FieldReader(f, rest, mistakes)(std::get<NamedRecords>(f.slot(object)));
       continue;

@@ -27,14 +27,17 @@ struct FirstByte {
   std::size_t length;
   unsigned second_low, second_high;
 };
-constexpr std::array<FirstByte, 8> first_bytes{{{0xC2U, 0xDFU, 2, 0x80U, 0xBFU},
-                                                {0xE0U, 0xE0U, 3, 0xA0U, 0xBFU},  // less would be overlong
-                                                {0xE1U, 0xECU, 3, 0x80U, 0xBFU},
-                                                {0xEDU, 0xEDU, 3, 0x80U, 0x9FU},  // more would be a surrogate
-                                                {0xEEU, 0xEFU, 3, 0x80U, 0xBFU},
-                                                {0xF0U, 0xF0U, 4, 0x90U, 0xBFU},  // less would be overlong
-                                                {0xF1U, 0xF3U, 4, 0x80U, 0xBFU},
-                                                {0xF4U, 0xF4U, 4, 0x80U, 0x8FU}}};  // Unicode ends at 10FFFF
+constexpr std::array<FirstByte, 8> first_bytes{
+    {{.first = 0xC2U, .last = 0xDFU, .length = 2, .second_low = 0x80U, .second_high = 0xBFU},
+     {.first = 0xE0U, .last = 0xE0U, .length = 3, .second_low = 0xA0U, .second_high = 0xBFU},  // less would be overlong
+     {.first = 0xE1U, .last = 0xECU, .length = 3, .second_low = 0x80U, .second_high = 0xBFU},
+     {.first = 0xEDU, .last = 0xEDU, .length = 3, .second_low = 0x80U, .second_high = 0x9FU},  // more would be a
+                                                                                               // surrogate
+     {.first = 0xEEU, .last = 0xEFU, .length = 3, .second_low = 0x80U, .second_high = 0xBFU},
+     {.first = 0xF0U, .last = 0xF0U, .length = 4, .second_low = 0x90U, .second_high = 0xBFU},  // less would be overlong
+     {.first = 0xF1U, .last = 0xF3U, .length = 4, .second_low = 0x80U, .second_high = 0xBFU},
+     {.first = 0xF4U, .last = 0xF4U, .length = 4, .second_low = 0x80U, .second_high = 0x8FU}}};  // Unicode ends at
+                                                                                                 // 10FFFF
 
 /// Length of the UTF-8 character that begins here; 0 when it is not valid UTF-8 (overlong, surrogate, out of range).
 std::size_t character_length(std::string_view text, std::size_t i) {
@@ -123,7 +126,7 @@ std::string without_words(const std::string& message, std::string_view hidden) {
 Place Source::place(std::size_t offset) const {
   const std::size_t o = std::min(offset, text.size());
   const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(o), '\n');
-  return {static_cast<int>(lines) + 1, static_cast<int>(o - line_start(text, o)) + 1};
+  return {.line = static_cast<int>(lines) + 1, .column = static_cast<int>(o - line_start(text, o)) + 1};
 }
 
 std::string Source::line(std::size_t offset) const {
@@ -151,9 +154,17 @@ Diagnostic without_text(Diagnostic mistake, const std::string& text) {
 Diagnostic at(const Spot& spot, std::string message) {
   const Source& source = *spot.source;
   if (source.named_by_deck) {
-    return {source.name, spot.place(), without_words(message, near(source.text, spot.offset, spot.width)), {}, 1};
+    return {.file = source.name,
+            .place = spot.place(),
+            .message = without_words(message, near(source.text, spot.offset, spot.width)),
+            .source_line = {},
+            .width = 1};
   }
-  Diagnostic d{source.name, spot.place(), std::move(message), source.line(spot.offset), 1};
+  Diagnostic d{.file = source.name,
+               .place = spot.place(),
+               .message = std::move(message),
+               .source_line = source.line(spot.offset),
+               .width = 1};
   const auto column = static_cast<std::size_t>(d.place.column) - 1;
   const std::size_t room = d.source_line.size() > column ? d.source_line.size() - column : 1;
   d.width = static_cast<int>(std::clamp<std::size_t>(spot.width, 1, room));
@@ -175,18 +186,26 @@ Diagnostics check_text(const SourcePtr& source) {
   const std::string_view text = source->text;
   if (text.size() > largest_deck) {
     const auto megabytes = largest_deck / 1024U / 1024U;
-    return {Diagnostic{source->name, {1, 1}, fmt::format("larger than {} MB, too large for a deck", megabytes), {}, 1}};
+    return {Diagnostic{.file = source->name,
+                       .place = {.line = 1, .column = 1},
+                       .message = fmt::format("larger than {} MB, too large for a deck", megabytes),
+                       .source_line = {},
+                       .width = 1}};
   }
   const std::string_view head = text.substr(0, 2);
   if (head == "\xFF\xFE" || head == "\xFE\xFF") {
-    return {Diagnostic{source->name, {1, 1}, "this is UTF-16: save the file as UTF-8 text", {}, 1}};
+    return {Diagnostic{.file = source->name,
+                       .place = {.line = 1, .column = 1},
+                       .message = "this is UTF-16: save the file as UTF-8 text",
+                       .source_line = {},
+                       .width = 1}};
   }
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text, i);
     const unsigned b = byte(text, i);
     const bool plain = b >= 0x20U && b < 0x7FU;
     std::string wrong = plain ? std::string{} : wrong_character(text, i, length);
-    if (!wrong.empty()) return {at({source, i, 1}, std::move(wrong))};
+    if (!wrong.empty()) return {at({.source = source, .offset = i, .width = 1}, std::move(wrong))};
     i += length;
   }
   return {};

@@ -71,7 +71,7 @@ class BracketScan {
   }
 
   void quote(char kind) {
-    Quote q{i_, text_.size()};
+    Quote q{.from = i_, .to = text_.size()};
     for (++i_; i_ < text_.size(); ++i_) {
       if (kind == '"' && text_[i_] == '\\') {
         ++i_;
@@ -138,14 +138,16 @@ std::optional<Unclosed> unclosed_bracket(std::string_view text) {
   const auto partner = [](char kind) { return kind == '{' ? '}' : ']'; };
   if (scan.crossed) {
     const auto& bracket = *scan.crossed;
-    return Unclosed{bracket.at,
-                    fmt::format("this '{}' is not closed before the '{}' of line {}: a '{}' is missing", bracket.kind,
-                                text[scan.closed_at], line_of(text, scan.closed_at), partner(bracket.kind))};
+    return Unclosed{
+        .offset = bracket.at,
+        .words = fmt::format("this '{}' is not closed before the '{}' of line {}: a '{}' is missing", bracket.kind,
+                             text[scan.closed_at], line_of(text, scan.closed_at), partner(bracket.kind))};
   }
   if (scan.open.empty()) return std::nullopt;
   const auto& bracket = scan.open.front();
-  return Unclosed{bracket.at,
-                  fmt::format("this '{}' is never closed: a '{}' is missing", bracket.kind, partner(bracket.kind))};
+  return Unclosed{
+      .offset = bracket.at,
+      .words = fmt::format("this '{}' is never closed: a '{}' is missing", bracket.kind, partner(bracket.kind))};
 }
 
 std::optional<Unclosed> long_quote_before(std::string_view text, std::size_t offset) {
@@ -156,9 +158,10 @@ std::optional<Unclosed> long_quote_before(std::string_view text, std::size_t off
     if (quote.to > offset || quote.to >= text.size()) break;
     const std::size_t from = line_of(text, quote.from), to = line_of(text, quote.to);
     if (from == to || line_of(text, offset) != to) continue;
-    found = Unclosed{quote.from, fmt::format("the text that begins with this {} ends in line {} only: is its closing "
-                                             "quote missing?",
-                                             text[quote.from], to)};
+    found = Unclosed{.offset = quote.from,
+                     .words = fmt::format("the text that begins with this {} ends in line {} only: is its closing "
+                                          "quote missing?",
+                                          text[quote.from], to)};
   }
   return found;
 }

@@ -67,9 +67,9 @@ Diagnostic yaml_mistake(const SourcePtr& source, std::size_t offset, std::string
   if (tab_before(text, at_byte) && scanner_message.find("scalar") == std::string_view::npos) {
     std::size_t tab = at_byte == 0 ? std::string_view::npos : text.rfind('\n', at_byte - 1);
     tab = text.find('\t', tab == std::string_view::npos ? 0 : tab + 1);
-    return at({source, tab, 1}, "a tab in the indentation: use spaces");
+    return at({.source = source, .offset = tab, .width = 1}, "a tab in the indentation: use spaces");
   }
-  return at({source, at_byte, 1}, words(scanner_message));
+  return at({.source = source, .offset = at_byte, .width = 1}, words(scanner_message));
 }
 
 }  // namespace taut::io

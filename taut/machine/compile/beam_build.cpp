@@ -45,7 +45,8 @@ Matrix3 chord_axes(const Vector3& direction, const Vector3& strong) {
 }
 
 Freedom freedom(int i) {
-  return i < 3 ? Freedom{Vector3::Unit(i), Vector3::Zero()} : Freedom{Vector3::Zero(), Vector3::Unit(i - 3)};
+  return i < 3 ? Freedom{.along = Vector3::Unit(i), .about = Vector3::Zero()}
+               : Freedom{.along = Vector3::Zero(), .about = Vector3::Unit(i - 3)};
 }
 
 Body section_body(const std::string& name, const Vector3& at, int beam) {
@@ -120,7 +121,8 @@ void add_beam(Model& model, const StraightBeam& b) {
   double from = 0;
   for (const double end : ends) {
     BeamPiece piece;
-    piece.rod = {b.section, axis.bow, b.order, from * length, end * length, 1};
+    piece.rod = {
+        .section = b.section, .bow = axis.bow, .order = b.order, .from = from * length, .to = end * length, .steps = 1};
     const double elements = std::ceil(b.elements * (end - from) - 1e-9);
     piece.section_every = static_cast<int>(std::max(2.0, std::ceil(least_steps * (end - from) / elements)));
     piece.rod.steps = piece.section_every * static_cast<int>(elements);
@@ -141,7 +143,7 @@ void add_beam(Model& model, const StraightBeam& b) {
     } else {
       const std::string name = last ? b.name + ".top" : fmt::format("{} at {:.4g} m", b.name, end * length);
       model.bodies.push_back(section_body(name, section.place, index));
-      piece.end = {static_cast<int>(model.bodies.size()) - 1, Vector3::Zero()};
+      piece.end = {.body = static_cast<int>(model.bodies.size()) - 1, .at = Vector3::Zero()};
     }
     piece.end_axes = in_body(model, piece.end.body, section.axes);
     start = piece.end;

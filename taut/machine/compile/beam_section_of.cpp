@@ -53,7 +53,7 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
       check_steel(given, {}, path, complaints);
       return structure::tube_section(1, 0.1);  // never used: the deck has a mistake
     }
-    b = structure::beam_section(*row, {given.E, given.E * G_by_E});
+    b = structure::beam_section(*row, {.E = given.E, .G = given.E * G_by_E});
     b.weight = given.mass.value_or(row->mass_per_length) * gravity;
     check_steel(given, row->thickness, path, complaints);
     return b;

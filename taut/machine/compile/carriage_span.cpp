@@ -97,7 +97,8 @@ Moved move_nodes(Model& model, int reeving, int first, int count, double x, cons
   if (!before) return {};
   const Vector3 from = *stands_at(model, nodes[*before]), to = *stands_at(model, nodes[(*before + 1) % nodes.size()]);
   const bool passes = static_cast<int>(*before) + 1 != first;
-  const Moved moved{true, passes, from, to, at_coordinate(from, to, x, along)};
+  const Moved moved{
+      .found = true, .passes = passes, .from = from, .to = to, .place = at_coordinate(from, to, x, along)};
   if (!passes) return moved;
   nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(*before + 1), own.begin(), own.end());
   rope.nodes = std::move(nodes);

@@ -60,8 +60,9 @@ Chord chord_of(const Model& model, const Array<Stop>& stops, const Carriage& car
   // an endless rope comes back to its beginning
   while (after < size && stops[after].carriage >= 0) ++after;
   const double middle = static_cast<double>(node - before) + (car.rollers - 1) / 2.0;
-  return {start_of(model, stops[before].node.at), start_of(model, stops[after % size].node.at),
-          middle / static_cast<double>(after - before)};
+  return {.from = start_of(model, stops[before].node.at),
+          .to = start_of(model, stops[after % size].node.at),
+          .share = middle / static_cast<double>(after - before)};
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ Array<Stop> stops_of(const description::Carriage& car, int index, const Place& p
   }
   stop.node.kind = NodeKind::contact;
   // a carriage without rolling friction has equal tensions on both sides
-  stop.node.law = car.friction > 0 ? ContactLaw{car.friction, 0} : ContactLaw{};
+  stop.node.law = car.friction > 0 ? ContactLaw{.friction = car.friction, .efficiency = 0} : ContactLaw{};
   stop.node.support = -up();
   Array<Stop> all;
   for (int i = 0; i < car.rollers; ++i) {

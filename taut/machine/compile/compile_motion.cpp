@@ -41,12 +41,12 @@ void add_driven(const description::Body& given, Body& body, const Array<Signal>&
     Vector3 axis;
     bool turns;
   };
-  const std::array<Way, 6> ways = {{{"x", &motion.x, Vector3::UnitX(), false},
-                                    {"y", &motion.y, Vector3::UnitY(), false},
-                                    {"z", &motion.z, Vector3::UnitZ(), false},
-                                    {"rx", &motion.rx, Vector3::UnitX(), true},
-                                    {"ry", &motion.ry, Vector3::UnitY(), true},
-                                    {"rz", &motion.rz, Vector3::UnitZ(), true}}};
+  const std::array<Way, 6> ways = {{{.key = "x", .text = &motion.x, .axis = Vector3::UnitX(), .turns = false},
+                                    {.key = "y", .text = &motion.y, .axis = Vector3::UnitY(), .turns = false},
+                                    {.key = "z", .text = &motion.z, .axis = Vector3::UnitZ(), .turns = false},
+                                    {.key = "rx", .text = &motion.rx, .axis = Vector3::UnitX(), .turns = true},
+                                    {.key = "ry", .text = &motion.ry, .axis = Vector3::UnitY(), .turns = true},
+                                    {.key = "rz", .text = &motion.rz, .axis = Vector3::UnitZ(), .turns = true}}};
   int rotations = 0;
   for (const Way& way : ways) {
     if (!*way.text) continue;
@@ -223,9 +223,9 @@ std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std
     DriveKind kind;
     Unit unit;
   };
-  const std::array<Way, 3> ways = {{{"speed", &speed, DriveKind::speed, si::m_per_s},
-                                    {"torque", &torque, DriveKind::torque, si::N_m},
-                                    {"pull", &pull, DriveKind::pull, si::N}}};
+  const std::array<Way, 3> ways = {{{.key = "speed", .text = &speed, .kind = DriveKind::speed, .unit = si::m_per_s},
+                                    {.key = "torque", .text = &torque, .kind = DriveKind::torque, .unit = si::N_m},
+                                    {.key = "pull", .text = &pull, .kind = DriveKind::pull, .unit = si::N}}};
   std::optional<Drive> drive;
   int count = 0;
   for (const Way& way : ways) {
@@ -233,10 +233,12 @@ std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std
     ++count;
     // statics does not depend on a speed: a deck without any signals may name the one that its motion will have
     const bool open = signals.empty() && way.kind == DriveKind::speed && !looks_like_quantity(**way.text);
-    if (open) drive = Drive{way.kind, {**way.text, way.unit, std::nan("")}, false};
+    if (open)
+      drive = Drive{
+          .kind = way.kind, .signal = {.name = **way.text, .unit = way.unit, .law = std::nan("")}, .brake = false};
     if (open) continue;
     auto signal = signal_or_constant(**way.text, way.unit, signals, fmt::format("{}.{}", path, way.key), complaints);
-    if (signal) drive = Drive{way.kind, std::move(*signal), false};
+    if (signal) drive = Drive{.kind = way.kind, .signal = std::move(*signal), .brake = false};
   }
   if (count > 1) complaints.push_back({path, "one of speed, torque and pull drives it"});
   return drive;
@@ -267,7 +269,7 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
       if (!given.motor) continue;
       const std::string path = fmt::format("{}.{}.motor", list, given.name);
       const auto drive = drive_of(given.motor->speed, given.motor->torque, {}, model.signals, path, complaints);
-      const Motor motor{given.name, drive.value_or(Drive{}), given.motor->working_arc};
+      const Motor motor{.name = given.name, .drive = drive.value_or(Drive{}), .working_arc = given.motor->working_arc};
       if (motor.drive.kind == DriveKind::torque && given.diameter == 0) {
         complaints.push_back({path + ".torque", "a torque needs the sheave's 'diameter'"});
       }

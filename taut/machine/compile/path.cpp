@@ -46,9 +46,10 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   node.inertia = stop.saddle ? 0 : round.inertia.value_or(0);
   if (stop.saddle) {
     const double mu = round.friction.value_or(0);
-    node.law = {mu, mu > 0 ? 0.0 : 1.0};
+    node.law = {.friction = mu, .efficiency = mu > 0 ? 0.0 : 1.0};
   } else {
-    node.law = {round.friction.value_or(std::numeric_limits<double>::infinity()), round.efficiency};
+    node.law = {.friction = round.friction.value_or(std::numeric_limits<double>::infinity()),
+                .efficiency = round.efficiency};
   }
   const bool upright_axis = std::abs(node.axis.z()) > M_SQRT1_2;
   Uplift uplift = round.uplift;

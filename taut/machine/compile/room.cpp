@@ -42,8 +42,10 @@ struct Circle {
 Circle circle_of(const Model& model, const Node& node) {
   const Body* body = body_under(model, node);
   const double radius = node.side * node.radius;
-  if (body == nullptr) return {node.at.at, node.axis, radius};
-  return {body->position + body->orientation * node.at.at, body->orientation * node.axis, radius};
+  if (body == nullptr) return {.centre = node.at.at, .axis = node.axis, .radius = radius};
+  return {.centre = body->position + body->orientation * node.at.at,
+          .axis = body->orientation * node.axis,
+          .radius = radius};
 }
 
 double across(const Vector3& d, const Vector3& axis) { return (d - d.dot(axis) * axis).norm(); }

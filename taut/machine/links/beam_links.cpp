@@ -74,7 +74,8 @@ BeamPlans::BeamPlans(const Machine& machine, int first_body, std::vector<Complai
     plan.first_body = first_body;
     first_body += static_cast<int>(plan.beam.stations.size()) + (plan.beam.top == BeamTop::free ? 1 : 0);
     plan.beam.from = place_of(plan.from);
-    plan.beam.to = plan.beam.top == BeamTop::free ? Place{ground, plan.start + plan.way} : place_of(plan.to);
+    plan.beam.to =
+        plan.beam.top == BeamTop::free ? Place{.body = ground, .at = plan.start + plan.way} : place_of(plan.to);
     built_.push_back(plan.beam);
   }
 }
@@ -87,13 +88,13 @@ int BeamPlans::find(const std::string& name) const {
 BeamPlans::Spot BeamPlans::spot_on(const std::string& body, const Vector3& at) const {
   const bool top = body.size() > top_ending.size() && body.ends_with(top_ending);
   const int beam = find(top ? body.substr(0, body.size() - top_ending.size()) : body);
-  return {ground, beam, top && beam >= 0, at};
+  return {.body = ground, .beam = beam, .top = top && beam >= 0, .at = at};
 }
 
 std::optional<BeamPlans::Spot> BeamPlans::spot_of(const std::string& name) const {
   const auto body_of = [&](const std::string& body, const Vector3& at) -> std::optional<Spot> {
     for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
-      if (machine_.bodies[i].name == body) return Spot{static_cast<int>(i), -1, false, at};
+      if (machine_.bodies[i].name == body) return Spot{.body = static_cast<int>(i), .beam = -1, .top = false, .at = at};
     }
     Spot spot = spot_on(body, at);
     if (spot.beam < 0) return std::nullopt;
@@ -101,7 +102,8 @@ std::optional<BeamPlans::Spot> BeamPlans::spot_of(const std::string& name) const
   };
   for (const auto& point : machine_.points) {
     if (point.name != name) continue;
-    return point.body ? body_of(*point.body, vector_of(point.at)) : Spot{ground, -1, false, vector_of(point.at)};
+    return point.body ? body_of(*point.body, vector_of(point.at))
+                      : Spot{.body = ground, .beam = -1, .top = false, .at = vector_of(point.at)};
   }
   return body_of(name, Vector3::Zero());
 }
@@ -204,7 +206,7 @@ bool BeamPlans::knows(const std::string& body) const { return spot_on(body, Vect
 Place BeamPlans::place(const std::string& body, const Vector3& at) const { return place_of(spot_on(body, at)); }
 
 Place BeamPlans::place_of(const Spot& spot) const {
-  if (spot.beam < 0) return {spot.body, spot.at};
+  if (spot.beam < 0) return {.body = spot.body, .at = spot.at};
   const Plan& plan = plans_[spot.beam];
   if (!plan.valid) return {};
   const Vector3 at = spot.top ? Vector3(plan.way + spot.at) : spot.at;
@@ -216,14 +218,15 @@ Place BeamPlans::place_of(const Spot& spot) const {
   }
   const auto cuts = static_cast<int>(plan.beam.stations.size());
   if (share >= 1 - at_an_end) {
-    if (plan.beam.top == BeamTop::free) return {plan.first_body + cuts, at - plan.way};
+    if (plan.beam.top == BeamTop::free) return {.body = plan.first_body + cuts, .at = at - plan.way};
     Place end = place_of(plan.to);
     end.at += at - plan.way;
     return end;
   }
   const auto nearest = std::min_element(plan.beam.stations.begin(), plan.beam.stations.end(),
                                         [&](double a, double b) { return std::abs(a - share) < std::abs(b - share); });
-  return {plan.first_body + static_cast<int>(nearest - plan.beam.stations.begin()), at - *nearest * plan.way};
+  return {.body = plan.first_body + static_cast<int>(nearest - plan.beam.stations.begin()),
+          .at = at - *nearest * plan.way};
 }
 
 bool BeamPlans::hold(int body) const {

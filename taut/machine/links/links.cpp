@@ -38,7 +38,7 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
   const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
     const Vector3 at = vector_of(one.at);
     const std::string path = fmt::format("{}.{}.body", list, one.name);
-    const Place place = one.body ? place_on(machine, *one.body, at, path, complaints) : Place{ground, at};
+    const Place place = one.body ? place_on(machine, *one.body, at, path, complaints) : Place{.body = ground, .at = at};
     all_.push_back({thing, one.name, index, place});
   };
   int index = 0;
@@ -46,13 +46,13 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
   for (const auto& marker : machine.markers) add(Thing::point, "markers", marker, index++);
   index = 0;
   for (const auto& body : machine.bodies) {
-    all_.push_back({Thing::body, body.name, index, {index, Vector3::Zero()}});
+    all_.push_back({Thing::body, body.name, index, {.body = index, .at = Vector3::Zero()}});
     ++index;
   }
   const int first_carriage = index;
   index = 0;
   for (const auto& car : machine.carriages) {
-    all_.push_back({Thing::carriage, car.name, index, {first_carriage + index, Vector3::Zero()}});
+    all_.push_back({Thing::carriage, car.name, index, {.body = first_carriage + index, .at = Vector3::Zero()}});
     ++index;
   }
   index = 0;
@@ -67,7 +67,8 @@ Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
   }
   index = 0;
   for (const auto& drum : machine.drums) add(Thing::drum, "drums", drum, index++);
-  for (const auto& [name, body] : beams_.tops()) all_.push_back({Thing::body, name, body, {body, Vector3::Zero()}});
+  for (const auto& [name, body] : beams_.tops())
+    all_.push_back({Thing::body, name, body, {.body = body, .at = Vector3::Zero()}});
 }
 
 Place Links::place_on(const Machine& machine, const std::string& body, const Vector3& at, const std::string& path,
@@ -76,7 +77,7 @@ Place Links::place_on(const Machine& machine, const std::string& body, const Vec
     return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == body; });
   };
   const auto own = of_name(machine.bodies);
-  if (own != machine.bodies.end()) return {static_cast<int>(own - machine.bodies.begin()), at};
+  if (own != machine.bodies.end()) return {.body = static_cast<int>(own - machine.bodies.begin()), .at = at};
   const auto car = of_name(machine.carriages);
   if (car != machine.carriages.end()) {
     if (!pitches(*car) && at != Vector3::Zero()) {
@@ -85,7 +86,7 @@ Place Links::place_on(const Machine& machine, const std::string& body, const Vec
                                               car->name)});
     }
     const auto index = static_cast<std::size_t>(car - machine.carriages.begin());
-    return {static_cast<int>(machine.bodies.size() + index), at};
+    return {.body = static_cast<int>(machine.bodies.size() + index), .at = at};
   }
   if (beams_.knows(body)) return beams_.place(body, at);
   std::vector<std::string> known;
@@ -93,7 +94,7 @@ Place Links::place_on(const Machine& machine, const std::string& body, const Vec
   for (const auto& one : machine.bodies) known.push_back(one.name);
   for (const auto& beam : machine.beams) known.push_back(beam.name);
   complaints.push_back({path, fmt::format("there is no body '{}'{}", body, did_you_mean(body, known))});
-  return {ground, at};
+  return {.body = ground, .at = at};
 }
 
 const Target* Links::find(const std::string& name, const Array<Thing>& kinds, const std::string& path,

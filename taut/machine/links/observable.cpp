@@ -23,55 +23,79 @@ struct Named {
 };
 using ObservableNames = Array<Named>;
 
-const ObservableNames of_place = {{"x", Observed::x, si::m, "place"},
-                                  {"y", Observed::y, si::m, "place"},
-                                  {"z", Observed::z, si::m, "place"},
-                                  {"vx", Observed::vx, si::m_per_s, "velocity"},
-                                  {"vy", Observed::vy, si::m_per_s, "velocity"},
-                                  {"vz", Observed::vz, si::m_per_s, "velocity"}};
-const ObservableNames of_body = {{"rx", Observed::rx, si::rad, "rotation about x, first"},
-                                 {"ry", Observed::ry, si::rad, "then about y"},
-                                 {"rz", Observed::rz, si::rad, "then about z"},
-                                 {"wx", Observed::wx, si::per_s, "angular velocity"},
-                                 {"wy", Observed::wy, si::per_s, "angular velocity"},
-                                 {"wz", Observed::wz, si::per_s, "angular velocity"}};
-const ObservableNames of_rope = {{"T_start", Observed::T_start, si::N, "tension at the start of its path"},
-                                 {"T_end", Observed::T_end, si::N, "tension at the end of its path"},
-                                 {"T_max", Observed::T_max, si::N, "largest tension in it"},
-                                 {"length", Observed::length, si::m, "unstretched length, what is on drums left out"}};
+const ObservableNames of_place = {{.name = "x", .quantity = Observed::x, .unit = si::m, .words = "place"},
+                                  {.name = "y", .quantity = Observed::y, .unit = si::m, .words = "place"},
+                                  {.name = "z", .quantity = Observed::z, .unit = si::m, .words = "place"},
+                                  {.name = "vx", .quantity = Observed::vx, .unit = si::m_per_s, .words = "velocity"},
+                                  {.name = "vy", .quantity = Observed::vy, .unit = si::m_per_s, .words = "velocity"},
+                                  {.name = "vz", .quantity = Observed::vz, .unit = si::m_per_s, .words = "velocity"}};
+const ObservableNames of_body = {
+    {.name = "rx", .quantity = Observed::rx, .unit = si::rad, .words = "rotation about x, first"},
+    {.name = "ry", .quantity = Observed::ry, .unit = si::rad, .words = "then about y"},
+    {.name = "rz", .quantity = Observed::rz, .unit = si::rad, .words = "then about z"},
+    {.name = "wx", .quantity = Observed::wx, .unit = si::per_s, .words = "angular velocity"},
+    {.name = "wy", .quantity = Observed::wy, .unit = si::per_s, .words = "angular velocity"},
+    {.name = "wz", .quantity = Observed::wz, .unit = si::per_s, .words = "angular velocity"}};
+const ObservableNames of_rope = {
+    {.name = "T_start", .quantity = Observed::T_start, .unit = si::N, .words = "tension at the start of its path"},
+    {.name = "T_end", .quantity = Observed::T_end, .unit = si::N, .words = "tension at the end of its path"},
+    {.name = "T_max", .quantity = Observed::T_max, .unit = si::N, .words = "largest tension in it"},
+    {.name = "length",
+     .quantity = Observed::length,
+     .unit = si::m,
+     .words = "unstretched length, what is on drums left out"}};
 const ObservableNames of_branch = {
-    {"T", Observed::branch_T, si::N, "largest tension of branch N, from 1 along the path"},
-    {"length", Observed::branch_length, si::m, "its unstretched length"}};
+    {.name = "T",
+     .quantity = Observed::branch_T,
+     .unit = si::N,
+     .words = "largest tension of branch N, from 1 along the path"},
+    {.name = "length", .quantity = Observed::branch_length, .unit = si::m, .words = "its unstretched length"}};
 const ObservableNames of_sheave = {
-    {"T_in", Observed::T_in, si::N, "tension before it along the path"},
-    {"T_out", Observed::T_out, si::N, "tension behind it"},
-    {"speed", Observed::sheave_speed, si::m_per_s, "speed of its rim along the path"},
-    {"omega", Observed::sheave_omega, si::per_s, "angular velocity"},
-    {"angle", Observed::sheave_angle, si::rad, "angle that it has turned"},
-    {"slip", Observed::slip, si::m_per_s, "speed of the rope less that of the rim, along the path"}};
-const ObservableNames of_load = {{"T_in", Observed::T_in, si::N, "tension before it along the path"},
-                                 {"T_out", Observed::T_out, si::N, "tension behind it"},
-                                 {"speed", Observed::slip, si::m_per_s, "speed of the rope there"}};
-const ObservableNames of_drum = {{"T", Observed::drum_T, si::N, "tension where the rope leaves it"},
-                                 {"speed", Observed::drum_speed, si::m_per_s, "speed of its rim along the path"},
-                                 {"length", Observed::drum_length, si::m, "unstretched rope taken in"},
-                                 {"torque", Observed::drum_torque, si::N_m, "torque of its drive"},
-                                 {"power", Observed::drum_power, si::W, "power"}};
+    {.name = "T_in", .quantity = Observed::T_in, .unit = si::N, .words = "tension before it along the path"},
+    {.name = "T_out", .quantity = Observed::T_out, .unit = si::N, .words = "tension behind it"},
+    {.name = "speed",
+     .quantity = Observed::sheave_speed,
+     .unit = si::m_per_s,
+     .words = "speed of its rim along the path"},
+    {.name = "omega", .quantity = Observed::sheave_omega, .unit = si::per_s, .words = "angular velocity"},
+    {.name = "angle", .quantity = Observed::sheave_angle, .unit = si::rad, .words = "angle that it has turned"},
+    {.name = "slip",
+     .quantity = Observed::slip,
+     .unit = si::m_per_s,
+     .words = "speed of the rope less that of the rim, along the path"}};
+const ObservableNames of_load = {
+    {.name = "T_in", .quantity = Observed::T_in, .unit = si::N, .words = "tension before it along the path"},
+    {.name = "T_out", .quantity = Observed::T_out, .unit = si::N, .words = "tension behind it"},
+    {.name = "speed", .quantity = Observed::slip, .unit = si::m_per_s, .words = "speed of the rope there"}};
+const ObservableNames of_drum = {
+    {.name = "T", .quantity = Observed::drum_T, .unit = si::N, .words = "tension where the rope leaves it"},
+    {.name = "speed",
+     .quantity = Observed::drum_speed,
+     .unit = si::m_per_s,
+     .words = "speed of its rim along the path"},
+    {.name = "length", .quantity = Observed::drum_length, .unit = si::m, .words = "unstretched rope taken in"},
+    {.name = "torque", .quantity = Observed::drum_torque, .unit = si::N_m, .words = "torque of its drive"},
+    {.name = "power", .quantity = Observed::drum_power, .unit = si::W, .words = "power"}};
 const ObservableNames of_contact = {
-    {"N", Observed::contact_N, si::N, "normal force"},
-    {"Ff", Observed::contact_F, si::N, "friction force, of the same sign"},
-    {"speed", Observed::contact_speed, si::m_per_s, "sliding speed, from 'from' to 'to' of the face"},
-    {"state", Observed::contact_state, si::one, "0 apart, 1 slides, 2 sticks"}};
-const ObservableNames of_actuator = {{"F", Observed::actuator_F, si::N, "force"},
-                                     {"speed", Observed::actuator_speed, si::m_per_s, "speed at which it extends"},
-                                     {"length", Observed::actuator_length, si::m, "length"},
-                                     {"power", Observed::actuator_power, si::W, "power"}};
-const ObservableNames of_energy = {{"kinetic", Observed::kinetic, si::J, "energy of motion"},
-                                   {"elastic", Observed::elastic, si::J, "energy of stretched ropes and springs"},
-                                   {"potential", Observed::potential, si::J, "energy of height"},
-                                   {"dissipated", Observed::dissipated, si::J, "lost since the start"},
-                                   {"supplied", Observed::supplied, si::J, "by drives since the start"},
-                                   {"residual", Observed::residual, si::J, "what the ledger leaves open"}};
+    {.name = "N", .quantity = Observed::contact_N, .unit = si::N, .words = "normal force"},
+    {.name = "Ff", .quantity = Observed::contact_F, .unit = si::N, .words = "friction force, of the same sign"},
+    {.name = "speed",
+     .quantity = Observed::contact_speed,
+     .unit = si::m_per_s,
+     .words = "sliding speed, from 'from' to 'to' of the face"},
+    {.name = "state", .quantity = Observed::contact_state, .unit = si::one, .words = "0 apart, 1 slides, 2 sticks"}};
+const ObservableNames of_actuator = {
+    {.name = "F", .quantity = Observed::actuator_F, .unit = si::N, .words = "force"},
+    {.name = "speed", .quantity = Observed::actuator_speed, .unit = si::m_per_s, .words = "speed at which it extends"},
+    {.name = "length", .quantity = Observed::actuator_length, .unit = si::m, .words = "length"},
+    {.name = "power", .quantity = Observed::actuator_power, .unit = si::W, .words = "power"}};
+const ObservableNames of_energy = {
+    {.name = "kinetic", .quantity = Observed::kinetic, .unit = si::J, .words = "energy of motion"},
+    {.name = "elastic", .quantity = Observed::elastic, .unit = si::J, .words = "energy of stretched ropes and springs"},
+    {.name = "potential", .quantity = Observed::potential, .unit = si::J, .words = "energy of height"},
+    {.name = "dissipated", .quantity = Observed::dissipated, .unit = si::J, .words = "lost since the start"},
+    {.name = "supplied", .quantity = Observed::supplied, .unit = si::J, .words = "by drives since the start"},
+    {.name = "residual", .quantity = Observed::residual, .unit = si::J, .words = "what the ledger leaves open"}};
 
 const Named* find(const ObservableNames& names, const std::string& name) {
   const auto at = std::find_if(names.begin(), names.end(), [&](const Named& n) { return name == n.name; });
@@ -132,7 +156,13 @@ class Resolver {
  private:
   std::optional<Observable> make(const ObservableNames& names, int index, int part = -1) {
     const Named* named = find(names, path_.quantity);
-    if (named != nullptr) return Observable{text_, named->quantity, named->unit, index, part, Vector3::Zero()};
+    if (named != nullptr)
+      return Observable{.name = text_,
+                        .quantity = named->quantity,
+                        .unit = named->unit,
+                        .index = index,
+                        .part = part,
+                        .at = Vector3::Zero()};
     for (const Named& n : names) offered_.emplace_back(n.name);
     return std::nullopt;
   }
@@ -144,7 +174,12 @@ class Resolver {
   std::optional<Observable> signal() {
     const int i = index_of(model_.signals, text_);
     if (i < 0) return std::nullopt;
-    return Observable{text_, Observed::signal, model_.signals[i].unit, i, -1, Vector3::Zero()};
+    return Observable{.name = text_,
+                      .quantity = Observed::signal,
+                      .unit = model_.signals[i].unit,
+                      .index = i,
+                      .part = -1,
+                      .at = Vector3::Zero()};
   }
   std::optional<Observable> energy() {
     return path_.name == "energy" && !path_.number ? make(of_energy, -1) : std::nullopt;
@@ -265,7 +300,7 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
     complaints.push_back({path, threshold.error().message});
     return std::nullopt;
   }
-  return Condition{*of, text[sign] == '>', *threshold};
+  return Condition{.of = *of, .above = text[sign] == '>', .threshold = *threshold};
 }
 
 std::vector<QuantityWords> observable_words() {

@@ -138,7 +138,7 @@ std::optional<Signal> signal_or_constant(const std::string& text, const Unit& un
   }
   if (looks_like_quantity(text)) {
     const auto value = parse_quantity(text, unit);
-    if (value) return Signal{{}, unit, *value};
+    if (value) return Signal{.name = {}, .unit = unit, .law = *value};
     complaints.push_back({path, value.error().message});
     return std::nullopt;
   }

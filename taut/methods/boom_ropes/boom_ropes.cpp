@@ -239,11 +239,14 @@ double force(const Input& in, const Case& one) {
 
 RopeTensions tensions(const Output& out, double F) {
   const double change = out.F0_set - F;
-  RopeTensions t{out.S10_set + change * out.lambda_1, out.S20_set - change * out.lambda_2, false, false};
+  RopeTensions t{.S1 = out.S10_set + change * out.lambda_1,
+                 .S2 = out.S20_set - change * out.lambda_2,
+                 .extension_slack = false,
+                 .retraction_slack = false};
   // A limit pretension leaves exactly nothing in the governing case: rounding must not make that a slack rope.
   const double nothing = 1e-9 * (std::abs(F) + std::abs(out.S10_set) + std::abs(out.S20_set));
-  if (t.S2 < -nothing) return {-F / 2, 0, false, true};
-  if (t.S1 < -nothing) return {0, F, true, false};
+  if (t.S2 < -nothing) return {.S1 = -F / 2, .S2 = 0, .extension_slack = false, .retraction_slack = true};
+  if (t.S1 < -nothing) return {.S1 = 0, .S2 = F, .extension_slack = true, .retraction_slack = false};
   t.S1 = std::max(t.S1, 0.0);
   t.S2 = std::max(t.S2, 0.0);
   return t;

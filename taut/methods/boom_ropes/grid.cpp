@@ -37,9 +37,9 @@ struct Extremes {
 void extremes(Output& out) {
   for (const SlidingPoint& p : out.grid) {
     if (!p.ok()) continue;
-    Extremes{out.Fh_max, out.Fh_min}.take(p.Fh);
-    Extremes{out.S1_max, out.S1_min}.take(p.S1);
-    Extremes{out.S2_max, out.S2_min}.take(p.S2);
+    Extremes{.high = out.Fh_max, .low = out.Fh_min}.take(p.Fh);
+    Extremes{.high = out.S1_max, .low = out.S1_min}.take(p.S1);
+    Extremes{.high = out.S2_max, .low = out.S2_min}.take(p.S2);
   }
 }
 
@@ -83,7 +83,7 @@ Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& 
   for (std::size_t w = 0; w < q.suspended_weight.size(); ++w) {
     for (std::size_t b = 0; b < q.luffing_angle.size(); ++b) {
       for (std::size_t l = 0; l < q.boom_length.size(); ++l) {
-        slide(in, q, {w, b, l}, plain_sheet, out.grid.emplace_back());
+        slide(in, q, {.weight = w, .angle = b, .length = l}, plain_sheet, out.grid.emplace_back());
       }
     }
   }
@@ -97,7 +97,7 @@ Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& 
   out.governing_point = *best;
   const std::size_t lengths = q.boom_length.size();
   const std::size_t angles = q.luffing_angle.size();
-  const Position at{*best / (lengths * angles), *best / lengths % angles, *best % lengths};
+  const Position at{.weight = *best / (lengths * angles), .angle = *best / lengths % angles, .length = *best % lengths};
   s.note([&] { return fmt::format("Largest cylinder force in amount: {}.", place(out.grid[*best])); });
   SlidingPoint p;
   const Outcome outcome = slide(in, q, at, s, p);

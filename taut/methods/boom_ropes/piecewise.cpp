@@ -8,7 +8,9 @@
 namespace taut::boom_ropes {
 namespace {
 
-void found(Crossings& c, bool rising, double low, double high) { c = {c.count + 1, rising, low, high}; }
+void found(Crossings& c, bool rising, double low, double high) {
+  c = {.count = c.count + 1, .rising = rising, .low = low, .high = high};
+}
 
 /// The ray from the outermost break outward; `side` -1 to the left, +1 to the right. A root on the break itself
 /// belongs to the break.

@@ -36,18 +36,19 @@ std::string governs(const Output& out, std::size_t i) {
 }
 
 Table cases_table(const Input& in, const Output& out) {
-  Table t{"cases",
-          fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
-          {{"name", si::one},
-           {"operation", si::one},
-           {"luffing_angle", si::rad},
-           {"suspended_weight", si::N},
-           {"F", si::N},
-           {"S1", si::N},
-           {"S2", si::N},
-           {"slack", si::one},
-           {"governs", si::one}},
-          {}};
+  Table t{
+      .name = "cases",
+      .title = fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
+      .columns = {{.name = "name", .unit = si::one},
+                  {.name = "operation", .unit = si::one},
+                  {.name = "luffing_angle", .unit = si::rad},
+                  {.name = "suspended_weight", .unit = si::N},
+                  {.name = "F", .unit = si::N},
+                  {.name = "S1", .unit = si::N},
+                  {.name = "S2", .unit = si::N},
+                  {.name = "slack", .unit = si::one},
+                  {.name = "governs", .unit = si::one}},
+      .rows = {}};
   for (std::size_t i = 0; i < in.cases.size(); ++i) {
     const Case& c = in.cases[i];
     const RopeTensions r = tensions(out, out.F[i]);
@@ -59,14 +60,14 @@ Table cases_table(const Input& in, const Output& out) {
 }
 
 Table tensioning_table(std::string name, std::string title, double friction, int steps) {
-  Table t{std::move(name),
-          std::move(title),
-          {{"step", si::one},
-           {"S10_extension_first", si::N},
-           {"S20_extension_first", si::N},
-           {"S10_retraction_first", si::N},
-           {"S20_retraction_first", si::N}},
-          {}};
+  Table t{.name = std::move(name),
+          .title = std::move(title),
+          .columns = {{.name = "step", .unit = si::one},
+                      {.name = "S10_extension_first", .unit = si::N},
+                      {.name = "S20_extension_first", .unit = si::N},
+                      {.name = "S10_retraction_first", .unit = si::N},
+                      {.name = "S20_retraction_first", .unit = si::N}},
+          .rows = {}};
   double step = 0;
   for (const TensioningStep& s : tensioning(friction, steps)) {
     t.rows.push_back(
@@ -76,20 +77,20 @@ Table tensioning_table(std::string name, std::string title, double friction, int
 }
 
 Table extension_table(const Output& out) {
-  Table t{"extension",
-          "Sections sliding, by weight, luffing angle and boom length",
-          {{"luffing_angle", si::rad},
-           {"boom_length", si::m},
-           {"suspended_weight", si::N},
-           {"Fh", si::N},
-           {"S1", si::N},
-           {"S2", si::N},
-           {"Nf", si::N},
-           {"Nr", si::N},
-           {"Mf", si::N},
-           {"Mr", si::N},
-           {"jamming", si::one}},
-          {}};
+  Table t{.name = "extension",
+          .title = "Sections sliding, by weight, luffing angle and boom length",
+          .columns = {{.name = "luffing_angle", .unit = si::rad},
+                      {.name = "boom_length", .unit = si::m},
+                      {.name = "suspended_weight", .unit = si::N},
+                      {.name = "Fh", .unit = si::N},
+                      {.name = "S1", .unit = si::N},
+                      {.name = "S2", .unit = si::N},
+                      {.name = "Nf", .unit = si::N},
+                      {.name = "Nr", .unit = si::N},
+                      {.name = "Mf", .unit = si::N},
+                      {.name = "Mr", .unit = si::N},
+                      {.name = "jamming", .unit = si::one}},
+          .rows = {}};
   for (const SlidingPoint& p : out.grid) {
     const double jamming = std::isnan(p.Nf) ? unset : p.jamming() ? 1.0 : 0.0;
     t.rows.push_back(
@@ -99,16 +100,16 @@ Table extension_table(const Output& out) {
 }
 
 Table slip_table(const Input& in) {
-  Table t{"slip_angles",
-          "Luffing angle above which section 3 slides without its rope",
-          {{"boom_length", si::m},
-           {"suspended_weight", si::N},
-           {"overlap_change", si::m},
-           {"slip_angle", si::rad},
-           {"slip_angle_free", si::rad},
-           {"jamming", si::one},
-           {"reason", si::one}},
-          {}};
+  Table t{.name = "slip_angles",
+          .title = "Luffing angle above which section 3 slides without its rope",
+          .columns = {{.name = "boom_length", .unit = si::m},
+                      {.name = "suspended_weight", .unit = si::N},
+                      {.name = "overlap_change", .unit = si::m},
+                      {.name = "slip_angle", .unit = si::rad},
+                      {.name = "slip_angle_free", .unit = si::rad},
+                      {.name = "jamming", .unit = si::one},
+                      {.name = "reason", .unit = si::one}},
+          .rows = {}};
   for (const Slip& s : in.sliding->slip_angles) {
     const SlipAngle a = slip_angle(in, *in.sliding, s);
     t.rows.push_back({s.boom_length, s.suspended_weight, s.overlap_change, a.angle, a.free_angle,
@@ -137,10 +138,22 @@ void add_case_values(const Input& in, const Output& out, Result& r) {
 std::vector<Comparison> comparisons(const Output& out) {
   if (std::isnan(out.C1_corrected)) return {};
   const std::string why = "corrected: C1 that fits the published tensions";
-  std::vector<Comparison> all = {
-      {"share of each extension branch", "lambda_1", si::one, out.lambda_1, out.lambda_1_corrected, unset, why, false},
-      {"share of the retraction rope", "lambda_2", si::one, out.lambda_2, out.lambda_2_corrected, unset, why,
-       shown_below(out.lambda_2, out.lambda_2_corrected)}};
+  std::vector<Comparison> all = {{.quantity = "share of each extension branch",
+                                  .symbol = "lambda_1",
+                                  .unit = si::one,
+                                  .printed = out.lambda_1,
+                                  .corrected = out.lambda_1_corrected,
+                                  .exact = unset,
+                                  .build_by = why,
+                                  .printed_unsafe = false},
+                                 {.quantity = "share of the retraction rope",
+                                  .symbol = "lambda_2",
+                                  .unit = si::one,
+                                  .printed = out.lambda_2,
+                                  .corrected = out.lambda_2_corrected,
+                                  .exact = unset,
+                                  .build_by = why,
+                                  .printed_unsafe = shown_below(out.lambda_2, out.lambda_2_corrected)}};
   if (std::isnan(out.S20_min)) return all;
   const auto add = [&](const char* quantity, const char* symbol, double printed, double corrected) {
     all.push_back({quantity, symbol, si::N, printed, corrected, unset, why, shown_below(printed, corrected)});

@@ -48,8 +48,20 @@ T mean_over_end(const T& anchor_length, const T& ratio, const T& end_length, con
 
 Setting<double> plain(const Setting<double>& k) { return k; }
 Setting<double> plain(const Setting<Num>& k) {
-  return {k.beta.value(), k.G_n.value(), k.W.value(),   k.S_k.value(), k.f.value(),   k.d.value(),   k.s.value(),
-          k.a.value(),    k.A.value(),   k.r_1.value(), k.r_2.value(), k.m_1.value(), k.m_2.value(), k.zero.value()};
+  return {.beta = k.beta.value(),
+          .G_n = k.G_n.value(),
+          .W = k.W.value(),
+          .S_k = k.S_k.value(),
+          .f = k.f.value(),
+          .d = k.d.value(),
+          .s = k.s.value(),
+          .a = k.a.value(),
+          .A = k.A.value(),
+          .r_1 = k.r_1.value(),
+          .r_2 = k.r_2.value(),
+          .m_1 = k.m_1.value(),
+          .m_2 = k.m_2.value(),
+          .zero = k.zero.value()};
 }
 
 template <class T>

@@ -47,7 +47,7 @@ SlipAngle slip_angle(const Input& in, const Sliding& sliding, const Slip& slip) 
                           f0 * sliding.pad_height_3 / 2 * weight) -
         sliding.offset_hoist * slip.suspended_weight * std::sin(beta) - sliding.offset_lead * lead;
     const double front = moments / overlap;
-    return Pads{front, weight * std::cos(beta) - front};
+    return Pads{.front = front, .rear = weight * std::cos(beta) - front};
   };
   const auto excess = [&](double beta) {
     const Pads p = pads(beta);

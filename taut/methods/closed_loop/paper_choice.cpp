@@ -53,9 +53,17 @@ void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& 
   const Peaks peaks = closed_form_peaks_of(proof);
   out.safety_factor_return_paper = *in.wire_strength * out.F_return_paper / peaks.return_rope.tension;
   out.safety_factor_traction_paper = *in.wire_strength * out.F_traction_paper / peaks.traction_rope.tension;
-  warn({"(8)", "return", out.F_return_paper, out.safety_factor_return_paper, peaks.return_rope}, *in.safety_factor,
-       warnings);
-  warn({"(10)", "traction", out.F_traction_paper, out.safety_factor_traction_paper, peaks.traction_rope},
+  warn({.equation = "(8)",
+        .name = "return",
+        .area = out.F_return_paper,
+        .factor = out.safety_factor_return_paper,
+        .peak = peaks.return_rope},
+       *in.safety_factor, warnings);
+  warn({.equation = "(10)",
+        .name = "traction",
+        .area = out.F_traction_paper,
+        .factor = out.safety_factor_traction_paper,
+        .peak = peaks.traction_rope},
        *in.safety_factor, warnings);
 }
 

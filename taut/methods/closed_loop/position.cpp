@@ -79,7 +79,10 @@ Outcome one_section(const Case<T>& c, const Case<double>& plain, Sheet<T>& s, Pa
   return o;
 }
 
-SectionRule rule_of(const Input& in) { return {*in.section_distance, in.distance_kind, in.sag_of, in.position_of}; }
+SectionRule rule_of(const Input& in) {
+  return {
+      .distance = *in.section_distance, .kind = in.distance_kind, .sag_of = in.sag_of, .position_of = in.position_of};
+}
 
 template <class T>
 Outcome two_sections(const Input& in, const Case<T>& c, const Case<double>& plain, Sheet<T>& s, Paper<T>& p,
@@ -241,7 +244,14 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   warn_of_paper(c, out, s);
   warn_of_stop(c, out, s);
   if (single && c.midspan) {
-    const Printed printed = as_printed(plain, {out.P, out.K, out.P_b, out.P_b_no_weight, out.T_b, out.T_n, 0, 0});
+    const Printed printed = as_printed(plain, {.P = out.P,
+                                               .K = out.K,
+                                               .P_b = out.P_b,
+                                               .P_b_no_weight = out.P_b_no_weight,
+                                               .T_b = out.T_b,
+                                               .T_n = out.T_n,
+                                               .T_up = 0,
+                                               .T_lA = 0});
     out.P_b_4_printed = printed.P_b_4;
     out.T_n_printed = printed.T_n;
     out.T_lA_printed = printed.T_lA;
@@ -254,7 +264,8 @@ template Outcome solve_position(const Input&, const Setting&, Sheet<double>&, Ou
 template Outcome solve_position(const Input&, const Setting&, Sheet<Num>&, Output&);
 
 Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine) {
-  return {in.position.empty() ? nullptr : &in.position[index], ropes.q_b, ropes.q_T, &engine};
+  return {
+      .x = in.position.empty() ? nullptr : &in.position[index], .q_b = ropes.q_b, .q_T = ropes.q_T, .engine = &engine};
 }
 
 std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine) {

@@ -21,8 +21,10 @@ bool has_exact(const std::vector<Row>& rows) {
 /// Before the last column, the reason.
 void add_exact_columns(const std::vector<Row>& rows, Table& t) {
   t.title = "Tensions over the carriage positions (closed-form tier; _exact: catenaries)";
-  const std::vector<Column> columns = {{"P_b_exact", si::N},  {"T_uA_exact", si::N}, {"T_uB_exact", si::N},
-                                       {"T_lA_exact", si::N}, {"T_lB_exact", si::N}, {"loop_length_exact", si::m}};
+  const std::vector<Column> columns = {
+      {.name = "P_b_exact", .unit = si::N},  {.name = "T_uA_exact", .unit = si::N},
+      {.name = "T_uB_exact", .unit = si::N}, {.name = "T_lA_exact", .unit = si::N},
+      {.name = "T_lB_exact", .unit = si::N}, {.name = "loop_length_exact", .unit = si::m}};
   t.columns.insert(t.columns.end() - 1, columns.begin(), columns.end());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Output& o = rows[i].out;
@@ -33,9 +35,14 @@ void add_exact_columns(const std::vector<Row>& rows, Table& t) {
 }
 
 Table positions_table(const std::vector<Row>& rows) {
-  Table t{"positions", "Tensions over the carriage positions (closed-form tier)", {}, {}};
-  t.columns = {{"x", si::m},    {"f", si::m},    {"P_b", si::N},  {"P_v", si::N},   {"T_uA", si::N},
-               {"T_uB", si::N}, {"T_lA", si::N}, {"T_lB", si::N}, {"T_max", si::N}, {"reason", si::one}};
+  Table t{.name = "positions",
+          .title = "Tensions over the carriage positions (closed-form tier)",
+          .columns = {},
+          .rows = {}};
+  t.columns = {{.name = "x", .unit = si::m},       {.name = "f", .unit = si::m},    {.name = "P_b", .unit = si::N},
+               {.name = "P_v", .unit = si::N},     {.name = "T_uA", .unit = si::N}, {.name = "T_uB", .unit = si::N},
+               {.name = "T_lA", .unit = si::N},    {.name = "T_lB", .unit = si::N}, {.name = "T_max", .unit = si::N},
+               {.name = "reason", .unit = si::one}};
   for (const Row& row : rows) {
     const Output& o = row.out;
     t.rows.push_back(
@@ -59,17 +66,17 @@ std::vector<Cell> rope_row(const char* role, const catalogue::RopeRow& rope, con
 }
 
 Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
-  Table t{"ropes", "Ropes with their own weight", {}, {}};
-  t.columns = {{"role", si::one},
-               {"designation", si::one},
-               {"diameter", si::m.in("mm")},
-               {"area", si::m2},
-               {"mass_per_metre", si::kg_per_m},
-               {"breaking_force", si::N},
-               {"largest_tension", si::N},
-               {"where", si::one},
-               {"safety_factor", si::one},
-               {"trust", si::one}};
+  Table t{.name = "ropes", .title = "Ropes with their own weight", .columns = {}, .rows = {}};
+  t.columns = {{.name = "role", .unit = si::one},
+               {.name = "designation", .unit = si::one},
+               {.name = "diameter", .unit = si::m.in("mm")},
+               {.name = "area", .unit = si::m2},
+               {.name = "mass_per_metre", .unit = si::kg_per_m},
+               {.name = "breaking_force", .unit = si::N},
+               {.name = "largest_tension", .unit = si::N},
+               {.name = "where", .unit = si::one},
+               {.name = "safety_factor", .unit = si::one},
+               {.name = "trust", .unit = si::one}};
   if (ropes.return_rope) t.rows.push_back(rope_row("return", *ropes.return_rope, peaks.return_rope));
   if (ropes.traction_rope) t.rows.push_back(rope_row("traction", *ropes.traction_rope, peaks.traction_rope));
   return t;
@@ -78,11 +85,12 @@ Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
 Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
   Check c = make_check(
       fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, si::one,
-      {Sense::at_least, n,
-       fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
-                   "at least safety_factor of the deck",
-                   rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
-       fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust))});
+      {.sense = Sense::at_least,
+       .limit = n,
+       .rule = fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
+                           "at least safety_factor of the deck",
+                           rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
+       .trust = fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust))});
   c.part = fmt::format("{} rope", role);
   c.where = fmt::format("carriage at {:.4g} m", peak.x);
   return c;
@@ -107,9 +115,11 @@ void add_checks(const Input& in, const Engine& engine, const Solved& found, Resu
   double deepest = none;
   for (const Row& row : rows) deepest = std::fmax(deepest, row.out.f);
   if (std::isnan(deepest)) return;
-  r.checks.push_back(
-      make_check("sag at the carriage", deepest, si::m,
-                 {Sense::at_most, *in.clearance, "sag under the chord at most clearance of the deck", "user"}));
+  r.checks.push_back(make_check("sag at the carriage", deepest, si::m,
+                                {.sense = Sense::at_most,
+                                 .limit = *in.clearance,
+                                 .rule = "sag under the chord at most clearance of the deck",
+                                 .trust = "user"}));
 }
 
 /// One quantity by each tier of the calculation, SI.
@@ -121,7 +131,14 @@ struct Tiers {
 
 /// Printed against corrected.
 Comparison compared(const char* what, const char* symbol, const Unit& unit, const Tiers& by, const char* build_by) {
-  return {what, symbol, unit, by.printed, by.corrected, by.exact, build_by, false};
+  return {.quantity = what,
+          .symbol = symbol,
+          .unit = unit,
+          .printed = by.printed,
+          .corrected = by.corrected,
+          .exact = by.exact,
+          .build_by = build_by,
+          .printed_unsafe = false};
 }
 
 /// The same for what a rope must withstand: a printed value more than 1 % too low is unsafe. (Of a load that two
@@ -139,30 +156,37 @@ void add(Result& r, Comparison c) {
 void add_comparisons(const Input& in, const Output& o, Result& r) {
   const double exact_peak = std::isfinite(o.T_lA_exact) ? peaks_of(o).return_rope.tension : none;
   if (in.carriage == Carriage::two_section) {
-    add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N, {o.P_b_printed, o.P_b, o.P_b_exact},
+    add(r, compared("load on the upper branch, (11)-(16)", "P_b", si::N,
+                    {.printed = o.P_b_printed, .corrected = o.P_b, .exact = o.P_b_exact},
                     "corrected: sections distinguished, forces resolved on their own chords"));
-    add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m, {o.delta_f_printed, o.delta_f, o.delta_f_exact},
+    add(r, compared("sag of section 2, (11)-(16)", "delta_f", si::m,
+                    {.printed = o.delta_f_printed, .corrected = o.delta_f, .exact = o.delta_f_exact},
                     "corrected: the same system"));
   }
-  add(r, compared("load on the upper branch, (4)", "P_b0", si::N, {o.P_b_4_printed, o.P_b_no_weight},
-                  "corrected: 2f in place of 2l"));
+  add(r, compared("load on the upper branch, (4)", "P_b0", si::N,
+                  {.printed = o.P_b_4_printed, .corrected = o.P_b_no_weight}, "corrected: 2f in place of 2l"));
   Comparison load =
       compared(in.carriage == Carriage::single ? "load on the upper branch, (1)" : "load on the upper branch", "P_b",
-               si::N, {o.P_b, o.P_b_closed, o.P_b_exact}, "corrected: roller force normal to the rope");
+               si::N, {.printed = o.P_b, .corrected = o.P_b_closed, .exact = o.P_b_exact},
+               "corrected: roller force normal to the rope");
   load.printed_unsafe = false;  // too small a share of one branch is too large a share of the other
   add(r, load);
-  add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, {o.T_n_printed, o.T_n},
+  add(r, demanded("traction rope at the carriage, (6)", "T_n", si::N, {.printed = o.T_n_printed, .corrected = o.T_n},
                   "corrected: T_b/eta + S sin(gamma)/cos(alpha)"));
   add(r, demanded("highest tension of the return rope, (7)", "T_up", si::N,
-                  {o.T_up, closed_form_peaks_of(o).return_rope.tension, exact_peak},
+                  {.printed = o.T_up, .corrected = closed_form_peaks_of(o).return_rope.tension, .exact = exact_peak},
                   "corrected: the largest tension anywhere in the rope (in-haul: behind the sheave at B)"));
-  add(r, demanded("traction rope at A, (9) as printed", "T_lA", si::N, {o.T_lA_printed, o.T_lA, o.T_lA_exact},
-                  "corrected: closed-form tier"));
-  add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N, {o.T_lA_paper, o.T_lA, o.T_lA_exact},
+  add(r,
+      demanded("traction rope at A, (9) as printed", "T_lA", si::N,
+               {.printed = o.T_lA_printed, .corrected = o.T_lA, .exact = o.T_lA_exact}, "corrected: closed-form tier"));
+  add(r, demanded("traction rope at A, (9) repaired", "T_lA", si::N,
+                  {.printed = o.T_lA_paper, .corrected = o.T_lA, .exact = o.T_lA_exact},
                   "corrected: closed-form tier, roller force normal to the rope"));
-  add(r, demanded("area of the return rope, (8)", "F_return", si::m2, {o.F_return_paper, o.F_return},
+  add(r, demanded("area of the return rope, (8)", "F_return", si::m2,
+                  {.printed = o.F_return_paper, .corrected = o.F_return},
                   "corrected: (8*), sized for the rope behind the sheave"));
-  add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2, {o.F_traction_paper, o.F_traction},
+  add(r, demanded("area of the traction rope, (10)", "F_traction", si::m2,
+                  {.printed = o.F_traction_paper, .corrected = o.F_traction},
                   "corrected: (10*), with the roller's push along the slope"));
 }
 

@@ -13,7 +13,11 @@ namespace taut::closed_loop {
 namespace {
 
 /// N m2: the bracket of (10) times a length.
-constexpr Unit moment_by_length{dimension(1, 3, -2), "N m^2", "kN m^2", false, "moment by length"};
+constexpr Unit moment_by_length{.dimension = dimension(1, 3, -2),
+                                .symbol = "N m^2",
+                                .shown = "kN m^2",
+                                .is_angle = false,
+                                .kind = "moment by length"};
 
 Outcome too_shallow(const Case<double>& c, double n) {
   return infeasible(fmt::format(
@@ -91,13 +95,14 @@ namespace {
 const Peak& higher(const Peak& a, const Peak& b) { return b.tension > a.tension ? b : a; }
 
 void raise(Peak& peak, double tension, double x, const char* where) {
-  if (tension > peak.tension) peak = {tension, x, where};
+  if (tension > peak.tension) peak = {.tension = tension, .x = x, .where = where};
 }
 
 }  // namespace
 
 Peaks larger(const Peaks& a, const Peaks& b) {
-  return {higher(a.return_rope, b.return_rope), higher(a.traction_rope, b.traction_rope)};
+  return {.return_rope = higher(a.return_rope, b.return_rope),
+          .traction_rope = higher(a.traction_rope, b.traction_rope)};
 }
 
 namespace {
@@ -148,7 +153,10 @@ Candidates stronger_than(double force, const Candidates& all) {
 }
 
 Ropes pair_of(const catalogue::RopeRow& b, const catalogue::RopeRow& t) {
-  return {b.mass_per_length * standard_gravity, t.mass_per_length * standard_gravity, b, t};
+  return {.q_b = b.mass_per_length * standard_gravity,
+          .q_T = t.mass_per_length * standard_gravity,
+          .return_rope = b,
+          .traction_rope = t};
 }
 
 /// One trial: which of the two ropes are strong enough.

@@ -56,12 +56,14 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
         fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
                     rope.trust_text));
   }
-  Check breaks = make_check("rope does not break", largest, si::N,
-                            {Sense::at_most, rope.breaking_force,
-                             fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
-                                         "wanted on top is the designer's",
-                                         rope.id),
-                             trust_text(rope.trust, rope.trust_text)});
+  Check breaks =
+      make_check("rope does not break", largest, si::N,
+                 {.sense = Sense::at_most,
+                  .limit = rope.breaking_force,
+                  .rule = fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
+                                      "wanted on top is the designer's",
+                                      rope.id),
+                  .trust = trust_text(rope.trust, rope.trust_text)});
   breaks.part = "rope";
   breaks.limits = false;
   r.checks.push_back(std::move(breaks));
@@ -75,10 +77,12 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
   out.diameter_ratio = 2 * *in.sheave_radius / rope.diameter;
   const auto rule = diameter_rule(rope);
   if (!rule || !rule->low) return;
-  r.checks.push_back(make_check(
-      "D/d of the driving sheave", out.diameter_ratio, si::one,
-      {Sense::at_least, *rule->low, fmt::format("{}: {} {}, {}", rule->field, rule->item, rule->group, rule->source),
-       trust_text(rule->trust, rule->trust_text)}));
+  r.checks.push_back(
+      make_check("D/d of the driving sheave", out.diameter_ratio, si::one,
+                 {.sense = Sense::at_least,
+                  .limit = *rule->low,
+                  .rule = fmt::format("{}: {} {}, {}", rule->field, rule->item, rule->group, rule->source),
+                  .trust = trust_text(rule->trust, rule->trust_text)}));
 }
 
 }  // namespace taut::friction_drive

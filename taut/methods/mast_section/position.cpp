@@ -92,8 +92,8 @@ struct RopeNames {
   const char* R;
   const char* gamma;
 };
-constexpr RopeNames skyline{"5", "F_span_sky", "R_sky", "gamma_sky"};
-constexpr RopeNames mainline{"6", "F_span_main", "R_main", "gamma_main"};
+constexpr RopeNames skyline{.equation = "5", .F_span = "F_span_sky", .R = "R_sky", .gamma = "gamma_sky"};
+constexpr RopeNames mainline{.equation = "6", .F_span = "F_span_main", .R = "R_main", .gamma = "gamma_main"};
 
 template <class T>
 struct Block {
@@ -283,7 +283,7 @@ std::vector<Position> sweep(const Input& in) {
   std::vector<Position> all;
   Sheet<double> s;
   for (std::size_t i = 0; i < position_count(in); ++i) {
-    Position p{i, {}, {}};
+    Position p{.index = i, .out = {}, .outcome = {}};
     p.outcome = compute_at(in, i, s, p.out);
     all.push_back(std::move(p));
   }

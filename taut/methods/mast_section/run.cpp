@@ -15,12 +15,16 @@ namespace taut::mast_section {
 namespace {
 
 Table positions_table(const std::vector<Position>& positions, const Output& governing) {
-  Table t{"positions", "Carriage positions", {}, {}};
+  Table t{.name = "positions", .title = "Carriage positions", .columns = {}, .rows = {}};
   const Unit mm = si::m.in("mm");
-  t.columns = {{"x", si::m},           {"f_x", si::m},        {"alpha", si::rad},   {"wrap", si::rad},
-               {"R_sky", si::N},       {"R_main", si::N},     {"N", si::N},         {"M", si::N_m},
-               {"Q", si::N},           {"b_square", mm},      {"B_hollow", mm},     {"D_tube", mm},
-               {"D_tube_printed", mm}, {"D_tube_payout", mm}, {"governs", si::one}, {"reason", si::one}};
+  t.columns = {{.name = "x", .unit = si::m},           {.name = "f_x", .unit = si::m},
+               {.name = "alpha", .unit = si::rad},     {.name = "wrap", .unit = si::rad},
+               {.name = "R_sky", .unit = si::N},       {.name = "R_main", .unit = si::N},
+               {.name = "N", .unit = si::N},           {.name = "M", .unit = si::N_m},
+               {.name = "Q", .unit = si::N},           {.name = "b_square", .unit = mm},
+               {.name = "B_hollow", .unit = mm},       {.name = "D_tube", .unit = mm},
+               {.name = "D_tube_printed", .unit = mm}, {.name = "D_tube_payout", .unit = mm},
+               {.name = "governs", .unit = si::one},   {.name = "reason", .unit = si::one}};
   for (const Position& p : positions) {
     const Output& o = p.out;
     const bool governs = p.outcome.ok() && o.x == governing.x;
@@ -56,27 +60,27 @@ std::vector<Cell> section_row(const Input& in, const Assessment& a, std::string 
 
 Table sections_table() {
   const Unit mm = si::m.in("mm");
-  return {"sections",
-          "Catalogue sections, RHS about the strong axis",
-          {{"shape", si::one},
-           {"name", si::one},
-           {"standard", si::one},
-           {"forming", si::one},
-           {"height", mm},
-           {"width", mm},
-           {"wall", mm},
-           {"height/wall", si::one},
-           {"area", si::m2},
-           {"W", si::m3},
-           {"mass", si::kg_per_m},
-           {"mass of the mast", si::kg},
-           {"stress", si::Pa},
-           {"stress by second order", si::Pa},
-           {"allowable", si::Pa},
-           {"utilisation", si::one},
-           {"trust", si::one},
-           {"use", si::one}},
-          {}};
+  return {.name = "sections",
+          .title = "Catalogue sections, RHS about the strong axis",
+          .columns = {{.name = "shape", .unit = si::one},
+                      {.name = "name", .unit = si::one},
+                      {.name = "standard", .unit = si::one},
+                      {.name = "forming", .unit = si::one},
+                      {.name = "height", .unit = mm},
+                      {.name = "width", .unit = mm},
+                      {.name = "wall", .unit = mm},
+                      {.name = "height/wall", .unit = si::one},
+                      {.name = "area", .unit = si::m2},
+                      {.name = "W", .unit = si::m3},
+                      {.name = "mass", .unit = si::kg_per_m},
+                      {.name = "mass of the mast", .unit = si::kg},
+                      {.name = "stress", .unit = si::Pa},
+                      {.name = "stress by second order", .unit = si::Pa},
+                      {.name = "allowable", .unit = si::Pa},
+                      {.name = "utilisation", .unit = si::one},
+                      {.name = "trust", .unit = si::one},
+                      {.name = "use", .unit = si::one}},
+          .rows = {}};
 }
 
 std::string position_words(const Input& in, const ClampForces& f) {
@@ -107,8 +111,10 @@ void check_first_order(const Input& in, const Assessment& a, const std::vector<C
   s.eq("14", "sigma", si::Pa, N / A + M / W);
   s.move_to(r);
   r.checks.push_back(stress_check(fmt::format("strength of {}, {}", a.section.name, direction), worst->stress,
-                                  {Sense::at_most, worst->allowable,
-                                   "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)", trust_of(limit_of(in))},
+                                  {.sense = Sense::at_most,
+                                   .limit = worst->allowable,
+                                   .rule = "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)",
+                                   .trust = trust_of(limit_of(in))},
                                   where));
 }
 
@@ -125,7 +131,7 @@ void check_section(const Input& in, const Assessment& a, const std::vector<Clamp
                              "both directions of the ropes";
     r.checks.push_back(stress_check(
         fmt::format("strength of {}, second order", a.section.name), *a.second_order,
-        {Sense::at_most, a.allowable, rule, trust_of(limit_of(in))},
+        {.sense = Sense::at_most, .limit = a.allowable, .rule = rule, .trust = trust_of(limit_of(in))},
         fmt::format("{}{}ropes {}", at, at.empty() ? "" : ", ", worst.paid_out ? "paid out" : "hauled in")));
   }
   out.section_stress = a.stress;

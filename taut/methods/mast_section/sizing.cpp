@@ -50,12 +50,12 @@ double stress_in(const SectionRow& section, const ClampForces& f) {
 /// The ropes hauled in: (5), (6).
 ClampForces hauled_in(const Position& p) {
   const Output& o = p.out;
-  return {o.N,
-          o.M,
-          p.index,
-          false,
-          {o.R_sky * std::cos(o.gamma_sky), o.R_sky * std::sin(o.gamma_sky)},
-          {o.R_main * std::cos(o.gamma_main), o.R_main * std::sin(o.gamma_main)}};
+  return {.N = o.N,
+          .M = o.M,
+          .index = p.index,
+          .paid_out = false,
+          .skyline = {.across = o.R_sky * std::cos(o.gamma_sky), .down = o.R_sky * std::sin(o.gamma_sky)},
+          .mainline = {.across = o.R_main * std::cos(o.gamma_main), .down = o.R_main * std::sin(o.gamma_main)}};
 }
 
 /// Paid out: the span side carries the full force, the drum side less by the friction of the block.
@@ -64,16 +64,21 @@ ClampForces paid_out(const Input& in, const Position& p) {
   const double down = std::sin(o.alpha) + std::exp(-in.block_friction * o.wrap), across = std::cos(o.alpha);
   const double slips = in.paid_out_force.value_or(std::max(in.skyline_force, in.mainline_force));
   const double sky = std::min(in.skyline_force, slips), main = std::min(in.mainline_force, slips);
-  return {o.N_payout, o.M_payout, p.index, true, {sky * across, sky * down}, {main * across, main * down}};
+  return {.N = o.N_payout,
+          .M = o.M_payout,
+          .index = p.index,
+          .paid_out = true,
+          .skyline = {.across = sky * across, .down = sky * down},
+          .mainline = {.across = main * across, .down = main * down}};
 }
 
 }  // namespace
 
 StressLimit limit_of(const Input& in) {
-  if (in.allowable_stress) return {in.allowable_stress, std::nullopt, 1};
+  if (in.allowable_stress) return {.given = in.allowable_stress, .steel = std::nullopt, .safety = 1};
   const auto steel = catalogue::find_steel(in.steel.value_or(""));
   expects(steel.has_value() && in.safety.has_value(), "mast_section takes inputs without complaints");
-  return {std::nullopt, *steel, *in.safety};
+  return {.given = std::nullopt, .steel = *steel, .safety = *in.safety};
 }
 
 std::optional<double> allowable_stress(const StressLimit& limit, double thickness) {
@@ -117,7 +122,7 @@ std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& sec
   expects(!forces.empty(), "a section is assessed under at least one load");
   const auto allowable = allowable_stress(limit, section.thickness);
   if (!allowable) return std::nullopt;
-  Assessment a{section, -1, *allowable, {}, std::nullopt};
+  Assessment a{.section = section, .stress = -1, .allowable = *allowable, .worst = {}, .second_order = std::nullopt};
   for (const ClampForces& f : forces) {
     const double stress = stress_in(section, f);
     if (stress > a.stress) a.stress = stress, a.worst = f;

@@ -145,8 +145,8 @@ Box label_box(const Animation::Round& round, const View& v, std::size_t time, La
   const double away = std::max(round.radius * v.scale, smallest_round) + 3, x = v.x(p.x), y = v.y(p.y);
   const double width = 0.56 * font_size * length(round.label);
   Box box;
-  box.add(Pixel{place.left ? x - away - width : x + away, place.below ? y + away : y - away - font_size});
-  box.add(Pixel{place.left ? x - away : x + away + width, place.below ? y + away + font_size : y - away});
+  box.add(Pixel{.x = place.left ? x - away - width : x + away, .y = place.below ? y + away : y - away - font_size});
+  box.add(Pixel{.x = place.left ? x - away : x + away + width, .y = place.below ? y + away + font_size : y - away});
   return box;
 }
 
@@ -175,7 +175,10 @@ std::vector<LabelPlace> label_places(const Animation& a, const View& v) {
   for (std::size_t r = 0; r < a.rounds.size(); ++r) {
     LabelPlace best;
     double least = std::numeric_limits<double>::infinity();
-    for (const LabelPlace place : {LabelPlace{false, false}, {false, true}, {true, false}, {true, true}}) {
+    for (const LabelPlace place : {LabelPlace{.left = false, .below = false},
+                                   {.left = false, .below = true},
+                                   {.left = true, .below = false},
+                                   {.left = true, .below = true}}) {
       const double cost = label_cost(a, v, place, places);
       if (cost >= least) continue;
       least = cost;

@@ -7,16 +7,26 @@
 namespace taut::report {
 
 const Pen& pen(Role role) {
-  static constexpr Pen rope{"#1d5fa6", 2, "", "#d6e4f3", "rope", 2.5};
-  static constexpr Pen second_rope{"#0f8577", 2, "7 2.5", "#d3ebe7", "second rope", 2.5};
-  static constexpr Pen structure{"#333b44", 2.4, "", "#dde1e6", "", 2};
-  static constexpr Pen body{"#5b6570", 1.4, "", "#eceff2", "", 1.5};
-  static constexpr Pen ground{"#8a7a5c", 1.4, "", "#f1ece2", "", 1.5};
-  static constexpr Pen hidden{"#8a929b", 1.1, "4 3", "none", "hidden or unloaded", 1};
-  static constexpr Pen force{"#b3261e", 1.8, "", "#b3261e", "force", 4};
-  static constexpr Pen second_force{"#7b3fa0", 1.8, "", "#7b3fa0", "second force", 4};
-  static constexpr Pen axis{"#8a929b", 0.8, "9 2.5 2 2.5", "none", "", 0.7};
-  static constexpr Pen highlight{"#d9730d", 2.8, "", "#fbe5d0", "governs", 2.5};
+  static constexpr Pen rope{
+      .stroke = "#1d5fa6", .width = 2, .dashes = "", .fill = "#d6e4f3", .words = "rope", .weight = 2.5};
+  static constexpr Pen second_rope{
+      .stroke = "#0f8577", .width = 2, .dashes = "7 2.5", .fill = "#d3ebe7", .words = "second rope", .weight = 2.5};
+  static constexpr Pen structure{
+      .stroke = "#333b44", .width = 2.4, .dashes = "", .fill = "#dde1e6", .words = "", .weight = 2};
+  static constexpr Pen body{
+      .stroke = "#5b6570", .width = 1.4, .dashes = "", .fill = "#eceff2", .words = "", .weight = 1.5};
+  static constexpr Pen ground{
+      .stroke = "#8a7a5c", .width = 1.4, .dashes = "", .fill = "#f1ece2", .words = "", .weight = 1.5};
+  static constexpr Pen hidden{
+      .stroke = "#8a929b", .width = 1.1, .dashes = "4 3", .fill = "none", .words = "hidden or unloaded", .weight = 1};
+  static constexpr Pen force{
+      .stroke = "#b3261e", .width = 1.8, .dashes = "", .fill = "#b3261e", .words = "force", .weight = 4};
+  static constexpr Pen second_force{
+      .stroke = "#7b3fa0", .width = 1.8, .dashes = "", .fill = "#7b3fa0", .words = "second force", .weight = 4};
+  static constexpr Pen axis{
+      .stroke = "#8a929b", .width = 0.8, .dashes = "9 2.5 2 2.5", .fill = "none", .words = "", .weight = 0.7};
+  static constexpr Pen highlight{
+      .stroke = "#d9730d", .width = 2.8, .dashes = "", .fill = "#fbe5d0", .words = "governs", .weight = 2.5};
   switch (role) {
     case Role::rope:
       return rope;

@@ -27,7 +27,7 @@ const Pen& pen(Role role);
 struct Fit {
   double scale = 1;
   double vertical = 1;
-  Pixel of(Point p) const { return {p.x * scale, -p.y * scale * vertical}; }
+  Pixel of(Point p) const { return {.x = p.x * scale, .y = -p.y * scale * vertical}; }
 };
 
 bool is_finite(Point p);

@@ -20,17 +20,19 @@ struct Candidate {
 };
 
 Box box_at(Pixel center, double w, double h) {
-  return {center.x - w / 2, center.y - h / 2, center.x + w / 2, center.y + h / 2};
+  return {.left = center.x - w / 2, .top = center.y - h / 2, .right = center.x + w / 2, .bottom = center.y + h / 2};
 }
 
 /// The text's box so that its nearest side stands `distance` away from the anchor in direction (ux, uy).
 Box box_beside(Pixel anchor, double ux, double uy, double distance, double w, double h) {
   const double sx = std::abs(ux) < 0.3 ? 0 : std::copysign(1, ux);
   const double sy = std::abs(uy) < 0.3 ? 0 : std::copysign(1, uy);
-  return box_at({anchor.x + ux * distance + sx * w / 2, anchor.y + uy * distance + sy * h / 2}, w, h);
+  return box_at({.x = anchor.x + ux * distance + sx * w / 2, .y = anchor.y + uy * distance + sy * h / 2}, w, h);
 }
 
-Pixel nearest(const Box& b, Pixel p) { return {std::clamp(p.x, b.left, b.right), std::clamp(p.y, b.top, b.bottom)}; }
+Pixel nearest(const Box& b, Pixel p) {
+  return {.x = std::clamp(p.x, b.left, b.right), .y = std::clamp(p.y, b.top, b.bottom)};
+}
 
 double price_of(const Box& box, Pixel anchor, const std::vector<Obstacle>& obstacles, const std::vector<Box>& others,
                 const Box& frame) {
@@ -67,14 +69,14 @@ Candidate best_place(const Wanted& w, const std::vector<Obstacle>& obstacles, co
   const auto consider = [&](const Box& box, Pixel anchor, double extra) {
     if (!first && extra >= best.price) return;
     const double price = extra + price_of(box, anchor, obstacles, others, frame);
-    if (first || price < best.price) best = {box, anchor, price};
+    if (first || price < best.price) best = {.box = box, .anchor = anchor, .price = price};
     first = false;
   };
   const auto around = [&](Pixel anchor, double extra) {
     for (const double d : distances) {
       for (int k = 0; k < directions; ++k) {
         const double angle = 2 * std::numbers::pi * k / directions;
-        const Pixel u{std::cos(angle), std::sin(angle)};
+        const Pixel u{.x = std::cos(angle), .y = std::sin(angle)};
         const double turned = wanted > 0 ? 1 - (u.x * w.toward.x + u.y * w.toward.y) / wanted : 0;
         const double slanted = k % 4 == 0 ? 0 : 0.5;
         consider(box_beside(anchor, u.x, u.y, d, wide, high), anchor, extra + 0.9 * d + 9 * turned + slanted);
@@ -98,8 +100,8 @@ void Box::add(Pixel p) {
 
 void Box::add(const Box& other) {
   if (other.empty()) return;
-  add(Pixel{other.left, other.top});
-  add(Pixel{other.right, other.bottom});
+  add(Pixel{.x = other.left, .y = other.top});
+  add(Pixel{.x = other.right, .y = other.bottom});
 }
 
 double overlap_area(const Box& a, const Box& b) {

@@ -25,7 +25,9 @@ struct Box {
   double height() const { return bottom - top; }
   void add(Pixel p);
   void add(const Box& other);
-  Box grown(double by) const { return {left - by, top - by, right + by, bottom + by}; }
+  Box grown(double by) const {
+    return {.left = left - by, .top = top - by, .right = right + by, .bottom = bottom + by};
+  }
 };
 
 double overlap_area(const Box& a, const Box& b);

@@ -54,7 +54,7 @@ void want_label(Canvas& c, const std::string& text, Place place) {
                       place.may_cover});
 }
 
-Pixel between(Pixel a, Pixel b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+Pixel between(Pixel a, Pixel b, double t) { return {.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)}; }
 
 void add_line(Canvas& c, const std::vector<Pixel>& points, double weight, bool closed = false) {
   for (const Pixel p : points) c.box.add(p);
@@ -151,10 +151,10 @@ struct Drawer {
     const double dy = -s.fy * c.layout.fit.vertical;
     const double l = std::hypot(s.fx, dy);
     const double length = force * c.layout.force_scale;
-    if (!(l > 0) || !(length > 0.05)) return want_label(c, text, {at, {}});
-    const Pixel d{s.fx / l * length, dy / l * length};
-    const Pixel tail = s.towards ? Pixel{at.x - d.x, at.y - d.y} : at;
-    const Pixel tip = s.towards ? at : Pixel{at.x + d.x, at.y + d.y};
+    if (!(l > 0) || !(length > 0.05)) return want_label(c, text, {.at = at, .toward = {}});
+    const Pixel d{.x = s.fx / l * length, .y = dy / l * length};
+    const Pixel tail = s.towards ? Pixel{.x = at.x - d.x, .y = at.y - d.y} : at;
+    const Pixel tip = s.towards ? at : Pixel{.x = at.x + d.x, .y = at.y + d.y};
     const double head = std::min(9.0, 0.6 * length + 2);
     const double shaft = std::max(0.0, 1 - 0.8 * head / length);
     c.front += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" {}/>", tail.x, tail.y,
@@ -165,8 +165,10 @@ struct Drawer {
     const Pixel free_end = s.towards ? tail : tip;
     const double sign = s.towards ? -1 : 1;
     const auto along = [&](double t) { return between(tail, tip, t); };
-    if (c.layout.is_polygon) return want_label(c, text, {along(0.5), {-d.y, d.x}, {along(0.3), along(0.7)}});
-    want_label(c, text, {free_end, {sign * d.x, sign * d.y}, {along(0.5)}});
+    if (c.layout.is_polygon)
+      return want_label(c, text,
+                        {.at = along(0.5), .toward = {.x = -d.y, .y = d.x}, .or_at = {along(0.3), along(0.7)}});
+    want_label(c, text, {.at = free_end, .toward = {.x = sign * d.x, .y = sign * d.y}, .or_at = {along(0.5)}});
   }
 
   void operator()(const DimensionLine& s) const {
@@ -175,9 +177,9 @@ struct Drawer {
     const double ly = s.to.y - s.from.y;
     const double l = std::hypot(lx, ly);
     if (!(l > 0)) return;
-    const Point n{-ly / l * s.offset, lx / l * s.offset};
-    const Pixel a = c.layout.fit.of({s.from.x + n.x, s.from.y + n.y});
-    const Pixel b = c.layout.fit.of({s.to.x + n.x, s.to.y + n.y});
+    const Point n{.x = -ly / l * s.offset, .y = lx / l * s.offset};
+    const Pixel a = c.layout.fit.of({.x = s.from.x + n.x, .y = s.from.y + n.y});
+    const Pixel b = c.layout.fit.of({.x = s.to.x + n.x, .y = s.to.y + n.y});
     const Pixel from = c.layout.fit.of(s.from);
     const Pixel to = c.layout.fit.of(s.to);
     const double px = std::hypot(b.x - a.x, b.y - a.y);
@@ -197,7 +199,10 @@ struct Drawer {
     const std::string text =
         s.text.empty() ? quantity_shown(l, c.layout.is_polygon ? si::N : si::m, c.display, 4) : s.text;
     const double side = s.offset < 0 ? -1 : 1;
-    want_label(c, text, {between(a, b, 0.5), {side * -ly, side * -lx}, {between(a, b, 0.3), between(a, b, 0.7)}});
+    want_label(c, text,
+               {.at = between(a, b, 0.5),
+                .toward = {.x = side * -ly, .y = side * -lx},
+                .or_at = {between(a, b, 0.3), between(a, b, 0.7)}});
   }
 
   void operator()(const AngleMark& s) const {
@@ -210,14 +215,14 @@ struct Drawer {
     add_line(c, arc, 1.2);
     const Pixel center = c.layout.fit.of(s.center);
     const Pixel middle = arc[arc.size() / 2];
-    want_label(c, s.text, {middle, {middle.x - center.x, middle.y - center.y}});
+    want_label(c, s.text, {.at = middle, .toward = {.x = middle.x - center.x, .y = middle.y - center.y}});
   }
 
   void operator()(const Label& s) const {
     if (!is_finite(s.at)) return;
     const Pixel at = c.layout.fit.of(s.at);
     c.box.add(at);
-    want_label(c, s.text, {at, {}, {}, true});
+    want_label(c, s.text, {.at = at, .toward = {}, .or_at = {}, .may_cover = true});
   }
 };
 
@@ -262,10 +267,11 @@ Layout layout_of(const Drawing& d, double wide) {
   layout.is_polygon = d.unit.dimension == si::N.dimension;
   layout.fit.vertical = std::isfinite(d.vertical_scale) && d.vertical_scale > 0 ? d.vertical_scale : 1;
   std::vector<Point> points;
-  for (const Shape& s : d.shapes) std::visit(Extent{points, layout.is_polygon, layout.fit.vertical}, s);
+  for (const Shape& s : d.shapes)
+    std::visit(Extent{.all = points, .is_polygon = layout.is_polygon, .vertical = layout.fit.vertical}, s);
   Box box;
   for (const Point& p : points) {
-    if (is_finite(p)) box.add(Pixel{p.x, p.y * layout.fit.vertical});
+    if (is_finite(p)) box.add(Pixel{.x = p.x, .y = p.y * layout.fit.vertical});
   }
   const double high = layout.is_polygon ? polygon_height : drawing_height;
   const double w = box.empty() ? 0 : box.width();
@@ -281,7 +287,7 @@ double scale_bar(std::string& out, Pixel at, double pixels, const std::string& t
   const Pen& p = pen(Role::force);
   if (is_force) {
     out += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" {}/>", at.x, at.y, pixels - 6, stroke_of(p));
-    out += arrow_head({at.x + pixels, at.y}, 1, 0, 9, p.stroke);
+    out += arrow_head({.x = at.x + pixels, .y = at.y}, 1, 0, 9, p.stroke);
   } else {
     out += fmt::format("<path class=\"bar\" d=\"M{:.1f} {:.1f}v6M{:.1f} {:.1f}h{:.1f}M{:.1f} {:.1f}v6\"/>", at.x,
                        at.y - 3, at.x, at.y, pixels, at.x + pixels, at.y - 3);
@@ -306,11 +312,11 @@ void draw_foot(Canvas& c, const Drawing& d) {
   constexpr double row = 20;
   const double left = c.box.left;
   const double right = std::max(c.box.right, left + 480);
-  Pixel at{left, c.box.bottom + 26};
+  Pixel at{.x = left, .y = c.box.bottom + 26};
   std::string out;
   const auto next = [&](double taken) { at.x += taken; };
   const auto room = [&](double needed) {
-    if (at.x > left && at.x + needed > right) at = {left, at.y + row};
+    if (at.x > left && at.x + needed > right) at = {.x = left, .y = at.y + row};
   };
   const ShownUnit unit = shown_unit(d.unit, c.display);
   const double bar = round_length(c.layout.fit.scale, unit);
@@ -335,16 +341,16 @@ void draw_foot(Canvas& c, const Drawing& d) {
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + 32, at.y + 4, words);
     next(needed);
   }
-  c.box.add(Pixel{right, at.y + 8});
+  c.box.add(Pixel{.x = right, .y = at.y + 8});
   c.front += out;
 }
 
 /// The sides of a polygon are named from outside: between two of them a name could belong to either.
 void turn_outward(Canvas& c) {
-  const Pixel center{(c.box.left + c.box.right) / 2, (c.box.top + c.box.bottom) / 2};
+  const Pixel center{.x = (c.box.left + c.box.right) / 2, .y = (c.box.top + c.box.bottom) / 2};
   for (Wanted& w : c.labels) {
     const double outward = w.toward.x * (w.anchor.x - center.x) + w.toward.y * (w.anchor.y - center.y);
-    if (outward < 0) w.toward = {-w.toward.x, -w.toward.y};
+    if (outward < 0) w.toward = {.x = -w.toward.x, .y = -w.toward.y};
   }
 }
 
@@ -356,9 +362,16 @@ std::string drawing_svg(const Drawing& d, const Display& display) {
   std::string body;
   Box box;
   for (int round = 0; round < 3; ++round) {  // arrows and labels take room that is known only when they are placed
-    Canvas c{display, layout_of(d, wide), {}, {}, {}, {}, {}, {}};
+    Canvas c{.display = display,
+             .layout = layout_of(d, wide),
+             .behind = {},
+             .front = {},
+             .box = {},
+             .obstacles = {},
+             .labels = {},
+             .roles = {}};
     for (const Shape& s : d.shapes) std::visit(Drawer{c}, s);
-    if (c.box.empty()) c.box.add(Pixel{0, 0});
+    if (c.box.empty()) c.box.add(Pixel{.x = 0, .y = 0});
     if (c.layout.is_polygon) turn_outward(c);
     const std::vector<Placed> labels = place_labels(c.labels, c.obstacles, c.box, font_size);
     for (const Placed& p : labels) c.box.add(p.box);

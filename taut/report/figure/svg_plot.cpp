@@ -23,12 +23,12 @@ struct Style {
   std::string_view dashes;
 };
 /// Distinguished by colour on a screen and by dashes on grey paper.
-constexpr std::array<Style, 6> styles{{{"#1d5fa6", ""},
-                                       {"#d9730d", "8 3"},
-                                       {"#0f8577", "2 2.5"},
-                                       {"#7b3fa0", "9 3 2 3"},
-                                       {"#b3261e", "5 2"},
-                                       {"#5b6570", "12 4"}}};
+constexpr std::array<Style, 6> styles{{{.colour = "#1d5fa6", .dashes = ""},
+                                       {.colour = "#d9730d", .dashes = "8 3"},
+                                       {.colour = "#0f8577", .dashes = "2 2.5"},
+                                       {.colour = "#7b3fa0", .dashes = "9 3 2 3"},
+                                       {.colour = "#b3261e", .dashes = "5 2"},
+                                       {.colour = "#5b6570", .dashes = "12 4"}}};
 constexpr std::string_view limit_colour = "#b3261e";
 
 struct Span {
@@ -68,9 +68,9 @@ struct Scene {
     return axes.bottom - t * axes.height();
   }
   Pixel pixel(double x, double y) const {
-    const Pixel p{x_pixel(x_unit.of(x)), y_pixel(y_unit.of(y))};
+    const Pixel p{.x = x_pixel(x_unit.of(x)), .y = y_pixel(y_unit.of(y))};
     const bool near = std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6;  // false for NaN too
-    return near ? p : Pixel{NAN, NAN};
+    return near ? p : Pixel{.x = NAN, .y = NAN};
   }
 };
 
@@ -78,7 +78,7 @@ std::size_t count(const Curve& c) { return std::min(c.x.size(), c.y.size()); }
 
 /// A range that has a size, whatever the numbers: one value gets a range around it.
 void widen(Span& s) {
-  if (s.empty()) s = {0, 1};
+  if (s.empty()) s = {.low = 0, .high = 1};
   const double size = std::max(std::abs(s.low), std::abs(s.high));
   if (s.size() > 1e-9 * size && s.size() > 0) return;
   const double by = size > 0 ? 0.1 * size : 1;
@@ -174,7 +174,7 @@ std::vector<Entry> entries_of(const Scene& s, const std::vector<Line>& lines) {
   for (const Mark* m : s.limits_outside) {
     const std::string text = fmt::format("{}: {}, outside the range shown", m->label.empty() ? "limit" : m->label,
                                          number_shown(s.y_unit.of(m->y), 4) + " " + unit_text(s.y_unit));
-    all.push_back({label_runs(clean(text)), {limit_colour, "6 3"}, false});
+    all.push_back({label_runs(clean(text)), {.colour = limit_colour, .dashes = "6 3"}, false});
   }
   return all;
 }
@@ -194,7 +194,7 @@ double draw_legend(std::string& out, const std::vector<Entry>& entries, double l
       y += 19;
     }
     if (e.points_only) {
-      out += marker({x + 13, y}, e.style.colour);
+      out += marker({.x = x + 13, .y = y}, e.style.colour);
     } else {
       out += fmt::format(
           "<path d=\"M{:.1f} {:.1f}h26\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
@@ -255,7 +255,7 @@ std::vector<Line> lines_of(const Scene& s) {
   std::vector<Line> all;
   for (std::size_t k = 0; k < s.plot.curves.size(); ++k) {
     const Curve& c = s.plot.curves[k];
-    Line line{{}, &c, styles[k % styles.size()]};
+    Line line{.points = {}, .curve = &c, .style = styles[k % styles.size()]};
     if (c.dashed && line.style.dashes.empty()) line.style.dashes = "6 3";
     for (std::size_t i = 0; i < count(c); ++i) line.points.push_back(s.pixel(c.x[i], c.y[i]));
     all.push_back(std::move(line));
@@ -287,11 +287,13 @@ void draw_limit(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& dra
   drawn.svg +=
       fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
                   s.axes.left, y, s.axes.right, limit_colour);
-  drawn.obstacles.push_back({{s.axes.left, y}, {s.axes.right, y}, 3});
+  drawn.obstacles.push_back({{.x = s.axes.left, .y = y}, {.x = s.axes.right, .y = y}, 3});
   if (m.label.empty()) return;
   const double half = width(runs) * font_size / 2 + 8;
-  drawn.labels.push_back(
-      {{s.axes.right - half, y}, {{s.axes.left + half, y}, {(s.axes.left + s.axes.right) / 2, y}}, runs, {0, -1}});
+  drawn.labels.push_back({{.x = s.axes.right - half, .y = y},
+                          {{.x = s.axes.left + half, .y = y}, {.x = (s.axes.left + s.axes.right) / 2, .y = y}},
+                          runs,
+                          {.x = 0, .y = -1}});
 }
 
 void draw_point(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& drawn) {
@@ -300,8 +302,8 @@ void draw_point(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& dra
   drawn.svg +=
       fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>\n",
                   p.x, p.y, limit_colour);
-  drawn.obstacles.push_back({{p.x - 5, p.y}, {p.x + 5, p.y}, 3});
-  if (!m.label.empty()) drawn.labels.push_back({p, {}, runs, {0, -1}});
+  drawn.obstacles.push_back({{.x = p.x - 5, .y = p.y}, {.x = p.x + 5, .y = p.y}, 3});
+  if (!m.label.empty()) drawn.labels.push_back({p, {}, runs, {.x = 0, .y = -1}});
 }
 
 /// Limits and marked points, their words placed where no curve runs.
@@ -324,8 +326,8 @@ std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
     m.whole_line ? draw_limit(s, m, runs, drawn) : draw_point(s, m, runs, drawn);
   }
   const Box& a = s.axes;
-  for (const double y : {a.top, a.bottom}) obstacles.push_back({{a.left, y}, {a.right, y}, 3});
-  for (const double x : {a.left, a.right}) obstacles.push_back({{x, a.top}, {x, a.bottom}, 3});
+  for (const double y : {a.top, a.bottom}) obstacles.push_back({{.x = a.left, .y = y}, {.x = a.right, .y = y}, 3});
+  for (const double x : {a.left, a.right}) obstacles.push_back({{.x = x, .y = a.top}, {.x = x, .y = a.bottom}, 3});
   const Box inside = a.grown(-4);
   return drawn.svg + to_svg(place_labels(drawn.labels, obstacles, inside, font_size), font_size);
 }
@@ -343,7 +345,13 @@ bool has_values(const Plot& plot) {
 
 std::string plot_svg(const Plot& plot, const Display& display) {
   if (!has_values(plot)) return "<p class=\"empty\">No values to plot.</p>";
-  Scene s{plot, shown_unit(plot.x.unit, display), shown_unit(plot.y.unit, display), {}, {}, {}, {}};
+  Scene s{.plot = plot,
+          .x_unit = shown_unit(plot.x.unit, display),
+          .y_unit = shown_unit(plot.y.unit, display),
+          .x_ticks = {},
+          .y_ticks = {},
+          .axes = {},
+          .limits_outside = {}};
   const Ranges r = ranges_of(plot, s.x_unit, s.y_unit);
   s.limits_outside = r.limits_outside;
   s.x_ticks = nice_ticks(r.x.low, r.x.high, 8);

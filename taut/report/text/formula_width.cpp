@@ -75,7 +75,7 @@ struct Ruler {
 }  // namespace
 
 double formula_width(const FormulaNode& node, Leaves leaves, std::string_view unknown) {
-  return Ruler{leaves, unknown}.width_of(node, 0);
+  return Ruler{.leaves = leaves, .unknown = unknown}.width_of(node, 0);
 }
 
 }  // namespace taut::report

@@ -124,7 +124,9 @@ class Writer {
                        one(write(*n.arguments[1])));
   }
 
-  std::string square(const Formula& f) { return write(FormulaNode{Op::power, 0, {}, {f, make_number(2)}}); }
+  std::string square(const Formula& f) {
+    return write(FormulaNode{.op = Op::power, .value = 0, .name = {}, .arguments = {f, make_number(2)}});
+  }
 
   std::string call(const FormulaNode& n) {
     if (n.name == "sqrt") return fmt::format("<msqrt>{}</msqrt>", write(*n.arguments[0]));
@@ -244,7 +246,8 @@ std::string to_mathml(const Formula& f, Leaves leaves, std::string_view unknown)
 
 std::vector<Piece> mathml_pieces(const Formula& f, Leaves leaves, std::string_view unknown, double most_width) {
   if (!f) return {};
-  Breaker b{Writer(leaves, unknown), leaves, unknown, most_width, {}};
+  Breaker b{
+      .writer = Writer(leaves, unknown), .leaves = leaves, .unknown = unknown, .most_width = most_width, .pieces = {}};
   const bool sum = f->op == Op::add || f->op == Op::subtract;
   if (!sum) {
     b.add_product(f, "");

@@ -75,7 +75,9 @@ Display display_of(const Result& r) {
   return Display(std::move(units));
 }
 
-ShownUnit shown_unit(const Unit& unit, const Display& display) { return {display, unit, display.unit(unit)}; }
+ShownUnit shown_unit(const Unit& unit, const Display& display) {
+  return {.display = display, .unit = unit, .name = display.unit(unit)};
+}
 
 std::string unit_text(std::string_view name) {
   if (name == "1") return {};

@@ -19,7 +19,7 @@ struct CodePoint {
 CodePoint code_point(std::string_view s, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(s[i])); };
   const std::uint32_t first = byte(at);
-  if (first < 0x80) return {first, 1};
+  if (first < 0x80) return {.value = first, .size = 1};
   const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || at + size > s.size()) return {};
   std::uint32_t value = first & (0xFFU >> (size + 1));
@@ -30,7 +30,7 @@ CodePoint code_point(std::string_view s, std::size_t at) {
   constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};  // shorter forms exist: not allowed
   const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
   if (value < least[size] || surrogate || value > 0x10FFFF) return {};
-  return {value, size};
+  return {.value = value, .size = size};
 }
 
 bool is_dropped(std::uint32_t c) {

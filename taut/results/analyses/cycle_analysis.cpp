@@ -12,13 +12,13 @@ namespace taut::results {
 namespace {
 
 Table positions_table(const study::CycleRun& run) {
-  Table t{"cycle" + run.ending, "Pulls over the cycle", {}, {}};
+  Table t{.name = "cycle" + run.ending, .title = "Pulls over the cycle", .columns = {}, .rows = {}};
   add_columns(t.columns, study::cycle_quantities());
   for (const study::Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
   for (std::size_t i = 0; i < run.answers.size(); ++i) {
     for (const study::CyclePosition& p : run.answers[i].positions) {
       std::vector<Cell>& row = t.rows.emplace_back();
-      add_cells(row, study::cycle_quantities(), study::CycleRow{run.phases[i], p});
+      add_cells(row, study::cycle_quantities(), study::CycleRow{.phase = run.phases[i], .position = p});
       for (const study::WinchPull& pull : p.pulls) row.emplace_back(pull.tension);
       row.resize(t.columns.size(), none);
     }
@@ -68,8 +68,8 @@ void add_plot(const study::CycleRun& run, Result& r) {
   Plot p;
   p.name = "cycle_pulls" + run.ending;
   p.title = "Pulls over the cycle";
-  p.x = {"x of the carriage", si::m};
-  p.y = {"pull", si::N};
+  p.x = {.label = "x of the carriage", .unit = si::m};
+  p.y = {.label = "pull", .unit = si::N};
   for (std::size_t w = 0; w < run.winches.size(); ++w) {
     for (std::size_t i = 0; i < run.answers.size(); ++i) {
       Curve c;

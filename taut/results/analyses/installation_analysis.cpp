@@ -27,7 +27,7 @@ Table installation_table(const InstallationRun& run, const study::Installation& 
   const auto reeving = std::find_if(m.reevings.begin(), m.reevings.end(),
                                     [&](const machine::Reeving& r) { return r.name == run.words; });
   const auto index = static_cast<int>(reeving - m.reevings.begin());
-  Table t{"installation" + run.ending, "", {}, {}};
+  Table t{.name = "installation" + run.ending, .title = "", .columns = {}, .rows = {}};
   add_columns(t.columns, study::installation_quantities());
   std::string spans;
   int n = 0;
@@ -111,7 +111,7 @@ Plot plot_of(const InstallationRun& run, const std::string& name, std::string ti
   Plot p;
   p.name = name + run.ending;
   p.title = std::move(title);
-  p.x = {"temperature", si::K.in("degC")};
+  p.x = {.label = "temperature", .unit = si::K.in("degC")};
   p.y = y;
   for (const auto& [label, of] : curves) {
     Curve c;
@@ -128,7 +128,7 @@ Plot plot_of(const InstallationRun& run, const std::string& name, std::string ti
 void add_plots(const InstallationRun& run, std::size_t spans, Result& r) {
   using Of = std::function<double(const study::Installation&)>;
   r.figures.emplace_back(plot_of<Of>(run, "installation_tension", fmt::format("Tension of {}, empty", run.words),
-                                     {"tension", si::N},
+                                     {.label = "tension", .unit = si::N},
                                      {{"at its start", [](const auto& i) { return i.T_start; }},
                                       {"at its end", [](const auto& i) { return i.T_end; }}}));
   std::vector<std::pair<std::string, Of>> sags;
@@ -136,8 +136,9 @@ void add_plots(const InstallationRun& run, std::size_t spans, Result& r) {
   for (std::size_t k = 0; k < spans; ++k) {
     sags.emplace_back(fmt::format("span {}", k + 1), [k](const auto& i) { return i.sag[k]; });
   }
-  r.figures.emplace_back(plot_of<Of>(
-      run, "installation_sag", fmt::format("Sag of {} at half its spans, empty", run.words), {"sag", si::m}, sags));
+  r.figures.emplace_back(plot_of<Of>(run, "installation_sag",
+                                     fmt::format("Sag of {} at half its spans, empty", run.words),
+                                     {.label = "sag", .unit = si::m}, sags));
   const auto ok = [](const Row& row) { return row.at.outcome.ok(); };
   const auto first = std::find_if(run.rows.begin(), run.rows.end(), ok);
   const bool same = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
@@ -145,7 +146,8 @@ void add_plots(const InstallationRun& run, std::size_t spans, Result& r) {
   });
   if (same) return;
   r.figures.emplace_back(
-      plot_of<Of>(run, "installation_length", fmt::format("Length of {} to be installed", run.words), {"length", si::m},
+      plot_of<Of>(run, "installation_length", fmt::format("Length of {} to be installed", run.words),
+                  {.label = "length", .unit = si::m},
                   {{"unstretched, at the reference temperature", [](const auto& i) { return i.unstretched; }},
                    {"as cut at this temperature", [](const auto& i) { return i.cut; }}}));
 }

@@ -49,7 +49,8 @@ void add_answer(const study::LeastTensionRun& asked, MachineRun& machine, Result
   study::LeastTensionRun run = asked;
   int round = 0;
   study::solve(machine.model, run, [&] {
-    return !machine.progress || machine.progress({run.words, 0, fmt::format("round {}", ++round)});
+    return !machine.progress ||
+           machine.progress({.what = run.words, .done = 0, .words = fmt::format("round {}", ++round)});
   });
   study::note_failure(r, run.answer.outcome, run.words);
   if (run.answer.interrupted) {

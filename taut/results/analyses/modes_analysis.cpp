@@ -36,7 +36,8 @@ void add_mode_shapes(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-        if (!run.model.bodies[b].free.empty()) rows.push_back({{run, set, i}, static_cast<int>(b)});
+        if (!run.model.bodies[b].free.empty())
+          rows.push_back({{.run = run, .set = set, .mode = i}, static_cast<int>(b)});
       }
     }
   }
@@ -115,7 +116,7 @@ void add_ropes_and_bodies(const machine::Model& model, const solve::TransientFra
 Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std::size_t index) {
   const solve::Mode& mode = set.modes[index];
   const auto axes = mode_view(run.result.rest, mode.shape);
-  const auto point = [&](const Vector3& p) { return Point{p[axes[0]], p[axes[1]]}; };
+  const auto point = [&](const Vector3& p) { return Point{.x = p[axes[0]], .y = p[axes[1]]}; };
   Drawing d;
   d.name = fmt::format("mode{}{}_{}", run.ending, mode_set_ending(set), index + 1);
   const std::string period = mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back";
@@ -132,9 +133,13 @@ Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std:
   }
   for (const HeldPart& part : held_parts(run.model, mode.shape, run.result.rest)) {
     const bool seen = part.radius > 0 && std::abs(part.axis[3 - axes[0] - axes[1]]) > 0.5;
-    d.shapes.emplace_back(
-        Circle{point(part.at), seen ? part.radius : (high - low).norm() / 200, Role::highlight, 0, 0, !seen});
-    d.shapes.emplace_back(Label{point(part.at), part.name});
+    d.shapes.emplace_back(Circle{.center = point(part.at),
+                                 .radius = seen ? part.radius : (high - low).norm() / 200,
+                                 .role = Role::highlight,
+                                 .from = 0,
+                                 .to = 0,
+                                 .filled = !seen});
+    d.shapes.emplace_back(Label{.at = point(part.at), .text = part.name});
   }
   return d;
 }

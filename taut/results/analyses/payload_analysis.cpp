@@ -21,15 +21,20 @@ namespace {
 
 Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
   constexpr std::ptrdiff_t behind_place = 3;  // x, z, clearance
-  Table t{
-      "payload" + run.ending, fmt::format("Payload within the limits, {}", run.words), load_path_columns(model), {}};
+  Table t{.name = "payload" + run.ending,
+          .title = fmt::format("Payload within the limits, {}", run.words),
+          .columns = load_path_columns(model),
+          .rows = {}};
   std::vector<Column> own;
   add_columns(own, study::payload_quantities());
   t.columns.insert(t.columns.begin() + behind_place, own.begin(), own.end());
   for (const study::PayloadPosition& p : run.positions) {
     std::vector<Cell> row = {p.point.x, none, none};
     if (p.answered()) {
-      row = load_path_cells({model, *p.model, {p.point.x, p.point.z, p.point.clearance, p.point.payload.at}});
+      row = load_path_cells(
+          {.all = model,
+           .model = *p.model,
+           .point = {.x = p.point.x, .z = p.point.z, .clearance = p.point.clearance, .at = p.point.payload.at}});
     }
     std::vector<Cell> cells;
     add_cells(cells, study::payload_quantities(), p);
@@ -45,8 +50,8 @@ Plot payload_plot(const study::PayloadRun& run) {
   Plot p;
   p.name = "payload_governing" + run.ending;
   p.title = fmt::format("Payload and the limit that governs, {}", run.words);
-  p.x = {"x of the carriage", si::m};
-  p.y = {"payload", si::kg.in("t")};
+  p.x = {.label = "x of the carriage", .unit = si::m};
+  p.y = {.label = "payload", .unit = si::kg.in("t")};
   std::vector<std::string> kinds;
   for (const study::PayloadPosition& one : run.positions) {
     const std::string& name = one.point.payload.governing;
@@ -72,8 +77,8 @@ Plot used_plot(const machine::Model& model, const study::PayloadRun& run) {
   Plot p;
   p.name = "payload_limits" + run.ending;
   p.title = fmt::format("Tensions and pulls over their limits with the payload, {}", run.words);
-  p.x = {"x of the carriage", si::m};
-  p.y = {"value / limit", si::one};
+  p.x = {.label = "x of the carriage", .unit = si::m};
+  p.y = {.label = "value / limit", .unit = si::one};
   std::map<std::string, Curve> curves;
   const int body = model.carriages[run.way.carriage].body;
   for (const study::PayloadPosition& one : run.positions) {
@@ -106,8 +111,9 @@ void add_limits(const machine::Model& model, const study::PayloadRun& run, Resul
       if (one.answered()) T = std::max(T, one.point.payload.at.ropes[reeving].T_max);
     }
     const std::string& name = model.reevings[reeving].name;
-    r.checks.push_back(make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, si::N,
-                                  {Sense::at_most, limit, std::move(words), std::move(trust)}));
+    r.checks.push_back(
+        make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, si::N,
+                   {.sense = Sense::at_most, .limit = limit, .rule = std::move(words), .trust = std::move(trust)}));
     r.checks.back().part = name;
   };
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
@@ -180,7 +186,8 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
         span, places.size(), places.size() == 1 ? "" : "s", limit);
     r.warnings.push_back("payload: " + words);
     if (!machine.checked->judged) continue;
-    Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"), {Sense::at_least, 0, words, "user"});
+    Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"),
+                         {.sense = Sense::at_least, .limit = 0, .rule = words, .trust = "user"});
     c.utilisation = none;
     c.passes = false;
     c.part = machine.model.carriages[run.way.carriage].name;

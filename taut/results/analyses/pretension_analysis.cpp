@@ -27,7 +27,7 @@ std::vector<std::size_t> reported_beside(const study::PretensionRun& run, const 
 }
 
 Table tensioning_table(const study::PretensionRun& run, const machine::Model& m) {
-  std::vector<study::PullRow> rows = {{0, "", run.answer.before}};
+  std::vector<study::PullRow> rows = {{.step = 0, .pulled = "", .end = run.answer.before}};
   for (std::size_t i = 0; i < run.answer.ends.size(); ++i) {
     const study::Pull& pull = run.pulls[i % run.pulls.size()];
     rows.push_back({static_cast<double>(i + 1), m.reevings[pull.reeving].name, run.answer.ends[i]});
@@ -92,8 +92,8 @@ Plot tensioning_plot(const study::PretensionRun& run, const machine::Model& m) {
   Plot p;
   p.name = "tensioning_over_pulls" + run.ending;
   p.title = fmt::format("Tensions as each pull ends ({})", run.words);
-  p.x = {"pull", si::one};
-  p.y = {"tension", si::N};
+  p.x = {.label = "pull", .unit = si::one};
+  p.y = {.label = "tension", .unit = si::N};
   std::set<std::pair<int, bool>> ends;
   for (const study::Pull& pull : run.pulls) ends.insert({pull.reeving, pull.at_end});
   for (const auto& [rope, at_end] : ends) {
@@ -135,8 +135,9 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
   if (r.interrupted) return;
   study::PretensionRun run = asked;
   study::solve(machine.model, run, [&](std::size_t i, std::size_t count) {
-    return !machine.progress || machine.progress({run.words, static_cast<double>(i) / static_cast<double>(count),
-                                                  fmt::format("pull {} of {}", i + 1, count)});
+    return !machine.progress || machine.progress({.what = run.words,
+                                                  .done = static_cast<double>(i) / static_cast<double>(count),
+                                                  .words = fmt::format("pull {} of {}", i + 1, count)});
   });
   const study::PretensionResult& result = run.answer;
   if (result.interrupted) {

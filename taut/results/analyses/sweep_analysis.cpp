@@ -28,7 +28,7 @@ bool is_shown(const machine::Body& body) { return !body.free.empty() && body.bea
 
 /// Columns of a point: places of free bodies, and of each rope its tensions and its length.
 std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model& m) {
-  std::vector<Column> columns = {{"value", run.unit}};
+  std::vector<Column> columns = {{.name = "value", .unit = run.unit}};
   for (const machine::Body& body : m.bodies) {
     if (is_shown(body)) add_columns(columns, swept_body(), body.name + ".");
   }
@@ -39,10 +39,11 @@ std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model&
 std::vector<Cell> row_of(const solve::SweepPoint& point) {
   std::vector<Cell> row = {point.value};
   for (int b = 0; b < static_cast<int>(point.model.bodies.size()); ++b) {
-    if (is_shown(point.model.bodies[b])) add_cells(row, swept_body(), {point.model, point.at, b});
+    if (is_shown(point.model.bodies[b]))
+      add_cells(row, swept_body(), {.model = point.model, .at = point.at, .body = b});
   }
   for (int i = 0; i < static_cast<int>(point.model.reevings.size()); ++i) {
-    add_cells(row, swept_rope(), {point.model, point.at, i});
+    add_cells(row, swept_rope(), {.model = point.model, .at = point.at, .reeving = i});
   }
   return row;
 }
@@ -75,7 +76,7 @@ void add_plots(const study::SweepRun& run, const machine::Model& m, const solve:
     Plot p;
     p.name = name + run.ending;
     p.title = fmt::format("{} over {}", title, run.parameter);
-    p.x = {run.parameter, run.unit};
+    p.x = {.label = run.parameter, .unit = run.unit};
     p.y = y;
     return p;
   };
@@ -88,7 +89,7 @@ void add_plots(const study::SweepRun& run, const machine::Model& m, const solve:
     }
     return c;
   };
-  Plot tensions = plot("sweep_tensions", "Largest tension of each rope", {"tension", si::N});
+  Plot tensions = plot("sweep_tensions", "Largest tension of each rope", {.label = "tension", .unit = si::N});
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
   }
@@ -96,7 +97,8 @@ void add_plots(const study::SweepRun& run, const machine::Model& m, const solve:
     tensions.marks.push_back({s.value, tensions.curves.front().y.back(), "ends", false});
   }
   r.figures.emplace_back(std::move(tensions));
-  Plot heights = plot("sweep_heights", "Heights of the bodies that are free to move", {"height", si::m});
+  Plot heights =
+      plot("sweep_heights", "Heights of the bodies that are free to move", {.label = "height", .unit = si::m});
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     if (m.bodies[b].free.empty() || m.bodies[b].beam >= 0) continue;
     heights.curves.push_back(curve(m.bodies[b].name, [&](const auto& p) { return p.at.state.bodies[b].position.z(); }));
@@ -128,7 +130,10 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
     return;
   }
   const machine::Model& m = s.points.front().model;
-  Table t{"sweep" + run.ending, fmt::format("Equilibrium over {}, {}", run.parameter, run.words), {}, {}};
+  Table t{.name = "sweep" + run.ending,
+          .title = fmt::format("Equilibrium over {}, {}", run.parameter, run.words),
+          .columns = {},
+          .rows = {}};
   t.columns = columns_of(run, m);
   for (const auto& point : s.points) {
     std::vector<Cell> row = row_of(point);
@@ -160,7 +165,8 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
 }  // namespace
 
 std::vector<QuantityWords> sweep_words() {
-  std::vector<QuantityWords> all = {{"value", "", si::one, "of the parameter, in its own unit"}};
+  std::vector<QuantityWords> all = {
+      {.name = "value", .symbol = "", .unit = si::one, .words = "of the parameter, in its own unit"}};
   for (const auto& q : swept_body()) all.push_back({"BODY." + q.about.name, "", q.about.unit, q.about.words});
   for (const auto& q : swept_rope()) all.push_back({"ROPE." + q.about.name, "", q.about.unit, q.about.words});
   return all;

@@ -27,7 +27,7 @@ constexpr double least_plan_width = 1e-3;  ///< machines narrower than this part
 struct PlaneView {
   int right = 0;
   int above = 2;
-  Point point(const Vector3& v) const { return {v[right], v[above]}; }
+  Point point(const Vector3& v) const { return {.x = v[right], .y = v[above]}; }
   /// Sense in which a turn about `axis` is seen: +1 counter-clockwise; 0: not seen from its side.
   double sense(const Vector3& axis) const {
     const double seen = axis.dot(Vector3::Unit(right).cross(Vector3::Unit(above)));
@@ -51,7 +51,7 @@ Vector3 size_of(const study::TransientRun& run) {
 
 std::vector<PlaneView> views_of(const study::TransientRun& run) {
   const Vector3 size = size_of(run);
-  std::vector<PlaneView> views = {{size.y() > size.x() ? 1 : 0, 2}};
+  std::vector<PlaneView> views = {{.right = size.y() > size.x() ? 1 : 0, .above = 2}};
   if (std::min(size.x(), size.y()) > least_plan_width * size.maxCoeff()) views.push_back({0, 1});
   return views;
 }
@@ -90,7 +90,8 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
               {Role::force, "ropes on what holds them"}};
   for (const auto& [from, to] : body_lines(m, frame)) {
-    d.shapes.emplace_back(Polyline{{view.point(from), view.point(to)}, Role::structure, false, false});
+    d.shapes.emplace_back(Polyline{
+        .points = {view.point(from), view.point(to)}, .role = Role::structure, .closed = false, .filled = false});
   }
   for (const RopePart& part : rope_parts(m, frame)) {
     Polyline line;
@@ -102,10 +103,17 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
   for (const HeldPart& part : held_parts(m, frame, run.result.frames.front())) {
     const bool round = part.radius > 0 && view.sense(part.axis) != 0;
     const Point at = view.point(part.at);
-    d.shapes.emplace_back(Circle{at, round ? part.radius : size / 300, Role::body, 0, 0, !round});
-    d.shapes.emplace_back(Label{at, part.name});
+    d.shapes.emplace_back(Circle{.center = at,
+                                 .radius = round ? part.radius : size / 300,
+                                 .role = Role::body,
+                                 .from = 0,
+                                 .to = 0,
+                                 .filled = !round});
+    d.shapes.emplace_back(Label{.at = at, .text = part.name});
     const Point f = view.point(part.force);
-    if (std::hypot(f.x, f.y) > 0) d.shapes.emplace_back(ForceArrow{at, f.x, f.y, "F", Role::force, false});
+    if (std::hypot(f.x, f.y) > 0)
+      d.shapes.emplace_back(
+          ForceArrow{.at = at, .fx = f.x, .fy = f.y, .label = "F", .role = Role::force, .towards = false});
   }
   return d;
 }
@@ -266,7 +274,7 @@ Plot plot_of(const study::TransientRun& run, const std::string& title, const Axi
   Plot p;
   p.title = title;
   p.caption = fmt::format("Every line written down: time{}.csv.", run.ending);
-  p.x = {"time", si::s};
+  p.x = {.label = "time", .unit = si::s};
   p.y = y;
   std::vector<const std::vector<double>*> all;
   all.reserve(curves.size());
@@ -300,13 +308,17 @@ void add_plots(const study::TransientRun& run, Result& r) {
     const std::string kind(observed[i].unit.kind);
     const std::string title =
         fmt::format("Over time: {}{}", kind, run.ending.empty() ? "" : ", " + run.ending.substr(1));
-    r.figures.emplace_back(plot_of(run, title, {kind, observed[i].unit}, curves));
+    r.figures.emplace_back(plot_of(run, title, {.label = kind, .unit = observed[i].unit}, curves));
   }
 }
 
 void add_energy_plot(const study::TransientRun& run, Result& r) {
-  std::vector<OverTime> curves = {{"kinetic", {}}, {"elastic, change", {}}, {"potential, change", {}}, {"supplied", {}},
-                                  {"lost", {}},    {"residual", {}}};
+  std::vector<OverTime> curves = {{.label = "kinetic", .values = {}},
+                                  {.label = "elastic, change", .values = {}},
+                                  {.label = "potential, change", .values = {}},
+                                  {.label = "supplied", .values = {}},
+                                  {.label = "lost", .values = {}},
+                                  {.label = "residual", .values = {}}};
   const LongRows& energy = run.record.energy();
   for (std::size_t i = 0; i < curves.size(); ++i) curves[i].values = energy.column(i);
   for (const std::size_t stored : {1U, 2U}) {
@@ -314,7 +326,7 @@ void add_energy_plot(const study::TransientRun& run, Result& r) {
     const double first = values.front();
     for (double& x : values) x -= first;
   }
-  Plot p = plot_of(run, "Energy since the start", {"energy", si::J}, curves);
+  Plot p = plot_of(run, "Energy since the start", {.label = "energy", .unit = si::J}, curves);
   p.name = "energy_over_time" + run.ending;
   p.caption = "What was supplied is what is stored more than at the start, what was lost, and the residual.";
   r.figures.emplace_back(std::move(p));

@@ -102,11 +102,12 @@ machine::Signal signal_in(const Json& j) {
   }
   if (j.contains("curve")) {
     const Json& c = j["curve"];
-    s.law = machine::Curve{numbers_in(c.at("t")), numbers_in(c.at("value")), numbers_in(c.at("slopes"))};
+    s.law = machine::Curve{
+        .t = numbers_in(c.at("t")), .value = numbers_in(c.at("value")), .slopes = numbers_in(c.at("slopes"))};
   }
   if (j.contains("sine")) {
     const std::vector<double> x = numbers_in(j["sine"]);
-    s.law = machine::Sine{x.at(0), x.at(1), x.at(2), x.at(3)};
+    s.law = machine::Sine{.mean = x.at(0), .amplitude = x.at(1), .omega = x.at(2), .phase = x.at(3)};
   }
   return s;
 }

@@ -69,7 +69,8 @@ void add_energy(const study::TransientRun& run, Result& r) {
   Table t;
   t.name = "energy" + run.ending;
   t.title = "Energy: what the machine holds, what was supplied and lost since the start";
-  t.columns = {{"form", si::one}, {"at_start", si::J}, {"at_end", si::J}};
+  t.columns = {
+      {.name = "form", .unit = si::one}, {.name = "at_start", .unit = si::J}, {.name = "at_end", .unit = si::J}};
   const auto add = [&](const char* form, double solve::EnergyLedger::*part) {
     t.rows.push_back({std::string(form), first.*part, last.*part});
   };
@@ -139,9 +140,11 @@ void add_ropes(const study::TransientRun& run, const std::vector<std::string>& s
       where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, study::branch_words(rope, e.branch), e.T.t_max);
     }
     if (rope.breaking_force > 0) {
-      Check c =
-          make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
-                     {Sense::at_most, rope.breaking_force, "minimum breaking force of the rope", strength_trust[i]});
+      Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
+                           {.sense = Sense::at_most,
+                            .limit = rope.breaking_force,
+                            .rule = "minimum breaking force of the rope",
+                            .trust = strength_trust[i]});
       c.part = rope.name;
       c.limits = false;
       c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
@@ -187,10 +190,11 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   const double phi2 = *catalogue::value_of(*phi2_min) + *catalogue::value_of(*beta2) * asked.speed;
   r.checks.push_back(make_check(
       fmt::format("{}.phi2{}", asked.rope, run.ending), e.T_static > 0 ? e.T.max / e.T_static : HUGE_VAL, si::one,
-      {Sense::at_most, phi2,
-       fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
-                   static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
-       phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
+      {.sense = Sense::at_most,
+       .limit = phi2,
+       .rule = fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
+                           static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
+       .trust = phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
 }
 
 std::string slid_words(const study::TransientRun& run) {

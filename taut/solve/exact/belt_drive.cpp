@@ -20,12 +20,12 @@ struct Tensions {
 };
 
 Tensions under_load(const BeltDrive& d, double T_2) {
-  return {d.idler_loss * T_2 + d.load, T_2, d.idler_loss * T_2, d.load};
+  return {.T_1 = d.idler_loss * T_2 + d.load, .T_2 = T_2, .after_idler = d.idler_loss * T_2, .load = d.load};
 }
 
 Tensions at_limit(const BeltDrive& d, double T_2) {
   const double c = d.momentum_flow, T_1 = c + std::exp(d.friction * d.working_arc) * (T_2 - c);
-  return {T_1, T_2, d.idler_loss * T_2, T_1 - d.idler_loss * T_2};
+  return {.T_1 = T_1, .T_2 = T_2, .after_idler = d.idler_loss * T_2, .load = T_1 - d.idler_loss * T_2};
 }
 
 double idler_tight(const BeltDrive& d, const Tensions& t) {

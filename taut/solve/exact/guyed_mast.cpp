@@ -24,7 +24,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int steps_per_piece = 24, steps = 96;
 
-rope::CatenaryRope guy_rope(const Guy& guy, double length) { return {length, guy.weight, guy.stiffness}; }
+rope::CatenaryRope guy_rope(const Guy& guy, double length) {
+  return {.length = length, .weight = guy.weight, .stiffness = guy.stiffness};
+}
 
 double tension(const Guy& guy, double length, GuyEnd end) {
   const auto span = rope::solve_span(guy_rope(guy, length), Vector3(0, 0, guy.height) - guy.anchor);
@@ -81,7 +83,9 @@ bool pass_forces(const GuyedMastProblem& p, double height, BeamState& s, Shape& 
 
 MastPoint point_of(const GuyedMastProblem& p, double height, const BeamState& s) {
   const auto f = structure::section_forces(s);
-  return {height, s, structure::largest_stress(p.mast.section, f.axial, f.bends_to_x, f.bends_to_y)};
+  return {.height = height,
+          .state = s,
+          .stress = structure::largest_stress(p.mast.section, f.axial, f.bends_to_x, f.bends_to_y)};
 }
 
 Shape shoot(const GuyedMastProblem& p, const Unknowns& u, bool keep_points) {
@@ -375,7 +379,7 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   for (const MastLoad& load : mast.loads) {
     expects(load.height > 0 && load.height <= mast.height, "a load acts on its mast");
   }
-  GuyedMastProblem p{mast, {}, {}, 1, 1};
+  GuyedMastProblem p{.mast = mast, .ropes = {}, .heights = {}, .force = 1, .share = 1};
   if (const auto no = install(mast, p)) return *no;
   set_up(mast, p);
   Unknowns u = Unknowns::Zero();

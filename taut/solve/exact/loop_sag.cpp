@@ -176,11 +176,11 @@ class SagSearch {
     least = std::min(least, p.excess + value_);
     most = std::max(most, p.excess + value_);
     if (!run_.empty() && changes_sign(excess_of, run_.back(), p)) {
-      keep({run_.back(), p});
+      keep({.low = run_.back(), .high = p});
     } else if (run_.size() == 2) {
       if (const auto turn = beyond_turn(at_, excess_of, run_[0], run_[1], p); turn && turn->ok) {
-        keep({run_[0], *turn});
-        keep({*turn, p});
+        keep({.low = run_[0], .high = *turn});
+        keep({.low = *turn, .high = p});
       }
     }
     run_.push_back(p);
@@ -219,7 +219,7 @@ void search(const RunningLoop& loop, const At& at, SagSearch& s) {
 Outcome out_of_reach(const RunningLoop& loop, double x, LoopGiven given, double value, const SagSearch& s) {
   if (!(s.least <= s.most)) {
     LoopState unused;
-    const Outcome o = solve_loop(loop, {x, std::max(s.best_sag(), smallest_share * loop.span)}, unused);
+    const Outcome o = solve_loop(loop, {.x = x, .sag = std::max(s.best_sag(), smallest_share * loop.span)}, unused);
     return o.ok() ? not_converged(fmt::format("exact catenaries find no feasible sag at x = {:.4g} m", x)) : o;
   }
   if (s.jumped) {
@@ -250,13 +250,13 @@ Outcome find_loop_sag(const RunningLoop& loop, double x, LoopGiven given, double
     return p;
   };
   const At at = [&](double sag, const LoopState* near) {
-    Probe p{sag, 0, false, false, {}};
-    p.exists = reach_loop(loop, {x, sag}, p.state, near);
+    Probe p{.sag = sag, .excess = 0, .exists = false, .ok = false, .state = {}};
+    p.exists = reach_loop(loop, {.x = x, .sag = sag}, p.state, near);
     return measured(std::move(p));
   };
   const FromScratch from_scratch = [&](double sag) {
-    Probe p{sag, 0, false, false, {}};
-    p.exists = solve_loop(loop, {x, sag}, p.state).ok();
+    Probe p{.sag = sag, .excess = 0, .exists = false, .ok = false, .state = {}};
+    p.exists = solve_loop(loop, {.x = x, .sag = sag}, p.state).ok();
     return measured(std::move(p));
   };
   SagSearch s(at, from_scratch, value);

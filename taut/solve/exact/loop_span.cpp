@@ -23,13 +23,13 @@ struct SpanUnknown {
 SpanUnknown inextensible(double weight, double H, double x, double z) {
   const double k = weight * x / (2 * H);
   const double mean = std::asinh(z / (x * sinh_ratio(k)));  // of the two end angles' asinh slopes
-  return {x * sinh_ratio(k) * std::cosh(mean), H * std::sinh(mean) * std::cosh(k)};
+  return {.L = x * sinh_ratio(k) * std::cosh(mean), .V = H * std::sinh(mean) * std::cosh(k)};
 }
 
 /// The change of (L, V) that moves the end by (x, z) at constant H.
 SpanUnknown change(const rope::EndPosition& p, const rope::EndRates& r, double x, double z) {
   const double determinant = r.dx_dlength * p.dz_dV - p.dx_dV * r.dz_dlength;
-  return {(x * p.dz_dV - p.dx_dV * z) / determinant, (r.dx_dlength * z - r.dz_dlength * x) / determinant};
+  return {.L = (x * p.dz_dV - p.dx_dV * z) / determinant, .V = (r.dx_dlength * z - r.dz_dlength * x) / determinant};
 }
 
 /// Newton on (L, V); the length never loses more than half in one step. False when it does not settle.
@@ -54,8 +54,8 @@ std::optional<LoopSpan> span_at_tension(double weight, double stiffness, double 
   if (!(weight * x / (2 * H) < slackest)) return std::nullopt;
   const SpanUnknown rigid = inextensible(weight, H, x, z);
   LoopSpan s;
-  s.rope = {rigid.L, weight, stiffness};
-  s.force = {H, rigid.V};
+  s.rope = {.length = rigid.L, .weight = weight, .stiffness = stiffness};
+  s.force = {.H = H, .V = rigid.V};
   if (std::isfinite(stiffness) && !stretch(s.rope, s.force, x, z)) return std::nullopt;
   const rope::EndPosition p = end_position(s.rope, s.force);
   s.closure = std::hypot(p.x - x, p.z - z);
@@ -75,15 +75,15 @@ LoopSpanRates rates_of(const LoopSpan& s) {
   const SpanUnknown with_x = change(p, r, 1, 0);
   const SpanUnknown with_z = change(p, r, 0, 1);
   const double half = s.rope.weight / 2;
-  return {with_H.V - half * with_H.L,
-          with_x.V - half * with_x.L,
-          with_z.V - half * with_z.L,
-          with_H.V + half * with_H.L,
-          with_x.V + half * with_x.L,
-          with_z.V + half * with_z.L,
-          with_H.L,
-          with_x.L,
-          with_z.L};
+  return {.V_start_H = with_H.V - half * with_H.L,
+          .V_start_x = with_x.V - half * with_x.L,
+          .V_start_z = with_z.V - half * with_z.L,
+          .V_end_H = with_H.V + half * with_H.L,
+          .V_end_x = with_x.V + half * with_x.L,
+          .V_end_z = with_z.V + half * with_z.L,
+          .L_H = with_H.L,
+          .L_x = with_x.L,
+          .L_z = with_z.L};
 }
 
 }  // namespace taut::solve

@@ -32,16 +32,16 @@ struct Rated {
   double v = 0;
   Gradient d = Gradient::Zero();
 };
-Rated operator+(const Rated& a, const Rated& b) { return {a.v + b.v, a.d + b.d}; }
-Rated operator-(const Rated& a, const Rated& b) { return {a.v - b.v, a.d - b.d}; }
-Rated operator*(const Rated& a, const Rated& b) { return {a.v * b.v, a.d * b.v + b.d * a.v}; }
-Rated constant(double v) { return {v, Gradient::Zero()}; }
-Rated chain(double v, double slope, const Rated& by) { return {v, slope * by.d}; }
+Rated operator+(const Rated& a, const Rated& b) { return {.v = a.v + b.v, .d = a.d + b.d}; }
+Rated operator-(const Rated& a, const Rated& b) { return {.v = a.v - b.v, .d = a.d - b.d}; }
+Rated operator*(const Rated& a, const Rated& b) { return {.v = a.v * b.v, .d = a.d * b.v + b.d * a.v}; }
+Rated constant(double v) { return {.v = v, .d = Gradient::Zero()}; }
+Rated chain(double v, double slope, const Rated& by) { return {.v = v, .d = slope * by.d}; }
 Rated sine(const Rated& a) { return chain(std::sin(a.v), std::cos(a.v), a); }
 Rated cosine(const Rated& a) { return chain(std::cos(a.v), -std::sin(a.v), a); }
 Rated length(const Rated& a, const Rated& b) {
   const double r = std::hypot(a.v, b.v);
-  return {r, (a.v * a.d + b.v * b.d) / r};
+  return {.v = r, .d = (a.v * a.d + b.v * b.d) / r};
 }
 
 struct Node {
@@ -132,9 +132,9 @@ bool LoopSystem::span_of(RatedSpan& s, const LoopRope& rope, const Rated& H, con
   const LoopSpanRates r = rates_of(*plain);
   s.plain = *plain;
   s.H = H;
-  s.V_start = {plain->V_start, r.V_start_H * H.d + r.V_start_x * x.d + r.V_start_z * z.d};
-  s.V_end = {plain->V_end, r.V_end_H * H.d + r.V_end_x * x.d + r.V_end_z * z.d};
-  s.L = {plain->rope.length, r.L_H * H.d + r.L_x * x.d + r.L_z * z.d};
+  s.V_start = {.v = plain->V_start, .d = r.V_start_H * H.d + r.V_start_x * x.d + r.V_start_z * z.d};
+  s.V_end = {.v = plain->V_end, .d = r.V_end_H * H.d + r.V_end_x * x.d + r.V_end_z * z.d};
+  s.L = {.v = plain->rope.length, .d = r.L_H * H.d + r.L_x * x.d + r.L_z * z.d};
   return true;
 }
 
@@ -157,19 +157,19 @@ bool LoopSystem::evaluate(const Vector& v) {
   const bool two = loop_.second.has_value();
   const double c = loop_.branch_distance;
   lean_ = unknown(v, lean);
-  first_ = {place(v, x1), place(v, z1)};
-  second_ = two ? Node{place(v, x2), place(v, z2)} : first_;
-  roller_ = {first_.x - constant(c) * sine(lean_), first_.z + constant(c) * cosine(lean_)};
+  first_ = {.x = place(v, x1), .z = place(v, z1)};
+  second_ = two ? Node{.x = place(v, x2), .z = place(v, z2)} : first_;
+  roller_ = {.x = first_.x - constant(c) * sine(lean_), .z = first_.z + constant(c) * cosine(lean_)};
   const LoopNode up = upper_offset(loop_);
-  const Node A{constant(0), constant(0)};
-  const Node B{constant(loop_.span), constant(loop_.rise)};
-  const Node A_up{constant(up.x), constant(up.z)};
-  const Node B_up{constant(loop_.span + up.x), constant(loop_.rise + up.z)};
+  const Node A{.x = constant(0), .z = constant(0)};
+  const Node B{.x = constant(loop_.span), .z = constant(loop_.rise)};
+  const Node A_up{.x = constant(up.x), .z = constant(up.z)};
+  const Node B_up{.x = constant(loop_.span + up.x), .z = constant(loop_.rise + up.z)};
   if (!span_of(a_, loop_.traction_rope, tension(v, lower_A), A, first_)) return false;
   if (!span_of(b_, loop_.return_rope, tension(v, lower_B), second_, B)) return false;
   if (!span_of(u_, loop_.return_rope, tension(v, upper_A), A_up, roller_)) return false;
   if (!span_of(w_, loop_.return_rope, tension(v, upper_B), roller_, B_up)) return false;
-  const LoopRope link{loop_.return_rope.weight, std::numeric_limits<double>::infinity()};
+  const LoopRope link{.weight = loop_.return_rope.weight, .stiffness = std::numeric_limits<double>::infinity()};
   if (two && !span_of(t_, link, tension(v, between), first_, second_)) return false;
 
   residual.resize(size());
@@ -197,7 +197,7 @@ bool LoopSystem::evaluate(const Vector& v) {
 double LoopSystem::unbalanced() const { return forces_only().cwiseAbs().maxCoeff() * load_; }
 
 void LoopSystem::write(LoopState& s) const {
-  const auto node = [](const Node& n) { return LoopNode{n.x.v, n.z.v}; };
+  const auto node = [](const Node& n) { return LoopNode{.x = n.x.v, .z = n.z.v}; };
   s.lower_A = a_.plain;
   s.lower_B = b_.plain;
   s.upper_A = u_.plain;
@@ -269,9 +269,9 @@ bool is_taut(const LoopSystem& system, double lean) {
 
 LoopNode upper_offset(const RunningLoop& loop) {
   const double c = loop.branch_distance;
-  if (loop.offset_is_vertical) return {0, c};
+  if (loop.offset_is_vertical) return {.x = 0, .z = c};
   const double chord = std::hypot(loop.span, loop.rise);
-  return {-c * loop.rise / chord, c * loop.span / chord};
+  return {.x = -c * loop.rise / chord, .z = c * loop.span / chord};
 }
 
 bool newton(const RunningLoop& loop, const LoopPlace& place, const LoopUnknowns& start, LoopState& state) {

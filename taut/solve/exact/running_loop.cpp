@@ -71,16 +71,16 @@ LoopUnknowns start_of(const RunningLoop& loop, const LoopPlace& place) {
     delta = std::min(delta, place.sag / 2);
     f1 = (place.sag - delta) * y1 / y2;
   }
-  u.first = {x1, m * x1 - f1};
-  u.second = {x1 + d, u.first.z + d * slope_to_B(f1) - delta};
+  u.first = {.x = x1, .z = m * x1 - f1};
+  u.second = {.x = x1 + d, .z = u.first.z + d * slope_to_B(f1) - delta};
   return u;
 }
 
 LoopUnknowns unknowns_of(const LoopState& s) {
-  return {{s.lower_A.force.H, s.between.force.H, s.lower_B.force.H, s.upper_A.force.H, s.upper_B.force.H},
-          s.lean,
-          s.first,
-          s.second};
+  return {.H = {s.lower_A.force.H, s.between.force.H, s.lower_B.force.H, s.upper_A.force.H, s.upper_B.force.H},
+          .lean = s.lean,
+          .first = s.first,
+          .second = s.second};
 }
 
 /// A state with its sags taken `times`, and the distance of its sections `apart` times: tensions are about inverse to
@@ -159,10 +159,10 @@ Outcome stopped(const RunningLoop& loop, const LoopPlace& place, double part, co
     const LoopSpan* span;
     const char* name;
   };
-  const std::array<Named, 4> ropes = {Named{&s.lower_A, "the lower branch between A and the carriage"},
-                                      Named{&s.lower_B, "the lower branch between the carriage and B"},
-                                      Named{&s.upper_A, "the upper branch between A and the roller"},
-                                      Named{&s.upper_B, "the upper branch between the roller and B"}};
+  const std::array<Named, 4> ropes = {Named{.span = &s.lower_A, .name = "the lower branch between A and the carriage"},
+                                      Named{.span = &s.lower_B, .name = "the lower branch between the carriage and B"},
+                                      Named{.span = &s.upper_A, .name = "the upper branch between A and the roller"},
+                                      Named{.span = &s.upper_B, .name = "the upper branch between the roller and B"}};
   const double load = std::hypot(loop.pull_x, loop.pull_z) + loop.carriage_weight;
   for (const Named& r : ropes) {
     if (r.span->force.H > 1e-3 * load) continue;
@@ -192,7 +192,7 @@ struct Partial {
 
 /// The case with its sag and the distance of its sections taken `part` of the way from next to nothing.
 Partial part_of(const RunningLoop& loop, const LoopPlace& place, double part) {
-  Partial p{loop, place};
+  Partial p{.loop = loop, .place = place};
   p.place.sag *= part;
   if (p.loop.second) p.loop.second->distance *= part;
   return p;
@@ -268,7 +268,7 @@ Outcome part_branches(const RunningLoop& loop, const LoopPlace& place, LoopState
   if (Outcome o = deepen_to(together, place, state); !o.ok()) return o;
   Followed f;
   const CaseAt at = [&](double part) {
-    Partial p{loop, place};
+    Partial p{.loop = loop, .place = place};
     p.loop.branch_distance *= part;
     return p;
   };

@@ -18,7 +18,12 @@ void add_fed_end(const mechanics::System& s, int r, machine::Given given, double
   if (given != machine::Given::tension_at_start && given != machine::Given::tension_at_end) return;
   if (row == s.layout.coordinate_row || row == s.layout.height_row) return;
   const mechanics::Layout::Rope& rope = s.layout.ropes[r];
-  FedEnd end{r, row, rope.first, rope.first + rope.count - 1, given == machine::Given::tension_at_end, tension};
+  FedEnd end{.rope = r,
+             .row = row,
+             .first = rope.first,
+             .last = rope.first + rope.count - 1,
+             .at_end = given == machine::Given::tension_at_end,
+             .tension = tension};
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
     const mechanics::Layout::Turn& turn = s.layout.turns[t];
     if (!stops_feed(s, turn)) continue;
@@ -80,7 +85,7 @@ int deep_mainline_link(const mechanics::System& s, const mechanics::Configuratio
 }
 
 void draw_fed_taut(const mechanics::System& s, const Array<FedEnd>& fed, mechanics::Configuration& c) {
-  const machine::State state{c.bodies, {}, {}, {}};
+  const machine::State state{.bodies = c.bodies, .branches = {}, .touched = {}, .beams = {}};
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
       const mechanics::Layout::Link& link = s.layout.links[k];

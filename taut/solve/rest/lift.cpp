@@ -28,7 +28,10 @@ double pull(const mechanics::System& s, const mechanics::Evaluation& e, const me
 void release(const mechanics::Layout::Turn& t, const mechanics::Layout::Link& before, machine::State& state) {
   auto& branches = state.branches[t.reeving];
   machine::BranchState& whole = branches[before.from];
-  whole = {whole.length + branches[t.node].length, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  whole = {.length = whole.length + branches[t.node].length,
+           .leaves = Vector3::Zero(),
+           .arrives = Vector3::Zero(),
+           .force = std::nullopt};
   branches[t.node] = {};
   state.touched[t.reeving][t.node] = false;
 }
@@ -48,7 +51,7 @@ Beside beside(const Vector3& support_point, const Vector3& support, const Vector
     (behind ? low : high) = middle;
   }
   const Vector3 point = start + rope::point_at(span, low);
-  return {low, (support_point - point).dot(support)};
+  return {.s = low, .below = (support_point - point).dot(support)};
 }
 
 struct Return {
@@ -75,7 +78,8 @@ Return deepest(const mechanics::System& s, const mechanics::Configuration& c, co
       const Vector3 start = mechanics::end_at(rope.nodes[link.from], c.bodies).centre + b.offset_from;
       const Vector3 top = mechanics::end_at(node, c.bodies).centre + node.radius * node.support;
       const Beside where = beside(top, node.support, start, *span);
-      if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length)) worst = {&link, n, where};
+      if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length))
+        worst = {.link = &link, .node = n, .where = where};
     }
   }
   return worst;
@@ -105,8 +109,10 @@ bool change_touch(const mechanics::System& s, const mechanics::Configuration& c,
   auto& branches = state.branches[back.link->reeving];
   const double whole = branches[back.link->from].length;
   const double before = std::clamp(back.where.s, 0.01 * whole, 0.99 * whole);
-  branches[back.link->from] = {before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
-  branches[back.node] = {whole - before, Vector3::Zero(), Vector3::Zero(), std::nullopt};
+  branches[back.link->from] = {
+      .length = before, .leaves = Vector3::Zero(), .arrives = Vector3::Zero(), .force = std::nullopt};
+  branches[back.node] = {
+      .length = whole - before, .leaves = Vector3::Zero(), .arrives = Vector3::Zero(), .force = std::nullopt};
   state.touched[back.link->reeving][back.node] = true;
   return true;
 }

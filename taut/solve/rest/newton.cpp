@@ -224,7 +224,7 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
   const Array<FedEnd> fed = fed_ends(s);
   Eigen::MatrixXd J;
   Array<mechanics::BranchColumns> columns;
-  Trial tried{c, {}};
+  Trial tried{.c = c, .e = {}};
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, tolerance)) {
       it.converged = true;
@@ -241,7 +241,8 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
       it.deep = deep_link(s, fed, tried.c, tried.e);
       return it.deep < 0;
     };
-    if (!gains(s, {c, change, linear, step.norm()}, tolerance, tried, it.stopped, taut)) {
+    if (!gains(s, {.from = c, .change = change, .linear = linear, .size = step.norm()}, tolerance, tried, it.stopped,
+               taut)) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
       it.converged = settled(s, e, 8 * tolerance, 5);
       return it;
@@ -261,7 +262,7 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
   Linear linear(s, s.layout.size);
   Eigen::MatrixXd J;
   Array<mechanics::BranchColumns> columns;
-  Trial tried{c, {}};
+  Trial tried{.c = c, .e = {}};
   double before = HUGE_VAL;
   for (; it.steps < most_steps; ++it.steps) {
     linear.scale_forces(s, c);
@@ -280,7 +281,8 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
       return it;
     }
     before = closed ? open : HUGE_VAL;
-    if (!gains(s, {c, change, linear, step.norm()}, tolerance, tried, it.stopped, [] { return true; })) {
+    if (!gains(s, {.from = c, .change = change, .linear = linear, .size = step.norm()}, tolerance, tried, it.stopped,
+               [] { return true; })) {
       it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
       it.undetermined = undetermined_branch(s, linear);
       return it;

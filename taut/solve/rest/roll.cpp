@@ -49,7 +49,8 @@ struct Neighbours {
 Neighbours neighbours(const machine::Model& model, const machine::Carriage& car) {
   const machine::Reeving& rope = model.reevings[car.reeving];
   const std::size_t count = rope.nodes.size();
-  return {&rope.nodes[(as_size(car.node) + count - 1) % count], &rope.nodes[as_size(car.node + car.rollers) % count]};
+  return {.first = &rope.nodes[(as_size(car.node) + count - 1) % count],
+          .last = &rope.nodes[as_size(car.node + car.rollers) % count]};
 }
 
 class Roll {
@@ -58,7 +59,7 @@ class Roll {
       : model_(model), options_(std::move(options)), car_(model.carriages[carriage]) {
     options_.band = false;
     options_.held = true;
-    options_.prescribed = machine::Prescribed{carriage, 0};
+    options_.prescribed = machine::Prescribed{.carriage = carriage, .x = 0};
     const Neighbours beside = neighbours(model, car_);
     first_ = beside.first;
     last_ = beside.last;

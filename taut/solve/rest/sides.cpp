@@ -77,7 +77,8 @@ machine::State turned_over(const machine::Model& model, machine::State state, co
   int before = (wrong.node + count - 1) % count;
   while (!touched[before] && before != wrong.node) before = (before + count - 1) % count;
   for (const int k : {before, wrong.node}) {
-    if (as_size(k) < branches.size()) branches[k] = {branches[k].length, Vector3::Zero(), Vector3::Zero(), {}};
+    if (as_size(k) < branches.size())
+      branches[k] = {.length = branches[k].length, .leaves = Vector3::Zero(), .arrives = Vector3::Zero(), .force = {}};
   }
   return state;
 }
@@ -111,7 +112,7 @@ std::optional<WrongSide> wrong_side(const machine::Model& model, const Equilibri
     const PassingRope rope = passing_rope(result, contact);
     if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
     const double by = outside(model, result.state, contact, rope);
-    if (by > (worst ? worst->by : 0)) worst = WrongSide{contact.reeving, contact.node, by};
+    if (by > (worst ? worst->by : 0)) worst = WrongSide{.reeving = contact.reeving, .node = contact.node, .by = by};
   }
   return worst;
 }

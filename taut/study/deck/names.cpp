@@ -66,7 +66,7 @@ std::optional<machine::Prescribed> prescribed_of(const std::optional<std::string
     names.complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
   }
   check_hold(names.model, car, names.complaints);
-  return machine::Prescribed{car, *x, way, {}};
+  return machine::Prescribed{.carriage = car, .x = *x, .along = way, .z = {}};
 }
 
 }  // namespace taut::study

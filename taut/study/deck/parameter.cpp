@@ -87,7 +87,7 @@ class Finder {
 
   Found number(const Field& f, std::size_t at, double now, std::function<void(double)> set) const {
     if (at < steps_.size()) return no(at, "is beyond a number");
-    return Parameter{&f, f.unit, now, std::move(set), path_};
+    return Parameter{.field = &f, .unit = f.unit, .value = now, .set = std::move(set), .path = path_};
   }
 
   Found component(const Field& f, std::size_t at, Triple& v) const {
@@ -97,26 +97,31 @@ class Finder {
     if (steps_[at] == "angle") {
       const double length = std::hypot(v[0], v[2]);
       if (!(length > 0)) return no(at, "of a vector without length in the plane of x and z");
-      return Parameter{&f, si::rad, std::atan2(v[2], v[0]),
-                       [p, length](double angle) {
-                         (*p)[0] = length * std::cos(angle);
-                         (*p)[2] = length * std::sin(angle);
-                       },
-                       path_};
+      return Parameter{.field = &f,
+                       .unit = si::rad,
+                       .value = std::atan2(v[2], v[0]),
+                       .set =
+                           [p, length](double angle) {
+                             (*p)[0] = length * std::cos(angle);
+                             (*p)[2] = length * std::sin(angle);
+                           },
+                       .path = path_};
     }
     auto i = number_of(steps_[at]);
     if (steps_[at] == "x") i = 0;
     if (steps_[at] == "y") i = 1;
     if (steps_[at] == "z") i = 2;
     if (!i || *i > 2) return no(at, "is not a component: x, y, z, [0], [1], [2] or angle");
-    return Parameter{&f, f.unit, v[*i], [p, k = *i](double x) { (*p)[k] = x; }, path_};
+    return Parameter{
+        .field = &f, .unit = f.unit, .value = v[*i], .set = [p, k = *i](double x) { (*p)[k] = x; }, .path = path_};
   }
 
   Found element(const Field& f, std::size_t at, std::vector<double>& v) const {
     const auto i = at < steps_.size() ? number_of(steps_[at]) : std::nullopt;
     if (!i || *i >= v.size()) return no(at, fmt::format("is not one of its {} numbers, [0] and so on", v.size()));
     if (at + 1 < steps_.size()) return no(at + 1, "is beyond a number");
-    return Parameter{&f, f.unit, v[*i], [p = &v, k = *i](double x) { (*p)[k] = x; }, path_};
+    return Parameter{
+        .field = &f, .unit = f.unit, .value = v[*i], .set = [p = &v, k = *i](double x) { (*p)[k] = x; }, .path = path_};
   }
 
   Found in_record(const Field& f, const Record& record, std::size_t at) {

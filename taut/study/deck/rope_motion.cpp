@@ -121,7 +121,7 @@ RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::
 
 RopeMotion rope_motion(solve::Motion motion) {
   const auto word = std::find_if(motions.begin(), motions.end(), [&](const auto& m) { return m.second == motion; });
-  return {{{"", motion}}, sense_words(word->first)};
+  return {.parts = {{.name = "", .sense = motion}}, .words = sense_words(word->first)};
 }
 
 }  // namespace taut::study

@@ -10,7 +10,7 @@ bool Watch::go_on(const std::string& words) {
   if (ended_ || !ask_) return !ended_;
   const double part = static_cast<double>(std::min(done_, steps_)) / std::max(1, steps_);
   ++done_;
-  if (ask_({what_, part, words})) return true;
+  if (ask_({.what = what_, .done = part, .words = words})) return true;
   ended_ = true;
   where_ = words;
   return false;

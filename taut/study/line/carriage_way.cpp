@@ -25,8 +25,10 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
   const auto node = [&](const machine::Model& m) { return m.carriages[way.carriage].node; };
   Array<WayPart> parts;
   for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
-    WayPart part{machine::with_carriage_at(model, way.carriage, way.x(i), way.along), i, i,
-                 support_at(model, way.carriage, way.x(i), way.along)};
+    WayPart part{.model = machine::with_carriage_at(model, way.carriage, way.x(i), way.along),
+                 .first = i,
+                 .last = i,
+                 .support = support_at(model, way.carriage, way.x(i), way.along)};
     while (part.support == nullptr && part.last < way.steps &&
            support_at(model, way.carriage, way.x(part.last + 1), way.along) == nullptr &&
            node(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along)) == node(part.model)) {

@@ -30,9 +30,9 @@ struct Part {
 
   /// What is left of it where a coordinate lies between a and b.
   Part within(const Under& u, double a, double b) const {
-    if (u.rate == 0) return u.from >= a && u.from <= b ? *this : Part{1, 0};
+    if (u.rate == 0) return u.from >= a && u.from <= b ? *this : Part{.first = 1, .last = 0};
     const double p = (a - u.from) / u.rate, q = (b - u.from) / u.rate;
-    return {std::max(first, std::min(p, q)), std::min(last, std::max(p, q))};
+    return {.first = std::max(first, std::min(p, q)), .last = std::min(last, std::max(p, q))};
   }
 };
 
@@ -40,7 +40,7 @@ class ClearanceSearch {
  public:
   ClearanceSearch(const machine::Model& model, const solve::SpanResult& span)
       : model_(model), span_(span), ground_(model.terrain) {
-    under_ = {terrain_x(model, span.start), model.terrain_along.dot(span.shape.along)};
+    under_ = {.from = terrain_x(model, span.start), .rate = model.terrain_along.dot(span.shape.along)};
     length_ = std::hypot(span.shape.chord.x(), span.shape.chord.y());
   }
 
@@ -49,15 +49,16 @@ class ClearanceSearch {
     if (moves(model_, span_, span_.from)) take(under_.from, span_.start);
     if (moves(model_, span_, span_.to)) take(x_at(length_), span_.end);
     // at a fixed end, but for rounding
-    between({near * length_, (1 - near) * length_});
+    between({.first = near * length_, .last = (1 - near) * length_});
     return found_;
   }
 
   /// Of what is in a window, ends counted.
   RopeClearance least(const RopeWindow& window) {
     const auto [low, high] = std::minmax(window.from, window.to);
-    const Under across{window.along.dot(span_.start), window.along.dot(span_.shape.along)};
-    const Part part = Part{0, length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
+    const Under across{.from = window.along.dot(span_.start), .rate = window.along.dot(span_.shape.along)};
+    const Part part =
+        Part{.first = 0, .last = length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
     if (part.empty()) return found_;
     take_at(part.first);
     take_at(part.last);
@@ -76,7 +77,7 @@ class ClearanceSearch {
     const double rounding = near * std::max(1.0, length_);
     const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
     if (std::isnan(height) || height >= found_.height) return;
-    found_ = {height, place};
+    found_ = {.height = height, .place = place};
   }
 
   /// The rope at the distance h: by its sag under the chord.
@@ -116,7 +117,7 @@ class ClearanceSearch {
   const Array<machine::GroundPoint>& ground_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
-  RopeClearance found_{std::numeric_limits<double>::infinity(), Vector3::Zero()};
+  RopeClearance found_{.height = std::numeric_limits<double>::infinity(), .place = Vector3::Zero()};
 };
 
 /// What the terrain's x of a rope runs over.
@@ -134,8 +135,8 @@ struct Extent {
 void take_extent(const machine::Model& model, const solve::SpanResult& span, const RopeWindow& window, Extent& extent) {
   const double length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
   const auto [low, high] = std::minmax(window.from, window.to);
-  const Under across{window.along.dot(span.start), window.along.dot(span.shape.along)};
-  const Part part = Part{0, length}.within(across, low, high);
+  const Under across{.from = window.along.dot(span.start), .rate = window.along.dot(span.shape.along)};
+  const Part part = Part{.first = 0, .last = length}.within(across, low, high);
   if (part.empty()) return;
   const double from = terrain_x(model, span.start), rate = model.terrain_along.dot(span.shape.along);
   extent.take(from + rate * part.first);
@@ -157,7 +158,7 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResul
 RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends) {
   RopeClearance least;
   const auto take = [&](const Vector3& place) {
-    least = lower(least, {place.z() - ground_height(model.terrain, terrain_x(model, place)), place});
+    least = lower(least, {.height = place.z() - ground_height(model.terrain, terrain_x(model, place)), .place = place});
   };
   for (std::size_t i = 0; i < rope.size(); ++i) {
     if ((i > 0 || begins) && (i + 1 < rope.size() || ends)) take(rope[i]);
@@ -189,11 +190,11 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<solve::Spa
 
 TerrainGap terrain_gap(const machine::Model& model, double from, double to) {
   const auto [low, high] = std::minmax(from, to);
-  if (model.terrain.empty()) return {high - low, 0};
+  if (model.terrain.empty()) return {.before = high - low, .after = 0};
   const double rounding = near * std::max({1.0, high - low, std::abs(low), std::abs(high)});
   const auto part = [&](double length) { return length > rounding ? length : 0; };
   const double first = model.terrain.front().x, last = model.terrain.back().x;
-  return {part(std::min(high, first) - low), part(high - std::max(low, last))};
+  return {.before = part(std::min(high, first) - low), .after = part(high - std::max(low, last))};
 }
 
 TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,

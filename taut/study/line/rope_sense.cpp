@@ -104,7 +104,7 @@ void RopeSenses::take(const machine::Model& m, const std::vector<LoadPathPoint>&
     const LoadPathPoint* last = nullptr;
     for (const LoadPathPoint& point : points) {
       if (!still || !point.at.outcome.ok()) continue;
-      if (last != nullptr) take(m, {reeving, *still, driven}, *last, point);
+      if (last != nullptr) take(m, {.reeving = reeving, .still = *still, .driven = driven}, *last, point);
       last = &point;
     }
   }

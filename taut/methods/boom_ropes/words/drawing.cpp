@@ -35,16 +35,19 @@ Stations stations(const Sliding& q, double boom_length) {
 struct Frame {
   double angle = 0;
   Point operator()(double along, double across) const {
-    return {along * std::cos(angle) - across * std::sin(angle), along * std::sin(angle) + across * std::cos(angle)};
+    return {.x = along * std::cos(angle) - across * std::sin(angle),
+            .y = along * std::sin(angle) + across * std::cos(angle)};
   }
   ForceArrow force(Point at, double along, double across, std::string label, Role role, bool towards = false) const {
     const Point f = (*this)(along, across);
-    return {at, f.x, f.y, std::move(label), role, towards};
+    return {.at = at, .fx = f.x, .fy = f.y, .label = std::move(label), .role = role, .towards = towards};
   }
 };
 
 Polyline box(const Frame& turn, double from, double to, double height, Role role) {
-  return {{turn(from, -height / 2), turn(to, -height / 2), turn(to, height / 2), turn(from, height / 2)}, role, true};
+  return {.points = {turn(from, -height / 2), turn(to, -height / 2), turn(to, height / 2), turn(from, height / 2)},
+          .role = role,
+          .closed = true};
 }
 
 void add_sections(Drawing& d, const Frame& turn, const Stations& p) {
@@ -62,25 +65,34 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
   const Frame turn{g.luffing_angle};
   const Stations p = stations(q, g.boom_length);
   add_sections(d, turn, p);
-  d.shapes.emplace_back(Polyline{{turn(0, 0), turn(p.rear_2, q.offset_cylinder)}, Role::hidden});
+  d.shapes.emplace_back(Polyline{.points = {turn(0, 0), turn(p.rear_2, q.offset_cylinder)}, .role = Role::hidden});
   const Point head = turn(p.head_3, q.offset_hoist);
   const double fall = std::min(4.0, std::max(1.0, 0.2 * g.boom_length));
-  d.shapes.emplace_back(Polyline{{head, {head.x, head.y - fall}}, Role::rope});
-  d.shapes.emplace_back(ForceArrow{{head.x, head.y - fall}, 0, -g.suspended_weight, "G_n", Role::force});
+  d.shapes.emplace_back(Polyline{.points = {head, {.x = head.x, .y = head.y - fall}}, .role = Role::rope});
+  d.shapes.emplace_back(ForceArrow{.at = {.x = head.x, .y = head.y - fall},
+                                   .fx = 0,
+                                   .fy = -g.suspended_weight,
+                                   .label = "G_n",
+                                   .role = Role::force});
   const Point center = turn(p.rear_3 + q.center_3, 0);
-  d.shapes.emplace_back(ForceArrow{center, 0, -in.section_weight, "G_3", Role::force});
-  d.shapes.emplace_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
-  d.shapes.emplace_back(AngleMark{{0, 0}, 0.3 * g.boom_length, 0, g.luffing_angle, "beta"});
-  d.shapes.emplace_back(Polyline{{{-0.05 * g.boom_length, 0}, {0.5 * g.boom_length, 0}}, Role::ground});
   d.shapes.emplace_back(
-      DimensionLine{turn(0, 0), turn(p.head_3, 0), 2 * p.height_1, fmt::format("L_b = {:.4g} m", g.boom_length)});
+      ForceArrow{.at = center, .fx = 0, .fy = -in.section_weight, .label = "G_3", .role = Role::force});
+  d.shapes.emplace_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
+  d.shapes.emplace_back(AngleMark{
+      .center = {.x = 0, .y = 0}, .radius = 0.3 * g.boom_length, .from = 0, .to = g.luffing_angle, .text = "beta"});
+  d.shapes.emplace_back(Polyline{.points = {{.x = -0.05 * g.boom_length, .y = 0}, {.x = 0.5 * g.boom_length, .y = 0}},
+                                 .role = Role::ground});
+  d.shapes.emplace_back(DimensionLine{.from = turn(0, 0),
+                                      .to = turn(p.head_3, 0),
+                                      .offset = 2 * p.height_1,
+                                      .text = fmt::format("L_b = {:.4g} m", g.boom_length)});
   return d;
 }
 
 void add_pads(Drawing& d, const Frame& turn, double along, double height, double N, std::string label) {
   const double side = N >= 0 ? -1 : 1;  // the lower pad pushes up, the upper one down
   for (const double z : {-height / 2, height / 2}) {
-    d.shapes.emplace_back(Polyline{{turn(along - 0.12, z), turn(along + 0.12, z)}, Role::structure});
+    d.shapes.emplace_back(Polyline{.points = {turn(along - 0.12, z), turn(along + 0.12, z)}, .role = Role::structure});
   }
   d.shapes.emplace_back(turn.force(turn(along, side * height / 2), 0, N, std::move(label), Role::force, true));
 }
@@ -107,19 +119,24 @@ Drawing ropes(const Sliding& q, const SlidingPoint& g) {
   const double rear_1 = std::min(0.0, p.rear_2);
   const double tail = p.rear_3 - equaliser_distance;
   for (const double side : {1.0, -1.0}) {
-    d.shapes.emplace_back(Polyline{
-        {{rear_1, side * low}, {p.head_2, side * low}, {p.head_2, side * high}, {tail, side * high}}, Role::rope});
+    d.shapes.emplace_back(Polyline{.points = {{.x = rear_1, .y = side * low},
+                                              {.x = p.head_2, .y = side * low},
+                                              {.x = p.head_2, .y = side * high},
+                                              {.x = tail, .y = side * high}},
+                                   .role = Role::rope});
   }
   const double r = 0.35 * high;
-  d.shapes.emplace_back(Polyline{{{p.head_1, -r}, {p.rear_2, -r}, {p.rear_2, r}, {p.rear_3, r}}, Role::second_rope});
+  d.shapes.emplace_back(Polyline{
+      .points = {{.x = p.head_1, .y = -r}, {.x = p.rear_2, .y = -r}, {.x = p.rear_2, .y = r}, {.x = p.rear_3, .y = r}},
+      .role = Role::second_rope});
   add_pads(d, level, p.rear_3, p.height_3, g.Nr, "N_r");
   add_pads(d, level, p.head_2, p.height_3, g.Nf, "N_f");
   add_pads(d, level, p.rear_2, p.height_2, g.Mr, "M_r");
   add_pads(d, level, p.head_1, p.height_2, g.Mf, "M_f");
-  d.shapes.emplace_back(
-      Label{{(p.rear_3 + p.head_2) / 2, 1.5 * p.height_1}, fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
-  d.shapes.emplace_back(
-      Label{{(p.rear_2 + p.rear_3) / 2, -1.5 * p.height_1}, fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
+  d.shapes.emplace_back(Label{.at = {.x = (p.rear_3 + p.head_2) / 2, .y = 1.5 * p.height_1},
+                              .text = fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
+  d.shapes.emplace_back(Label{.at = {.x = (p.rear_2 + p.rear_3) / 2, .y = -1.5 * p.height_1},
+                              .text = fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
   return d;
 }
 
@@ -140,14 +157,17 @@ Drawing balance(const std::string& name, const std::string& title, const std::ve
   double x = 0;
   for (const Part& p : parts) reach = std::max(reach, std::abs(x += p.force));
   const double drop = 0.12 * std::max(reach, 1.0);
-  d.shapes.emplace_back(Polyline{{{0, drop}, {0, -drop * static_cast<double>(parts.size())}}, Role::axis});
+  d.shapes.emplace_back(Polyline{
+      .points = {{.x = 0, .y = drop}, {.x = 0, .y = -drop * static_cast<double>(parts.size())}}, .role = Role::axis});
   x = 0;
   double level = 0;
   for (const Part& p : parts) {
     const Role role = p.force < 0 ? Role::second_force : Role::force;
-    d.shapes.emplace_back(ForceArrow{{x, level}, p.force, 0, p.label, role});
+    d.shapes.emplace_back(
+        ForceArrow{.at = {.x = x, .y = level}, .fx = p.force, .fy = 0, .label = p.label, .role = role});
     x += p.force;
-    d.shapes.emplace_back(Polyline{{{x, level}, {x, level - drop}}, Role::hidden});
+    d.shapes.emplace_back(
+        Polyline{.points = {{.x = x, .y = level}, {.x = x, .y = level - drop}}, .role = Role::hidden});
     level -= drop;
   }
   return d;
@@ -159,11 +179,11 @@ std::vector<Part> sliding_parts(const Input& in, const Sliding& q, const Sliding
                                                         : g.suspended_weight / (falls * in.tackle_efficiency);
   const double weight = in.section_weight + g.suspended_weight;
   const double d = q.operation == Operation::extend ? 1 : -1;
-  return {{"2 S_1", 2 * g.S1},
-          {"S_2", -g.S2},
-          {"S_k", -lead},
-          {"W sin(beta)", -weight * std::sin(g.luffing_angle)},
-          {"pad friction", -d * q.kinetic_friction * (std::abs(g.Nf) + std::abs(g.Nr))}};
+  return {{.label = "2 S_1", .force = 2 * g.S1},
+          {.label = "S_2", .force = -g.S2},
+          {.label = "S_k", .force = -lead},
+          {.label = "W sin(beta)", .force = -weight * std::sin(g.luffing_angle)},
+          {.label = "pad friction", .force = -d * q.kinetic_friction * (std::abs(g.Nf) + std::abs(g.Nr))}};
 }
 
 Plot plot(std::string name, std::string title, Axis x, Axis y) {
@@ -178,7 +198,8 @@ Plot plot(std::string name, std::string title, Axis x, Axis y) {
 /// One curve per luffing angle, at the governing weight.
 Plot over_length(const Sliding& q, const Output& out, std::string name, std::string title,
                  double SlidingPoint::*member) {
-  Plot p = plot(std::move(name), std::move(title), {"boom length", si::m}, {"force", si::N});
+  Plot p = plot(std::move(name), std::move(title), {.label = "boom length", .unit = si::m},
+                {.label = "force", .unit = si::N});
   const std::size_t lengths = q.boom_length.size();
   const std::size_t block = lengths * q.luffing_angle.size();
   const std::size_t first = out.governing_point / block * block;
@@ -204,7 +225,8 @@ Plot over_length(const Sliding& q, const Output& out, std::string name, std::str
 }
 
 Plot case_forces(const Output& out) {
-  Plot p = plot("forces", "Force F on section 3 by case", {"case", si::one}, {"F, outward", si::N});
+  Plot p = plot("forces", "Force F on section 3 by case", {.label = "case", .unit = si::one},
+                {.label = "F, outward", .unit = si::N});
   Curve c;
   c.label = "F";
   c.points_only = true;
@@ -222,11 +244,12 @@ Plot case_forces(const Output& out) {
 }
 
 Plot tensioning_plot(const Input& in, const Output& out) {
-  Plot p = plot("tensioning", "Tensioning the ropes in turn", {"step", si::one}, {"pretension", si::N});
-  Curve curves[] = {{"S_10, extension rope first", {}, {}},
-                    {"S_20, extension rope first", {}, {}},
-                    {"S_10, retraction rope first", {}, {}, true},
-                    {"S_20, retraction rope first", {}, {}, true}};
+  Plot p = plot("tensioning", "Tensioning the ropes in turn", {.label = "step", .unit = si::one},
+                {.label = "pretension", .unit = si::N});
+  Curve curves[] = {{.label = "S_10, extension rope first", .x = {}, .y = {}},
+                    {.label = "S_20, extension rope first", .x = {}, .y = {}},
+                    {.label = "S_10, retraction rope first", .x = {}, .y = {}, .dashed = true},
+                    {.label = "S_20, retraction rope first", .x = {}, .y = {}, .dashed = true}};
   double step = 0;
   for (const TensioningStep& t : tensioning(out.F0_retraction, in.tensioning_steps)) {
     const double y[] = {t.S10_extension_first, t.S20_extension_first, t.S10_retraction_first, t.S20_retraction_first};
@@ -257,8 +280,9 @@ std::vector<Figure> figures(const Input& in, const Output& out) {
   if (!out.F.empty() && std::isfinite(out.S10_set)) {
     const double F = out.F[out.lowest_case];
     const RopeTensions t = tensions(out, F);
-    all.emplace_back(balance("lowest_case", fmt::format("Section 3 in case {}: (1)", out.lowest_case + 1),
-                             {{"2 S_1", 2 * t.S1}, {"S_2", -t.S2}, {"F", F}}));
+    all.emplace_back(
+        balance("lowest_case", fmt::format("Section 3 in case {}: (1)", out.lowest_case + 1),
+                {{.label = "2 S_1", .force = 2 * t.S1}, {.label = "S_2", .force = -t.S2}, {.label = "F", .force = F}}));
     all.emplace_back(case_forces(out));
   }
   if (in.tensioning_steps > 0) all.emplace_back(tensioning_plot(in, out));

@@ -67,12 +67,12 @@ struct Frame {
 };
 
 Frame frame_of(const View& v, double rise, double lean) {
-  const auto up = [&](Point p) { return Point{p.x - lean, p.y + rise}; };
+  const auto up = [&](Point p) { return Point{.x = p.x - lean, .y = p.y + rise}; };
   Frame k;
-  k.A_l = {0, 0};
-  k.B_l = {v.l, v.l * v.m};
-  k.L1 = {v.x1, v.m * v.x1 - v.f1};
-  k.L2 = {v.x2, v.m * v.x2 - v.f2};
+  k.A_l = {.x = 0, .y = 0};
+  k.B_l = {.x = v.l, .y = v.l * v.m};
+  k.L1 = {.x = v.x1, .y = v.m * v.x1 - v.f1};
+  k.L2 = {.x = v.x2, .y = v.m * v.x2 - v.f2};
   k.A_u = up(k.A_l);
   k.B_u = up(k.B_l);
   k.U = up(k.L1);
@@ -88,20 +88,31 @@ double stretch_of(const View& v) {
 void add_ground(Drawing& d, const View& v, const Frame& k) {
   const double below = ground_depth * std::max(v.f1, v.f2);
   const double margin = 0.06 * v.l;
+  d.shapes.emplace_back(Polyline{
+      .points = {{.x = -margin, .y = -v.m * margin - below}, {.x = v.l + margin, .y = v.m * (v.l + margin) - below}},
+      .role = Role::ground});
+  d.shapes.emplace_back(Polyline{.points = {{.x = 0, .y = -below}, k.A_l, k.A_u}, .role = Role::structure});
   d.shapes.emplace_back(
-      Polyline{{{-margin, -v.m * margin - below}, {v.l + margin, v.m * (v.l + margin) - below}}, Role::ground});
-  d.shapes.emplace_back(Polyline{{{0, -below}, k.A_l, k.A_u}, Role::structure});
-  d.shapes.emplace_back(Polyline{{{v.l, v.l * v.m - below}, k.B_l, k.B_u}, Role::structure});
-  d.shapes.emplace_back(Polyline{{k.A_l, k.B_l}, Role::axis});
+      Polyline{.points = {{.x = v.l, .y = v.l * v.m - below}, k.B_l, k.B_u}, .role = Role::structure});
+  d.shapes.emplace_back(Polyline{.points = {k.A_l, k.B_l}, .role = Role::axis});
 }
 
 void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
   const auto pull = [&](Point at, double H, double slope, int side, const char* label, Role role) {
-    d.shapes.emplace_back(ForceArrow{at, side * H, side * H * slope, label, role, false});
+    d.shapes.emplace_back(
+        ForceArrow{.at = at, .fx = side * H, .fy = side * H * slope, .label = label, .role = role, .towards = false});
   };
-  d.shapes.emplace_back(ForceArrow{k.L2, v.S_x, -v.S_y, "S", Role::force, false});
-  if (v.W_c > 0) d.shapes.emplace_back(ForceArrow{k.L1, 0, -v.W_c, "W_c", Role::second_force, false});
-  d.shapes.emplace_back(ForceArrow{k.U, o.P_v * std::tan(o.phi), -o.P_v, "N", Role::second_force, true});
+  d.shapes.emplace_back(
+      ForceArrow{.at = k.L2, .fx = v.S_x, .fy = -v.S_y, .label = "S", .role = Role::force, .towards = false});
+  if (v.W_c > 0)
+    d.shapes.emplace_back(
+        ForceArrow{.at = k.L1, .fx = 0, .fy = -v.W_c, .label = "W_c", .role = Role::second_force, .towards = false});
+  d.shapes.emplace_back(ForceArrow{.at = k.U,
+                                   .fx = o.P_v * std::tan(o.phi),
+                                   .fy = -o.P_v,
+                                   .label = "N",
+                                   .role = Role::second_force,
+                                   .towards = true});
   // The upper ends first: labels are placed in this order, and theirs belong above.
   pull(k.A_u, o.H_3, end_slope(k.A_u, k.U, v.w_b, o.H_3, -1), -1, "T_uA", Role::second_force);
   pull(k.B_u, o.H_4, end_slope(k.U, k.B_u, v.w_b, o.H_4, +1), +1, "T_uB", Role::second_force);
@@ -114,13 +125,19 @@ void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, con
   const double row = 0.045 * v.l / stretch;
   const double ground = std::min(0.0, v.l * v.m) - ground_depth * std::max(v.f1, v.f2);
   const double x = o.x;
-  d.shapes.emplace_back(DimensionLine{{0, ground - row}, {x, ground - row}, 0, fmt::format("x = {:.4g} m", x)});
-  d.shapes.emplace_back(
-      DimensionLine{{0, ground - 2 * row}, {v.l, ground - 2 * row}, 0, fmt::format("l = {:.4g} m", v.l)});
+  d.shapes.emplace_back(DimensionLine{.from = {.x = 0, .y = ground - row},
+                                      .to = {.x = x, .y = ground - row},
+                                      .offset = 0,
+                                      .text = fmt::format("x = {:.4g} m", x)});
+  d.shapes.emplace_back(DimensionLine{.from = {.x = 0, .y = ground - 2 * row},
+                                      .to = {.x = v.l, .y = ground - 2 * row},
+                                      .offset = 0,
+                                      .text = fmt::format("l = {:.4g} m", v.l)});
   const Point at = std::abs(x - v.x1) <= std::abs(x - v.x2) ? k.L1 : k.L2;
-  d.shapes.emplace_back(DimensionLine{at, {x, v.m * x}, 0, fmt::format("f = {:.3g} m", o.f)});
-  d.shapes.emplace_back(Label{{-0.03 * v.l, k.A_l.y - 0.02 * v.l / stretch}, "A"});
-  d.shapes.emplace_back(Label{{1.03 * v.l, k.B_l.y - 0.02 * v.l / stretch}, "B"});
+  d.shapes.emplace_back(
+      DimensionLine{.from = at, .to = {.x = x, .y = v.m * x}, .offset = 0, .text = fmt::format("f = {:.3g} m", o.f)});
+  d.shapes.emplace_back(Label{.at = {.x = -0.03 * v.l, .y = k.A_l.y - 0.02 * v.l / stretch}, .text = "A"});
+  d.shapes.emplace_back(Label{.at = {.x = 1.03 * v.l, .y = k.B_l.y - 0.02 * v.l / stretch}, .text = "B"});
 }
 
 }  // namespace
@@ -141,14 +158,17 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   add_rope(d, k.A_u, k.U, v.w_b, out.H_3, Role::rope);
   add_rope(d, k.U, k.B_u, v.w_b, out.H_4, Role::rope);
   add_rope(d, k.L2, k.B_l, v.w_b, out.H_2, Role::rope);
-  if (v.two) d.shapes.emplace_back(Polyline{{k.L1, k.L2}, Role::rope});
+  if (v.two) d.shapes.emplace_back(Polyline{.points = {k.L1, k.L2}, .role = Role::rope});
   add_rope(d, k.A_l, k.L1, v.w_T, out.H_1, Role::second_rope);
-  d.shapes.emplace_back(Polyline{{k.L1, k.U}, Role::body});
+  d.shapes.emplace_back(Polyline{.points = {k.L1, k.U}, .role = Role::body});
   const double size = 0.006 * v.l / std::sqrt(d.vertical_scale);
-  d.shapes.emplace_back(Circle{k.U, size, Role::body, 0, 0, true});
-  d.shapes.emplace_back(Circle{k.L1, size, Role::body, 0, 0, true});
-  if (v.two) d.shapes.emplace_back(Circle{k.L2, size, Role::body, 0, 0, true});
-  d.shapes.emplace_back(Circle{{0.5 * (k.B_l.x + k.B_u.x), 0.5 * (k.B_l.y + k.B_u.y)}, c / 2, Role::body});
+  d.shapes.emplace_back(Circle{.center = k.U, .radius = size, .role = Role::body, .from = 0, .to = 0, .filled = true});
+  d.shapes.emplace_back(Circle{.center = k.L1, .radius = size, .role = Role::body, .from = 0, .to = 0, .filled = true});
+  if (v.two)
+    d.shapes.emplace_back(
+        Circle{.center = k.L2, .radius = size, .role = Role::body, .from = 0, .to = 0, .filled = true});
+  d.shapes.emplace_back(Circle{
+      .center = {.x = 0.5 * (k.B_l.x + k.B_u.x), .y = 0.5 * (k.B_l.y + k.B_u.y)}, .radius = c / 2, .role = Role::body});
   add_forces(d, v, k, out);
   add_measures(d, v, k, d.vertical_scale, out);
   d.caption = fmt::format(
@@ -192,10 +212,11 @@ Drawing force_polygon(const Input& in, const Output& out) {
           ? "Rope tensions at the carriage, gathering force S and roller reaction N close: the carriage is in "
             "equilibrium."
           : "Both sections together: what is missing to close the polygon is the weight of the rope between them.";
-  Point at{0, 0};
+  Point at{.x = 0, .y = 0};
   for (const PolygonForce& f : forces_at_carriage(view_of(in, out), out)) {
-    const Point next{at.x + f.fx, at.y + f.fy};
-    d.shapes.emplace_back(ForceArrow{at, f.fx, f.fy, f.label, f.role, false});
+    const Point next{.x = at.x + f.fx, .y = at.y + f.fy};
+    d.shapes.emplace_back(
+        ForceArrow{.at = at, .fx = f.fx, .fy = f.fy, .label = f.label, .role = f.role, .towards = false});
     at = next;
   }
   return d;
@@ -249,8 +270,8 @@ Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& r
   p.name = "tensions";
   p.title = "End tensions against the position of the carriage";
   p.caption = fmt::format("Closed-form tier, {}. Gaps are infeasible positions.", law_of(in));
-  p.x = {"distance from A to the carriage", si::m};
-  p.y = {"tension", si::N};
+  p.x = {.label = "distance from A to the carriage", .unit = si::m};
+  p.y = {.label = "tension", .unit = si::N};
   p.curves = {curve_of("T_lA", all, &Output::T_lA), curve_of("T_lB", all, &Output::T_lB),
               curve_of("T_uB", all, &Output::T_uB), curve_of("T_uA", all, &Output::T_uA)};
   p.curves[2].dashed = true;
@@ -273,11 +294,11 @@ Plot error_plot(const Input& in, const Ropes& ropes, const Output& out) {
       "Repaired formulas against the closed-form tier, at the position, sag and load of the deck; 0.05 is 5 %. Below "
       "zero "
       "the paper is unsafe for a tension. + slope: downhill work.";
-  p.x = {"slope of the chord", si::rad};
-  p.y = {"paper / closed form - 1", si::one};
-  p.curves = {{"load of the upper branch (1)", {}, {}},
-              {"upper branch, upper support (7)", {}, {}},
-              {"traction rope at A (9)", {}, {}}};
+  p.x = {.label = "slope of the chord", .unit = si::rad};
+  p.y = {.label = "paper / closed form - 1", .unit = si::one};
+  p.curves = {{.label = "load of the upper branch (1)", .x = {}, .y = {}},
+              {.label = "upper branch, upper support (7)", .x = {}, .y = {}},
+              {.label = "traction rope at A (9)", .x = {}, .y = {}}};
   Input at = in;
   at.mode = Mode::sag;
   at.winch_pull.reset();

@@ -148,38 +148,55 @@ const Description& Output::describe() {
 namespace {
 
 std::vector<Erratum> errata() {
-  return {{"(3)", "(P_T + P_p) (e+1)/(e-1)", "(P_T - P_p) (e+1)/(e-1)",
-           "difference of T_1 and T_2 of the line above; (18) needs the minus", "FrictionDriveCase.SignOfEquation3"},
-          {"(18)", "no m on the centrifugal term", "c (e+1) (m (e-1)/(e-1.08) - 1)",
-           "(3) with (15) to (17); both agree for m = 1 only", "FrictionDriveCase.PrintedEquation18HoldsForMOneOnly"},
-          {"(13)", "P_tight = c + P_slack e", "P_tight = c + (P_slack - c) e",
-           "numerical integration of dP/d(alpha) = mu (P - c)", "FrictionDriveCase.PrintedEquation13IsNotTheIntegral"},
-          {"Euler's line and text", "running-on branch and working branch", "one branch, here the tight one",
-           "the force that the driving sheave draws in", "FrictionDriveCase.TightBranchIsDrawnIn"},
-          {"T_1, T_2, (18)", "P_M of (18) as initial tension", "takeup_no_slip",
-           "with P_M the branches break the no-slip condition that the paper starts from",
-           "FrictionDriveCase.PaperDriveSlips"}};
+  return {{.where = "(3)",
+           .printed = "(P_T + P_p) (e+1)/(e-1)",
+           .correct = "(P_T - P_p) (e+1)/(e-1)",
+           .evidence = "difference of T_1 and T_2 of the line above; (18) needs the minus",
+           .test = "FrictionDriveCase.SignOfEquation3"},
+          {.where = "(18)",
+           .printed = "no m on the centrifugal term",
+           .correct = "c (e+1) (m (e-1)/(e-1.08) - 1)",
+           .evidence = "(3) with (15) to (17); both agree for m = 1 only",
+           .test = "FrictionDriveCase.PrintedEquation18HoldsForMOneOnly"},
+          {.where = "(13)",
+           .printed = "P_tight = c + P_slack e",
+           .correct = "P_tight = c + (P_slack - c) e",
+           .evidence = "numerical integration of dP/d(alpha) = mu (P - c)",
+           .test = "FrictionDriveCase.PrintedEquation13IsNotTheIntegral"},
+          {.where = "Euler's line and text",
+           .printed = "running-on branch and working branch",
+           .correct = "one branch, here the tight one",
+           .evidence = "the force that the driving sheave draws in",
+           .test = "FrictionDriveCase.TightBranchIsDrawnIn"},
+          {.where = "T_1, T_2, (18)",
+           .printed = "P_M of (18) as initial tension",
+           .correct = "takeup_no_slip",
+           .evidence = "with P_M the branches break the no-slip condition that the paper starts from",
+           .test = "FrictionDriveCase.PaperDriveSlips"}};
 }
 
 }  // namespace
 
 const Method& about() {
-  static const Method m{"friction_drive",
-                        "Initial tension of a rope-saw and of friction drives in general",
-                        "P. B. Ryabukhin, I. V. Grigoriev, V. A. Ivanov: Calculation method of the initial tension of "
-                        "the flexible cutting tool of "
-                        "the saw unit for group bucking. Systems. Methods. Technologies, 2022, no. 2, pp. 48-54, doi "
-                        "10.18324/2077-5415-2022-2-48-54 (in Russian)",
-                        "Ryabukhin et al. 2022",
-                        "Branch forces of an endless rope on a driving sheave and an idler pulled by a constant force, "
-                        "with centrifugal tension, "
-                        "idler loss and Andreev's working arc; the paper's initial tension and the pull that keeps the "
-                        "rope from slipping.",
-                        {"the tension is the same at every moment: no start, no fluctuation of the cutting force",
-                         "constant friction along the arc; a wet, oily or sap-covered rope has far less than 0.4",
-                         "the rope has no bending stiffness; its weight on the sheave is left out",
-                         "k of Andreev's formula is not settled in the literature: compare the table of readings"},
-                        errata()};
+  static const Method m{
+      .name = "friction_drive",
+      .title = "Initial tension of a rope-saw and of friction drives in general",
+      .source =
+          "P. B. Ryabukhin, I. V. Grigoriev, V. A. Ivanov: Calculation method of the initial tension of "
+          "the flexible cutting tool of "
+          "the saw unit for group bucking. Systems. Methods. Technologies, 2022, no. 2, pp. 48-54, doi "
+          "10.18324/2077-5415-2022-2-48-54 (in Russian)",
+      .short_source = "Ryabukhin et al. 2022",
+      .scope =
+          "Branch forces of an endless rope on a driving sheave and an idler pulled by a constant force, "
+          "with centrifugal tension, "
+          "idler loss and Andreev's working arc; the paper's initial tension and the pull that keeps the "
+          "rope from slipping.",
+      .limits = {"the tension is the same at every moment: no start, no fluctuation of the cutting force",
+                 "constant friction along the arc; a wet, oily or sap-covered rope has far less than 0.4",
+                 "the rope has no bending stiffness; its weight on the sheave is left out",
+                 "k of Andreev's formula is not settled in the literature: compare the table of readings"},
+      .errata = errata()};
   return m;
 }
 

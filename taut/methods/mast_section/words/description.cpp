@@ -225,43 +225,63 @@ const Description& Output::describe() {
 namespace {
 
 std::vector<Erratum> errata() {
-  return {
-      {"(9)", "gamma = asin(T sin beta / R) - alpha",
-       "gamma = alpha + asin(T sin beta / R), taken as atan2 of the components",
-       "vector sum of the two branches; (8) solved for gamma", "MastSectionCase.GammaLiesBelowTheBranch"},
-      {"wrap angle", "120 deg for every branch angle", "90 deg + alpha",
-       "geometry of figure 5: the drum side is vertical", "MastSectionCase.WrapFollowsTheBranch"},
-      {"table, hollow square", "[sigma] b^3 - 1.33 N b - 6.41 M = 0, b not named",
-       "the unknown is the outer side B; 4/3 and 6.40", "A = 3 b^2, W = 1.25 b^3 with the inner side b = B/2",
-       "MastSectionCase.HollowSquareCarriesTheStress"},
-      {"table, tube", "coefficients 1.27 and 10", "4/pi and 32/pi = 10.186",
-       "the stress in the tube of the printed coefficients exceeds [sigma]", "MastSectionCase.PrintedTubeIsTooSmall"},
-      {"model", "guylines and buckling left out", "to be checked apart; the program warns", "the paper says so itself",
-       "MastSectionCase.WarnsOfWhatIsLeftOut"},
-      {"(2), (3)", "the drum side always carries the larger force",
-       "while a rope is paid out under load the span side does", "Euler's formula with the motion reversed",
-       "MastSectionCase.PayingOutBendsMore"}};
+  return {{.where = "(9)",
+           .printed = "gamma = asin(T sin beta / R) - alpha",
+           .correct = "gamma = alpha + asin(T sin beta / R), taken as atan2 of the components",
+           .evidence = "vector sum of the two branches; (8) solved for gamma",
+           .test = "MastSectionCase.GammaLiesBelowTheBranch"},
+          {.where = "wrap angle",
+           .printed = "120 deg for every branch angle",
+           .correct = "90 deg + alpha",
+           .evidence = "geometry of figure 5: the drum side is vertical",
+           .test = "MastSectionCase.WrapFollowsTheBranch"},
+          {.where = "table, hollow square",
+           .printed = "[sigma] b^3 - 1.33 N b - 6.41 M = 0, b not named",
+           .correct = "the unknown is the outer side B; 4/3 and 6.40",
+           .evidence = "A = 3 b^2, W = 1.25 b^3 with the inner side b = B/2",
+           .test = "MastSectionCase.HollowSquareCarriesTheStress"},
+          {.where = "table, tube",
+           .printed = "coefficients 1.27 and 10",
+           .correct = "4/pi and 32/pi = 10.186",
+           .evidence = "the stress in the tube of the printed coefficients exceeds [sigma]",
+           .test = "MastSectionCase.PrintedTubeIsTooSmall"},
+          {.where = "model",
+           .printed = "guylines and buckling left out",
+           .correct = "to be checked apart; the program warns",
+           .evidence = "the paper says so itself",
+           .test = "MastSectionCase.WarnsOfWhatIsLeftOut"},
+          {.where = "(2), (3)",
+           .printed = "the drum side always carries the larger force",
+           .correct = "while a rope is paid out under load the span side does",
+           .evidence = "Euler's formula with the motion reversed",
+           .test = "MastSectionCase.PayingOutBendsMore"}};
 }
 
 }  // namespace
 
 const Method& about() {
   static const Method m{
-      "mast_section",
-      "Mast section of a tractor-mounted cable yarder",
-      "A. O. Shoshin, A. V. Dorozhko, V. Shtollmann, S. V. Yarmolik: Method for determining the parameters of the "
-      "tower section of a cable yarding based on a tractor. Proceedings of BSTU, issue 1, 2022, no. 1 (252), pp. "
-      "155-164 (in "
-      "Russian)",
-      "Shoshin et al. 2022",
-      "Smallest solid square, hollow square or tube of a mast that is clamped at its foot and carries the blocks of "
-      "skyline and mainline, by stress under axial force and bending. Leaves out guylines, buckling, local buckling, "
-      "own weight, wind, dynamics and fatigue.",
-      {"branch angle from -60 to 85 deg below the horizontal", "block friction from 0 to 0.5; the paper: 0.10 to 0.16",
-       "the drum side of each rope runs straight down the mast", "both ropes leave the mast in one vertical plane",
-       "elastic material, section constant over the height",
-       "alpha of (10) points from the block to the carriage; a heavy skyline leaves the mast a little steeper"},
-      errata()};
+      .name = "mast_section",
+      .title = "Mast section of a tractor-mounted cable yarder",
+      .source =
+          "A. O. Shoshin, A. V. Dorozhko, V. Shtollmann, S. V. Yarmolik: Method for determining the parameters of the "
+          "tower section of a cable yarding based on a tractor. Proceedings of BSTU, issue 1, 2022, no. 1 (252), pp. "
+          "155-164 (in "
+          "Russian)",
+      .short_source = "Shoshin et al. 2022",
+      .scope =
+          "Smallest solid square, hollow square or tube of a mast that is clamped at its foot and carries the blocks "
+          "of "
+          "skyline and mainline, by stress under axial force and bending. Leaves out guylines, buckling, local "
+          "buckling, "
+          "own weight, wind, dynamics and fatigue.",
+      .limits =
+          {"branch angle from -60 to 85 deg below the horizontal",
+           "block friction from 0 to 0.5; the paper: 0.10 to 0.16",
+           "the drum side of each rope runs straight down the mast", "both ropes leave the mast in one vertical plane",
+           "elastic material, section constant over the height",
+           "alpha of (10) points from the block to the carriage; a heavy skyline leaves the mast a little steeper"},
+      .errata = errata()};
   return m;
 }
 

@@ -10,7 +10,11 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 
 Polyline box(double left, double bottom, double right, double top, Role role) {
-  return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, role, true, true};
+  return {
+      .points = {{.x = left, .y = bottom}, {.x = right, .y = bottom}, {.x = right, .y = top}, {.x = left, .y = top}},
+      .role = role,
+      .closed = true,
+      .filled = true};
 }
 
 /// Length of the span side that stays in the picture: down to the ground, or a share of the mast's height.
@@ -21,35 +25,70 @@ double drawn_length(double height, double block, double alpha) {
 
 /// One rope: up from the drum, over the block, out into the span.
 void add_rope(std::vector<Shape>& shapes, double block, double radius, double length, double alpha, Role role) {
-  const Point leaves{radius * std::sin(alpha), block + radius * std::cos(alpha)};
-  shapes.emplace_back(Circle{{0, block}, radius, Role::body, 0, 0, false});
-  shapes.emplace_back(Polyline{{{-radius, 0}, {-radius, block}}, role, false, false});
-  shapes.emplace_back(Circle{{0, block}, radius, role, right_angle - alpha, 2 * right_angle, false});
+  const Point leaves{.x = radius * std::sin(alpha), .y = block + radius * std::cos(alpha)};
+  shapes.emplace_back(Circle{
+      .center = {.x = 0, .y = block}, .radius = radius, .role = Role::body, .from = 0, .to = 0, .filled = false});
   shapes.emplace_back(Polyline{
-      {leaves, {leaves.x + length * std::cos(alpha), leaves.y - length * std::sin(alpha)}}, role, false, false});
+      .points = {{.x = -radius, .y = 0}, {.x = -radius, .y = block}}, .role = role, .closed = false, .filled = false});
+  shapes.emplace_back(Circle{.center = {.x = 0, .y = block},
+                             .radius = radius,
+                             .role = role,
+                             .from = right_angle - alpha,
+                             .to = 2 * right_angle,
+                             .filled = false});
+  shapes.emplace_back(
+      Polyline{.points = {leaves, {.x = leaves.x + length * std::cos(alpha), .y = leaves.y - length * std::sin(alpha)}},
+               .role = role,
+               .closed = false,
+               .filled = false});
 }
 
 void add_clamp(std::vector<Shape>& shapes, double width, double height, const Output& out) {
-  shapes.emplace_back(Polyline{{{-0.35 * height, 0}, {0.9 * height, 0}}, Role::ground, false, false});
+  shapes.emplace_back(Polyline{.points = {{.x = -0.35 * height, .y = 0}, {.x = 0.9 * height, .y = 0}},
+                               .role = Role::ground,
+                               .closed = false,
+                               .filled = false});
   shapes.emplace_back(box(-2 * width, -0.04 * height, 2 * width, 0, Role::ground));
-  shapes.emplace_back(ForceArrow{{0, -0.04 * height}, 0, out.N, "N", Role::second_force, true});
-  shapes.emplace_back(ForceArrow{{-2 * width, -0.02 * height}, -out.Q, 0, "Q", Role::second_force, false});
+  shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = -0.04 * height},
+                                 .fx = 0,
+                                 .fy = out.N,
+                                 .label = "N",
+                                 .role = Role::second_force,
+                                 .towards = true});
+  shapes.emplace_back(ForceArrow{.at = {.x = -2 * width, .y = -0.02 * height},
+                                 .fx = -out.Q,
+                                 .fy = 0,
+                                 .label = "Q",
+                                 .role = Role::second_force,
+                                 .towards = false});
   // The clamp holds the head back: its moment turns away from the span.
-  shapes.emplace_back(
-      Circle{{0, 0}, 3 * width, Role::second_force, 0.2 * std::numbers::pi, 0.8 * std::numbers::pi, false});
-  shapes.emplace_back(Label{{2.6 * width, 2.2 * width}, "M"});
+  shapes.emplace_back(Circle{.center = {.x = 0, .y = 0},
+                             .radius = 3 * width,
+                             .role = Role::second_force,
+                             .from = 0.2 * std::numbers::pi,
+                             .to = 0.8 * std::numbers::pi,
+                             .filled = false});
+  shapes.emplace_back(Label{.at = {.x = 2.6 * width, .y = 2.2 * width}, .text = "M"});
 }
 
 /// Forces on the head. Blocks at one height get one resultant, since both point the same way.
 void add_forces(std::vector<Shape>& shapes, const Input& in, const Output& out) {
   const double sky = in.skyline_block_height, main = mainline_height(in);
   const auto arrow = [&](double at, double R, double gamma, const char* label) {
-    shapes.emplace_back(
-        ForceArrow{{0, at}, R * std::cos(gamma), -R * std::sin(gamma), label, Role::second_force, false});
+    shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = at},
+                                   .fx = R * std::cos(gamma),
+                                   .fy = -R * std::sin(gamma),
+                                   .label = label,
+                                   .role = Role::second_force,
+                                   .towards = false});
   };
   const double F = out.F_span_sky;
-  shapes.emplace_back(
-      ForceArrow{{0, sky}, F * std::cos(out.alpha), -F * std::sin(out.alpha), "F_span_sky", Role::force, false});
+  shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = sky},
+                                 .fx = F * std::cos(out.alpha),
+                                 .fy = -F * std::sin(out.alpha),
+                                 .label = "F_span_sky",
+                                 .role = Role::force,
+                                 .towards = false});
   if (std::abs(sky - main) < 0.02 * sky) {
     arrow(sky, out.R_sky + out.R_main, out.gamma_sky, "R");
     return;
@@ -66,56 +105,82 @@ Drawing mast_drawing(const Input& in, const Output& out) {
   const double sky = in.skyline_block_height, main = mainline_height(in), height = std::max(sky, main);
   const double width = std::clamp(out.D_tube, 0.005 * height, 0.12 * height);
   const double radius = 0.03 * height + width / 2;
-  Drawing d{"mast",
-            "Mast, ropes and forces",
-            "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum where both "
-            "blocks are at one height. At the clamp: what holds the "
-            "mast.",
-            {},
-            si::m,
-            1,
-            {{Role::rope, "skyline"},
-             {Role::second_rope, "mainline"},
-             {Role::force, "rope force"},
-             {Role::second_force, "resultant, reaction"}}};
+  Drawing d{.name = "mast",
+            .title = "Mast, ropes and forces",
+            .caption =
+                "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum where both "
+                "blocks are at one height. At the clamp: what holds the "
+                "mast.",
+            .shapes = {},
+            .unit = si::m,
+            .vertical_scale = 1,
+            .legend = {{Role::rope, "skyline"},
+                       {Role::second_rope, "mainline"},
+                       {Role::force, "rope force"},
+                       {Role::second_force, "resultant, reaction"}}};
   d.shapes.emplace_back(box(-width / 2, 0, width / 2, height, Role::structure));
   add_clamp(d.shapes, width, height, out);
   add_rope(d.shapes, main, std::abs(sky - main) < 0.02 * sky ? 0.7 * radius : radius,
            drawn_length(height, main, out.alpha), out.alpha, Role::second_rope);
   add_rope(d.shapes, sky, radius, drawn_length(height, sky, out.alpha), out.alpha, Role::rope);
   add_forces(d.shapes, in, out);
-  d.shapes.emplace_back(Polyline{{{0, sky}, {0.5 * height, sky}}, Role::axis, false, false});
-  d.shapes.emplace_back(
-      AngleMark{{0, sky}, 0.42 * height, std::min(0.0, -out.alpha), std::max(0.0, -out.alpha), "alpha"});
-  d.shapes.emplace_back(AngleMark{{0, sky}, 0.2 * height, -out.gamma_sky, 0, "gamma"});
-  d.shapes.emplace_back(DimensionLine{{-0.2 * height, 0}, {-0.2 * height, sky}, 0, "h_sky"});
-  if (sky != main) d.shapes.emplace_back(DimensionLine{{-0.3 * height, 0}, {-0.3 * height, main}, 0, "h_main"});
+  d.shapes.emplace_back(Polyline{.points = {{.x = 0, .y = sky}, {.x = 0.5 * height, .y = sky}},
+                                 .role = Role::axis,
+                                 .closed = false,
+                                 .filled = false});
+  d.shapes.emplace_back(AngleMark{.center = {.x = 0, .y = sky},
+                                  .radius = 0.42 * height,
+                                  .from = std::min(0.0, -out.alpha),
+                                  .to = std::max(0.0, -out.alpha),
+                                  .text = "alpha"});
+  d.shapes.emplace_back(AngleMark{
+      .center = {.x = 0, .y = sky}, .radius = 0.2 * height, .from = -out.gamma_sky, .to = 0, .text = "gamma"});
+  d.shapes.emplace_back(DimensionLine{
+      .from = {.x = -0.2 * height, .y = 0}, .to = {.x = -0.2 * height, .y = sky}, .offset = 0, .text = "h_sky"});
+  if (sky != main)
+    d.shapes.emplace_back(DimensionLine{
+        .from = {.x = -0.3 * height, .y = 0}, .to = {.x = -0.3 * height, .y = main}, .offset = 0, .text = "h_main"});
   return d;
 }
 
 Drawing force_polygon(const Input& in, const Output& out) {
-  Drawing d{"force_polygon",
-            "Force polygon of the blocks",
-            "Span side and drum side of each rope make the resultant on its block; both resultants add up to Q across "
-            "and N down.",
-            {},
-            si::N,
-            1,
-            {{Role::force, "rope force"}, {Role::second_force, "resultant"}}};
+  Drawing d{
+      .name = "force_polygon",
+      .title = "Force polygon of the blocks",
+      .caption =
+          "Span side and drum side of each rope make the resultant on its block; both resultants add up to Q across "
+          "and N down.",
+      .shapes = {},
+      .unit = si::N,
+      .vertical_scale = 1,
+      .legend = {{Role::force, "rope force"}, {Role::second_force, "resultant"}}};
   const auto triangle = [&](Point from, double F_span, double T, double R, const char* span, const char* drum,
                             const char* resultant) {
     const double fx = F_span * std::cos(out.alpha), fy = -F_span * std::sin(out.alpha);
-    d.shapes.emplace_back(ForceArrow{from, fx, fy, span, Role::force, false});
-    d.shapes.emplace_back(ForceArrow{{from.x + fx, from.y + fy}, 0, -T, drum, Role::force, false});
-    d.shapes.emplace_back(ForceArrow{from, fx, fy - T, R > 0 ? resultant : "", Role::second_force, false});
-    return Point{from.x + fx, from.y + fy - T};
+    d.shapes.emplace_back(
+        ForceArrow{.at = from, .fx = fx, .fy = fy, .label = span, .role = Role::force, .towards = false});
+    d.shapes.emplace_back(ForceArrow{.at = {.x = from.x + fx, .y = from.y + fy},
+                                     .fx = 0,
+                                     .fy = -T,
+                                     .label = drum,
+                                     .role = Role::force,
+                                     .towards = false});
+    d.shapes.emplace_back(ForceArrow{.at = from,
+                                     .fx = fx,
+                                     .fy = fy - T,
+                                     .label = R > 0 ? resultant : "",
+                                     .role = Role::second_force,
+                                     .towards = false});
+    return Point{.x = from.x + fx, .y = from.y + fy - T};
   };
-  Point end = triangle({0, 0}, out.F_span_sky, in.skyline_force, out.R_sky, "F_span_sky", "T_sky", "R_sky");
+  Point end = triangle({.x = 0, .y = 0}, out.F_span_sky, in.skyline_force, out.R_sky, "F_span_sky", "T_sky", "R_sky");
   if (in.mainline_force > 0) {
     end = triangle(end, out.F_span_main, in.mainline_force, out.R_main, "F_span_main", "T_main", "R_main");
   }
-  d.shapes.emplace_back(ForceArrow{{0, end.y}, out.Q, 0, "Q", Role::second_force, false});
-  d.shapes.emplace_back(ForceArrow{{0, 0}, 0, -out.N, "N", Role::second_force, false});
+  d.shapes.emplace_back(ForceArrow{
+      .at = {.x = 0, .y = end.y}, .fx = out.Q, .fy = 0, .label = "Q", .role = Role::second_force, .towards = false});
+  d.shapes.emplace_back(ForceArrow{
+      .at = {.x = 0, .y = 0}, .fx = 0, .fy = -out.N, .label = "N", .role = Role::second_force, .towards = false});
   return d;
 }
 

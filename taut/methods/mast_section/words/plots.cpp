@@ -37,7 +37,7 @@ At forces_at(const Input& in, const Output& out, double z) {
 }
 
 Curve size_curve(const char* label, const std::vector<Position>& positions, double Output::*x, double Output::*y) {
-  Curve c{label, {}, {}, false, false};
+  Curve c{.label = label, .x = {}, .y = {}, .dashed = false, .points_only = false};
   for (const Position& p : positions) {
     c.x.push_back(p.out.*x);
     c.y.push_back(p.outcome.ok() ? p.out.*y : not_computed);
@@ -55,14 +55,14 @@ std::vector<Position> by_distance(std::vector<Position> positions) {
 }  // namespace
 
 Plot moment_plot(const Input& in, const Output& out) {
-  Plot p{"moment",
-         "Bending moment over the height",
-         "Both blocks push the head towards the span.",
-         {"height above the clamp", si::m},
-         {"bending moment", si::N_m},
-         {},
-         {{0, out.M, "M at the clamp", false}}};
-  Curve c{"M", stations(in), {}, false, false};
+  Plot p{.name = "moment",
+         .title = "Bending moment over the height",
+         .caption = "Both blocks push the head towards the span.",
+         .x = {.label = "height above the clamp", .unit = si::m},
+         .y = {.label = "bending moment", .unit = si::N_m},
+         .curves = {},
+         .marks = {{.x = 0, .y = out.M, .label = "M at the clamp", .whole_line = false}}};
+  Curve c{.label = "M", .x = stations(in), .y = {}, .dashed = false, .points_only = false};
   for (const double z : c.x) c.y.push_back(forces_at(in, out, z).M);
   p.curves.push_back(std::move(c));
   return p;
@@ -73,15 +73,15 @@ Plot stress_plot(const Input& in, const Output& out, const std::optional<Assessm
   const double area = section ? section->section.area : std::numbers::pi * square(D) * (1 - square(c)) / 4;
   const double W = section ? section->section.W_el_y : std::numbers::pi * cube(D) * (1 - square(square(c))) / 32;
   const std::string name = section ? section->section.name : fmt::format("tube D_tube, c = {:.3g}", c);
-  Plot p{"stress",
-         "Largest stress over the height",
-         "N/A + M/W on the side of the span, section constant.",
-         {"height above the clamp", si::m},
-         {"stress", si::Pa},
-         {},
-         {}};
-  Curve total{name, stations(in), {}, false, false};
-  Curve axial{"N/A alone", stations(in), {}, true, false};
+  Plot p{.name = "stress",
+         .title = "Largest stress over the height",
+         .caption = "N/A + M/W on the side of the span, section constant.",
+         .x = {.label = "height above the clamp", .unit = si::m},
+         .y = {.label = "stress", .unit = si::Pa},
+         .curves = {},
+         .marks = {}};
+  Curve total{.label = name, .x = stations(in), .y = {}, .dashed = false, .points_only = false};
+  Curve axial{.label = "N/A alone", .x = stations(in), .y = {}, .dashed = true, .points_only = false};
   for (const double z : total.x) {
     const At at = forces_at(in, out, z);
     total.y.push_back(at.N / area + at.M / W);
@@ -104,13 +104,13 @@ Plot angle_plot(const Input& in, const Output& out) {
     p.outcome = compute_at(at, 0, s, p.out);
     all.push_back(std::move(p));
   }
-  Plot p{"branch_angle",
-         "Sizes over the branch angle",
-         "All else as given.",
-         {"branch angle below the horizontal", si::rad},
-         {"size", mm},
-         {},
-         {{out.alpha, out.D_tube, "here", false}}};
+  Plot p{.name = "branch_angle",
+         .title = "Sizes over the branch angle",
+         .caption = "All else as given.",
+         .x = {.label = "branch angle below the horizontal", .unit = si::rad},
+         .y = {.label = "size", .unit = mm},
+         .curves = {},
+         .marks = {{.x = out.alpha, .y = out.D_tube, .label = "here", .whole_line = false}}};
   p.curves = {size_curve("tube, D_tube", all, &Output::alpha, &Output::D_tube),
               size_curve("tube, ropes paid out", all, &Output::alpha, &Output::D_tube_payout),
               size_curve("hollow square, B_hollow", all, &Output::alpha, &Output::B_hollow),
@@ -121,13 +121,13 @@ Plot angle_plot(const Input& in, const Output& out) {
 
 Plot position_size_plot(const std::vector<Position>& positions, const Output& out) {
   const auto all = by_distance(positions);
-  Plot p{"size_over_position",
-         "Section size over the carriage's position",
-         "The largest size governs.",
-         {"carriage's distance from the mast", si::m},
-         {"size", mm},
-         {},
-         {{out.x, out.D_tube, "governs", false}}};
+  Plot p{.name = "size_over_position",
+         .title = "Section size over the carriage's position",
+         .caption = "The largest size governs.",
+         .x = {.label = "carriage's distance from the mast", .unit = si::m},
+         .y = {.label = "size", .unit = mm},
+         .curves = {},
+         .marks = {{.x = out.x, .y = out.D_tube, .label = "governs", .whole_line = false}}};
   p.curves = {size_curve("tube, D_tube", all, &Output::x, &Output::D_tube),
               size_curve("tube, ropes paid out", all, &Output::x, &Output::D_tube_payout),
               size_curve("hollow square, B_hollow", all, &Output::x, &Output::B_hollow),
@@ -138,25 +138,25 @@ Plot position_size_plot(const std::vector<Position>& positions, const Output& ou
 
 Plot position_force_plot(const std::vector<Position>& positions, const Output& out) {
   const auto all = by_distance(positions);
-  return {
-      "force_over_position",
-      "Axial force and shear over the carriage's position",
-      "At the clamp.",
-      {"carriage's distance from the mast", si::m},
-      {"force", si::N},
-      {size_curve("axial force N", all, &Output::x, &Output::N), size_curve("shear Q", all, &Output::x, &Output::Q)},
-      {{out.x, out.N, "governs", false}}};
+  return {.name = "force_over_position",
+          .title = "Axial force and shear over the carriage's position",
+          .caption = "At the clamp.",
+          .x = {.label = "carriage's distance from the mast", .unit = si::m},
+          .y = {.label = "force", .unit = si::N},
+          .curves = {size_curve("axial force N", all, &Output::x, &Output::N),
+                     size_curve("shear Q", all, &Output::x, &Output::Q)},
+          .marks = {{.x = out.x, .y = out.N, .label = "governs", .whole_line = false}}};
 }
 
 Plot position_moment_plot(const std::vector<Position>& positions, const Output& out) {
   const auto all = by_distance(positions);
-  return {"moment_over_position",
-          "Bending moment over the carriage's position",
-          "At the clamp.",
-          {"carriage's distance from the mast", si::m},
-          {"bending moment", si::N_m},
-          {size_curve("M", all, &Output::x, &Output::M)},
-          {{out.x, out.M, "governs", false}}};
+  return {.name = "moment_over_position",
+          .title = "Bending moment over the carriage's position",
+          .caption = "At the clamp.",
+          .x = {.label = "carriage's distance from the mast", .unit = si::m},
+          .y = {.label = "bending moment", .unit = si::N_m},
+          .curves = {size_curve("M", all, &Output::x, &Output::M)},
+          .marks = {{.x = out.x, .y = out.M, .label = "governs", .whole_line = false}}};
 }
 
 }  // namespace taut::mast_section
