@@ -11,9 +11,10 @@
 namespace taut::app {
 
 const Description& MethodBlocks::describe() {
-  static const Description d = Describe<MethodBlocks>()
-                                   .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
-                                   .record(&MethodBlocks::design, "design", "free choices; the best one that passes all checks is found");
+  static const Description d =
+      Describe<MethodBlocks>()
+          .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
+          .record(&MethodBlocks::design, "design", "free choices; the best one that passes all checks is found");
   return d;
 }
 
