@@ -56,7 +56,7 @@ TEST(ClosedLoopResult, EveryPositionIsSolvedOnce) {
   in.choose_ropes = RopeFilter{};
   in.safety_factor = 3.5;
   times = times_asked(in);
-  EXPECT_EQ(times.size(), 2 * 3 + plotted);
+  EXPECT_EQ(times.size(), 6 + plotted);
   EXPECT_EQ(std::ranges::max(times), 1);
 }
 
