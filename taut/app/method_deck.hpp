@@ -39,7 +39,8 @@ struct MethodDeck {
   /// The method and the checks of the deck.
   Result calculate() const;
 
-  /// Notes what is wrong with input and checks at their places; `others`: the map with the blocks.
+  /// What its checks name. Notes what is wrong with input and checks at their places; `others`: the map with the
+  /// blocks.
   checks::AskedChecks resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const;
 };
 

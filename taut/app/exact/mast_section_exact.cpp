@@ -287,14 +287,13 @@ solve::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const st
   return m;
 }
 
-SecondOrder second_order_of(const Input& in) {
-  const auto masts = std::make_shared<EngineMasts>(in);
+namespace {
+
+SecondOrder second_order_of(const std::shared_ptr<EngineMasts>& masts) {
   return [masts](const catalogue::SectionRow& section, const ClampForces& forces) {
     return masts->stress(section, forces);
   };
 }
-
-namespace {
 
 /// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
 void take_other_cases(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
@@ -344,14 +343,13 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
 
 }  // namespace
 
+SecondOrder second_order_of(const Input& in) { return second_order_of(std::make_shared<EngineMasts>(in)); }
+
 Result run_mast_section(const Input& in) {
-  EngineMasts masts(in);
+  const auto masts = std::make_shared<EngineMasts>(in);
   Solved method;
-  const SecondOrder second = [&masts](const catalogue::SectionRow& section, const ClampForces& forces) {
-    return masts.stress(section, forces);
-  };
-  Result r = run(in, second, method);
-  if (r.status == Status::ok) complete_mast_section(in, method, masts, r);
+  Result r = run(in, second_order_of(masts), method);
+  if (r.status == Status::ok) complete_mast_section(in, method, *masts, r);
   return r;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/methods/closed_loop/engine.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop::result_test {
@@ -13,6 +16,48 @@ using namespace taut_test;
 bool warns(const Result& r, const std::string& words) {
   return std::any_of(r.warnings.begin(), r.warnings.end(),
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+/// How often a run asks the engine for each place with the ropes that it shows in the end.
+std::vector<int> times_asked(const Input& in) {
+  std::map<std::tuple<double, double, double, double>, int> asked;
+  Engine engine;
+  engine.solve = [&](const Input&, const Case<double>& c, Output& out) {
+    ++asked[{c.x, c.q_b, c.q_T, c.eta}];
+    out.T_uA_exact = out.T_uB_exact = out.T_lB_exact = out.T_lLB_exact = out.T_U_exact = 1e3 * c.x;
+    out.T_lA_exact = out.T_lLA_exact = 2e3 * c.x;
+    return Outcome{};
+  };
+  const Result r = run(in, engine);
+  EXPECT_EQ(r.status, Status::ok) << r.message;
+  const double q_b = r.find_value("q_b")->value, q_T = r.find_value("q_T")->value;
+  std::vector<int> times;
+  for (const auto& [place, n] : asked) {
+    if (std::get<1>(place) == q_b && std::get<2>(place) == q_T) times.push_back(n);
+  }
+  return times;
+}
+
+TEST(ClosedLoopResult, EveryPositionIsSolvedOnce) {
+  constexpr std::size_t plotted = 61;  // each 3 m from 10 m on
+  Input in = example();
+  in.position = {32, 77, 113};
+  std::vector<int> times = times_asked(in);
+  EXPECT_EQ(times.size(), 3 + plotted);
+  EXPECT_EQ(std::ranges::max(times), 1);
+  in.position = {32};
+  times = times_asked(in);
+  EXPECT_EQ(times.size(), 1 + plotted);
+  EXPECT_EQ(std::ranges::max(times), 1);
+  // chosen ropes are proved hauled in and out, and not once more for the result
+  in.position = {32, 77, 113};
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.choose_ropes = RopeFilter{};
+  in.safety_factor = 3.5;
+  times = times_asked(in);
+  EXPECT_EQ(times.size(), 6 + plotted);
+  EXPECT_EQ(std::ranges::max(times), 1);
 }
 
 TEST(ClosedLoopResult, TheExampleIsWhole) {
