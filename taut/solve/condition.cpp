@@ -209,4 +209,14 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   return search.best;
 }
 
+machine::Model installed(const machine::Model& model, const EquilibriumResult& result) {
+  expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
+  machine::Model frozen = machine::with_sides(model, result.state);
+  for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
+    frozen.reevings[r].given = machine::Given::length;
+    frozen.reevings[r].value = result.ropes[r].unstretched;
+  }
+  return frozen;
+}
+
 }  // namespace taut::solve

@@ -52,4 +52,8 @@ double sag_at_middle(const SpanResult& span);
 /// Sag of a carriage: its depth below the straight line between the far ends of the two branches beside it, m.
 double sag_of_carriage(const machine::Model& model, const EquilibriumResult& result, int carriage);
 
+/// A copy of the machine with the length of each rope given as it is in `result`: guys are put up by tension, then the
+/// machine is loaded.
+machine::Model installed(const machine::Model& model, const EquilibriumResult& result);
+
 }  // namespace taut::solve

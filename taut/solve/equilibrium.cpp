@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
-#include "taut/base/expects.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/beam_tables.hpp"
@@ -596,16 +595,6 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
     add_band(model, options, result);
   }
   return result;
-}
-
-machine::Model installed(const machine::Model& model, const EquilibriumResult& result) {
-  expects(result.outcome.ok() && result.ropes.size() == model.reevings.size(), "a result of this machine");
-  machine::Model frozen = machine::with_sides(model, result.state);
-  for (std::size_t r = 0; r < frozen.reevings.size(); ++r) {
-    frozen.reevings[r].given = machine::Given::length;
-    frozen.reevings[r].value = result.ropes[r].unstretched;
-  }
-  return frozen;
 }
 
 }  // namespace taut::solve

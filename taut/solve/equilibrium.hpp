@@ -126,8 +126,4 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
 Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
                          const EquilibriumResult& result);
 
-/// A copy of the machine with the length of each rope given as it is in `result`: guys are put up by tension, then the
-/// machine is loaded.
-machine::Model installed(const machine::Model& model, const EquilibriumResult& result);
-
 }  // namespace taut::solve

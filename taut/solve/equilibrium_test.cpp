@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/solve/condition.hpp"
 #include "test/support/machines.hpp"
 
 namespace equilibrium_test {

@@ -11,6 +11,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/machine/compile.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/condition.hpp"
 #include "taut/study/deck/bounds.hpp"
 
 namespace taut::study {
