@@ -230,7 +230,8 @@ void six_span_line(benchmark::State& state) {
       tally.solved += ours.outcome.ok() ? 1 : 0;
       tally.textbook_solved += solved ? 1 : 0;
       if (ours.outcome.ok() && solved) {
-        tally.difference = std::max(tally.difference, std::abs(ours.spans.back().T_to / textbook.head_tension(u) - 1));
+        tally.difference =
+            std::max(tally.difference, std::abs(ours.branches.back().T_to / textbook.head_tension(u) - 1));
       }
     }
     state.SetIterationTime(all_six);
@@ -266,7 +267,7 @@ void load_path_100(benchmark::State& state) {
       tally.positions += 1;
       tally.solved += path.points[i].at.outcome.ok() ? 1 : 0;
       if (heads[i] == 0) continue;
-      tally.difference = std::max(tally.difference, std::abs(path.points[i].at.spans.back().T_to / heads[i] - 1));
+      tally.difference = std::max(tally.difference, std::abs(path.points[i].at.branches.back().T_to / heads[i] - 1));
     }
   }
   tally.print(state);

@@ -166,9 +166,9 @@ void note(DeepSag& worst, double sag, double span, const Stops& stops, const std
 }
 
 void note_spans(const results::Answer& answer, DeepSag& worst) {
-  for (const solve::SpanResult& span : answer.result->spans) {
-    const machine::Reeving& rope = answer.model->reevings[span.reeving];
-    note(worst, span.sag, span.chord, {rope, rope.nodes[span.from], rope.nodes[span.to]}, answer.words);
+  for (const solve::BranchResult& branch : answer.result->branches) {
+    const machine::Reeving& rope = answer.model->reevings[branch.reeving];
+    note(worst, branch.sag, branch.chord, {rope, rope.nodes[branch.from], rope.nodes[branch.to]}, answer.words);
   }
 }
 

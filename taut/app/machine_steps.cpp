@@ -13,8 +13,8 @@
 namespace taut::app {
 namespace {
 
+using solve::BranchResult;
 using solve::EquilibriumResult;
-using solve::SpanResult;
 
 /// The answer with the largest tension.
 results::Answer governing(const results::MachineRun& run) {
@@ -35,22 +35,22 @@ results::Answer governing(const results::MachineRun& run) {
 constexpr double same_tension = 1e-6;
 
 /// The elastic catenary of one span from its start on.
-void write_span(Sheet<Num>& s, const machine::Reeving& rope, const solve::SpanResult& span) {
+void write_span(Sheet<Num>& s, const machine::Reeving& rope, const solve::BranchResult& branch) {
   const std::string catenary = "Irvine 1981, elastic catenary";
   // a running rope's shape knows the tension less c (docs/theory/drives.md)
-  const double above = span.T_from - std::hypot(span.H, span.V_from);
-  const double running = above > same_tension * span.T_from ? above : 0;
+  const double above = branch.T_from - std::hypot(branch.H, branch.V_from);
+  const double running = above > same_tension * branch.T_from ? above : 0;
   // at the rope's temperature, as it runs
-  const double length = span.unstretched * (1 + rope.thermal_strain) * (1 + running / rope.stiffness);
+  const double length = branch.unstretched * (1 + rope.thermal_strain) * (1 + running / rope.stiffness);
   const Num L = s.named("L", si::m, length);
   const Num EA = s.named("EA", si::N, rope.stiffness + running);
-  const Num H = s.named("H", si::N, span.H);
-  const Num V_0 = s.named("V_0", si::N, span.V_from);
+  const Num H = s.named("H", si::N, branch.H);
+  const Num V_0 = s.named("V_0", si::N, branch.V_from);
   const Num w = s.named("w", si::N_per_m, rope.weight / (1 + rope.thermal_strain) / (1 + running / rope.stiffness));
   const Num V_1 = s.eq("", "V_1", si::N, V_0 + w * L, catenary);
   const Num T_0 = s.eq("", "T_0", si::N, sqrt(square(H) + square(V_0)), catenary);
   const Num T_1 = s.eq("", "T_1", si::N, sqrt(square(H) + square(V_1)), catenary);
-  if (rope.weight > 0 && span.H > 0 && std::isfinite(rope.stiffness)) {
+  if (rope.weight > 0 && branch.H > 0 && std::isfinite(rope.stiffness)) {
     s.eq("", "x", si::m, H * L / EA + H / w * (asinh(V_1 / H) - asinh(V_0 / H)), catenary);
     s.eq("", "z", si::m, (V_0 * L + w * square(L) / 2) / EA + (T_1 - T_0) / w, catenary);
   }
@@ -100,12 +100,12 @@ void write_ropes(Sheet<Num>& s, const results::Answer& state) {
   const solve::EquilibriumResult& e = *state.result;
   const auto worst =
       std::max_element(e.ropes.begin(), e.ropes.end(), [](const auto& a, const auto& b) { return a.T_max < b.T_max; });
-  const solve::SpanResult& span = e.spans[worst->span];
-  const machine::Reeving& rope = state.model->reevings[span.reeving];
+  const solve::BranchResult& branch = e.branches[worst->branch];
+  const machine::Reeving& rope = state.model->reevings[branch.reeving];
   const auto name = [&](int n) { return rope.nodes[n].name; };
-  s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(span.from),
-                        name(span.to), state.words));
-  write_span(s, rope, span);
+  s.section(fmt::format("The span with the largest tension: {} from {} to {} ({})", rope.name, name(branch.from),
+                        name(branch.to), state.words));
+  write_span(s, rope, branch);
   std::set<std::string> written;
   for (const auto& c : e.contacts) {
     const machine::Reeving& own = state.model->reevings[c.reeving];

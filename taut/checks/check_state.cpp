@@ -11,8 +11,8 @@
 namespace taut::checks {
 namespace {
 
-Vector3 level_way(const solve::SpanResult& span) {
-  Vector3 along(span.end.x() - span.start.x(), span.end.y() - span.start.y(), 0);
+Vector3 level_way(const solve::BranchResult& branch) {
+  Vector3 along(branch.end.x() - branch.start.x(), branch.end.y() - branch.start.y(), 0);
   if (along.norm() > 0) along.normalize();
   return along;
 }
@@ -69,7 +69,7 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
   all.words = std::move(words);
   all.analysis = std::move(analysis);
   all.rest = &state;
-  for (const solve::SpanResult& s : state.spans) {
+  for (const solve::BranchResult& s : state.branches) {
     const Vector3 along = level_way(s);
     all.branches.push_back({s.reeving, s.from, s.to, std::max({s.T_from, s.T_to, s.T_from_max, s.T_to_max}),
                             (s.T_from + s.T_to) / 2, s.chord, s.unstretched, s.start, s.end,

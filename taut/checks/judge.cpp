@@ -20,18 +20,18 @@ constexpr double of_largest = 1e-9;    ///< a rope carries tension from this sha
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
 /// "skyline between head and car".
-std::string between(const machine::Model& m, const solve::SpanResult& span) {
-  const machine::Reeving& rope = m.reevings[span.reeving];
-  return fmt::format("{} between {} and {}", rope.name, rope.nodes[span.from].name, rope.nodes[span.to].name);
+std::string between(const machine::Model& m, const solve::BranchResult& branch) {
+  const machine::Reeving& rope = m.reevings[branch.reeving];
+  return fmt::format("{} between {} and {}", rope.name, rope.nodes[branch.from].name, rope.nodes[branch.to].name);
 }
 
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
 std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving) {
   if (m.reevings[reeving].closed) return {};
   const auto own = [&](const auto& s) { return as_size(s.reeving) == reeving; };
-  const auto first = std::find_if(e.spans.begin(), e.spans.end(), own);
-  const auto last = std::find_if(e.spans.rbegin(), e.spans.rend(), own);
-  if (first == e.spans.end()) return {};
+  const auto first = std::find_if(e.branches.begin(), e.branches.end(), own);
+  const auto last = std::find_if(e.branches.rbegin(), e.branches.rend(), own);
+  if (first == e.branches.end()) return {};
   const double apart = (last->end - first->start).norm();
   const double length = e.ropes[reeving].unstretched;
   if (length >= apart) return {};
@@ -125,10 +125,10 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, words, carriages_);
   }
-  for (const solve::SpanResult& span : e.spans) {
-    const study::RopeClearance own = study::rope_clearance(m, span);
-    const std::string& rope = m.reevings[span.reeving].name;
-    take_height(rope, between(m, span), own.height, terrain_x(m, own.place), words, rope_heights_);
+  for (const solve::BranchResult& branch : e.branches) {
+    const study::RopeClearance own = study::rope_clearance(m, branch);
+    const std::string& rope = m.reevings[branch.reeving].name;
+    take_height(rope, between(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
 }
 
@@ -180,7 +180,7 @@ bool Judge::may_slack(const std::string& reeving) const {
 }
 
 void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  for (const solve::SpanResult& s : e.spans) {
+  for (const solve::BranchResult& s : e.branches) {
     if (!s.slack) continue;
     const std::string name = between(m, s);
     warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[s.reeving].name));

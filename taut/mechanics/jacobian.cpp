@@ -48,15 +48,16 @@ void add_columns_of_end(const BranchAt& at, const BranchRates& r, const BranchEn
   }
 }
 
-void fill_columns(const Assembly& a, int link_index, Columns& columns) {
-  const Layout::Link& link = a.system.layout.links[link_index];
-  const machine::Reeving& rope = a.system.model.reevings[link.reeving];
-  const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
+void fill_columns(const Assembly& a, int branch_index, Columns& columns) {
+  const Layout::Branch& laid = a.system.layout.branches[branch_index];
+  const machine::Reeving& rope = a.system.model.reevings[laid.reeving];
+  const machine::Node &from = rope.nodes[laid.from], &to = rope.nodes[laid.to];
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
-  const Branch& b = a.e.branches[link_index];
-  const BranchAt at{.system = a.system, .c = a.c, .link = link_index, .branch = b};
-  const bool stiff = link.force >= 0;
-  const BranchRates r = stiff ? stiff_rates(at) : rates(rope_of(rope, a.c.links[link_index].length), start, end, b);
+  const Branch& b = a.e.branches[branch_index];
+  const BranchAt at{.system = a.system, .c = a.c, .index = branch_index, .branch = b};
+  const bool stiff = laid.force >= 0;
+  const BranchRates r =
+      stiff ? stiff_rates(at) : rates(rope_of(rope, a.c.branches[branch_index].length), start, end, b);
   BranchWays ends;
   columns.count = 0;
   columns.from_body = from.at.body;
@@ -64,7 +65,7 @@ void fill_columns(const Assembly& a, int link_index, Columns& columns) {
   add_columns_of_end(at, r, start, true, columns, ends);
   add_columns_of_end(at, r, end, false, columns, ends);
   const std::size_t k = as_size(columns.count++);
-  columns.unknown[k] = link.unknown;
+  columns.unknown[k] = laid.unknown;
   columns.length[k] = r.length_u;
   columns.pull_from[k] = r.pull_from_u;
   columns.pull_to[k] = r.pull_to_u;
@@ -104,15 +105,15 @@ void add_ropes(Assembly& a) {
   for (std::size_t k = 0; k < a.columns.size(); ++k) {
     const Branch& b = a.e.branches[k];
     if (b.slack) continue;
-    const Layout::Link& link = a.system.layout.links[k];
-    const machine::Reeving& rope = a.system.model.reevings[link.reeving];
+    const Layout::Branch& laid = a.system.layout.branches[k];
+    const machine::Reeving& rope = a.system.model.reevings[laid.reeving];
     const Columns& columns = a.columns[k];
     const auto arm = [&](int node, int body, const Vector3& offset) -> Vector3 {
       if (body == machine::ground) return Vector3::Zero();
       return end_at(rope.nodes[node], a.c.bodies).centre + offset - a.c.bodies[body].position;
     };
-    const Vector3 from = arm(link.from, columns.from_body, b.offset_from);
-    const Vector3 to = arm(link.to, columns.to_body, b.offset_to);
+    const Vector3 from = arm(laid.from, columns.from_body, b.offset_from);
+    const Vector3 to = arm(laid.to, columns.to_body, b.offset_to);
     add_force_rows(
         a,
         {.body = columns.from_body, .F = b.pull_from, .arm = from, .dF = columns.pull_from, .darm = columns.arm_from},
@@ -181,15 +182,15 @@ void add_contact(Assembly& a, int turn) {
 }
 
 /// The free length of a branch in a row.
-void add_length(Assembly& a, int link, int row) {
-  const Columns& columns = a.columns[link];
+void add_length(Assembly& a, int index, int row) {
+  const Columns& columns = a.columns[index];
   for (std::size_t k = 0; k < as_size(columns.count); ++k) a.J(row, columns.unknown[k]) += columns.length[k];
 }
 
 /// The end tension of a rope as a row.
-void add_tension(Assembly& a, int link, bool start, int row) {
-  const Columns& columns = a.columns[link];
-  const Branch& b = a.e.branches[link];
+void add_tension(Assembly& a, int index, bool start, int row) {
+  const Columns& columns = a.columns[index];
+  const Branch& b = a.e.branches[index];
   for (std::size_t k = 0; k < as_size(columns.count); ++k) {
     a.J(row, columns.unknown[k]) += start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]);
   }
@@ -280,7 +281,7 @@ void add_coordinate(Assembly& a) {
 void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
               Array<BranchColumns>& columns) {
   J.setZero(system.layout.size, system.layout.size);
-  columns.resize(system.layout.links.size());
+  columns.resize(system.layout.branches.size());
   Assembly a{.system = system, .c = c, .e = e, .J = J, .columns = columns};
   for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[k]);
   add_ropes(a);

@@ -28,8 +28,8 @@ double worst_derivative(const machine::Model& m, std::optional<machine::Prescrib
   const mechanics::System system{m, layout, prescribed ? prescribed->x : 0};
   mechanics::Configuration c;
   c.bodies = state.bodies;
-  for (const auto& k : layout.links) {
-    c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  for (const auto& k : layout.branches) {
+    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   c.hold = 700;
   c.open_loads.assign(layout.ropes.size(), 300);

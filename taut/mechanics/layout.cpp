@@ -42,23 +42,23 @@ Array<int> touched_nodes(const machine::Reeving& rope, const Array<bool>& touche
 void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bool>& touched, const Array<int>& flow) {
   check(rope);
   const Array<int> nodes = touched_nodes(rope, touched);
-  const int links = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
+  const int branches = rope.closed ? count(nodes.size()) : count(nodes.size()) - 1;
   Layout::Rope r;
-  r.first = count(l.links.size());
-  r.count = links;
+  r.first = count(l.branches.size());
+  r.count = branches;
   r.first_turn = count(l.turns.size());
-  for (int k = 0; k < links; ++k) {
-    l.links.push_back({index, nodes[k], nodes[(k + 1) % count(nodes.size())], l.size + k});
+  for (int k = 0; k < branches; ++k) {
+    l.branches.push_back({index, nodes[k], nodes[(k + 1) % count(nodes.size())], l.size + k});
   }
   int row = l.size;
   const auto is_open = [](const machine::Node& node) { return node.kind == NodeKind::load && node.load.open; };
-  if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + links;
-  for (int k = rope.closed ? 0 : 1; k < links; ++k) {
+  if (std::any_of(rope.nodes.begin(), rope.nodes.end(), is_open)) r.open_load = l.size + branches;
+  for (int k = rope.closed ? 0 : 1; k < branches; ++k) {
     const int node = nodes[k];
     const NodeKind kind = rope.nodes[node].kind;
     expects(kind != NodeKind::anchor && (!rope.closed || (kind == NodeKind::drive) == (k == 0)),
             "anchors stand at the ends of a rope, its drive at the start of a closed one");
-    const int before = k > 0 ? r.first + k - 1 : r.first + links - 1;
+    const int before = k > 0 ? r.first + k - 1 : r.first + branches - 1;
     const bool drives = kind == NodeKind::drive;
     int runs = flow.empty() || drives ? 0 : flow[node];
     if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[node].load, runs);
@@ -68,7 +68,7 @@ void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bo
   }
   r.turn_count = count(l.turns.size()) - r.first_turn;
   r.row = row;
-  l.size += links + (r.open_load >= 0 ? 1 : 0);
+  l.size += branches + (r.open_load >= 0 ? 1 : 0);
   l.ropes.push_back(r);
 }
 
@@ -119,10 +119,10 @@ void measure(Layout& l, const machine::Model& model, const machine::State& state
       l.heaviest = std::max({l.heaviest, node.load.force, std::abs(node.tension_drop.value_or(0))});
     }
   }
-  for (const Layout::Link& link : l.links) {
-    const machine::Reeving& rope = model.reevings[link.reeving];
+  for (const Layout::Branch& laid : l.branches) {
+    const machine::Reeving& rope = model.reevings[laid.reeving];
     const Vector3 chord =
-        machine::in_ground(state, rope.nodes[link.to].at) - machine::in_ground(state, rope.nodes[link.from].at);
+        machine::in_ground(state, rope.nodes[laid.to].at) - machine::in_ground(state, rope.nodes[laid.from].at);
     l.length = std::max(l.length, chord.norm());
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
     if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);

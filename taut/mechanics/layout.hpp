@@ -20,17 +20,17 @@ struct Layout {
   /// A branch between two touched nodes; its length is unknown `unknown`. Of a rope that hardly stretches its force is
   /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); -1: the force follows from the
   /// length.
-  struct Link {
+  struct Branch {
     int reeving = 0, from = 0, to = 0, unknown = 0;
     int force = -1;
   };
-  /// A touched node between two links. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and the
-  /// sense along the path of a load's force.
+  /// A touched node between two branches. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and
+  /// the sense along the path of a load's force.
   struct Turn {
     int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
     int runs = 0;  ///< the sense in which the rope runs here, of a drive too: +1 along the path, 0 at rest
   };
-  /// A whole rope: links first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
+  /// A whole rope: branches first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
   struct Rope {
     int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
     int drive = -1;      ///< turn of its drive; -1: none
@@ -47,7 +47,7 @@ struct Layout {
 
   Array<Dof> dofs;       ///< unknown and row i
   Array<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
-  Array<Link> links;
+  Array<Branch> branches;
   Array<Turn> turns;
   Array<Rope> ropes;
   Array<Piece> pieces;  ///< the last unknowns and rows

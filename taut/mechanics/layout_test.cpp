@@ -27,7 +27,7 @@ void expect_complete(const Layout& l) {
     take(unknowns, i, "unknown");
     take(rows, i, "row");
   }
-  for (const Layout::Link& k : l.links) take(unknowns, k.unknown, "unknown");
+  for (const Layout::Branch& k : l.branches) take(unknowns, k.unknown, "unknown");
   for (const Layout::Turn& t : l.turns) {
     if (t.row >= 0) take(rows, t.row, "row");
   }
@@ -76,12 +76,12 @@ TEST(Layout, ALiftedSupportIsNoTurn) {
   machine::State state = machine::initial_state(m);
   state.touched[0][1] = false;
   const Layout l = layout(m, state, {}, no_flow(m));
-  ASSERT_EQ(l.links.size(), 2U);
-  EXPECT_EQ(l.links[0].from, 0);
-  EXPECT_EQ(l.links[0].to, 2);
+  ASSERT_EQ(l.branches.size(), 2U);
+  EXPECT_EQ(l.branches[0].from, 0);
+  EXPECT_EQ(l.branches[0].to, 2);
   ASSERT_EQ(l.turns.size(), 1U);
   EXPECT_EQ(l.turns[0].node, 2);
-  EXPECT_EQ(layout_of(m).links.size(), 3U);
+  EXPECT_EQ(layout_of(m).branches.size(), 3U);
 }
 
 TEST(Layout, ScalesAreTheLargest) {

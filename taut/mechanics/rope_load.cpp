@@ -11,7 +11,7 @@ namespace {
 
 bool is_load(const System& s, const Layout::Turn& t) { return node_of(s, t).kind == machine::NodeKind::load; }
 
-/// The links of the span in which a load stands: between it and the next nodes of other kinds.
+/// The branches of the span in which a load stands: between it and the next nodes of other kinds.
 struct LoadedSpan {
   int first = 0, last = 0;
 };
@@ -27,7 +27,7 @@ LoadedSpan span_of(const System& s, int turn) {
 
 double length_between(const Configuration& c, int first, int last) {
   double length = 0;
-  for (int k = first; k <= last; ++k) length += c.links[k].length;
+  for (int k = first; k <= last; ++k) length += c.branches[k].length;
   return length;
 }
 

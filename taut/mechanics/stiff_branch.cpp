@@ -11,15 +11,17 @@ namespace {
 
 constexpr double least_level = 1e-12;  ///< of the force: a rope in a vertical line has the limits of one beside it
 
-const machine::Reeving& rope_at(const System& s, int link) { return s.model.reevings[s.layout.links[link].reeving]; }
+const machine::Reeving& rope_at(const System& s, int index) {
+  return s.model.reevings[s.layout.branches[index].reeving];
+}
 
-struct LinkEnds {
+struct BranchEnds {
   BranchEnd from, to;
 };
 
-LinkEnds ends_of(const System& s, int link, const Configuration& c) {
-  const Layout::Link& l = s.layout.links[link];
-  const machine::Reeving& rope = rope_at(s, link);
+BranchEnds ends_of(const System& s, int index, const Configuration& c) {
+  const Layout::Branch& l = s.layout.branches[index];
+  const machine::Reeving& rope = rope_at(s, index);
   return {.from = end_at(rope.nodes[l.from], c.bodies), .to = end_at(rope.nodes[l.to], c.bodies)};
 }
 
@@ -49,7 +51,7 @@ Vector3 open_end_of(const rope::CatenaryRope& rope, const Vector3& F, const Vect
           static_cast<double>(end.z - chord.z())};
 }
 
-Branch heavy_branch(const rope::CatenaryRope& rope, const LinkEnds& ends, const Vector3& F) {
+Branch heavy_branch(const rope::CatenaryRope& rope, const BranchEnds& ends, const Vector3& F) {
   Branch b;
   const Vector3 half = rope.weight * rope.length / 2 * up();
   b.length = rope.length;
@@ -92,12 +94,12 @@ double stretching(const System& s, const machine::Reeving& rope, double T) {
 
 int force_count(const machine::Reeving& rope) { return rope.weight > 0 ? 3 : 1; }
 
-std::optional<Branch> stiff_branch(const System& s, int link, const Configuration& c, Eigen::VectorXd& residual) {
-  const machine::Reeving& reeving = rope_at(s, link);
-  const LinkEnds ends = ends_of(s, link, c);
-  const int row = s.layout.links[link].force;
-  const Vector3& F = c.forces[link];
-  const rope::CatenaryRope rope = rope_of(reeving, c.links[link].length);
+std::optional<Branch> stiff_branch(const System& s, int index, const Configuration& c, Eigen::VectorXd& residual) {
+  const machine::Reeving& reeving = rope_at(s, index);
+  const BranchEnds ends = ends_of(s, index, c);
+  const int row = s.layout.branches[index].force;
+  const Vector3& F = c.forces[index];
+  const rope::CatenaryRope rope = rope_of(reeving, c.branches[index].length);
   if (!(rope.length > 0) || !F.allFinite()) return std::nullopt;
   if (rope.weight > 0) {
     Branch b = heavy_branch(rope, ends, F);
@@ -106,7 +108,7 @@ std::optional<Branch> stiff_branch(const System& s, int link, const Configuratio
     b.closure = b.span.closure = open.norm();
     return b;
   }
-  const auto line = solve_branch(unit_line(rope.length), ends.from, ends.to, c.links[link]);
+  const auto line = solve_branch(unit_line(rope.length), ends.from, ends.to, c.branches[index]);
   if (!line) return std::nullopt;
   Branch b = *line;
   residual[row] = s.layout.length * (line->T_from - F.x() / stretching(s, reeving, F.x()));
@@ -116,8 +118,8 @@ std::optional<Branch> stiff_branch(const System& s, int link, const Configuratio
 
 BranchRates stiff_rates(const BranchAt& at) {
   const Branch& b = at.branch;
-  const LinkEnds ends = ends_of(at.system, at.link, at.c);
-  if (rope_at(at.system, at.link).weight == 0) {
+  const BranchEnds ends = ends_of(at.system, at.index, at.c);
+  if (rope_at(at.system, at.index).weight == 0) {
     BranchRates r = rates(unit_line(b.length), ends.from, ends.to, b);
     r.pull_from_X = r.pull_to_X = b.T_from * r.leaves_X;
     r.pull_from_u = r.pull_to_u = b.T_from * r.leaves_u;
@@ -138,8 +140,8 @@ namespace {
 
 void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
   const Branch& b = at.branch;
-  const int row = at.system.layout.links[at.link].force;
-  const LinkEnds l = ends_of(at.system, at.link, at.c);
+  const int row = at.system.layout.branches[at.index].force;
+  const BranchEnds l = ends_of(at.system, at.index, at.c);
   const rope::CatenaryRope& rope = b.span.rope;
   const rope::EndPosition p = rope::end_position(rope, b.span.force);
   const rope::EndRates by_length = rope::end_rates(rope, b.span.force);
@@ -173,8 +175,8 @@ void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& column
 void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
   const System& s = at.system;
   const Branch& b = at.branch;
-  const int row = s.layout.links[at.link].force;
-  const LinkEnds l = ends_of(s, at.link, at.c);
+  const int row = s.layout.branches[at.index].force;
+  const BranchEnds l = ends_of(s, at.index, at.c);
   const BranchRates strain = rates(unit_line(b.length), l.from, l.to, b);
   const double scale = s.layout.length;
   const std::size_t own = as_size(columns.count - 1);
@@ -182,7 +184,7 @@ void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns
     J(row, columns.unknown[i]) += scale * b.leaves.dot(strain.pull_from_X * ends[i]);
   }
   J(row, columns.unknown[own]) += scale * b.leaves.dot(strain.pull_from_u);
-  J(row, row) -= scale / stretching(s, rope_at(s, at.link), b.T_from);
+  J(row, row) -= scale / stretching(s, rope_at(s, at.index), b.T_from);
   const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = row;
   columns.length[k] = 0;
@@ -193,28 +195,28 @@ void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns
 }  // namespace
 
 void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
-  rope_at(at.system, at.link).weight > 0 ? add_heavy(at, ends, columns, J) : add_line(at, ends, columns, J);
+  rope_at(at.system, at.index).weight > 0 ? add_heavy(at, ends, columns, J) : add_line(at, ends, columns, J);
 }
 
 Layout with_forces(Layout layout, const machine::Model& model, double limit, double slack_stiffness) {
   layout.slack_stiffness = slack_stiffness;
   layout.stiffest = 0;
-  for (Layout::Link& link : layout.links) {
-    const machine::Reeving& rope = model.reevings[link.reeving];
+  for (Layout::Branch& laid : layout.branches) {
+    const machine::Reeving& rope = model.reevings[laid.reeving];
     if (!(rope.stiffness > limit)) {
       layout.stiffest = std::max(layout.stiffest, rope.stiffness);
       continue;
     }
-    link.force = layout.size;
+    laid.force = layout.size;
     layout.size += force_count(rope);
   }
   return layout;
 }
 
 Configuration with_forces(const System& s, Configuration c, const Evaluation& e) {
-  c.forces.assign(c.links.size(), Vector3::Zero());
-  for (std::size_t k = 0; k < c.links.size(); ++k) {
-    if (s.layout.links[k].force < 0) continue;
+  c.forces.assign(c.branches.size(), Vector3::Zero());
+  for (std::size_t k = 0; k < c.branches.size(); ++k) {
+    if (s.layout.branches[k].force < 0) continue;
     const Branch& b = e.branches[k];
     const bool heavy = rope_at(s, static_cast<int>(k)).weight > 0;
     c.forces[k] = heavy ? Vector3((b.pull_from + b.pull_to) / 2) : Vector3(b.T_from, 0, 0);

@@ -14,13 +14,13 @@ namespace taut::mechanics {
 int force_count(const machine::Reeving& rope);
 
 /// The branch at its force; fills what is open of its rows, m. Empty where its rounds leave no line.
-std::optional<Branch> stiff_branch(const System& system, int link, const Configuration& c, Eigen::VectorXd& residual);
+std::optional<Branch> stiff_branch(const System& system, int index, const Configuration& c, Eigen::VectorXd& residual);
 
 /// One branch of a configuration, solved.
 struct BranchAt {
   const System& system;
   const Configuration& c;
-  int link;  ///< in Layout::links
+  int index;  ///< in Layout::branches
   const Branch& branch;
 };
 

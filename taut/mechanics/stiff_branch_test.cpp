@@ -24,8 +24,8 @@ double worst_rate(const machine::Model& m) {
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
   mechanics::Configuration c;
   c.bodies = state.bodies;
-  for (const auto& k : by_length.links) {
-    c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  for (const auto& k : by_length.branches) {
+    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e;
@@ -78,8 +78,8 @@ TEST(StiffBranch, EvaluatesToTheSameBalanceAsByLengths) {
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
   mechanics::Configuration c;
   c.bodies = state.bodies;
-  for (const auto& k : by_length.links) {
-    c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  for (const auto& k : by_length.branches) {
+    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e, forces;

@@ -42,12 +42,12 @@ void add_dead_forces(const System& s, const Configuration& c, Eigen::VectorXd& r
 }
 
 void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     const Branch& b = e.branches[k];
     if (b.slack) continue;
-    const Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = reeving_of(s, link.reeving);
-    const machine::Node &from = rope.nodes[link.from], &to = rope.nodes[link.to];
+    const Layout::Branch& laid = s.layout.branches[k];
+    const machine::Reeving& rope = reeving_of(s, laid.reeving);
+    const machine::Node &from = rope.nodes[laid.from], &to = rope.nodes[laid.to];
     e.largest_force = std::max({e.largest_force, rope.copies * std::abs(b.T_from), rope.copies * std::abs(b.T_to)});
     add_force(s, c, from.at.body, end_at(from, c.bodies).centre + b.offset_from, rope.copies * b.pull_from, e.residual);
     add_force(s, c, to.at.body, end_at(to, c.bodies).centre + b.offset_to, -rope.copies * b.pull_to, e.residual);
@@ -71,12 +71,12 @@ bool is_length(const System& s, const Layout::Turn& t) {
 /// Laws of the contacts, places of the clamps, given quantities.
 void add_laws(const System& s, const Configuration& c, Evaluation& e) {
   for (const Layout::Rope& rope : s.layout.ropes) {
-    const machine::Reeving& reeving = reeving_of(s, s.layout.links[rope.first].reeving);
+    const machine::Reeving& reeving = reeving_of(s, s.layout.branches[rope.first].reeving);
     double length = 0;
-    int link = rope.first;
+    int k = rope.first;
     for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
       const Layout::Turn& turn = s.layout.turns[t];
-      for (; link < turn.after; ++link) length += c.links[link].length;
+      for (; k < turn.after; ++k) length += c.branches[k].length;
       const machine::Node& node = node_of(s, turn);
       const double T_in = e.branches[turn.before].T_to, T_out = e.branches[turn.after].T_from;
       if (node.kind == machine::NodeKind::clamp) {
@@ -87,7 +87,7 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       }
       length += arc(s, e, t).length;
     }
-    for (; link < rope.first + rope.count; ++link) length += c.links[link].length;
+    for (; k < rope.first + rope.count; ++k) length += c.branches[k].length;
     const auto open = [&](machine::Given given, double value) {
       switch (given) {
         case machine::Given::length:
@@ -118,11 +118,11 @@ void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
   add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
 
-void keep_shape(const machine::Reeving& rope, const Branch& branch, machine::BranchState& link) {
-  link.length = branch.length;
-  link.leaves = branch.leaves;
-  link.arrives = branch.arrives;
-  link.force = rope.weight > 0 ? std::optional(branch.span.force) : std::nullopt;
+void keep_shape(const machine::Reeving& rope, const Branch& branch, machine::BranchState& state) {
+  state.length = branch.length;
+  state.leaves = branch.leaves;
+  state.arrives = branch.arrives;
+  state.force = rope.weight > 0 ? std::optional(branch.span.force) : std::nullopt;
 }
 
 }  // namespace
@@ -170,26 +170,26 @@ Vector3 hold_place(const System& s, const Configuration& c) {
 }
 
 std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& e) {
-  e.branches.resize(s.layout.links.size());
+  e.branches.resize(s.layout.branches.size());
   e.bends.resize(s.layout.turns.size());
   e.residual.setZero(s.layout.size);
   e.largest_force = s.layout.heaviest;
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = reeving_of(s, link.reeving);
-    if (link.force >= 0) {
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
+    const Layout::Branch& laid = s.layout.branches[k];
+    const machine::Reeving& rope = reeving_of(s, laid.reeving);
+    if (laid.force >= 0) {
       const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
-      if (!stiff) return NoBranch{.link = static_cast<int>(k), .why = rope::NoCatenary::not_converged};
+      if (!stiff) return NoBranch{.branch = static_cast<int>(k), .why = rope::NoCatenary::not_converged};
       e.branches[k] = *stiff;
-      keep_shape(rope, *stiff, c.links[k]);
-      c.links[k].force = stiff->span.force;
+      keep_shape(rope, *stiff, c.branches[k]);
+      c.branches[k].force = stiff->span.force;
       continue;
     }
-    auto branch = solve_branch(rope_of(rope, c.links[k].length), end_at(rope.nodes[link.from], c.bodies),
-                               end_at(rope.nodes[link.to], c.bodies), c.links[k]);
-    if (!branch) return NoBranch{.link = static_cast<int>(k), .why = branch.error()};
+    auto branch = solve_branch(rope_of(rope, c.branches[k].length), end_at(rope.nodes[laid.from], c.bodies),
+                               end_at(rope.nodes[laid.to], c.bodies), c.branches[k]);
+    if (!branch) return NoBranch{.branch = static_cast<int>(k), .why = branch.error()};
     e.branches[k] = *branch;
-    keep_shape(rope, *branch, c.links[k]);
+    keep_shape(rope, *branch, c.branches[k]);
   }
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const Layout::Turn& turn = s.layout.turns[t];
@@ -209,7 +209,7 @@ Change change_of(const System& system, const Configuration& c, const Evaluation&
                  const Eigen::VectorXd& step) {
   Change change{.step = step, .force = Array<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (!c.links[k].force || system.layout.links[k].force >= 0) continue;
+    if (!c.branches[k].force || system.layout.branches[k].force >= 0) continue;
     Vector3 pull = Vector3::Zero();
     double length = 0;
     for (int i = 0; i < columns[k].count; ++i) {
@@ -233,20 +233,20 @@ void move(const System& s, const Configuration& c, const Change& change, double 
     if (dof.way.about == Vector3::Zero()) continue;
     pose.orientation = Eigen::AngleAxisd(by, dof.way.about).toRotationMatrix() * pose.orientation;
   }
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    machine::BranchState& link = moved.links[k];
-    link.length += part * change.step[s.layout.links[k].unknown];
-    if (const int force = s.layout.links[k].force; force >= 0) {
-      const int count = force_count(reeving_of(s, s.layout.links[k].reeving));
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
+    machine::BranchState& state = moved.branches[k];
+    state.length += part * change.step[s.layout.branches[k].unknown];
+    if (const int force = s.layout.branches[k].force; force >= 0) {
+      const int count = force_count(reeving_of(s, s.layout.branches[k].reeving));
       moved.forces[k].head(count) += part * change.step.segment(force, count);
       continue;
     }
-    if (!link.force) continue;
+    if (!state.force) continue;
     const rope::CatenaryForce& by = change.force[k];
     // a force that would turn round is no start
-    if (link.force->H + part * by.H > 0.1 * link.force->H) {
-      link.force->H += part * by.H;
-      link.force->V += part * by.V;
+    if (state.force->H + part * by.H > 0.1 * state.force->H) {
+      state.force->H += part * by.H;
+      state.force->V += part * by.V;
     }
   }
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
@@ -275,10 +275,10 @@ Misfit misfit(const System& s, const Evaluation& e) {
     s.model.reevings[r].given == machine::Given::length || place ? length(row) : force(row);
   }
   if (s.layout.hold >= 0) length(s.layout.coordinate_row);
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     m.span = std::max(m.span, e.branches[k].closure);
-    const Layout::Link& link = s.layout.links[k];
-    for (int i = 0; link.force >= 0 && i < force_count(reeving_of(s, link.reeving)); ++i) length(link.force + i);
+    const Layout::Branch& laid = s.layout.branches[k];
+    for (int i = 0; laid.force >= 0 && i < force_count(reeving_of(s, laid.reeving)); ++i) length(laid.force + i);
   }
   add_beam_misfit(s, e, m.force, m.length);
   return m;

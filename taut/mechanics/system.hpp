@@ -14,17 +14,18 @@ namespace taut::mechanics {
 /// The unknowns' values.
 struct Configuration {
   Array<machine::Pose> bodies;
-  Array<machine::BranchState> links;       ///< by Layout::links
+  Array<machine::BranchState> branches;    ///< by Layout::branches
   double hold = 0;                         ///< N along the track
   Array<machine::PieceState> pieces = {};  ///< by Layout::pieces
   Array<double> open_loads = {};           ///< by reeving, N, of those that have one
-  /// By Layout::links, of those whose force is an unknown: in the middle, of a rope without weight its tension as x, N.
+  /// By Layout::branches, of those whose force is an unknown: in the middle, of a rope without weight its tension as x,
+  /// N.
   Array<Vector3> forces = {};
 };
 
 /// Everything that follows from a configuration, and how far it is from equilibrium.
 struct Evaluation {
-  Array<Branch> branches;    ///< by Layout::links
+  Array<Branch> branches;    ///< by Layout::branches
   Array<Bend> bends;         ///< by Layout::turns
   Eigen::VectorXd residual;  ///< N, N m, m
   double largest_force = 0;  ///< N, a scale
@@ -32,7 +33,7 @@ struct Evaluation {
 
 /// Which branch has no solution, and why.
 struct NoBranch {
-  int link = 0;
+  int branch = 0;
   rope::NoCatenary why = rope::NoCatenary::not_converged;
 };
 

@@ -77,7 +77,7 @@ TEST(System, BalancesAreTheSlopeOfTheEnergy) {
     sum -= m.loads[0].force.dot(pose.position + pose.orientation * m.loads[0].at.at);
     for (std::size_t i = 0; i < 3; ++i) {
       sum += m.reevings[i].copies *
-             energy_of({c.links[i].length, 12, 4e5}, stumps[i], pose.position + pose.orientation * lugs[i]);
+             energy_of({c.branches[i].length, 12, 4e5}, stumps[i], pose.position + pose.orientation * lugs[i]);
     }
     return sum;
   };
@@ -107,7 +107,7 @@ TEST(System, LawsOfContactsAreEulersAndTheBearings) {
     const Vector3 places[] = {{-10, 0, 0}, {0, 0, 4}, {9, 2, 5}, {14, 0, -3}};
     double length = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      length += laid.c.links[k].length = (places[k + 1] - places[k]).norm() / (1 + T[k] / EA);
+      length += laid.c.branches[k].length = (places[k + 1] - places[k]).norm() / (1 + T[k] / EA);
     laid.m.reevings[0].value = length - 0.25;
     for (const double losses : {1.0, 0.4}) {
       const Eigen::VectorXd& r = laid.residual(0, losses);
@@ -154,10 +154,10 @@ TEST(System, ABranchWithoutAnswerIsNamed) {
   machine::Model m = three_spans(318, 0.1);
   Laid laid(m);
   laid.m.reevings[0].stiffness = rigid;
-  laid.c.links[1].length = 90;  // of 114 m from saddle to saddle
+  laid.c.branches[1].length = 90;  // of 114 m from saddle to saddle
   const auto none = evaluate(laid.system(), laid.c, laid.e);
   ASSERT_TRUE(none);
-  EXPECT_EQ(none->link, 1);
+  EXPECT_EQ(none->branch, 1);
   EXPECT_EQ(none->why, rope::NoCatenary::too_short);
 }
 

@@ -43,7 +43,7 @@ struct Box {
   Vector3 size() const { return high - low; }
 };
 
-std::vector<Vector3> line_of(const solve::SpanResult& s) {
+std::vector<Vector3> line_of(const solve::BranchResult& s) {
   if (s.slack || s.shape.rope.weight <= 0 || !(s.shape.rope.length > 0)) return {s.start, s.end};
   std::vector<Vector3> line;
   for (int i = 0; i <= points_per_span; ++i) {
@@ -54,7 +54,7 @@ std::vector<Vector3> line_of(const solve::SpanResult& s) {
 
 Box box_of(const solve::EquilibriumResult& e) {
   Box box;
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     for (const Vector3& v : line_of(s)) box.add(v);
   }
   for (const auto& line : beam_lines(e)) {
@@ -85,7 +85,7 @@ std::map<std::string, Held> held_of(const machine::Model& m, const solve::Equili
   const auto is_anchor = [&](int reeving, int n) {
     return m.reevings[reeving].nodes[n].kind == machine::NodeKind::anchor;
   };
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     if (is_anchor(s.reeving, s.from)) add(s.reeving, s.from, solve::pull_on_start(s));
     if (is_anchor(s.reeving, s.to)) add(s.reeving, s.to, solve::pull_on_end(s));
   }
@@ -112,7 +112,7 @@ void draw_ground(Drawing& d, const machine::Model& m, const View& view, const Bo
 }
 
 void draw_ropes(Drawing& d, const solve::EquilibriumResult& e, const View& view) {
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     Polyline line;
     line.role = s.reeving == 0 ? Role::rope : Role::second_rope;
     for (const Vector3& v : line_of(s)) line.points.push_back(view.point(v));
@@ -256,7 +256,7 @@ void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, co
   r.figures.emplace_back(drawing_of(m, e, {.right = right}, words));
   const Vector3 aside = up().cross(right);
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     for (const Vector3& v : {s.start, s.end}) {
       low = std::min(low, v.dot(aside));
       high = std::max(high, v.dot(aside));

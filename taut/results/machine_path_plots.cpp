@@ -9,15 +9,15 @@
 namespace taut::results {
 namespace {
 
+using solve::BranchResult;
 using solve::EquilibriumResult;
-using solve::SpanResult;
 
 constexpr int clearance_points_per_span = 12;
 constexpr std::size_t most_curves = 6;
 constexpr std::size_t most_names = 9;
 /// Tension at a share of a span; what is above H and V, the centrifugal tension of a running rope, is the same
 /// everywhere.
-double tension_at(const solve::SpanResult& s, double share) {
+double tension_at(const solve::BranchResult& s, double share) {
   const double running = s.T_from - std::hypot(s.H, s.V_from);
   return running + std::hypot(s.H, s.V_from + share * (s.V_to - s.V_from));
 }
@@ -38,7 +38,7 @@ Curve along(const machine::Model& m, const solve::EquilibriumResult& e, int reev
     const machine::Node& node = rope.nodes[n];
     if (marks != nullptr && node.kind != machine::NodeKind::load) marks->push_back({way, 0, node.name, false});
   };
-  for (const solve::SpanResult& s : e.spans) {
+  for (const solve::BranchResult& s : e.branches) {
     if (s.reeving != reeving) continue;
     if (s.slack) {
       curve.x.push_back(way);

@@ -13,7 +13,7 @@ constexpr int scene_points_per_span = 32;
 
 std::array<double, 3> scene_point(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-SceneLine line_of(const machine::Model& m, const solve::SpanResult& s) {
+SceneLine line_of(const machine::Model& m, const solve::BranchResult& s) {
   const machine::Reeving& rope = m.reevings[s.reeving];
   SceneLine line{.name = fmt::format("{}[{}]", rope.name, s.from + 1),
                  .role = s.reeving == 0 ? Role::rope : Role::second_rope,
@@ -41,7 +41,7 @@ Scene scene_of(const study::EquilibriumRun& one) {
   Scene scene;
   scene.name = "machine" + one.ending;
   scene.t = {0};
-  for (const auto& s : one.result.spans) scene.lines.push_back(line_of(one.model, s));
+  for (const auto& s : one.result.branches) scene.lines.push_back(line_of(one.model, s));
   for (std::size_t i = 0; i < one.model.bodies.size(); ++i) {
     scene.points.push_back({one.model.bodies[i].name, 0, {scene_point(one.result.state.bodies[i].position)}, {}});
   }

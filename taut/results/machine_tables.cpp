@@ -25,7 +25,7 @@ Table spans(const machine::Model& m, const EquilibriumResult& e) {
   if (e.band) columns = joined(columns, solve::branch_band_quantities());
   if (!m.terrain.empty()) columns = joined(columns, terrain_quantities());
   std::vector<solve::BranchRow> rows;
-  for (const auto& branch : e.spans) rows.push_back({m, e, branch});
+  for (const auto& branch : e.branches) rows.push_back({m, e, branch});
   return make_table("spans", "Spans", columns, rows);
 }
 
@@ -50,7 +50,7 @@ Table bodies(const machine::Model& m, const EquilibriumResult& e) {
 
 Table anchors(const machine::Model& m, const EquilibriumResult& e) {
   std::vector<solve::RopeEndRow> rows;
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     const auto& nodes = m.reevings[s.reeving].nodes;
     if (nodes[s.from].kind == machine::NodeKind::anchor) rows.push_back({m, s, false});
     if (nodes[s.to].kind == machine::NodeKind::anchor) rows.push_back({m, s, true});

@@ -266,7 +266,7 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
   mechanics::Layout bare = layout;
   bare.pieces.clear();
   if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
-  for (mechanics::Layout::Link& link : bare.links) link.force = -1;  // these unknowns stand behind the beams'
+  for (mechanics::Layout::Branch& laid : bare.branches) laid.force = -1;  // these unknowns stand behind the beams'
   kept = -1;
   if (bare.hold >= 0) {
     --bare.size;  // the last one before the beams

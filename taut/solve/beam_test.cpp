@@ -176,7 +176,7 @@ TEST(Beam, TurnedAndMirroredGivesTheSame) {
   for (const auto& [angle, mirrored] : {std::pair{1.1, false}, {4.0, false}, {0.0, true}, {2.3, true}}) {
     const auto t = solve::equilibrium(slewed(angle, mirrored));
     ASSERT_TRUE(t.outcome.ok()) << t.outcome.message;
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(t.spans[i].T_to, r.spans[i].T_to, 1e-9 * r.spans[0].T_to);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(t.branches[i].T_to, r.branches[i].T_to, 1e-9 * r.branches[0].T_to);
     for (std::size_t i = 0; i < r.beams[0].points.size(); ++i) {
       const solve::BeamPoint &p = r.beams[0].points[i], &q = t.beams[0].points[i];
       EXPECT_NEAR(q.M, p.M, 1e-8 * r.beams[0].points[r.beams[0].most_bent].M);
@@ -207,7 +207,7 @@ TEST(Beam, VeryStiffItIsARigidBody) {
   rigid.bodies[0].free.pop_back();
   const auto a = centred(slewed(0, false, 1e9)), b = centred(rigid);
   ASSERT_TRUE(a.outcome.ok() && b.outcome.ok()) << a.outcome.message << b.outcome.message;
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(a.spans[i].T_to, b.spans[i].T_to, 1e-6 * b.spans[0].T_to);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(a.branches[i].T_to, b.branches[i].T_to, 1e-6 * b.branches[0].T_to);
 }
 
 TEST(Beam, TripodOfStrutsCarriesByItsLines) {

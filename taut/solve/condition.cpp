@@ -17,7 +17,7 @@ using Kind = Condition::Kind;
 
 double end_tension(const EquilibriumResult& r, int reeving, bool at_end) {
   double T = 0;
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     if (s.reeving != reeving) continue;
     if (!at_end) return s.T_from;
     T = s.T_to;
@@ -76,7 +76,7 @@ class ConditionSearch {
         return sag_of_carriage(model, r, options_.prescribed->carriage) - condition_.value;
       case Kind::sag_of_span: {
         int n = 0;
-        for (const SpanResult& s : r.spans) {
+        for (const BranchResult& s : r.branches) {
           if (s.reeving == condition_.reeving && n++ == condition_.span) return sag_at_middle(s) - condition_.value;
         }
         return std::nan("");
@@ -135,18 +135,18 @@ std::string_view words(Kind kind) {
 
 }  // namespace
 
-double sag_at_middle(const SpanResult& span) {
-  if (span.slack || span.shape.rope.weight <= 0) return 0;
-  return rope::sag_at(span.shape, std::hypot(span.shape.chord.x(), span.shape.chord.y()) / 2);
+double sag_at_middle(const BranchResult& branch) {
+  if (branch.slack || branch.shape.rope.weight <= 0) return 0;
+  return rope::sag_at(branch.shape, std::hypot(branch.shape.chord.x(), branch.shape.chord.y()) / 2);
 }
 
 double sag_of_carriage(const machine::Model& model, const EquilibriumResult& r, int carriage) {
   const machine::Carriage& car = model.carriages.at(as_size(carriage));
-  const SpanResult *before = nullptr, *after = nullptr;
+  const BranchResult *before = nullptr, *after = nullptr;
   // a carriage of several rollers has spans of its own between them
   const auto& nodes = model.reevings[car.reeving].nodes;
   const auto rides = [&](int node) { return nodes[node].at.body == car.body; };
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     if (s.reeving != car.reeving || rides(s.from) == rides(s.to)) continue;
     if (rides(s.to) && s.to <= car.node) before = &s;
     if (rides(s.from) && s.from >= car.node && after == nullptr) after = &s;

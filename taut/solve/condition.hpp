@@ -47,7 +47,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
                               const std::optional<machine::State>& start = std::nullopt);
 
 /// Sag of a span below its chord, at half its horizontal length, m.
-double sag_at_middle(const SpanResult& span);
+double sag_at_middle(const BranchResult& branch);
 
 /// Sag of a carriage: its depth below the straight line between the far ends of the two branches beside it, m.
 double sag_of_carriage(const machine::Model& model, const EquilibriumResult& result, int carriage);

@@ -28,9 +28,9 @@ TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
       const double a = (low + high) / 2;
       (a * (std::cosh(60 / a) - 1) > f ? low : high) = a;
     }
-    EXPECT_NEAR(c.result.spans[0].H / (12 * low), 1, 1e-7) << f;
+    EXPECT_NEAR(c.result.branches[0].H / (12 * low), 1, 1e-7) << f;
     EXPECT_NEAR(c.result.ropes[0].unstretched / (2 * low * std::sinh(60 / low)), 1, 1e-10) << f;
-    EXPECT_NEAR(sag_at_middle(c.result.spans[0]), f, 1e-8);
+    EXPECT_NEAR(sag_at_middle(c.result.branches[0]), f, 1e-8);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(Condition, BySagByLengthAndByTensionAreOneState) {
     const Conditioned by_sag = equilibrium_under(m, {Kind::sag_at_carriage, 0, sag, 0}, options);
     ASSERT_TRUE(by_sag.result.outcome.ok()) << by_sag.result.outcome.message;
     EXPECT_NEAR(sag_of_carriage(by_sag.model, by_sag.result, 0), sag, 1e-8);
-    const auto& spans = by_sag.result.spans;
+    const auto& spans = by_sag.result.branches;
     const Conditioned by_tension = equilibrium_under(m, {Kind::tension_at_start, 0, spans.front().T_from, 0}, options);
     ASSERT_TRUE(by_tension.result.outcome.ok());
     EXPECT_NEAR(sag_of_carriage(m, by_tension.result, 0), sag, 1e-6);
@@ -125,7 +125,7 @@ TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
     ASSERT_TRUE(solve_loop(both.loop, {90, 11}, by_sag).ok());
     const Conditioned c = equilibrium_under(both.machine, {Kind::sag_at_carriage, 0, 11, 0}, options);
     ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
-    const auto& spans = c.result.spans;  // head-car, car-tail, tail-car, winch-car
+    const auto& spans = c.result.branches;  // head-car, car-tail, tail-car, winch-car
     ASSERT_EQ(spans.size(), 4U);
     EXPECT_NEAR(c.result.ropes[0].unstretched / by_sag.return_length, 1, 1e-7);
     EXPECT_NEAR(c.result.ropes[1].unstretched / by_sag.traction_length, 1, 1e-7);
@@ -134,7 +134,7 @@ TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
     ASSERT_TRUE(find_loop_sag(both.loop, 90, LoopGiven::tension_at_A, 45e3, pulled).ok());
     const Conditioned p = equilibrium_under(both.machine, {Kind::tension_of, 0, 45e3, 0, {1}}, options);
     ASSERT_TRUE(p.result.outcome.ok()) << p.result.outcome.message;
-    EXPECT_NEAR(p.result.spans[3].T_from, 45e3, 1e-3);
+    EXPECT_NEAR(p.result.branches[3].T_from, 45e3, 1e-3);
     EXPECT_NEAR(sag_of_carriage(p.model, p.result, 0), pulled.sag, 1e-5);
     // the length of the whole loop given
     LoopSag looped;

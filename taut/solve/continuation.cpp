@@ -28,7 +28,7 @@ bool same_ropes(const machine::Model& a, const machine::Model& b) {
 /// The machine's size, m.
 double size_of(const EquilibriumResult& r) {
   double size = 1e-3;
-  for (const SpanResult& s : r.spans) size = std::max(size, s.chord);
+  for (const BranchResult& s : r.branches) size = std::max(size, s.chord);
   return size;
 }
 

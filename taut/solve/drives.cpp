@@ -129,9 +129,9 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
   Array<DrumResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
     const machine::Reeving& rope = model.reevings[r];
-    const auto own = [&](const SpanResult& s) { return s.reeving == r; };
-    const auto first = std::find_if(result.spans.begin(), result.spans.end(), own);
-    const auto last = std::find_if(result.spans.rbegin(), result.spans.rend(), own);
+    const auto own = [&](const BranchResult& s) { return s.reeving == r; };
+    const auto first = std::find_if(result.branches.begin(), result.branches.end(), own);
+    const auto last = std::find_if(result.branches.rbegin(), result.branches.rend(), own);
     for (const bool at_end : {false, true}) {
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       if (node.drum < 0) continue;

@@ -61,7 +61,7 @@ Ran run(const machine::Model& m, Motion motion) {
 /// per metre of flow.
 double lifted(const solve::EquilibriumResult& e) {
   double height = 0;
-  for (const auto& s : e.spans) height += (s.end - s.start).z();
+  for (const auto& s : e.branches) height += (s.end - s.start).z();
   return mass * 9.80665 * height;
 }
 
@@ -125,7 +125,7 @@ Vector3 end_of_running_rope(Vector3 pull, double c, double w, double L) {
 
 TEST(Drives, ARunningSpanHasTheShapeOfItsTensionLessTheCentrifugalOne) {
   const auto [e, d] = run(saw(), Motion::in);
-  const auto& s = e.spans.back();
+  const auto& s = e.branches.back();
   Vector3 along = s.end - s.start;
   along.z() = 0;
   const Vector3 pull = s.H * along.normalized() + s.V_from * up();
@@ -182,8 +182,8 @@ TEST(Drives, ATractionSheaveHoldsTheDifferenceOfItsWeights) {
   m.reevings[0].nodes[1].tension_drop = 300;
   const auto r = solve::equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_NEAR(r.spans[0].T_from, 900 * 9.80665 / 4, 1e-6);
-  EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, 300, 1e-6);
+  EXPECT_NEAR(r.branches[0].T_from, 900 * 9.80665 / 4, 1e-6);
+  EXPECT_NEAR(r.branches[0].T_to - r.branches[1].T_from, 300, 1e-6);
   EXPECT_NEAR(solve::drives(m, r).at(0).torque, 4 * 300 * 0.5, 1e-6);
 }
 

@@ -63,7 +63,8 @@ mechanics::Configuration configuration_of(const mechanics::Layout& layout, const
   mechanics::Configuration c;
   c.bodies = state.bodies;
   c.open_loads.assign(layout.ropes.size(), 0);
-  for (const mechanics::Layout::Link& link : layout.links) c.links.push_back(state.branches[link.reeving][link.from]);
+  for (const mechanics::Layout::Branch& laid : layout.branches)
+    c.branches.push_back(state.branches[laid.reeving][laid.from]);
   for (const mechanics::Layout::Piece& p : layout.pieces)
     c.pieces.push_back(state.beams.at(as_size(p.beam)).at(as_size(p.piece)));
   return c;
@@ -71,8 +72,8 @@ mechanics::Configuration configuration_of(const mechanics::Layout& layout, const
 
 void keep(const mechanics::Layout& layout, const mechanics::Configuration& c, machine::State& state) {
   state.bodies = c.bodies;
-  for (std::size_t k = 0; k < layout.links.size(); ++k) {
-    state.branches[layout.links[k].reeving][layout.links[k].from] = c.links[k];
+  for (std::size_t k = 0; k < layout.branches.size(); ++k) {
+    state.branches[layout.branches[k].reeving][layout.branches[k].from] = c.branches[k];
   }
   for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
     state.beams.at(as_size(layout.pieces[k].beam)).at(as_size(layout.pieces[k].piece)) = c.pieces[k];
@@ -80,13 +81,14 @@ void keep(const mechanics::Layout& layout, const mechanics::Configuration& c, ma
 }
 
 /// Gives a branch a little less than its straight length. False where it does not stretch.
-bool draw_taut(const mechanics::System& system, const machine::State& state, int link_index,
+bool draw_taut(const mechanics::System& system, const machine::State& state, int branch_index,
                mechanics::Configuration& c) {
-  const mechanics::Layout::Link& link = system.layout.links[link_index];
-  const machine::Reeving& rope = system.model.reevings[link.reeving];
+  const mechanics::Layout::Branch& laid = system.layout.branches[branch_index];
+  const machine::Reeving& rope = system.model.reevings[laid.reeving];
   if (std::isinf(rope.stiffness)) return false;
-  c.links[link_index] = {};
-  c.links[link_index].length = drawn_taut * machine::straight_length(state, rope.nodes[link.from], rope.nodes[link.to]);
+  c.branches[branch_index] = {};
+  c.branches[branch_index].length =
+      drawn_taut * machine::straight_length(state, rope.nodes[laid.from], rope.nodes[laid.to]);
   return true;
 }
 
@@ -94,10 +96,10 @@ bool draw_taut(const mechanics::System& system, const machine::State& state, int
 mechanics::Configuration usable_start(const mechanics::System& system, const machine::State& state) {
   mechanics::Configuration c = configuration_of(system.layout, state);
   mechanics::Evaluation e;
-  for (std::size_t tries = 0; tries <= c.links.size(); ++tries) {
+  for (std::size_t tries = 0; tries <= c.branches.size(); ++tries) {
     const auto no = mechanics::evaluate(system, c, e);
     if (!no) break;
-    if (!draw_taut(system, state, no->link, c)) break;
+    if (!draw_taut(system, state, no->branch, c)) break;
   }
   return c;
 }
@@ -105,7 +107,7 @@ mechanics::Configuration usable_start(const mechanics::System& system, const mac
 /// The same with every branch drawn taut that can be.
 mechanics::Configuration taut_start(const mechanics::System& system, const machine::State& state) {
   mechanics::Configuration c = configuration_of(system.layout, state);
-  for (int k = 0; k < static_cast<int>(c.links.size()); ++k) draw_taut(system, state, k, c);
+  for (int k = 0; k < static_cast<int>(c.branches.size()); ++k) draw_taut(system, state, k, c);
   return c;
 }
 
@@ -206,7 +208,7 @@ Iteration find(const mechanics::System& system, const machine::State& state, con
     unstable = s;
     if (found.rope) {
       // which way a rope runs off is a matter of chance
-      const Array<rope::CatenaryForce> no_change(s.c.links.size());
+      const Array<rope::CatenaryForce> no_change(s.c.branches.size());
       mechanics::move(system, unstable->c, {.step = found.push, .force = no_change}, 1, start);
     }
   }
@@ -472,7 +474,7 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
     moving.motion = motion;
     moving.held = true;  // its friction holds it at rest
     const EquilibriumResult other = equilibrium(held, moving, result.state);
-    if (!other.outcome.ok() || other.spans.size() != result.spans.size()) {
+    if (!other.outcome.ok() || other.branches.size() != result.branches.size()) {
       result.band = false;
       continue;
     }
@@ -480,10 +482,10 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
       low = std::min(low, T);
       high = std::max(high, T);
     };
-    for (std::size_t k = 0; k < result.spans.size(); ++k) {
-      SpanResult& span = result.spans[k];
-      widen(span.T_from_min, span.T_from_max, other.spans[k].T_from);
-      widen(span.T_to_min, span.T_to_max, other.spans[k].T_to);
+    for (std::size_t k = 0; k < result.branches.size(); ++k) {
+      BranchResult& branch = result.branches[k];
+      widen(branch.T_from_min, branch.T_from_max, other.branches[k].T_from);
+      widen(branch.T_to_min, branch.T_to_max, other.branches[k].T_to);
     }
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
       ContactResult& contact = result.contacts[k];

@@ -38,7 +38,7 @@ struct EquilibriumOptions {
 /// Results of one branch: tensions at its ends and their components, N. H: along the horizontal direction of the
 /// branch. V: upwards, positive where the rope rises along its path. T of a running rope (Reeving::speed) contains the
 /// centrifugal tension; H and V do not, because its supports do not feel it.
-struct SpanResult {
+struct BranchResult {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   double T_from = 0, T_to = 0, H = 0, V_from = 0, V_to = 0;
   /// Lengths, m. unstretched: of the free rope of this branch, at the reference temperature.
@@ -82,7 +82,7 @@ struct RopeResult {
   double unstretched = 0;  ///< at the reference temperature, of one copy, from end to end of its path, m: branches and
                            ///< arcs on rounds, without the rope on drums
   double T_max = 0;        ///< the largest tension; at rest the largest of the band, N
-  int span = 0;            ///< index of the branch with T_max in `spans`
+  int branch = 0;          ///< index of the branch with T_max in `branches`
   bool at_end = false;     ///< T_max is at the end of that branch, else at its start
   double safety_factor = 0;  ///< breaking force / T_max; 0: breaking force not known
 };
@@ -100,7 +100,7 @@ struct Closure {
 struct EquilibriumResult {
   Outcome outcome;
   machine::State state;
-  Array<SpanResult> spans;           ///< by reeving, along its path
+  Array<BranchResult> branches;      ///< by reeving, along its path
   Array<ContactResult> contacts;     ///< by reeving, along its path; nodes between the ends
   Array<RopeLoadResult> rope_loads;  ///< by reeving, along its path
   Array<RopeResult> ropes;           ///< by reeving

@@ -24,7 +24,7 @@ EquilibriumResult moving(const machine::Model& m, Motion motion) {
 
 double total_length(const EquilibriumResult& r, int reeving) {
   double sum = 0;
-  for (const SpanResult& s : r.spans) sum += s.reeving == reeving ? s.unstretched : 0;
+  for (const BranchResult& s : r.branches) sum += s.reeving == reeving ? s.unstretched : 0;
   return sum;
 }
 
@@ -34,10 +34,10 @@ TEST(Equilibrium, LevelCatenaryOfTheSpecification) {
   m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 0}), anchor("b", {80, 0, 0})}, 100, 9.81, 1e7));
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok());
-  EXPECT_NEAR(r.spans[0].H, 331.73013818, 1e-8 * 331);
-  EXPECT_NEAR(r.spans[0].T_to, 592.144521698, 1e-8 * 592);
-  EXPECT_NEAR(r.spans[0].sag, 26.547034967, 1e-8 * 26);
-  EXPECT_GT(r.spans[0].stretched, r.spans[0].unstretched);
+  EXPECT_NEAR(r.branches[0].H, 331.73013818, 1e-8 * 331);
+  EXPECT_NEAR(r.branches[0].T_to, 592.144521698, 1e-8 * 592);
+  EXPECT_NEAR(r.branches[0].sag, 26.547034967, 1e-8 * 26);
+  EXPECT_GT(r.branches[0].stretched, r.branches[0].unstretched);
 }
 
 TEST(Equilibrium, EverySaddleObeysItsLawInBothDirections) {
@@ -66,13 +66,13 @@ TEST(Equilibrium, BandAtRestHoldsBothDirections) {
   const EquilibriumResult rest = equilibrium(m);
   ASSERT_TRUE(rest.band);
   const EquilibriumResult in = moving(m, Motion::in), out = moving(m, Motion::out);
-  for (std::size_t k = 0; k < rest.spans.size(); ++k) {
-    const double T[] = {rest.spans[k].T_from, in.spans[k].T_from, out.spans[k].T_from};
-    EXPECT_NEAR(rest.spans[k].T_from_min / std::ranges::min(T), 1, 1e-9);
-    EXPECT_NEAR(rest.spans[k].T_from_max / std::ranges::max(T), 1, 1e-9);
+  for (std::size_t k = 0; k < rest.branches.size(); ++k) {
+    const double T[] = {rest.branches[k].T_from, in.branches[k].T_from, out.branches[k].T_from};
+    EXPECT_NEAR(rest.branches[k].T_from_min / std::ranges::min(T), 1, 1e-9);
+    EXPECT_NEAR(rest.branches[k].T_from_max / std::ranges::max(T), 1, 1e-9);
   }
-  EXPECT_LT(rest.spans[2].T_from_min, rest.spans[2].T_from);
-  EXPECT_GT(rest.spans[2].T_from_max, rest.spans[2].T_from);
+  EXPECT_LT(rest.branches[2].T_from_min, rest.branches[2].T_from);
+  EXPECT_GT(rest.branches[2].T_from_max, rest.branches[2].T_from);
   EXPECT_FALSE(equilibrium(three_spans(316, 0)).band);
 }
 
@@ -88,12 +88,12 @@ TEST(Equilibrium, LeadLineOfTackles) {
       const double Q = 3000 * m.gravity, K = 1 / efficiency;
       const EquilibriumResult up = moving(m, Motion::hoist), down = moving(m, Motion::lower), rest = equilibrium(m);
       ASSERT_TRUE(up.outcome.ok() && down.outcome.ok() && rest.outcome.ok());
-      EXPECT_NEAR(up.spans[0].T_from / lead_line(Q, falls, K), 1, 1e-9) << falls;
-      EXPECT_NEAR(down.spans[0].T_from / lead_line(Q, falls, efficiency), 1, 1e-9) << falls;
-      EXPECT_NEAR(rest.spans[0].T_from / (Q / falls), 1, 1e-9) << falls;
-      EXPECT_NEAR(rest.spans[0].T_from_max / lead_line(Q, falls, K), 1, 1e-9);
+      EXPECT_NEAR(up.branches[0].T_from / lead_line(Q, falls, K), 1, 1e-9) << falls;
+      EXPECT_NEAR(down.branches[0].T_from / lead_line(Q, falls, efficiency), 1, 1e-9) << falls;
+      EXPECT_NEAR(rest.branches[0].T_from / (Q / falls), 1, 1e-9) << falls;
+      EXPECT_NEAR(rest.branches[0].T_from_max / lead_line(Q, falls, K), 1, 1e-9);
       // every part is vertical, every sheave wrapped half round but the lead
-      for (std::size_t k = 1; k < up.spans.size(); ++k) EXPECT_NEAR(up.spans[k].H, 0, 1e-6);
+      for (std::size_t k = 1; k < up.branches.size(); ++k) EXPECT_NEAR(up.branches[k].H, 0, 1e-6);
       for (std::size_t k = 1; k < up.contacts.size(); ++k) EXPECT_NEAR(up.contacts[k].wrap, std::numbers::pi, 1e-9);
     }
   }
@@ -126,9 +126,9 @@ TEST(Equilibrium, GivenTensionThenFrozenLength) {
   m.reevings[0].value = 50e3;
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_NEAR(r.spans.back().T_to, 50e3, 1e-4);
+  EXPECT_NEAR(r.branches.back().T_to, 50e3, 1e-4);
   const EquilibriumResult again = equilibrium(installed(m, r));
-  EXPECT_NEAR(again.spans.back().T_to, 50e3, 1e-4);
+  EXPECT_NEAR(again.branches.back().T_to, 50e3, 1e-4);
 }
 
 TEST(Equilibrium, ClosedRopeWithTakeUp) {
@@ -142,8 +142,8 @@ TEST(Equilibrium, ClosedRopeWithTakeUp) {
   m.reevings[0].closed = true;
   const EquilibriumResult rest = equilibrium(m);
   ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
-  EXPECT_NEAR(rest.spans[0].T_from, 2500, 1e-6);
-  EXPECT_NEAR(rest.spans[1].T_from, 2500, 1e-6);
+  EXPECT_NEAR(rest.branches[0].T_from, 2500, 1e-6);
+  EXPECT_NEAR(rest.branches[1].T_from, 2500, 1e-6);
   const double stretched = 8 * (1 + 2500 / 1e6);
   EXPECT_NEAR(rest.state.bodies[0].position.x(), (stretched - 2 * std::numbers::pi * 0.3) / 2, 1e-9);
   EXPECT_EQ(rest.contacts[0].state, ContactState::held);
@@ -153,7 +153,7 @@ TEST(Equilibrium, ClosedRopeWithTakeUp) {
   const EquilibriumResult run = equilibrium(m, turning);
   ASSERT_TRUE(run.outcome.ok()) << run.outcome.message;
   EXPECT_NEAR(run.contacts[1].T_out * 0.97, run.contacts[1].T_in, 1e-6);
-  EXPECT_NEAR(run.spans[0].T_from + run.spans[1].T_from, 5000, 1e-6);
+  EXPECT_NEAR(run.branches[0].T_from + run.branches[1].T_from, 5000, 1e-6);
   EXPECT_EQ(run.contacts[1].state, ContactState::turning);
 }
 
@@ -163,7 +163,7 @@ TEST(Equilibrium, CopiesShareTheLoad) {
   const EquilibriumResult two = equilibrium(m);
   ASSERT_TRUE(two.outcome.ok());
   machine::Model half = tackle(2, 1, 1500, 8);
-  EXPECT_NEAR(two.spans[0].T_from / equilibrium(half).spans[0].T_from, 1, 1e-9);
+  EXPECT_NEAR(two.branches[0].T_from / equilibrium(half).branches[0].T_from, 1, 1e-9);
 }
 
 TEST(Equilibrium, SlackGuyDropsOut) {
@@ -175,12 +175,12 @@ TEST(Equilibrium, SlackGuyDropsOut) {
   m.reevings.push_back(reeve("right", {anchor_on("top", 0, {0, 0, 10}), anchor("b", {10, 0, 0})}, 14.2, 0, 1e6));
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_FALSE(r.spans[0].slack);
-  EXPECT_TRUE(r.spans[1].slack);
-  EXPECT_EQ(r.spans[1].T_from, 0);
+  EXPECT_FALSE(r.branches[0].slack);
+  EXPECT_TRUE(r.branches[1].slack);
+  EXPECT_EQ(r.branches[1].T_from, 0);
   // moments about the hinge at the place found
-  const Vector3 top = r.spans[0].start;
-  const Vector3 guy = r.spans[0].T_from * (r.spans[0].end - top).normalized();
+  const Vector3 top = r.branches[0].start;
+  const Vector3 guy = r.branches[0].T_from * (r.branches[0].end - top).normalized();
   EXPECT_NEAR(top.cross(guy + Vector3(1e3, 0, -5e3)).y(), 0, 1e-5);
 }
 
@@ -195,9 +195,9 @@ TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
     m.reevings[0].stiffness = 1e13;
     const EquilibriumResult stiff = equilibrium(m, options);
     ASSERT_TRUE(stiff.outcome.ok()) << stiff.outcome.message;
-    for (std::size_t k = 0; k < rigid.spans.size(); ++k) {
-      EXPECT_NEAR(rigid.spans[k].T_from / stiff.spans[k].T_from, 1, 1e-6);
-      EXPECT_NEAR(rigid.spans[k].stretched / rigid.spans[k].unstretched, 1, 1e-14);
+    for (std::size_t k = 0; k < rigid.branches.size(); ++k) {
+      EXPECT_NEAR(rigid.branches[k].T_from / stiff.branches[k].T_from, 1, 1e-6);
+      EXPECT_NEAR(rigid.branches[k].stretched / rigid.branches[k].unstretched, 1, 1e-14);
     }
   }
 }

@@ -12,7 +12,7 @@ namespace {
 const machine::Node& node(const machine::Model& m, int reeving, int n) { return m.reevings[reeving].nodes[n]; }
 
 /// Horizontal direction from the branch's start to its end; 0 where it hangs plumb.
-Vector3 plan_direction(const SpanResult& branch) {
+Vector3 plan_direction(const BranchResult& branch) {
   Vector3 along = branch.end - branch.start;
   along.z() = 0;
   if (along.norm() > 0) along.normalize();
@@ -32,17 +32,17 @@ double power_of(const DrumRow& r) {
 
 }  // namespace
 
-const SpanResult& first_branch(const EquilibriumResult& at, int reeving) {
-  return *std::find_if(at.spans.begin(), at.spans.end(), [&](const auto& s) { return s.reeving == reeving; });
+const BranchResult& first_branch(const EquilibriumResult& at, int reeving) {
+  return *std::find_if(at.branches.begin(), at.branches.end(), [&](const auto& s) { return s.reeving == reeving; });
 }
 
-const SpanResult& last_branch(const EquilibriumResult& at, int reeving) {
-  return *std::find_if(at.spans.rbegin(), at.spans.rend(), [&](const auto& s) { return s.reeving == reeving; });
+const BranchResult& last_branch(const EquilibriumResult& at, int reeving) {
+  return *std::find_if(at.branches.rbegin(), at.branches.rend(), [&](const auto& s) { return s.reeving == reeving; });
 }
 
-Vector3 pull_on_start(const SpanResult& branch) { return branch.H * plan_direction(branch) + branch.V_from * up(); }
+Vector3 pull_on_start(const BranchResult& branch) { return branch.H * plan_direction(branch) + branch.V_from * up(); }
 
-Vector3 pull_on_end(const SpanResult& branch) { return -branch.H * plan_direction(branch) - branch.V_to * up(); }
+Vector3 pull_on_end(const BranchResult& branch) { return -branch.H * plan_direction(branch) - branch.V_to * up(); }
 
 std::string_view to_text(ContactState state) {
   switch (state) {
@@ -160,7 +160,7 @@ const Quantities<RopeRow>& rope_quantities() {
       {"where", "", si::one, "node where that is",
        [](const Row& r) {
          const RopeResult& rope = r.at.ropes[r.reeving];
-         const SpanResult& s = r.at.spans[rope.span];
+         const BranchResult& s = r.at.branches[rope.branch];
          return node(r.model, s.reeving, rope.at_end ? s.to : s.from).name;
        }},
       {"safety_factor", "S", si::one, "minimum breaking force over T_max, where that force is known", [](const Row& r) {

@@ -18,7 +18,7 @@ struct PartOf {
 template <class Part>
 PartOf(const machine::Model&, const EquilibriumResult&, const Part&) -> PartOf<Part>;
 
-using BranchRow = PartOf<SpanResult>;
+using BranchRow = PartOf<BranchResult>;
 using ContactRow = PartOf<ContactResult>;
 using RopeLoadRow = PartOf<RopeLoadResult>;
 using DriveRow = PartOf<DriveResult>;
@@ -28,7 +28,7 @@ using BeamRow = PartOf<BeamResult>;
 /// One end of a branch on the node that holds it: `last`, where the branch ends.
 struct RopeEndRow {
   const machine::Model& model;
-  const SpanResult& branch;
+  const BranchResult& branch;
   bool last = false;
 };
 /// A rope as a whole; `reeving`: its index.
@@ -65,12 +65,12 @@ const Quantities<BeamRow>& beam_quantities();
 const Quantities<Closure>& closure_quantities();
 
 /// The first and the last branch of a rope.
-const SpanResult& first_branch(const EquilibriumResult& at, int reeving);
-const SpanResult& last_branch(const EquilibriumResult& at, int reeving);
+const BranchResult& first_branch(const EquilibriumResult& at, int reeving);
+const BranchResult& last_branch(const EquilibriumResult& at, int reeving);
 
 /// Force of a branch's rope (one copy) on what holds its start and its end, N.
-Vector3 pull_on_start(const SpanResult& branch);
-Vector3 pull_on_end(const SpanResult& branch);
+Vector3 pull_on_start(const BranchResult& branch);
+Vector3 pull_on_end(const BranchResult& branch);
 
 /// "turning", "slipping", "stuck", "held", "pulled", "lifted".
 std::string_view to_text(ContactState state);

@@ -118,7 +118,7 @@ RC_GTEST_PROP(RandomCarriages, AResultCloses, (unsigned seed)) {
   const EquilibriumResult r = equilibrium(line.model, line.options);
   if (!r.outcome.ok()) {
     RC_ASSERT(!r.outcome.message.empty());
-    RC_ASSERT(r.spans.empty());
+    RC_ASSERT(r.branches.empty());
     return;
   }
   double largest = 0;

@@ -110,7 +110,7 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
     act(b, machine::in_ground(r.state, {b, body.centre}), {0, 0, -body.mass * t.model.gravity});
   }
   for (const machine::Load& load : t.model.loads) act(load.at.body, machine::in_ground(r.state, load.at), load.force);
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     const machine::Reeving& rope = t.model.reevings[static_cast<std::size_t>(s.reeving)];
     Vector3 along = s.end - s.start;
     along.z() = 0;
@@ -131,7 +131,7 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
 double largest(const Machine& t, const EquilibriumResult& r) {
   double most = 0;
   for (const machine::Body& b : t.model.bodies) most = std::max(most, b.mass * t.model.gravity);
-  for (const SpanResult& s : r.spans) most = std::max({most, s.T_from, s.T_to});
+  for (const BranchResult& s : r.branches) most = std::max({most, s.T_from, s.T_to});
   return most;
 }
 
@@ -139,7 +139,7 @@ RC_GTEST_PROP(RandomMachines, TablesBalance, (unsigned seed)) {
   const Machine t = random_machine(seed);
   const EquilibriumResult r = equilibrium(t.model);
   if (!r.outcome.ok()) {
-    RC_ASSERT(!r.outcome.message.empty() && r.spans.empty());
+    RC_ASSERT(!r.outcome.message.empty() && r.branches.empty());
     return;
   }
   double stiffest = 0;
@@ -148,7 +148,7 @@ RC_GTEST_PROP(RandomMachines, TablesBalance, (unsigned seed)) {
   RC_ASSERT(worst_balance(t, r) <= 10 * force);
   RC_ASSERT(r.closure.rope <= 1e-9 * t.size);
   RC_ASSERT(r.closure.force <= 2 * force);
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     RC_ASSERT(std::isfinite(s.T_from + s.T_to + s.sag + s.stretched) && s.T_from >= 0 && s.T_to >= 0);
     const double warmer = 1 + t.model.reevings[static_cast<std::size_t>(s.reeving)].thermal_strain;
     RC_ASSERT(s.unstretched > 0 && s.stretched >= s.unstretched * warmer * (1 - 1e-12));

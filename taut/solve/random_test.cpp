@@ -64,11 +64,11 @@ RC_GTEST_PROP(RandomMachines, AResultCloses, (unsigned seed)) {
   const EquilibriumResult r = equilibrium(line.model, line.options);
   if (!r.outcome.ok()) {
     RC_ASSERT(!r.outcome.message.empty());
-    RC_ASSERT(r.spans.empty());
+    RC_ASSERT(r.branches.empty());
     return;
   }
   double largest = 0, total = 0, heaviest = 0;
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     largest = std::max({largest, s.T_from, s.T_to});
     total += s.reeving == 0 ? s.unstretched : 0;
     RC_ASSERT(s.T_from >= 0 && s.T_to >= 0);

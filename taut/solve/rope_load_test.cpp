@@ -90,7 +90,7 @@ Vector3 end_by_integration(Vector3 T, double w, double EA, double L, const Along
 }
 
 Vector3 start_pull(const solve::EquilibriumResult& r) {
-  const auto& s = r.spans.front();
+  const auto& s = r.branches.front();
   Vector3 along = s.end - s.start;
   along.z() = 0;
   return s.H * along.normalized() + s.V_from * up();
@@ -104,8 +104,8 @@ TEST(RopeLoad, WithoutWeightTheTensionsShareTheForceByTheLengths) {
       const auto r = solve::equilibrium(m);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       const double T_1 = 2e6 * (chord() / 60 - 1) + sense * 4000 * (1 - share);
-      EXPECT_NEAR(r.spans[0].T_to, T_1, 1e-9 * T_1);
-      EXPECT_NEAR(r.spans[1].T_from, T_1 - sense * 4000, 1e-9 * T_1);
+      EXPECT_NEAR(r.branches[0].T_to, T_1, 1e-9 * T_1);
+      EXPECT_NEAR(r.branches[1].T_from, T_1 - sense * 4000, 1e-9 * T_1);
       EXPECT_NEAR(r.rope_loads.at(0).along_path, sense * 4000, 1e-9);
       EXPECT_LT(r.closure.balance, 1e-6);
     }
@@ -119,8 +119,8 @@ TEST(RopeLoad, HeavyRopeAgreesWithItsDifferentialEquation) {
       add_load(m, 1, point_load(0.3, 700, sense));
       const auto r = solve::equilibrium(m);
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-      EXPECT_NEAR(r.spans[0].unstretched, 0.3 * length, 1e-8);
-      EXPECT_NEAR(r.spans[0].T_to - r.spans[1].T_from, sense * 700, 1e-6);
+      EXPECT_NEAR(r.branches[0].unstretched, 0.3 * length, 1e-8);
+      EXPECT_NEAR(r.branches[0].T_to - r.branches[1].T_from, sense * 700, 1e-6);
       const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, length, {0, 0, 0, sense * 700.0, 0.3 * length});
       EXPECT_LT((end - Vector3(60, 8, -7)).norm(), 1e-6 * length) << length << ' ' << sense;
     }
@@ -134,8 +134,9 @@ double miss_of_rate(int elements) {
   add_rate(m, 0.2, 0.7, 40, elements, -1);
   const auto r = solve::equilibrium(m);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_NEAR(r.spans.back().T_from - r.spans.front().T_to - 30 * (r.spans.back().start - r.spans.front().end).z(),
-              40 * 0.5 * 62, 0.02 * 40 * 31);
+  EXPECT_NEAR(
+      r.branches.back().T_from - r.branches.front().T_to - 30 * (r.branches.back().start - r.branches.front().end).z(),
+      40 * 0.5 * 62, 0.02 * 40 * 31);
   const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, 62, {-40, 0.2 * 62, 0.7 * 62});
   return (end - Vector3(60, 8, -7)).norm();
 }
@@ -155,11 +156,11 @@ TEST(RopeLoad, RateOnAShortPartIsAPointLoad) {
     add_rate(rate, 0.4 - half, 0.4 + half, 900 / (2 * half * 61), 8, 1);
     const auto b = solve::equilibrium(rate);
     EXPECT_TRUE(b.outcome.ok()) << b.outcome.message;
-    return std::abs(a.spans.front().T_from - b.spans.front().T_from);
+    return std::abs(a.branches.front().T_from - b.branches.front().T_from);
   };
   const double wide = difference(0.1), narrow = difference(0.01), narrower = difference(0.005);
-  EXPECT_LT(wide, 1e-2 * a.spans.front().T_from);
-  EXPECT_LT(narrow, 1e-4 * a.spans.front().T_from);
+  EXPECT_LT(wide, 1e-2 * a.branches.front().T_from);
+  EXPECT_LT(narrow, 1e-4 * a.branches.front().T_from);
   EXPECT_NEAR(narrow / narrower, 2, 0.1) << "with the part's length: tension is convex there";
 }
 
@@ -171,7 +172,7 @@ TEST(RopeLoad, EndsSwappedIsTheSameRope) {
   add_load(back, 1, point_load(0.7, 900, -1));
   const auto a = solve::equilibrium(there), b = solve::equilibrium(back);
   ASSERT_TRUE(a.outcome.ok() && b.outcome.ok()) << a.outcome.message << b.outcome.message;
-  EXPECT_NEAR(a.spans[0].T_from, b.spans[1].T_to, 1e-9 * a.spans[0].T_from);
+  EXPECT_NEAR(a.branches[0].T_from, b.branches[1].T_to, 1e-9 * a.branches[0].T_from);
   EXPECT_LT((a.rope_loads[0].at - b.rope_loads[0].at).norm(), 1e-8);
   EXPECT_LT((a.rope_loads[0].force - b.rope_loads[0].force).norm(), 1e-6);
 }
@@ -201,7 +202,7 @@ TEST(RopeLoad, CopiesCarryOneForceEach) {
   m.reevings[0].copies = 3;
   const auto three = solve::equilibrium(m);
   ASSERT_TRUE(one.outcome.ok() && three.outcome.ok());
-  EXPECT_NEAR(one.spans[0].T_from, three.spans[0].T_from, 1e-9 * one.spans[0].T_from);
+  EXPECT_NEAR(one.branches[0].T_from, three.branches[0].T_from, 1e-9 * one.branches[0].T_from);
   EXPECT_LT(three.closure.balance, 1e-6);
 }
 

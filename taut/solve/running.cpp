@@ -53,10 +53,11 @@ void add_centrifugal(const machine::Model& model, const Array<Array<int>>& flow,
   Array<double> c;
   c.reserve(model.reevings.size());
   for (std::size_t r = 0; r < model.reevings.size(); ++r) c.push_back(centrifugal(model.reevings[r], flow[r]));
-  for (SpanResult& span : result.spans) {
-    if (span.slack) continue;
-    for (double* T : {&span.T_from, &span.T_to, &span.T_from_min, &span.T_from_max, &span.T_to_min, &span.T_to_max}) {
-      *T += c[span.reeving];
+  for (BranchResult& branch : result.branches) {
+    if (branch.slack) continue;
+    for (double* T :
+         {&branch.T_from, &branch.T_to, &branch.T_from_min, &branch.T_from_max, &branch.T_to_min, &branch.T_to_max}) {
+      *T += c[branch.reeving];
     }
   }
   for (ContactResult& one : result.contacts) {

@@ -35,9 +35,9 @@ EquilibriumResult running_at(machine::Model m, double v) {
 
 TEST(Running, OnFixedSupportsASpeedPressesLessAndPullsTheSame) {
   const EquilibriumResult rest = running_at(over_a_sheave(0), 0), runs = running_at(over_a_sheave(0), speed);
-  ASSERT_GT(rest.spans[0].T_from, c);
-  EXPECT_NEAR(runs.spans[0].T_from, rest.spans[0].T_from, 1e-9 * rest.spans[0].T_from);
-  EXPECT_NEAR(runs.contacts[0].T_in, rest.contacts[0].T_in, 1e-9 * rest.spans[0].T_from);
+  ASSERT_GT(rest.branches[0].T_from, c);
+  EXPECT_NEAR(runs.branches[0].T_from, rest.branches[0].T_from, 1e-9 * rest.branches[0].T_from);
+  EXPECT_NEAR(runs.contacts[0].T_in, rest.contacts[0].T_in, 1e-9 * rest.branches[0].T_from);
   const double share = 1 - c / rest.contacts[0].T_in;  // same wrap, both tensions less c
   EXPECT_NEAR(runs.contacts[0].force.norm() / rest.contacts[0].force.norm(), share, 1e-9);
 }
@@ -47,7 +47,7 @@ TEST(Running, OnFixedSupportsASpeedPressesLessAndPullsTheSame) {
 struct Shot {
   double z = 0, length = 0;
 };
-Shot shot(const SpanResult& span, double weight, double stiffness) {
+Shot shot(const BranchResult& span, double weight, double stiffness) {
   constexpr int steps = 2000;
   const double h = std::abs(span.end.x() - span.start.x()) / steps;
   double V = span.V_from;
@@ -70,7 +70,7 @@ Shot shot(const SpanResult& span, double weight, double stiffness) {
 TEST(Running, AHeavyRopeHangsByWhatTheSpeedLeaves) {
   const EquilibriumResult r = running_at(over_a_sheave(25), speed);
   double length = 0;
-  for (const SpanResult& span : r.spans) {
+  for (const BranchResult& span : r.branches) {
     EXPECT_NEAR(std::hypot(span.H, span.V_from), span.T_from - c, 1e-8 * span.T_from);
     const Shot end = shot(span, 25, 3e6);
     EXPECT_NEAR(end.z, (span.end - span.start).z(), 1e-6);
@@ -92,9 +92,9 @@ TEST(Running, ATakeUpHoldsWhatIsLeft) {
               20.95, 0, 2e6));
     m.reevings[0].mass = mass;
     const EquilibriumResult r = running_at(m, v);
-    EXPECT_NEAR(r.spans[0].T_to, 4500 + mass * v * v, 1e-6);
+    EXPECT_NEAR(r.branches[0].T_to, 4500 + mass * v * v, 1e-6);
     // it lies where its rope, stretched by all of T, comes down to: two falls and half a turn
-    EXPECT_NEAR(-2 * r.state.bodies[0].position.z() + 0.3 * M_PI, 20.95 * (1 + r.spans[0].T_to / 2e6), 1e-7);
+    EXPECT_NEAR(-2 * r.state.bodies[0].position.z() + 0.3 * M_PI, 20.95 * (1 + r.branches[0].T_to / 2e6), 1e-7);
   }
 }
 
@@ -168,10 +168,10 @@ TEST(Running, TheBandAtRestIsContinuousInTheLoss) {
     const double near = 1e-9 + 5 * loss;
     EXPECT_NEAR(r.ropes[0].T_max / ideal.ropes[0].T_max, 1, near);
     EXPECT_NEAR(r.ropes[0].safety_factor / ideal.ropes[0].safety_factor, 1, near);
-    for (std::size_t k = 0; k < r.spans.size(); ++k) {
-      EXPECT_NEAR(r.spans[k].T_from / ideal.spans[k].T_from, 1, near);
-      EXPECT_NEAR(r.spans[k].T_to_max / ideal.spans[k].T_to_max, 1, near);
-      EXPECT_NEAR(r.spans[k].T_to_min / ideal.spans[k].T_to_min, 1, near);
+    for (std::size_t k = 0; k < r.branches.size(); ++k) {
+      EXPECT_NEAR(r.branches[k].T_from / ideal.branches[k].T_from, 1, near);
+      EXPECT_NEAR(r.branches[k].T_to_max / ideal.branches[k].T_to_max, 1, near);
+      EXPECT_NEAR(r.branches[k].T_to_min / ideal.branches[k].T_to_min, 1, near);
     }
   }
 }

@@ -57,7 +57,7 @@ void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const 
     all.rows.push_back({-1, t, -1});
     all.residual.push_back(turn.row);
     all.factor.push_back(stretch(e.branches[turn.after].T_from));
-    all.unknown.emplace_back(s.layout.links[turn.after].unknown, s.layout.links[turn.before].unknown);
+    all.unknown.emplace_back(s.layout.branches[turn.after].unknown, s.layout.branches[turn.before].unknown);
   }
   for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
     const FedEnd& end = fed[i];
@@ -65,7 +65,7 @@ void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const 
     all.rows.push_back({-1, -1, i});
     all.residual.push_back(end.row);
     all.factor.push_back(stretch(end.tension));
-    all.unknown.emplace_back(s.layout.links[end.own()].unknown, -1);
+    all.unknown.emplace_back(s.layout.branches[end.own()].unknown, -1);
   }
 }
 
@@ -95,12 +95,12 @@ struct RoundEnd {
 };
 
 RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                   const mechanics::Layout::Link& link, bool leaves) {
+                   const mechanics::Layout::Branch& laid, bool leaves) {
   RoundEnd r;
-  const machine::Reeving& rope = s.model.reevings[link.reeving];
-  const machine::Node& node = rope.nodes[leaves ? link.from : link.to];
+  const machine::Reeving& rope = s.model.reevings[laid.reeving];
+  const machine::Node& node = rope.nodes[leaves ? laid.from : laid.to];
   if (node.radius == 0) return r;  // a drum keeps its rope, although a machine counts only what is free of it
-  const auto k = static_cast<std::size_t>(&link - s.layout.links.data());
+  const auto k = static_cast<std::size_t>(&laid - s.layout.branches.data());
   const mechanics::Branch& b = e.branches[k];
   const double stretch = 1 + (leaves ? b.T_from : b.T_to) / rope.stiffness;
   const mechanics::BranchEnd end = mechanics::end_at(node, c.bodies);
@@ -109,7 +109,7 @@ RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c
   r.by_turn = (leaves ? -end.radius : end.radius) / stretch * end.axis;
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const mechanics::Layout::Turn& turn = s.layout.turns[t];
-    if (turn.reeving != link.reeving || (leaves ? turn.after : turn.before) != static_cast<int>(k)) continue;
+    if (turn.reeving != laid.reeving || (leaves ? turn.after : turn.before) != static_cast<int>(k)) continue;
     r.by_tension = -node.radius * e.bends[t].wrap / 2 / (stretch * stretch) / rope.stiffness;
   }
   return r;
@@ -118,8 +118,8 @@ RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c
 /// Unstretched rope from the middle of one arc to that of the next, by the unknowns that move the branch.
 Array<double> material_rates(const mechanics::System& s, const mechanics::Configuration& c,
                              const mechanics::Evaluation& e, const mechanics::BranchColumns& columns, std::size_t k) {
-  const mechanics::Layout::Link& link = s.layout.links[k];
-  const RoundEnd from = round_end(s, c, e, link, true), to = round_end(s, c, e, link, false);
+  const mechanics::Layout::Branch& laid = s.layout.branches[k];
+  const RoundEnd from = round_end(s, c, e, laid, true), to = round_end(s, c, e, laid, false);
   const mechanics::Branch& b = e.branches[k];
   Array<double> rates;
   rates.reserve(as_size(columns.count));
@@ -150,7 +150,7 @@ Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configu
     if (minus >= 0) Z(minus, j) = -1;
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const int own = s.layout.links[k].unknown;
+    const int own = s.layout.branches[k].unknown;
     const Array<double> rates = material_rates(s, c, e, columns[k], k);
     for (std::size_t j = 0; j + 1 < rates.size(); ++j) Z.row(own) -= rates[j] * Z.row(columns[k].unknown[j]);
     Z.row(own) /= rates.back();
@@ -255,12 +255,12 @@ Outcome no_deep_loop(const mechanics::System& s, const mechanics::Configuration&
   const Array<FedEnd> fed = fed_ends(s);
   const int deep = deep_link(s, fed, c, e);
   if (deep < 0) return {};
-  const mechanics::Layout::Link& link = s.layout.links[deep];
-  const machine::Reeving& rope = s.model.reevings[link.reeving];
+  const mechanics::Layout::Branch& laid = s.layout.branches[deep];
+  const machine::Reeving& rope = s.model.reevings[laid.reeving];
   return infeasible(fmt::format(
       "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
       "rope pulls harder: it runs out at the least push; give it more tension, or a length",
-      rope.name, c.links[deep].length, rope.nodes[link.from].name, rope.nodes[link.to].name,
+      rope.name, c.branches[deep].length, rope.nodes[laid.from].name, rope.nodes[laid.to].name,
       e.branches[deep].chord.norm()));
 }
 

@@ -22,8 +22,8 @@ EnergyCurvature curvature_at_rest(const machine::Model& m) {
   const mechanics::System system{m, l, 0};
   mechanics::Configuration c;
   c.bodies = r.state.bodies;
-  for (const mechanics::Layout::Link& k : l.links) {
-    c.links.push_back(r.state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  for (const mechanics::Layout::Branch& k : l.branches) {
+    c.branches.push_back(r.state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   mechanics::Evaluation e;
   EXPECT_FALSE(mechanics::evaluate(system, c, e));
@@ -104,13 +104,13 @@ TEST(Stability, ASlackRopeRunsOverItsSupportIntoOneSpan) {
       reeve("rope", {anchor("a", {0, 0, 0}), saddle("mid", {50, 0, 0}, 0), anchor("b", {100, 0, 0})}, 200, 10, 1e8));
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_GT(std::abs(r.spans[0].unstretched - r.spans[1].unstretched), 80);
-  EXPECT_NEAR(r.spans[0].T_to / r.spans[1].T_from, 1, 1e-9);
+  EXPECT_GT(std::abs(r.branches[0].unstretched - r.branches[1].unstretched), 80);
+  EXPECT_NEAR(r.branches[0].T_to / r.branches[1].T_from, 1, 1e-9);
   // taut, it is shared
   m.reevings[0].value = 104;
   const EquilibriumResult taut = equilibrium(m);
   ASSERT_TRUE(taut.outcome.ok()) << taut.outcome.message;
-  EXPECT_NEAR(taut.spans[0].unstretched, taut.spans[1].unstretched, 1e-6);
+  EXPECT_NEAR(taut.branches[0].unstretched, taut.branches[1].unstretched, 1e-6);
 }
 
 }  // namespace

@@ -37,10 +37,10 @@ TEST(Start, ColdBesideASaddleOfAnySize) {
       const EquilibriumResult r = equilibrium(m, options);
       ASSERT_TRUE(r.outcome.ok()) << diameter << " m, x " << x << ": " << r.outcome.message;
       // the counterweight keeps the tension wherever the cabin stands
-      EXPECT_NEAR(r.spans[0].T_from / (11e3 * m.gravity), 1, 1e-9);
+      EXPECT_NEAR(r.branches[0].T_from / (11e3 * m.gravity), 1, 1e-9);
       EXPECT_NEAR(r.ropes[0].T_max / (last > 0 ? last : r.ropes[0].T_max), 1, 2e-3) << diameter << " m, x " << x;
       // the haul rope is no loop that hangs into the valley
-      EXPECT_LT(r.spans.back().unstretched, 1.1 * r.spans.back().chord) << diameter << " m, x " << x;
+      EXPECT_LT(r.branches.back().unstretched, 1.1 * r.branches.back().chord) << diameter << " m, x " << x;
       last = r.ropes[0].T_max;
     }
   }

@@ -17,8 +17,8 @@ constexpr double rough_balance = 1e-9;    ///< of a force
 constexpr double rounded_way = 1e-15;     ///< of a way between places that do not move
 constexpr double open_way = 1e-9;         ///< of one over bodies, where the iteration has failed
 
-std::string branch_of(const mechanics::System& s, int link) {
-  const mechanics::Layout::Link& l = s.layout.links[link];
+std::string branch_of(const mechanics::System& s, int index) {
+  const mechanics::Layout::Branch& l = s.layout.branches[index];
   const machine::Reeving& rope = s.model.reevings[l.reeving];
   return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[l.from].name, rope.nodes[l.to].name);
 }
@@ -27,7 +27,7 @@ std::string branch_of(const mechanics::System& s, int link) {
 int hardest(const mechanics::System& s, const mechanics::Evaluation& e) {
   int worst = -1;
   for (int k = 0; k < static_cast<int>(e.branches.size()); ++k) {
-    if (!std::isinf(s.model.reevings[s.layout.links[k].reeving].stiffness)) continue;
+    if (!std::isinf(s.model.reevings[s.layout.branches[k].reeving].stiffness)) continue;
     if (worst < 0 || e.branches[k].T_to > e.branches[worst].T_to) worst = k;
   }
   return worst;
@@ -147,11 +147,11 @@ StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& nea
   s.layout = mechanics::with_forces(near.layout, model, limit, std::min(softest, found_by_length * force));
   const mechanics::System system{.model = model, .layout = s.layout, .coordinate = coordinate};
   s.c = mechanics::with_forces(system, near.c, near.e);
-  for (std::size_t k = 0; k < s.c.links.size(); ++k) {
-    const double is = model.reevings[s.layout.links[k].reeving].stiffness, was = std::min(softest, is);
+  for (std::size_t k = 0; k < s.c.branches.size(); ++k) {
+    const double is = model.reevings[s.layout.branches[k].reeving].stiffness, was = std::min(softest, is);
     const double T = std::max(0.0, s.c.forces[k].norm());
     const bool pulls = near.e.branches[k].T_to > 0;
-    if (s.layout.links[k].force >= 0 && pulls) s.c.links[k].length *= (1 + T / was) / (1 + T / is);
+    if (s.layout.branches[k].force >= 0 && pulls) s.c.branches[k].length *= (1 + T / was) / (1 + T / is);
   }
   const Iteration it = newton_with_forces(system, s.c, s.e, options.tolerance, options.iterations);
   s.steps = it.steps;

@@ -32,8 +32,8 @@ TEST(StiffRopes, BodyOnOneRopeThatDoesNotStretchHangsByItsWeight) {
       for (const double length : {0.5, 7.0, 90.0}) {
         const EquilibriumResult r = equilibrium(hanging_body(off, length, weight, rigid));
         ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-        EXPECT_NEAR(r.spans[0].T_to, 300 * g, 1e-9 * 300 * g);
-        EXPECT_NEAR(r.spans[0].T_from, 300 * g + weight * length, 1e-9 * 300 * g);
+        EXPECT_NEAR(r.branches[0].T_to, 300 * g, 1e-9 * 300 * g);
+        EXPECT_NEAR(r.branches[0].T_from, 300 * g + weight * length, 1e-9 * 300 * g);
         EXPECT_NEAR(r.state.bodies[0].position.z(), -length, 1e-9 * length);
         EXPECT_NEAR(r.state.bodies[0].position.x(), 0, 1e-6 * length);
       }
@@ -50,8 +50,8 @@ TEST(StiffRopes, BodyOnTwoRopesByTheTriangleOfForces) {
     m.reevings.push_back(reeve("short", {anchor("b", {5, 0, 0}), anchor_on("load", 0)}, 3, 0, stiffness));
     const EquilibriumResult r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    EXPECT_NEAR(r.spans[0].T_from, 100 * g * 3 / 5, 1e-6);
-    EXPECT_NEAR(r.spans[1].T_from, 100 * g * 4 / 5, 1e-6);
+    EXPECT_NEAR(r.branches[0].T_from, 100 * g * 3 / 5, 1e-6);
+    EXPECT_NEAR(r.branches[1].T_from, 100 * g * 4 / 5, 1e-6);
     EXPECT_NEAR(r.state.bodies[0].position.x(), 16.0 / 5, 1e-9);
     EXPECT_NEAR(r.state.bodies[0].position.z(), -12.0 / 5, 1e-9);
   }
@@ -68,13 +68,13 @@ TEST(StiffRopes, CatenaryThatDoesNotStretchByItsClosedForm) {
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     // the length is rounded to its last digit, and the tension follows the difference of length and chord
     const double rounded = 1e-9 + 1e-16 * length / (length - c);
-    EXPECT_NEAR(r.spans[0].T_to / end, 1, rounded);
+    EXPECT_NEAR(r.branches[0].T_to / end, 1, rounded);
     m.reevings[0].given = machine::Given::tension_at_end;
     m.reevings[0].value = end;
     r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    EXPECT_NEAR(r.spans[0].T_to / end, 1, 1e-9);
-    EXPECT_NEAR(r.spans[0].unstretched, length, 1e-9 * length);
+    EXPECT_NEAR(r.branches[0].T_to / end, 1, 1e-9);
+    EXPECT_NEAR(r.branches[0].unstretched, length, 1e-9 * length);
   }
 }
 
@@ -93,9 +93,9 @@ TEST(StiffRopes, GivenTensionIsMetAtAnyStiffness) {
         const EquilibriumResult r = equilibrium(m, options);
         ASSERT_TRUE(r.outcome.ok()) << stiffness << " " << r.outcome.message;
         const bool start = given == machine::Given::tension_at_start;
-        EXPECT_NEAR((start ? r.spans[0].T_from : r.spans[3].T_to) / 123456, 1, 1e-9) << stiffness;
+        EXPECT_NEAR((start ? r.branches[0].T_from : r.branches[3].T_to) / 123456, 1, 1e-9) << stiffness;
         EXPECT_LT(r.closure.force, 1e-9 * 123456) << stiffness;
-        const double other = start ? r.spans[3].T_to : r.spans[0].T_from;
+        const double other = start ? r.branches[3].T_to : r.branches[0].T_from;
         if (stiffness > 1e10) {
           EXPECT_NEAR(other / before, 1, 1e-6) << stiffness;
         }
@@ -120,12 +120,12 @@ TEST(StiffRopes, TackleOfRopeThatDoesNotStretchKeepsTheRatioOfItsSheaves) {
       m.reevings[0].stiffness = 3e9;
       const EquilibriumResult elastic = equilibrium(m, options);
       ASSERT_TRUE(elastic.outcome.ok()) << elastic.outcome.message;
-      for (std::size_t k = 0; k < r.spans.size(); ++k) {
-        EXPECT_NEAR(r.spans[k].T_from / elastic.spans[k].T_from, 1, 1e-4) << falls << " " << k;
+      for (std::size_t k = 0; k < r.branches.size(); ++k) {
+        EXPECT_NEAR(r.branches[k].T_from / elastic.branches[k].T_from, 1, 1e-4) << falls << " " << k;
       }
       if (weight > 0) continue;
-      for (std::size_t k = 0; k + 1 < r.spans.size(); ++k) {
-        const double ratio = r.spans[k + 1].T_from / r.spans[k].T_from;
+      for (std::size_t k = 0; k + 1 < r.branches.size(); ++k) {
+        const double ratio = r.branches[k + 1].T_from / r.branches[k].T_from;
         EXPECT_NEAR(std::min(ratio, 1 / ratio), e, 1e-9) << falls << " " << k;
       }
     }
@@ -161,7 +161,7 @@ TEST(StiffRopes, LoadSharedInMoreThanOneWayIsRefused) {
   r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const double slope = std::abs(r.state.bodies[0].position.z()) / 10;
-  EXPECT_NEAR(r.spans[1].T_from, 100 * g / slope, 1e-5);
+  EXPECT_NEAR(r.branches[1].T_from, 100 * g / slope, 1e-5);
 }
 
 TEST(StiffRopes, SlackRopeWithoutWeightCarriesNothing) {
@@ -170,9 +170,9 @@ TEST(StiffRopes, SlackRopeWithoutWeightCarriesNothing) {
     m.reevings.push_back(reeve("loose", {anchor("b", {3, 0, 0}), anchor_on("load", 0)}, 8, 0, stiffness));
     const EquilibriumResult r = equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    EXPECT_TRUE(r.spans[1].slack);
-    EXPECT_EQ(r.spans[1].T_from, 0);
-    EXPECT_NEAR(r.spans[0].T_from, 300 * g, 1e-6);
+    EXPECT_TRUE(r.branches[1].slack);
+    EXPECT_EQ(r.branches[1].T_from, 0);
+    EXPECT_NEAR(r.branches[0].T_from, 300 * g, 1e-6);
   }
 }
 
@@ -186,8 +186,8 @@ TEST(StiffRopes, AnswerIsAStartForTheNextOne) {
   const EquilibriumResult again = equilibrium(m, options, first.state);
   ASSERT_TRUE(again.outcome.ok()) << again.outcome.message;
   EXPECT_LT(again.closure.iterations, first.closure.iterations);
-  for (std::size_t k = 0; k < first.spans.size(); ++k) {
-    EXPECT_NEAR(again.spans[k].T_from / first.spans[k].T_from, 1, 1e-9);
+  for (std::size_t k = 0; k < first.branches.size(); ++k) {
+    EXPECT_NEAR(again.branches[k].T_from / first.branches[k].T_from, 1, 1e-9);
   }
 }
 
@@ -224,7 +224,7 @@ TEST(StiffRopes, MainlineThatHardlyHasToPushIsSlack) {
     options.prescribed = machine::Prescribed{0, 50 - off};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << off << " " << r.outcome.message;
-    EXPECT_LT(r.spans[2].T_from, 1e-9 * 200 * g);
+    EXPECT_LT(r.branches[2].T_from, 1e-9 * 200 * g);
     EXPECT_NEAR(r.state.bodies[0].position.x(), 50 - off, 1e-13 * 50);
   }
   options.prescribed = machine::Prescribed{0, 49};

@@ -10,15 +10,15 @@
 namespace taut::solve {
 namespace {
 
-SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                   std::size_t k) {
-  const mechanics::Layout::Link& link = s.layout.links[k];
-  const machine::Reeving& rope = s.model.reevings[link.reeving];
+BranchResult branch_result(const mechanics::System& s, const mechanics::Configuration& c,
+                           const mechanics::Evaluation& e, std::size_t k) {
+  const mechanics::Layout::Branch& laid = s.layout.branches[k];
+  const machine::Reeving& rope = s.model.reevings[laid.reeving];
   const mechanics::Branch& b = e.branches[k];
-  SpanResult r;
-  r.reeving = link.reeving;
-  r.from = link.from;
-  r.to = link.to;
+  BranchResult r;
+  r.reeving = laid.reeving;
+  r.from = laid.from;
+  r.to = laid.to;
   r.slack = b.slack;
   r.T_from = b.slack ? 0 : b.T_from;
   r.T_to = b.slack ? 0 : b.T_to;
@@ -26,12 +26,12 @@ SpanResult span_of(const mechanics::System& s, const mechanics::Configuration& c
   r.V_from = b.slack ? 0 : b.pull_from.z();
   r.V_to = b.slack ? 0 : b.pull_to.z();
   r.chord = b.chord.norm();
-  const double length = c.links[k].length;  // in this state: at the rope's temperature, of a running rope with its c
+  const double length = c.branches[k].length;  // in this state: at the rope's temperature, of a running rope with its c
   r.unstretched = length / (1 + rope.thermal_strain);
-  r.start = mechanics::end_at(rope.nodes[link.from], c.bodies).centre + b.offset_from;
-  r.end = mechanics::end_at(rope.nodes[link.to], c.bodies).centre + b.offset_to;
+  r.start = mechanics::end_at(rope.nodes[laid.from], c.bodies).centre + b.offset_from;
+  r.end = mechanics::end_at(rope.nodes[laid.to], c.bodies).centre + b.offset_to;
   r.shape = b.span;
-  if (rope.weight == 0 && link.force < 0) {
+  if (rope.weight == 0 && laid.force < 0) {
     if (const auto straight = rope::solve_span(mechanics::rope_of(rope, length), b.chord)) r.shape = *straight;
   }
   r.stretched = b.slack ? length : rope::stretched_length(r.shape);
@@ -128,14 +128,14 @@ void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, Equi
   for (std::size_t r = 0; r < s.model.reevings.size(); ++r) {
     const mechanics::Layout::Rope& rope = s.layout.ropes[r];
     RopeResult row;
-    row.span = rope.first;
+    row.branch = rope.first;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
-      const SpanResult& span = result.spans[k];
-      row.unstretched += span.unstretched;
-      if (std::max(span.T_from, span.T_to) <= row.T_max) continue;
-      row.span = k;
-      row.at_end = span.T_to > span.T_from;
-      row.T_max = std::max(span.T_from, span.T_to);
+      const BranchResult& branch = result.branches[k];
+      row.unstretched += branch.unstretched;
+      if (std::max(branch.T_from, branch.T_to) <= row.T_max) continue;
+      row.branch = k;
+      row.at_end = branch.T_to > branch.T_from;
+      row.T_max = std::max(branch.T_from, branch.T_to);
     }
     double on_rounds = 0;
     for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t)
@@ -171,14 +171,14 @@ void fill_balance(const mechanics::System& s, const mechanics::Configuration& c,
       on_body[body] += force;
     }
   };
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     const mechanics::Branch& b = e.branches[k];
     if (b.slack) continue;
-    const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[link.reeving];
-    act(rope.nodes[link.from].at.body, rope.copies * b.pull_from);
-    act(rope.nodes[link.to].at.body, -rope.copies * b.pull_to);
-    outside -= rope.copies * mechanics::rope_of(rope, 1).weight * c.links[k].length * up();
+    const mechanics::Layout::Branch& laid = s.layout.branches[k];
+    const machine::Reeving& rope = s.model.reevings[laid.reeving];
+    act(rope.nodes[laid.from].at.body, rope.copies * b.pull_from);
+    act(rope.nodes[laid.to].at.body, -rope.copies * b.pull_to);
+    outside -= rope.copies * mechanics::rope_of(rope, 1).weight * c.branches[k].length * up();
   }
   act_beams(s, c, act, outside);
   const auto dead = [&](int body, const Vector3& force) {
@@ -210,7 +210,7 @@ void fill_balance(const mechanics::System& s, const mechanics::Configuration& c,
 
 void fill_tables(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                  const machine::State& state, EquilibriumResult& result) {
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) result.spans.push_back(span_of(s, c, e, k));
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) result.branches.push_back(branch_result(s, c, e, k));
   fill_contacts(s, e, state, result);
   fill_rope_loads(s, c, e, result);
   fill_ropes(s, e, result);

@@ -23,10 +23,10 @@ TEST(Tables, WhatHoldsTheEndsAndSupportsCarriesTheRope) {
   const EquilibriumResult r = solved(m);
   Vector3 sum = Vector3::Zero();
   double free = 0;
-  const SpanResult &first = r.spans.front(), &last = r.spans.back();
+  const BranchResult &first = r.branches.front(), &last = r.branches.back();
   sum += rope::force_on_start(first.shape) + rope::force_on_end(last.shape);
   for (const ContactResult& c : r.contacts) sum += c.force;
-  for (const SpanResult& s : r.spans) free += s.unstretched;
+  for (const BranchResult& s : r.branches) free += s.unstretched;
   EXPECT_NEAR(sum.x(), 0, 1e-6);
   EXPECT_NEAR(sum.y(), 0, 1e-6);
   EXPECT_NEAR(sum.z(), -20 * free, 1e-6) << "down on what holds it";
@@ -41,7 +41,7 @@ TEST(Tables, UnstretchedIsTheSameOfSpansAndRopes) {
       for (std::size_t k = 1; k + 1 < m.reevings[0].nodes.size(); ++k) m.reevings[0].nodes[k].radius = radius;
       const EquilibriumResult r = solved(m);
       double free = 0, on_rounds = 0;
-      for (const SpanResult& s : r.spans) {
+      for (const BranchResult& s : r.branches) {
         free += s.unstretched;
         EXPECT_NEAR(s.shape.rope.length, s.unstretched * (1 + strain), 1e-9);
       }
@@ -57,7 +57,7 @@ TEST(Tables, UnstretchedIsTheSameOfSpansAndRopes) {
 }
 
 TEST(Tables, ASpansRowIsItsShape) {
-  for (const SpanResult& s : solved(with_carriage(true)).spans) {
+  for (const BranchResult& s : solved(with_carriage(true)).branches) {
     EXPECT_NEAR(std::hypot(s.H, s.V_from), s.T_from, 1e-9 * s.T_from);
     EXPECT_NEAR(std::hypot(s.H, s.V_to), s.T_to, 1e-9 * s.T_to);
     EXPECT_NEAR((s.end - s.start).norm(), s.chord, 1e-9 * s.chord);
@@ -79,12 +79,12 @@ TEST(Tables, ARopesRowIsTheWorstOfItsSpans) {
   m.reevings[0].breaking_force = 300e3;
   const EquilibriumResult r = solved(m);
   double most = 0;
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     if (s.reeving == 0) most = std::max({most, s.T_from, s.T_to});
   }
   EXPECT_EQ(r.ropes[0].T_max, most);
   EXPECT_NEAR(r.ropes[0].safety_factor, 300e3 / most, 1e-12);
-  const SpanResult& worst = r.spans[static_cast<std::size_t>(r.ropes[0].span)];
+  const BranchResult& worst = r.branches[static_cast<std::size_t>(r.ropes[0].branch)];
   EXPECT_EQ(r.ropes[0].at_end ? worst.T_to : worst.T_from, most);
   EXPECT_EQ(r.ropes[1].safety_factor, 0) << "not known";
 }
@@ -98,7 +98,7 @@ TEST(Tables, AReactionIsWhatFixedDirectionsTake) {
   for (const ContactResult& c : r.contacts) {
     if (m.reevings[0].nodes[static_cast<std::size_t>(c.node)].at.body == 0) pull += c.force.z();
   }
-  pull += m.reevings[0].nodes.back().at.body == 0 ? rope::force_on_end(r.spans.back().shape).z() : 0;
+  pull += m.reevings[0].nodes.back().at.body == 0 ? rope::force_on_end(r.branches.back().shape).z() : 0;
   EXPECT_NEAR(r.reactions[0].z(), 3000 * m.gravity - pull, 1e-6);
   EXPECT_NEAR(r.reactions[0].x(), 0, 1e-6);
 }

@@ -40,7 +40,7 @@ const double heights[][3] = {{0, 30, 60}, {60, 30, 0}, {0, 50, 10}, {40, 0, 35},
 TEST(Traps, ShapeWithEndsInAnyOrder) {
   for (const auto& h : heights) {
     const EquilibriumResult r = solved(line(h[0], h[1], h[2]));
-    for (const SpanResult& s : r.spans) {
+    for (const BranchResult& s : r.branches) {
       EXPECT_LT((s.start + taut::rope::point_at(s.shape, s.shape.rope.length) - s.end).norm(), 1e-9 * 220);
       for (const double part : {0.0, 0.3, 0.7, 1.0}) {
         const double at = part * s.shape.rope.length;
@@ -57,7 +57,7 @@ TEST(Traps, ShapeWithEndsInAnyOrder) {
 TEST(Traps, UnstretchedIsShorterThanLoaded) {
   for (const auto& h : heights) {
     const EquilibriumResult r = solved(line(h[0], h[1], h[2]));
-    for (const SpanResult& s : r.spans) {
+    for (const BranchResult& s : r.branches) {
       EXPECT_GT(s.stretched, s.unstretched);
       EXPECT_GE(s.stretched, s.chord);
       EXPECT_NEAR(s.stretched / s.unstretched - 1, (s.T_from + s.T_to) / 2 / 2e7, 2e-2 * s.T_from / 2e7);
@@ -70,12 +70,12 @@ TEST(Traps, HeightOfTheLoadBelongsToItsTensions) {
   for (const auto& h : heights) {
     const EquilibriumResult r = solved(line(h[0], h[1], h[2]));
     const Vector3& car = r.state.bodies[0].position;
-    EXPECT_LT((r.spans[0].end - car).norm(), 1e-9);
-    EXPECT_LT((r.spans[1].start - car).norm(), 1e-9);
-    const auto left = taut::rope::solve_span(r.spans[0].shape.rope, car - Vector3(0, 0, h[0]));
+    EXPECT_LT((r.branches[0].end - car).norm(), 1e-9);
+    EXPECT_LT((r.branches[1].start - car).norm(), 1e-9);
+    const auto left = taut::rope::solve_span(r.branches[0].shape.rope, car - Vector3(0, 0, h[0]));
     ASSERT_TRUE(left);
-    EXPECT_NEAR(taut::rope::tension_at_end(*left) / r.spans[0].T_to, 1, 1e-9);
-    EXPECT_NEAR(r.spans[1].V_from - r.spans[0].V_to + r.hold.z(), 1500 * 9.80665, 1e-5);
+    EXPECT_NEAR(taut::rope::tension_at_end(*left) / r.branches[0].T_to, 1, 1e-9);
+    EXPECT_NEAR(r.branches[1].V_from - r.branches[0].V_to + r.hold.z(), 1500 * 9.80665, 1e-5);
   }
 }
 
@@ -86,7 +86,7 @@ TEST(Traps, LengthClosesFarBelowACentimetre) {
     const machine::Model m = line(h[0], h[1], h[2]);
     const EquilibriumResult r = solved(m);
     double length = 0;
-    for (const SpanResult& s : r.spans) length += s.unstretched;
+    for (const BranchResult& s : r.branches) length += s.unstretched;
     EXPECT_NEAR(length, m.reevings[0].value, 1e-9);
     machine::Model longer = m;
     longer.reevings[0].value += 0.01;

@@ -70,11 +70,11 @@ TEST(Witness, ClampedCarriageOnALumpedChain) {
     chain.stiffness = stiffness;
     chain.loaded_after = static_cast<int>(std::lround(part * chain.elements));
     chain.load_z = -2000 * m.gravity;
-    const Eigen::Vector2d first = chain.solve({240, 102}, {r.spans[0].H * 1.02, r.spans[0].V_from * 0.97});
+    const Eigen::Vector2d first = chain.solve({240, 102}, {r.branches[0].H * 1.02, r.branches[0].V_from * 0.97});
     const Chain::End end = chain.end(first);
     EXPECT_LT((end.at - Eigen::Vector2d(240, 102)).norm(), 1e-8);
-    EXPECT_NEAR(r.spans[0].T_from / first.norm(), 1, 1e-4);
-    EXPECT_NEAR(r.spans[1].T_to / end.last.norm(), 1, 1e-4);
+    EXPECT_NEAR(r.branches[0].T_from / first.norm(), 1, 1e-4);
+    EXPECT_NEAR(r.branches[1].T_to / end.last.norm(), 1, 1e-4);
     // the load's place, which other programs got wrong while the tensions were right
     const Vector3& at = r.state.bodies[0].position;
     EXPECT_NEAR(at.x(), end.load_at.x(), 1e-4 * length);
@@ -92,7 +92,7 @@ TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
   options.prescribed = machine::Prescribed{0, 90};
   const EquilibriumResult r = equilibrium(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  EXPECT_NEAR(r.spans[0].T_to / r.spans[1].T_from, 1, 1e-10);
+  EXPECT_NEAR(r.branches[0].T_to / r.branches[1].T_from, 1, 1e-10);
   // the resultant of two equal tensions lies on the bisector, across the hold
   EXPECT_NEAR(r.contacts[0].force.dot(r.hold) / (r.contacts[0].force.norm() * r.hold.norm()), 0, 1e-9);
   Chain chain;
@@ -100,17 +100,17 @@ TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
   chain.weight = 21;
   chain.stiffness = 26.6e6;
   chain.elements = 20000;  // the wheel stands between two nodes: half an element of doubt
-  chain.loaded_after = static_cast<int>(std::lround(r.spans[0].unstretched / 262 * chain.elements));
+  chain.loaded_after = static_cast<int>(std::lround(r.branches[0].unstretched / 262 * chain.elements));
   chain.load_x = r.hold.x();
   chain.load_z = r.hold.z() - 1500 * m.gravity;
-  const Eigen::Vector2d first = chain.solve({240, 102}, {r.spans[0].H * 1.02, r.spans[0].V_from * 0.97});
-  EXPECT_NEAR(r.spans[0].T_from / first.norm(), 1, 1e-4);
-  EXPECT_NEAR(r.spans[1].T_to / chain.end(first).last.norm(), 1, 1e-4);
+  const Eigen::Vector2d first = chain.solve({240, 102}, {r.branches[0].H * 1.02, r.branches[0].V_from * 0.97});
+  EXPECT_NEAR(r.branches[0].T_from / first.norm(), 1, 1e-4);
+  EXPECT_NEAR(r.branches[1].T_to / chain.end(first).last.norm(), 1, 1e-4);
   EXPECT_NEAR(chain.end(first).load_at.x(), 90, 0.01);
 }
 
 /// Elastic and gravitational energy of a machine of points, by quadrature along every rope.
-double energy(const machine::Model& m, const std::vector<SpanResult>& spans, const std::vector<double>& lengths,
+double energy(const machine::Model& m, const std::vector<BranchResult>& spans, const std::vector<double>& lengths,
               const machine::State& state) {
   double sum = 0;
   for (std::size_t b = 0; b < m.bodies.size(); ++b) sum += m.bodies[b].mass * m.gravity * state.bodies[b].position.z();
@@ -137,8 +137,8 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   std::vector<double> lengths;
-  lengths.reserve(r.spans.size());
-  for (const SpanResult& s : r.spans) lengths.push_back(s.unstretched);
+  lengths.reserve(r.branches.size());
+  for (const BranchResult& s : r.branches) lengths.push_back(s.unstretched);
   const double h = 1e-4, force = r.ropes[0].T_max;
   // rope passed over each contact of the skyline
   for (std::size_t k = 0; k < 3; ++k) {
@@ -147,7 +147,7 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
     ahead[k + 1] -= h;
     back[k] -= h;
     back[k + 1] += h;
-    const double slope = (energy(m, r.spans, ahead, r.state) - energy(m, r.spans, back, r.state)) / (2 * h);
+    const double slope = (energy(m, r.branches, ahead, r.state) - energy(m, r.branches, back, r.state)) / (2 * h);
     EXPECT_NEAR(slope / force, 0, 1e-6) << k;
   }
   // the carriage moved
@@ -155,7 +155,7 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
     machine::State ahead = r.state, back = r.state;
     ahead.bodies[0].position[axis] += h;
     back.bodies[0].position[axis] -= h;
-    const double slope = (energy(m, r.spans, lengths, ahead) - energy(m, r.spans, lengths, back)) / (2 * h);
+    const double slope = (energy(m, r.branches, lengths, ahead) - energy(m, r.branches, lengths, back)) / (2 * h);
     EXPECT_NEAR(slope / force, 0, 1e-5) << axis;
   }
 }
@@ -164,7 +164,7 @@ TEST(Witness, EnergyIsStationaryWithoutFriction) {
 std::vector<double> tensions(const EquilibriumResult& r) {
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   std::vector<double> all;
-  for (const SpanResult& s : r.spans) all.insert(all.end(), {s.T_from, s.T_to});
+  for (const BranchResult& s : r.branches) all.insert(all.end(), {s.T_from, s.T_to});
   return all;
 }
 
@@ -231,11 +231,11 @@ TEST(Witness, EndsNeedNotBeOrderedLowToHigh) {
   const EquilibriumResult r = equilibrium(m);
   ASSERT_TRUE(r.outcome.ok());
   // along one rope the tension grows with height by its weight (less its stretch)
-  for (const SpanResult& s : r.spans) {
+  for (const BranchResult& s : r.branches) {
     const double strain = std::max(s.T_from, s.T_to) / 1e7;
     EXPECT_NEAR(s.T_to - s.T_from, 12 * (s.end.z() - s.start.z()), 12 * 60 * strain);
   }
-  EXPECT_GT(r.spans[0].stretched, r.spans[0].unstretched);
+  EXPECT_GT(r.branches[0].stretched, r.branches[0].unstretched);
 }
 
 }  // namespace witness_test

@@ -67,8 +67,9 @@ TEST(Rollers, BalanceOfForcesAndMomentsByHand) {
     EXPECT_LT(force.norm(), 1e-4);
     EXPECT_LT(moment.norm(), 1e-4);
     // the hold lies along the track: across the resultant of the rollers
-    const Vector3 along = (r.spans[0].shape.along * r.spans[0].H + Vector3(0, 0, r.spans[0].V_to)).normalized() +
-                          (r.spans[3].shape.along * r.spans[3].H + Vector3(0, 0, r.spans[3].V_from)).normalized();
+    const Vector3 along =
+        (r.branches[0].shape.along * r.branches[0].H + Vector3(0, 0, r.branches[0].V_to)).normalized() +
+        (r.branches[3].shape.along * r.branches[3].H + Vector3(0, 0, r.branches[3].V_from)).normalized();
     EXPECT_LT(r.hold.cross(along.normalized()).norm(), 1e-4);
   }
 }
@@ -86,7 +87,7 @@ TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
       101, 0, 2e7));
   m.carriages.push_back({"car", 0, 0, 1, -1, 2});
   const solve::EquilibriumResult r = placed(m, 50);
-  const double T = r.spans[1].T_from, depth = -r.state.bodies[0].position.z() - 0.3;
+  const double T = r.branches[1].T_from, depth = -r.state.bodies[0].position.z() - 0.3;
   const double leg = std::hypot(49, depth);
   EXPECT_NEAR(2 * T * depth / leg, 1000 * g, 1e-5);
   EXPECT_NEAR((2 * leg + 2) / (1 + T / 2e7), 101, 1e-9);
@@ -124,7 +125,7 @@ TEST(Rollers, TheAnswerIsStationaryInEnergy) {
         const auto& node = m.reevings[0].nodes[n];
         return node.at.body < 0 ? node.at.at : Vector3(origin_at + orientation * node.at.at);
       };
-      const auto span = taut::rope::solve_span({r.spans[k].unstretched, 18, 26e6}, end(k + 1) - end(k));
+      const auto span = taut::rope::solve_span({r.branches[k].unstretched, 18, 26e6}, end(k + 1) - end(k));
       // by quadrature along the rope: weight times height and T^2/(2 EA)
       constexpr int parts = 400;
       for (int i = 0; i < parts; ++i) {
@@ -185,7 +186,7 @@ TEST(FixedTo, FoundAgainByTheLengthBeforeTheGrip) {
   const solve::EquilibriumResult at = solve::equilibrium(m, options);
   ASSERT_TRUE(at.outcome.ok()) << at.outcome.message;
   double before = 0;
-  for (const solve::SpanResult& s : at.spans) {
+  for (const solve::BranchResult& s : at.branches) {
     if (s.reeving == 1 && s.from == 0) before = s.unstretched;
   }
   // it counts from where the rope arrives at its drive
@@ -216,7 +217,7 @@ TEST(Haulback, WhatGivesWayIsTheMainlineOrTheHaulbacksLength) {
   m.reevings[2].value = 15e3;
   m.carriages[0].haulback = 2;
   const solve::EquilibriumResult by_pull = placed(m, 150);
-  EXPECT_NEAR(by_pull.spans.back().T_from, 15e3, 1e-5);
+  EXPECT_NEAR(by_pull.branches.back().T_from, 15e3, 1e-5);
   // its length given instead: the same machine
   m.reevings[2].given = machine::Given::length;
   m.reevings[2].value = by_pull.ropes[2].unstretched;
@@ -226,7 +227,7 @@ TEST(Haulback, WhatGivesWayIsTheMainlineOrTheHaulbacksLength) {
   EXPECT_NEAR(by_lengths.state.bodies[0].position.x(), 150, 1e-6);
   // the mainline's pull given: the haulback's length follows
   m.reevings[1].given = machine::Given::tension_at_start;
-  for (const solve::SpanResult& s : by_pull.spans) {
+  for (const solve::BranchResult& s : by_pull.branches) {
     if (s.reeving == 1) m.reevings[1].value = s.T_from;
   }
   m.reevings[2].value = 100;
@@ -242,14 +243,14 @@ TEST(Locked, TheClampGivesWayAndTheMainlineKeepsItsPull) {
   m.reevings[1].given = machine::Given::tension_at_start;
   m.reevings[1].value = 9e3;
   const solve::EquilibriumResult r = placed(m, 150);
-  for (const solve::SpanResult& s : r.spans) {
+  for (const solve::BranchResult& s : r.branches) {
     if (s.reeving == 1) {
       EXPECT_NEAR(s.T_from, 9e3, 1e-5);
     }
   }
   EXPECT_NEAR(r.ropes[0].unstretched, 318, 1e-9);
   double before = 0;
-  for (const solve::SpanResult& s : r.spans) before += s.reeving == 0 && s.from < 2 ? s.unstretched : 0;
+  for (const solve::BranchResult& s : r.branches) before += s.reeving == 0 && s.from < 2 ? s.unstretched : 0;
   m.reevings[0].nodes[2].length_before = before;
   const solve::EquilibriumResult again = solve::equilibrium(m);
   ASSERT_TRUE(again.outcome.ok()) << again.outcome.message;

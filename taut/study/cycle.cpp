@@ -16,7 +16,7 @@ namespace {
 /// to it.
 double passed(const solve::EquilibriumResult& e, const machine::Model& m, int reeving) {
   double length = 0;
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     if (s.reeving != reeving) continue;
     const machine::Reeving& rope = m.reevings[reeving];
     length += s.unstretched * (1 + rope.thermal_strain);
@@ -34,8 +34,8 @@ WinchPull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, co
     return {.tension = drive->T_in - drive->T_out, .paid = passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
   }
   const auto own = [&](const auto& s) { return s.reeving == w.reeving; };
-  const double T = w.at_end ? std::find_if(e.spans.rbegin(), e.spans.rend(), own)->T_to
-                            : std::find_if(e.spans.begin(), e.spans.end(), own)->T_from;
+  const double T = w.at_end ? std::find_if(e.branches.rbegin(), e.branches.rend(), own)->T_to
+                            : std::find_if(e.branches.begin(), e.branches.end(), own)->T_from;
   return {.tension = T, .paid = e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
 }
 

@@ -61,7 +61,7 @@ void add_force(Envelope& envelope, const std::string& name, const Vector3& force
 
 void add_ropes(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e,
                const EnvelopeState& where) {
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     const machine::Reeving& rope = m.reevings[s.reeving];
     envelope.add(rope.name, "tension", si::N, std::min(s.T_from, s.T_to), where);
     envelope.add(rope.name, "tension", si::N, std::max(s.T_from, s.T_to), where);
@@ -74,13 +74,13 @@ void add_ropes(Envelope& envelope, const machine::Model& m, const solve::Equilib
 /// What each rope does to what holds its ends, all copies.
 void add_anchors(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e,
                  const EnvelopeState& where) {
-  const auto add = [&](const solve::SpanResult& s, int n, const Vector3& force) {
+  const auto add = [&](const solve::BranchResult& s, int n, const Vector3& force) {
     const machine::Reeving& rope = m.reevings[s.reeving];
     const machine::Node& node = rope.nodes[n];
     if (node.kind != machine::NodeKind::anchor) return;
     add_force(envelope, fmt::format("{} on {}", rope.name, node.name), rope.copies * force, where);
   };
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     add(s, s.from, solve::pull_on_start(s));
     add(s, s.to, solve::pull_on_end(s));
   }

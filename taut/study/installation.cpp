@@ -195,7 +195,7 @@ RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResu
   RopeLengths all;
   all.unstretched = r.ropes[reeving].unstretched;
   all.cut = all.unstretched * (1 + model.reevings[reeving].thermal_strain);
-  for (const solve::SpanResult& s : r.spans) {
+  for (const solve::BranchResult& s : r.branches) {
     if (s.reeving == reeving) all.free += s.stretched;
   }
   all.on_sheaves = on_contacts(model, r, reeving);
@@ -216,8 +216,8 @@ Installation installation(const EmptyLine& line, const solve::Condition& given,
   const solve::EquilibriumResult& r = i.at.result;
   i.outcome = r.outcome;
   if (!i.outcome.ok()) return i;
-  const solve::SpanResult* last = nullptr;
-  for (const solve::SpanResult& s : r.spans) {
+  const solve::BranchResult* last = nullptr;
+  for (const solve::BranchResult& s : r.branches) {
     if (s.reeving != line.reeving) continue;
     if (last == nullptr) {
       i.T_start = s.T_from;

@@ -68,8 +68,8 @@ TEST(Installation, AnEmptyLineIsTheLineThatNeverHadACarriage) {
   const Installation i = installation(line, {Kind::length, 0, 318, 0});
   ASSERT_TRUE(i.outcome.ok()) << i.outcome.message;
   const solve::EquilibriumResult e = solve::equilibrium(three_spans(318, 0.1));
-  EXPECT_NEAR(i.T_start, e.spans.front().T_from, 1e-5);
-  EXPECT_NEAR(i.T_end, e.spans.back().T_to, 1e-5);
+  EXPECT_NEAR(i.T_start, e.branches.front().T_from, 1e-5);
+  EXPECT_NEAR(i.T_end, e.branches.back().T_to, 1e-5);
   EXPECT_EQ(i.sag.size(), 3U);
   // a mainline alone takes nothing away, and the skyline stays
   EXPECT_EQ(empty_line(m, 1).model.reevings.size(), 2U);

@@ -35,7 +35,7 @@ int solve_cases(CaseSet& set) {
   at_rest.band = false;
   for (std::size_t c = 0; c < set.models.size(); ++c) {
     std::optional<machine::State> near;
-    if (set.results[c].outcome.ok() && !set.results[c].spans.empty()) near = set.results[c].state;
+    if (set.results[c].outcome.ok() && !set.results[c].branches.empty()) near = set.results[c].state;
     set.results[c] = solve::equilibrium(set.models[c], at_rest, near);
     if (!set.results[c].outcome.ok() && near) set.results[c] = solve::equilibrium(set.models[c], at_rest);
     if (!set.results[c].outcome.ok()) return static_cast<int>(c);
@@ -181,11 +181,11 @@ void keep_lengths(const LeastTensionRun& run, const machine::Model& installed, m
 
 double least_tension_of(const solve::EquilibriumResult& result, int reeving) {
   double least = std::numeric_limits<double>::infinity();
-  for (const solve::SpanResult& span : result.spans) {
-    if (span.reeving != reeving) continue;
+  for (const solve::BranchResult& branch : result.branches) {
+    if (branch.reeving != reeving) continue;
     // where the rope sags below both ends its tension is least there: the horizontal part
-    const bool sags = span.V_from < 0 && span.V_to > 0;
-    least = std::min({least, span.T_from, span.T_to, sags ? span.H : least});
+    const bool sags = branch.V_from < 0 && branch.V_to > 0;
+    least = std::min({least, branch.T_from, branch.T_to, sags ? branch.H : least});
   }
   return std::isfinite(least) ? std::max(0.0, least) : 0;
 }

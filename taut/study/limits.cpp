@@ -17,7 +17,7 @@ double length_margin(double left, double height) { return left / std::max(1.0, s
 /// The largest tension at an end of a rope, the band at rest counted, and its node.
 LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
   LimitState state{.kind = LimitKind::pull, .reeving = end.reeving, .node = 0, .value = 0, .limit = end.tension};
-  for (const solve::SpanResult& s : r.spans) {
+  for (const solve::BranchResult& s : r.branches) {
     if (s.reeving != end.reeving) continue;
     if (!end.at_end) {
       state.node = s.from;
@@ -76,7 +76,7 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
   }
   for (std::size_t k = 0; k < limits.rope_clearance.size(); ++k) {
     if (!std::isfinite(limits.rope_clearance[k])) continue;
-    const double height = rope_clearance(model, r.spans, static_cast<int>(k), limits.rope_between).height;
+    const double height = rope_clearance(model, r.branches, static_cast<int>(k), limits.rope_between).height;
     if (!std::isfinite(height)) continue;
     all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, height, limits.rope_clearance[k],
                    length_margin(height - limits.rope_clearance[k], place.z())});

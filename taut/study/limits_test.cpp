@@ -26,7 +26,7 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
   ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
   for (const auto& [from, to] : {std::pair{0.0, 300.0}, {60.0, 110.0}, {280.0, 100.0}, {210.0, 215.0}}) {
     double least = 1e9;
-    for (const solve::SpanResult& s : e.spans) {
+    for (const solve::BranchResult& s : e.branches) {
       if (s.reeving != 0) continue;
       for (int i = 0; i <= 20000; ++i) {
         const Vector3 p = s.start + taut::rope::point_at(s.shape, s.shape.rope.length * (i / 20000.0));
@@ -34,14 +34,14 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
         least = std::min(least, p.z() - ground_height(m.terrain, p.x()));
       }
     }
-    const RopeClearance low = rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to});
+    const RopeClearance low = rope_clearance(m, e.branches, 0, {Vector3::UnitX(), from, to});
     EXPECT_LE(low.height, least + 1e-9);
     EXPECT_NEAR(low.height, least, 2e-3) << from << " to " << to;
     EXPECT_GE(low.place.x(), std::min(from, to) - 1e-9);
     EXPECT_LE(low.place.x(), std::max(from, to) + 1e-9);
   }
   m.terrain.clear();
-  EXPECT_TRUE(std::isnan(rope_clearance(m, e.spans, 0, {Vector3::UnitX(), 0, 300}).height));
+  EXPECT_TRUE(std::isnan(rope_clearance(m, e.branches, 0, {Vector3::UnitX(), 0, 300}).height));
 }
 
 TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
@@ -78,9 +78,9 @@ TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
   const solve::EquilibriumResult e = solve::equilibrium(m);
   ASSERT_TRUE(e.outcome.ok());
   const auto height = [&](double from, double to) {
-    return rope_clearance(m, e.spans, 0, {Vector3::UnitX(), from, to}).height;
+    return rope_clearance(m, e.branches, 0, {Vector3::UnitX(), from, to}).height;
   };
-  const auto z_at = [&](double x) { return 10 - taut::rope::sag_at(e.spans[0].shape, x); };
+  const auto z_at = [&](double x) { return 10 - taut::rope::sag_at(e.branches[0].shape, x); };
   EXPECT_NEAR(height(100, 0), z_at(50), 1e-9);
   EXPECT_NEAR(height(10, 30), z_at(30), 1e-9);
   EXPECT_NEAR(height(70, 90), z_at(70), 1e-9);
@@ -105,21 +105,21 @@ TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
     EXPECT_NEAR(gap.after, after, 1e-9);
     EXPECT_NEAR(gap.missing(), before + after, 1e-9);
   };
-  expect_gap(terrain_gap(m, e.spans, 0), 100, 0);
+  expect_gap(terrain_gap(m, e.branches, 0), 100, 0);
   m.terrain = {{20, 0}, {70, 0}};
-  expect_gap(terrain_gap(m, e.spans, 0), 20, 30);
+  expect_gap(terrain_gap(m, e.branches, 0), 20, 30);
   expect_gap(terrain_gap(m, e), 50, 30);
-  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 90, 25}), 0, 20);
-  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 80, 90}), 0, 10);
-  expect_gap(terrain_gap(m, e.spans, 0, {Vector3::UnitX(), 200, 300}), 0, 0);
+  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 90, 25}), 0, 20);
+  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 80, 90}), 0, 10);
+  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 200, 300}), 0, 0);
   expect_gap(terrain_gap(m, 15, 5), 10, 0);
   m.terrain = {{0, 0}, {100, 0}};
-  expect_gap(terrain_gap(m, e.spans, 0), 0, 0);
+  expect_gap(terrain_gap(m, e.branches, 0), 0, 0);
   // the terrain's x runs the other way, from the middle
   m.terrain_from = {50, 0, 0};
   m.terrain_along = -Vector3::UnitX();
   m.terrain = {{-40, 0}, {50, 0}};
-  expect_gap(terrain_gap(m, e.spans, 0), 10, 0);
+  expect_gap(terrain_gap(m, e.branches, 0), 10, 0);
   expect_gap(terrain_gap(m, e), 10, 30);
 }
 

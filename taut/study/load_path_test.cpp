@@ -45,10 +45,10 @@ TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
       EXPECT_NEAR(p.at.state.bodies[0].position.x(), p.x, 1e-8);
       EXPECT_NEAR(p.z, cold.state.bodies[0].position.z(), 1e-7);
       EXPECT_NEAR(p.clearance, p.z - p.x / 5, 1e-12);
-      ASSERT_EQ(p.at.spans.size(), cold.spans.size());
-      for (std::size_t k = 0; k < cold.spans.size(); ++k) {
-        EXPECT_NEAR(p.at.spans[k].T_from / cold.spans[k].T_from, 1, 1e-8);
-        EXPECT_NEAR(p.at.spans[k].T_to_max / cold.spans[k].T_to_max, 1, 1e-8);
+      ASSERT_EQ(p.at.branches.size(), cold.branches.size());
+      for (std::size_t k = 0; k < cold.branches.size(); ++k) {
+        EXPECT_NEAR(p.at.branches[k].T_from / cold.branches[k].T_from, 1, 1e-8);
+        EXPECT_NEAR(p.at.branches[k].T_to_max / cold.branches[k].T_to_max, 1, 1e-8);
       }
     }
     EXPECT_DOUBLE_EQ(path.points.back().x, 195);
@@ -93,7 +93,7 @@ TEST(LoadPath, ClampedCarriageIsMovedByItsClamp) {
   ASSERT_TRUE(path.outcome.ok()) << path.outcome.message;
   for (const LoadPathPoint& p : path.points) {
     EXPECT_NEAR(p.at.state.bodies[0].position.x(), p.x, 1e-8);
-    EXPECT_NEAR(p.at.spans[1].H / p.at.spans[2].H, 1, 1e-6);  // only weight hangs there
+    EXPECT_NEAR(p.at.branches[1].H / p.at.branches[2].H, 1, 1e-6);  // only weight hangs there
     EXPECT_EQ(p.at.hold, Vector3(0, 0, 0));
   }
 }

@@ -31,8 +31,9 @@ PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& resu
   const std::size_t ropes = model.reevings.size();
   end.T_start.assign(ropes, 0.0);
   end.T_end = end.T_start;
-  for (const solve::SpanResult& span : result.spans | std::views::reverse) end.T_start[span.reeving] = span.T_from;
-  for (const solve::SpanResult& span : result.spans) end.T_end[span.reeving] = span.T_to;
+  for (const solve::BranchResult& branch : result.branches | std::views::reverse)
+    end.T_start[branch.reeving] = branch.T_from;
+  for (const solve::BranchResult& branch : result.branches) end.T_end[branch.reeving] = branch.T_to;
   for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
   end.at = result;
   return end;

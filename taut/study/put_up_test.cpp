@@ -37,7 +37,7 @@ TEST(PutUp, ASpanHasItsTensionAndKeepsItsLength) {
     EXPECT_EQ(m.reevings[0].value, lines[0].at.unstretched);
     const solve::EquilibriumResult r = solve::equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    EXPECT_NEAR((at_end ? r.spans[0].T_to : r.spans[0].T_from) / 30e3, 1, 1e-9);
+    EXPECT_NEAR((at_end ? r.branches[0].T_to : r.branches[0].T_from) / 30e3, 1, 1e-9);
   }
 }
 
@@ -51,12 +51,12 @@ TEST(PutUp, InTurnEachWithoutThoseToCome) {
   first.reevings.erase(first.reevings.begin() + 1);
   const solve::EquilibriumResult before = solve::equilibrium(first);
   ASSERT_TRUE(before.outcome.ok()) << before.outcome.message;
-  EXPECT_NEAR(before.spans[0].T_from / 20e3, 1, 1e-8);
+  EXPECT_NEAR(before.branches[0].T_from / 20e3, 1, 1e-8);
   // with both: the second has its tension, the first one has changed
   const solve::EquilibriumResult after = solve::equilibrium(m);
   ASSERT_TRUE(after.outcome.ok()) << after.outcome.message;
-  EXPECT_NEAR(after.spans[1].T_to / 25e3, 1, 1e-8);
-  EXPECT_GT(after.spans[0].T_from, 1.05 * 20e3);
+  EXPECT_NEAR(after.branches[1].T_to / 25e3, 1, 1e-8);
+  EXPECT_GT(after.branches[0].T_from, 1.05 * 20e3);
 }
 
 TEST(PutUp, EndsWithTheFirstThatFails) {

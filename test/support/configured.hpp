@@ -9,8 +9,8 @@ inline taut::mechanics::Configuration configuration_of(const taut::mechanics::La
                                                        const taut::machine::State& state) {
   taut::mechanics::Configuration c;
   c.bodies = state.bodies;
-  for (const auto& k : layout.links) {
-    c.links.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
+  for (const auto& k : layout.branches) {
+    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
   }
   for (const auto& p : layout.pieces) {
     c.pieces.push_back(state.beams[static_cast<std::size_t>(p.beam)][static_cast<std::size_t>(p.piece)]);

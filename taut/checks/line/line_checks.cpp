@@ -87,11 +87,11 @@ void take_bends(const CheckState& state, LineStates& line) {
 
 void take_clearance(const CheckState& state, LineStates& line) {
   if (state.rest == nullptr) return;
-  const study::TerrainGap gap = study::terrain_gap(*state.model, state.rest->spans, line.reeving);
+  const study::TerrainGap gap = study::terrain_gap(*state.model, state.rest->branches, line.reeving);
   if (gap.missing() > line.gap.missing()) line.gap = gap;
-  for (const solve::SpanResult& span : state.rest->spans) {
-    if (span.reeving != line.reeving) continue;
-    const study::RopeClearance found = study::rope_clearance(*state.model, span);
+  for (const solve::BranchResult& branch : state.rest->branches) {
+    if (branch.reeving != line.reeving) continue;
+    const study::RopeClearance found = study::rope_clearance(*state.model, branch);
     if (std::isnan(found.height)) continue;
     line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
   }

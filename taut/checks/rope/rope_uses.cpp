@@ -200,9 +200,9 @@ void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumRe
     const machine::Reeving& rope = model.reevings[i];
     if (rope.closed) continue;
     const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
-    const auto first = std::find_if(state.spans.begin(), state.spans.end(), own);
-    const auto last = std::find_if(state.spans.rbegin(), state.spans.rend(), own);
-    if (first == state.spans.end()) continue;
+    const auto first = std::find_if(state.branches.begin(), state.branches.end(), own);
+    const auto last = std::find_if(state.branches.rbegin(), state.branches.rend(), own);
+    if (first == state.branches.end()) continue;
     for (const bool at_end : {false, true}) {
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       const double T = at_end ? std::max(last->T_to, last->T_to_max) : std::max(first->T_from, first->T_from_max);

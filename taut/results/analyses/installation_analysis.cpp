@@ -31,7 +31,7 @@ Table installation_table(const InstallationRun& run, const study::Installation& 
   add_columns(t.columns, study::installation_quantities());
   std::string spans;
   int n = 0;
-  for (const auto& s : any.at.result.spans) {
+  for (const auto& s : any.at.result.branches) {
     if (s.reeving != index) continue;
     t.columns.push_back({fmt::format("sag_{}", ++n), si::m});
     spans +=

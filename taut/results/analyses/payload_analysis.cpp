@@ -146,7 +146,7 @@ void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result&
     high = std::max(high, terrain_x(model, place));
     for (std::size_t i = 0; i < ropes.size(); ++i) {
       if (!std::isfinite(run.limits.rope_clearance[i])) continue;
-      worse(ropes[i], study::terrain_gap(*one.model, state.spans, static_cast<int>(i), run.limits.rope_between));
+      worse(ropes[i], study::terrain_gap(*one.model, state.branches, static_cast<int>(i), run.limits.rope_between));
     }
   }
   const auto tell = [&](const std::string& what, const study::TerrainGap& gap) {

@@ -350,7 +350,8 @@ TEST(GuyedMast, OfADeckIsTheSame) {
     EXPECT_LT((beam.base_moment - r.base_moment).norm(), 1e-6 * bending(r.points[r.most_bent]));
     double largest = 0;
     for (const GuyState& g : r.guys) largest = std::max(largest, g.tension_top);
-    for (std::size_t i = 0; i < m.guys.size(); ++i) EXPECT_NEAR(e.spans[i].T_to, r.guys[i].tension_top, 1e-6 * largest);
+    for (std::size_t i = 0; i < m.guys.size(); ++i)
+      EXPECT_NEAR(e.branches[i].T_to, r.guys[i].tension_top, 1e-6 * largest);
     EXPECT_LT(e.closure.balance, 1e-8 * r.base_force.norm());
   }
 }
@@ -366,9 +367,9 @@ TEST(GuyedMast, OfADeckAgreesWithTheHandModelWhereAGuyGoesSlack) {
     EXPECT_GT(std::abs(top.y()), 0.1 * top.norm()) << "in space";
     EXPECT_LT((top - w.top).norm(), 1e-3 * top.norm()) << top.transpose() << " : " << w.top.transpose();
     double largest = 0, least = 1e9;
-    for (const auto& span : e.spans) largest = std::max(largest, span.T_to), least = std::min(least, span.T_to);
+    for (const auto& span : e.branches) largest = std::max(largest, span.T_to), least = std::min(least, span.T_to);
     EXPECT_LT(least, 500) << "one is loose";
-    for (std::size_t i = 0; i < m.guys.size(); ++i) EXPECT_NEAR(e.spans[i].T_to, w.tension_top[i], 1e-3 * largest);
+    for (std::size_t i = 0; i < m.guys.size(); ++i) EXPECT_NEAR(e.branches[i].T_to, w.tension_top[i], 1e-3 * largest);
     if (base == MastBase::clamped) {
       EXPECT_NEAR(e.beams[0].points.front().M, w.foot_moment, 1e-3 * e.beams[0].points[e.beams[0].most_bent].M);
     }

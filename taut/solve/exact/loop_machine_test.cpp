@@ -68,10 +68,10 @@ EquilibriumResult in_haul(const machine::Model& m, const std::optional<machine::
 
 /// Compares every end tension and the carriage's place.
 void expect_same(const EquilibriumResult& r, const LoopState& s, bool two, double relative) {
-  const auto last = r.spans.size() - 1;
-  const SpanResult &upper_A = r.spans[last], &upper_B = r.spans[last - 1], &lower_B = r.spans[two ? 2 : 1];
-  EXPECT_NEAR(r.spans[0].T_from / s.lower_A.T_start, 1, relative);
-  EXPECT_NEAR(r.spans[0].T_to / s.lower_A.T_end, 1, relative);
+  const auto last = r.branches.size() - 1;
+  const BranchResult &upper_A = r.branches[last], &upper_B = r.branches[last - 1], &lower_B = r.branches[two ? 2 : 1];
+  EXPECT_NEAR(r.branches[0].T_from / s.lower_A.T_start, 1, relative);
+  EXPECT_NEAR(r.branches[0].T_to / s.lower_A.T_end, 1, relative);
   EXPECT_NEAR(lower_B.T_from / s.lower_B.T_start, 1, relative);
   EXPECT_NEAR(lower_B.T_to / s.lower_B.T_end, 1, relative);
   EXPECT_NEAR(upper_B.T_from / s.upper_B.T_end, 1, relative);
@@ -121,9 +121,9 @@ TEST(ClosedLoop, ThePublishedExampleByPlaceAlone) {
   machine::Prescribed at{0, 100};
   at.z = -10;
   const EquilibriumResult r = in_haul(m, at);
-  EXPECT_NEAR(r.spans[0].T_from / g, 8587.9, 0.0005 * 8587.9);
-  EXPECT_NEAR(r.spans[1].T_to / g, 7077.8, 0.0005 * 7077.8);
-  EXPECT_NEAR(r.spans[2].T_from / g, 6370.0, 0.0005 * 6370);
+  EXPECT_NEAR(r.branches[0].T_from / g, 8587.9, 0.0005 * 8587.9);
+  EXPECT_NEAR(r.branches[1].T_to / g, 7077.8, 0.0005 * 7077.8);
+  EXPECT_NEAR(r.branches[2].T_from / g, 6370.0, 0.0005 * 6370);
   EXPECT_NEAR(r.contacts.back().force.z() / g, 1166.17, 0.0005 * 1166.17);
   EXPECT_NEAR(r.ropes[0].unstretched + r.ropes[1].unstretched, s.loop_length(), 1e-6);
 }
@@ -184,13 +184,13 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
     options.prescribed = machine::Prescribed{0, 120};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    ASSERT_EQ(r.spans.size(), 4U);
-    EXPECT_NEAR(r.spans[0].T_from / s.lower_A.T_start, 1, 1e-8);
-    EXPECT_NEAR(r.spans[1].T_to / s.lower_B.T_end, 1, 1e-8);
-    EXPECT_NEAR(r.spans[2].T_from / s.upper_B.T_end, 1, 1e-8);
-    EXPECT_NEAR(r.spans[3].T_to / s.upper_A.T_start, 1, 1e-8);
+    ASSERT_EQ(r.branches.size(), 4U);
+    EXPECT_NEAR(r.branches[0].T_from / s.lower_A.T_start, 1, 1e-8);
+    EXPECT_NEAR(r.branches[1].T_to / s.lower_B.T_end, 1, 1e-8);
+    EXPECT_NEAR(r.branches[2].T_from / s.upper_B.T_end, 1, 1e-8);
+    EXPECT_NEAR(r.branches[3].T_to / s.upper_A.T_start, 1, 1e-8);
     EXPECT_NEAR(r.state.bodies[0].position.z(), s.first.z, 1e-6);
-    EXPECT_NEAR(r.spans[0].unstretched, s.traction_length, 1e-6);
+    EXPECT_NEAR(r.branches[0].unstretched, s.traction_length, 1e-6);
   }
 }
 

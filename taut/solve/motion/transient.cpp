@@ -25,18 +25,18 @@ using namespace dynamics;
 /// Inner nodes on the catenaries of the equilibrium.
 void place_inside(const machine::Model& model, const EquilibriumResult& found, DynamicState& start) {
   Array<std::size_t> next(model.reevings.size(), 0);
-  for (const SpanResult& span : found.spans) {
-    const auto r = static_cast<std::size_t>(span.reeving);
+  for (const BranchResult& branch : found.branches) {
+    const auto r = static_cast<std::size_t>(branch.reeving);
     const int segments = model.reevings[r].segments;
     for (int s = 1; s < segments; ++s) {
-      const double length = span.unstretched * (1 + model.reevings[r].thermal_strain) * s / segments;
-      start.ropes[r].inside[next[r]++] = model.reevings[r].weight > 0 && !span.slack
-                                             ? Vector3(span.start + rope::point_at(span.shape, length))
-                                             : Vector3(span.start + (span.end - span.start) * s / segments);
+      const double length = branch.unstretched * (1 + model.reevings[r].thermal_strain) * s / segments;
+      start.ropes[r].inside[next[r]++] = model.reevings[r].weight > 0 && !branch.slack
+                                             ? Vector3(branch.start + rope::point_at(branch.shape, length))
+                                             : Vector3(branch.start + (branch.end - branch.start) * s / segments);
     }
-    const auto to = static_cast<std::size_t>(span.to);
+    const auto to = static_cast<std::size_t>(branch.to);
     if (segments > 1 && model.reevings[r].nodes[to].kind == machine::NodeKind::load) {
-      start.ropes[r].inside[next[r]++] = span.end;
+      start.ropes[r].inside[next[r]++] = branch.end;
     }
   }
 }

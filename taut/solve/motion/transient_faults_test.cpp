@@ -40,7 +40,7 @@ TEST(TransientFaults, RestIsNotFoundWithRopesThatPush) {
   EXPECT_NEAR(r.frames.front().branches[0].T_from, 981, 1e-6);
   EXPECT_EQ(r.frames.front().branches[1].T_from, 0);
   EXPECT_NEAR(r.frames.back().bodies[0].position.z(), -10 * (1 + 981 / 1e6), 1e-8);
-  for (const auto& span : rest.spans) EXPECT_GE(std::min(span.T_from, span.T_to), 0);
+  for (const auto& span : rest.branches) EXPECT_GE(std::min(span.T_from, span.T_to), 0);
 }
 
 /// A step of 70 periods of the stiffest motion: an iteration to a fixed point would have to contract by 2e5.

@@ -15,11 +15,11 @@ Outcome no_far_loop(const mechanics::System& system, const mechanics::Configurat
     if (rope.row != system.layout.coordinate_row || rope.count == 0) continue;
     double length = 0, way = 0;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
-      length += c.links[k].length;
+      length += c.branches[k].length;
       way += e.branches[k].chord.norm();
     }
     if (length <= longest * way) continue;
-    const int reeving = system.layout.links[rope.first].reeving;
+    const int reeving = system.layout.branches[rope.first].reeving;
     return infeasible(fmt::format("'{}' could hold the carriage there by a loop of {:.4g} m only; choose another x",
                                   system.model.reevings[reeving].name, length));
   }

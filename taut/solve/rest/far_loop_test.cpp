@@ -18,10 +18,10 @@ std::string reported(std::optional<machine::Prescribed> prescribed, double mainl
   const mechanics::Layout layout = mechanics::layout(m, state, prescribed, taut_test::no_flow(m));
   mechanics::Configuration c = taut_test::configuration_of(layout, state);
   mechanics::Evaluation e;
-  e.branches.resize(layout.links.size());
-  for (std::size_t k = 0; k < layout.links.size(); ++k) {
+  e.branches.resize(layout.branches.size());
+  for (std::size_t k = 0; k < layout.branches.size(); ++k) {
     e.branches[k].chord = {30.0, -40.0, 10.0 * static_cast<double>(k)};
-    c.links[k].length = (layout.links[k].reeving == 1 ? mainline : skyline) * e.branches[k].chord.norm();
+    c.branches[k].length = (layout.branches[k].reeving == 1 ? mainline : skyline) * e.branches[k].chord.norm();
   }
   const Outcome found = no_far_loop({m, layout, prescribed ? prescribed->x : 0}, c, e);
   EXPECT_EQ(found.status, found.message.empty() ? Status::ok : Status::infeasible);

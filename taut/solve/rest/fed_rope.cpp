@@ -54,12 +54,12 @@ Array<FedEnd> fed_ends(const mechanics::System& s) {
 }
 
 double tension_rate(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                    int link) {
-  const mechanics::Layout::Link& l = s.layout.links[link];
+                    int k) {
+  const mechanics::Layout::Branch& l = s.layout.branches[k];
   const machine::Reeving& rope = s.model.reevings[l.reeving];
-  const mechanics::Branch& b = e.branches[link];
+  const mechanics::Branch& b = e.branches[k];
   const mechanics::BranchRates r =
-      mechanics::rates(mechanics::rope_of(rope, c.links[link].length), mechanics::end_at(rope.nodes[l.from], c.bodies),
+      mechanics::rates(mechanics::rope_of(rope, c.branches[k].length), mechanics::end_at(rope.nodes[l.from], c.bodies),
                        mechanics::end_at(rope.nodes[l.to], c.bodies), b);
   return b.leaves.dot(r.pull_from_u);
 }
@@ -78,7 +78,7 @@ int deep_mainline_link(const mechanics::System& s, const mechanics::Configuratio
   for (const mechanics::Layout::Rope& rope : s.layout.ropes) {
     if (rope.row != s.layout.coordinate_row) continue;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
-      if (s.model.reevings[s.layout.links[k].reeving].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
+      if (s.model.reevings[s.layout.branches[k].reeving].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
     }
   }
   return -1;
@@ -88,11 +88,11 @@ void draw_fed_taut(const mechanics::System& s, const Array<FedEnd>& fed, mechani
   const machine::State state{.bodies = c.bodies, .branches = {}, .touched = {}, .beams = {}};
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
-      const mechanics::Layout::Link& link = s.layout.links[k];
-      const machine::Reeving& rope = s.model.reevings[link.reeving];
-      const double length = machine::taut_length(state, rope, rope.nodes[link.from], rope.nodes[link.to], end.tension);
-      c.links[k] = {};
-      c.links[k].length = length;
+      const mechanics::Layout::Branch& laid = s.layout.branches[k];
+      const machine::Reeving& rope = s.model.reevings[laid.reeving];
+      const double length = machine::taut_length(state, rope, rope.nodes[laid.from], rope.nodes[laid.to], end.tension);
+      c.branches[k] = {};
+      c.branches[k].length = length;
     }
   }
 }

@@ -12,10 +12,10 @@ namespace taut::solve {
 /// clamp, or drive that holds the rope.
 struct FedEnd {
   int rope = 0, row = 0;                             ///< index in the layout's ropes; the equation of the given tension
-  int first = 0, last = 0;                           ///< links
+  int first = 0, last = 0;                           ///< branches
   bool at_end = false;                               ///< at the end of the path, else at its start
   double tension = 0;                                ///< N
-  int own() const { return at_end ? last : first; }  ///< the link that ends there
+  int own() const { return at_end ? last : first; }  ///< the branch that ends there
 };
 
 /// All of them but those whose equation a prescribed coordinate takes.
@@ -24,9 +24,9 @@ Array<FedEnd> fed_ends(const mechanics::System& system);
 /// The tensions at the two ends of a branch follow the rope fed into it by this many N/m, the places of its ends kept.
 /// Here at its start; at its end it has the same sign, since P differs there by the weight of rope over a fixed height.
 double tension_rate(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                    int link);
+                    int branch);
 
-/// A link of a fed rope that is a deep loop: more rope in it makes it tighter, since its own weight pulls. Between
+/// A branch of a fed rope that is a deep loop: more rope in it makes it tighter, since its own weight pulls. Between
 /// fixed ends the energy U(L) + P L of a rope held at the tension T (P = T + T^2/(2 EA)) has the second derivative
 /// -(1 + T/EA) dT/dL; where that is negative the rope runs out, or in, at the least push, so that this second root of
 /// the given tension is no answer. -1: none.
@@ -35,11 +35,11 @@ int deep_link(const mechanics::System& system, const Array<FedEnd>& fed, const m
 
 /// The same of the rope whose length follows from where a carriage is put (its mainline). There a deep loop is no
 /// answer where the rope could also be taut, or where it would have to push: then the weight of the loop does. It is
-/// one where the pull that the carriage needs is less than a taut rope's weight gives. A link of it; -1: none.
+/// one where the pull that the carriage needs is less than a taut rope's weight gives. A branch of it; -1: none.
 int deep_mainline_link(const mechanics::System& system, const mechanics::Configuration& c,
                        const mechanics::Evaluation& e);
 
-/// Gives every link of the fed ropes the length that it has without sag at the given tension: the side of their taut
+/// Gives every branch of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.
 void draw_fed_taut(const mechanics::System& system, const Array<FedEnd>& fed, mechanics::Configuration& c);
 

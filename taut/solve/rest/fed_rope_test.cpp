@@ -77,7 +77,7 @@ TEST(FedRope, ASpanHasOneRootFromAnyLength) {
           const EquilibriumResult r = equilibrium(m, {}, start);
           ASSERT_TRUE(r.outcome.ok()) << times << ": " << r.outcome.message;
           EXPECT_NEAR(r.ropes[0].unstretched / first.ropes[0].unstretched, 1, 1e-9) << times;
-          EXPECT_NEAR((at_end ? r.spans[0].T_to : r.spans[0].T_from) / T, 1, 1e-9);
+          EXPECT_NEAR((at_end ? r.branches[0].T_to : r.branches[0].T_from) / T, 1, 1e-9);
         }
       }
     }
@@ -93,7 +93,7 @@ TEST(FedRope, MoreRopeMakesADeepLoopTighter) {
   for (double length = 49.9; length < 500; length *= 1.1) {
     const auto at = [&](double L, mechanics::Configuration& c, mechanics::Evaluation& e) {
       c = configuration_of(l, machine::initial_state(m));
-      c.links[0].length = L;
+      c.branches[0].length = L;
       EXPECT_FALSE(mechanics::evaluate(system, c, e));
       return e.branches[0].T_from;
     };

@@ -25,7 +25,7 @@ double pull(const mechanics::System& s, const mechanics::Evaluation& e, const me
   return (out.pull_from - in.pull_to).dot(support) - lift_rounding * (in.T_to + out.T_from);
 }
 
-void release(const mechanics::Layout::Turn& t, const mechanics::Layout::Link& before, machine::State& state) {
+void release(const mechanics::Layout::Turn& t, const mechanics::Layout::Branch& before, machine::State& state) {
   auto& branches = state.branches[t.reeving];
   machine::BranchState& whole = branches[before.from];
   whole = {.length = whole.length + branches[t.node].length,
@@ -55,7 +55,7 @@ Beside beside(const Vector3& support_point, const Vector3& support, const Vector
 }
 
 struct Return {
-  const mechanics::Layout::Link* link = nullptr;
+  const mechanics::Layout::Branch* branch = nullptr;
   int node = 0;
   Beside where;
 };
@@ -63,23 +63,23 @@ struct Return {
 /// The lifted support that its rope lies deepest below.
 Return deepest(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Return worst;
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[link.reeving];
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
+    const mechanics::Layout::Branch& laid = s.layout.branches[k];
+    const machine::Reeving& rope = s.model.reevings[laid.reeving];
     const int nodes = static_cast<int>(rope.nodes.size());
-    for (int n = (link.from + 1) % nodes; n != link.to; n = (n + 1) % nodes) {
+    for (int n = (laid.from + 1) % nodes; n != laid.to; n = (n + 1) % nodes) {
       const machine::Node& node = rope.nodes[n];
       if (!may_lift(node)) continue;
       const mechanics::Branch& b = e.branches[k];
-      const auto span = link.force >= 0
-                            ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
-                            : rope::solve_span(mechanics::rope_of(rope, c.links[k].length), b.chord, c.links[k].force);
+      const auto span = laid.force >= 0 ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
+                                        : rope::solve_span(mechanics::rope_of(rope, c.branches[k].length), b.chord,
+                                                           c.branches[k].force);
       if (!span) continue;
-      const Vector3 start = mechanics::end_at(rope.nodes[link.from], c.bodies).centre + b.offset_from;
+      const Vector3 start = mechanics::end_at(rope.nodes[laid.from], c.bodies).centre + b.offset_from;
       const Vector3 top = mechanics::end_at(node, c.bodies).centre + node.radius * node.support;
       const Beside where = beside(top, node.support, start, *span);
       if (where.below > std::max(worst.where.below, lift_rounding * s.layout.length))
-        worst = {.link = &link, .node = n, .where = where};
+        worst = {.branch = &laid, .node = n, .where = where};
     }
   }
   return worst;
@@ -101,19 +101,19 @@ bool change_touch(const mechanics::System& s, const mechanics::Configuration& c,
   }
   if (lifts) {
     ++let_go[lifts->reeving][lifts->node];
-    release(*lifts, s.layout.links[lifts->before], state);
+    release(*lifts, s.layout.branches[lifts->before], state);
     return true;
   }
   const Return back = deepest(s, c, e);
-  if (!back.link) return false;
-  auto& branches = state.branches[back.link->reeving];
-  const double whole = branches[back.link->from].length;
+  if (!back.branch) return false;
+  auto& branches = state.branches[back.branch->reeving];
+  const double whole = branches[back.branch->from].length;
   const double before = std::clamp(back.where.s, 0.01 * whole, 0.99 * whole);
-  branches[back.link->from] = {
+  branches[back.branch->from] = {
       .length = before, .leaves = Vector3::Zero(), .arrives = Vector3::Zero(), .force = std::nullopt};
   branches[back.node] = {
       .length = whole - before, .leaves = Vector3::Zero(), .arrives = Vector3::Zero(), .force = std::nullopt};
-  state.touched[back.link->reeving][back.node] = true;
+  state.touched[back.branch->reeving][back.node] = true;
   return true;
 }
 

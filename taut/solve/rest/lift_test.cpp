@@ -27,13 +27,13 @@ TEST(Lift, ReportedOrLetGo) {
   const EquilibriumResult free = equilibrium(low_middle(true, 200.1));
   ASSERT_TRUE(free.outcome.ok());
   EXPECT_EQ(free.contacts[0].state, ContactState::lifted);
-  ASSERT_EQ(free.spans.size(), 1U);
-  EXPECT_NEAR(free.spans[0].unstretched, 200.1, 1e-9);
+  ASSERT_EQ(free.branches.size(), 1U);
+  EXPECT_NEAR(free.branches[0].unstretched, 200.1, 1e-9);
   // as if the support were not there
   machine::Model without = low_middle(true, 200.1);
   without.reevings[0].nodes.erase(without.reevings[0].nodes.begin() + 1);
-  EXPECT_NEAR(free.spans[0].T_from / equilibrium(without).spans[0].T_from, 1, 1e-9);
-  EXPECT_LT(free.spans[0].sag, 6);  // it hangs above the support
+  EXPECT_NEAR(free.branches[0].T_from / equilibrium(without).branches[0].T_from, 1, 1e-9);
+  EXPECT_LT(free.branches[0].sag, 6);  // it hangs above the support
 }
 
 TEST(Lift, PressesWhereTheRopeIsLongEnough) {
@@ -48,8 +48,8 @@ TEST(Lift, ComesBackWhenTheRopeIsPaidOut) {
   const EquilibriumResult back = equilibrium(low_middle(true, 201.5), {}, lifted.state);
   const EquilibriumResult fresh = equilibrium(low_middle(true, 201.5));
   ASSERT_TRUE(back.outcome.ok());
-  ASSERT_EQ(back.spans.size(), 2U);
-  EXPECT_NEAR(back.spans[1].T_to / fresh.spans[1].T_to, 1, 1e-9);
+  ASSERT_EQ(back.branches.size(), 2U);
+  EXPECT_NEAR(back.branches[1].T_to / fresh.branches[1].T_to, 1, 1e-9);
 }
 
 TEST(Lift, ARoundLetsGoToo) {

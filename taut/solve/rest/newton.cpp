@@ -24,22 +24,22 @@ constexpr double least_free = 1e-6;        // of what no row determines: less is
 constexpr double most_fall = 0.7;          // of a rope's force and weight per step
 constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
 
-/// Calls `f` with each link and unknown of a force.
+/// Calls `f` with each branch and unknown of a force.
 template <class F>
 void for_each_force(const mechanics::System& s, const F& f) {
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const mechanics::Layout::Link& link = s.layout.links[k];
-    if (link.force < 0) continue;
-    const int count = mechanics::force_count(s.model.reevings[link.reeving]);
-    for (int i = 0; i < count; ++i) f(static_cast<int>(k), link.force + i);
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
+    const mechanics::Layout::Branch& laid = s.layout.branches[k];
+    if (laid.force < 0) continue;
+    const int count = mechanics::force_count(s.model.reevings[laid.reeving]);
+    for (int i = 0; i < count; ++i) f(static_cast<int>(k), laid.force + i);
   }
 }
 
 /// The largest change of a force among the unknowns, as a share of the largest force. A slack rope has none.
 double force_change(const mechanics::System& s, const mechanics::Evaluation& e, const Eigen::VectorXd& change) {
   double most = 0;
-  for_each_force(s, [&](int link, int unknown) {
-    if (!e.branches[link].slack) most = std::max(most, std::abs(change[unknown]));
+  for_each_force(s, [&](int branch, int unknown) {
+    if (!e.branches[branch].slack) most = std::max(most, std::abs(change[unknown]));
   });
   return most > 0 ? most / e.largest_force : 0;
 }
@@ -61,8 +61,8 @@ class Linear {
 
   /// Takes the forces that are unknowns in parts of what they are now.
   void scale_forces(const mechanics::System& s, const mechanics::Configuration& c) {
-    for_each_force(s, [&](int link, int unknown) {
-      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[link].norm()});
+    for_each_force(s, [&](int branch, int unknown) {
+      columns_[unknown] = std::max({1.0, s.layout.heaviest, c.forces[branch].norm()});
     });
   }
 
@@ -111,21 +111,21 @@ int undetermined_branch(const mechanics::System& s, const Linear& linear) {
   const Eigen::VectorXd free = linear.free();
   int worst = -1;
   double most = least_free;
-  for_each_force(s, [&](int link, int unknown) {
+  for_each_force(s, [&](int branch, int unknown) {
     if (free.size() == 0 || free[unknown] <= most) return;
     most = free[unknown];
-    worst = link;
+    worst = branch;
   });
   return worst;
 }
 
 /// The part of a step that leaves a rope with weight a share of its pull.
 double longest_fall(const mechanics::System& s, const mechanics::Configuration& c, int k, const Eigen::VectorXd& step) {
-  const mechanics::Layout::Link& link = s.layout.links[k];
-  if (link.force < 0 || s.model.reevings[link.reeving].weight == 0) return 1;
+  const mechanics::Layout::Branch& laid = s.layout.branches[k];
+  if (laid.force < 0 || s.model.reevings[laid.reeving].weight == 0) return 1;
   const Vector3& force = c.forces[k];
-  const double weight = s.model.reevings[link.reeving].weight * c.links[k].length;
-  const double falls = -force.normalized().dot(step.segment<3>(link.force)), most = most_fall * (force.norm() + weight);
+  const double weight = s.model.reevings[laid.reeving].weight * c.branches[k].length;
+  const double falls = -force.normalized().dot(step.segment<3>(laid.force)), most = most_fall * (force.norm() + weight);
   return falls > most ? most / falls : 1;
 }
 
@@ -137,11 +137,11 @@ double longest_part(const mechanics::System& s, const mechanics::Configuration& 
     const double most = turns ? longest_turn : longest_move * s.layout.length;
     part = std::min(part, most / std::max(most, std::abs(step[static_cast<Eigen::Index>(i)])));
   }
-  for (std::size_t k = 0; k < c.links.size(); ++k) {
-    const double change = step[s.layout.links[k].unknown];
-    if (change < 0) part = std::min(part, (1 - shortest_branch) * c.links[k].length / -change);
+  for (std::size_t k = 0; k < c.branches.size(); ++k) {
+    const double change = step[s.layout.branches[k].unknown];
+    if (change < 0) part = std::min(part, (1 - shortest_branch) * c.branches[k].length / -change);
     // a rope whose length follows has a second answer, a loop of kilometres whose weight pulls
-    const double most = std::max(c.links[k].length, s.layout.length);
+    const double most = std::max(c.branches[k].length, s.layout.length);
     if (change > most) part = std::min(part, most / change);
     part = std::min(part, longest_fall(s, c, static_cast<int>(k), step));
   }
@@ -174,12 +174,12 @@ void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag,
     const bool fixed_at_end = reeving.given == machine::Given::tension_at_start;
     const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
     for (int k = first; k < last; ++k) {
-      J(t.row, s.layout.links[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
+      J(t.row, s.layout.branches[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
     }
   }
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
-      J(end.row, s.layout.links[k].unknown) -= ropes * drag;
+      J(end.row, s.layout.branches[k].unknown) -= ropes * drag;
     }
   }
 }

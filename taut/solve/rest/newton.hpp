@@ -9,7 +9,7 @@ struct Iteration {
   int steps = 0;
   std::optional<mechanics::NoBranch> stopped;  ///< the branch that had no solution at the last point tried
   bool singular = false;                       ///< something is not held: a step without end
-  int deep = -1;          ///< the link that the last step tried would have made a deep loop (fed_rope.hpp); -1: none
+  int deep = -1;          ///< the branch that the last step tried would have made a deep loop (fed_rope.hpp); -1: none
   int undetermined = -1;  ///< a branch whose force could be another as well, found by newton_with_forces
 };
 

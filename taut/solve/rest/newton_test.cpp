@@ -33,8 +33,8 @@ double apart(const mechanics::Configuration& a, const mechanics::Configuration& 
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     far = std::max(far, (a.bodies[i].position - b.bodies[i].position).norm());
   }
-  for (std::size_t k = 0; k < a.links.size(); ++k) {
-    far = std::max(far, std::abs(a.links[k].length - b.links[k].length));
+  for (std::size_t k = 0; k < a.branches.size(); ++k) {
+    far = std::max(far, std::abs(a.branches[k].length - b.branches[k].length));
   }
   return far;
 }

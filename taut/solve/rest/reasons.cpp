@@ -27,41 +27,41 @@ std::string direction(const machine::Freedom& way) {
   return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", word, d.x(), d.y(), d.z());
 }
 
-std::string branch_words(const mechanics::System& s, int link_index) {
-  const mechanics::Layout::Link& link = s.layout.links[link_index];
-  const machine::Reeving& rope = s.model.reevings[link.reeving];
-  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[link.from].name,
-                     rope.nodes[link.to].name);
+std::string branch_words(const mechanics::System& s, int branch_index) {
+  const mechanics::Layout::Branch& laid = s.layout.branches[branch_index];
+  const machine::Reeving& rope = s.model.reevings[laid.reeving];
+  return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[laid.from].name,
+                     rope.nodes[laid.to].name);
 }
 
 Outcome no_branch(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::NoBranch& no) {
-  const mechanics::Layout::Link& link = s.layout.links[no.link];
-  const machine::Reeving& rope = s.model.reevings[link.reeving];
-  const Vector3 chord = mechanics::end_at(rope.nodes[link.to], c.bodies).centre -
-                        mechanics::end_at(rope.nodes[link.from], c.bodies).centre;
+  const mechanics::Layout::Branch& laid = s.layout.branches[no.branch];
+  const machine::Reeving& rope = s.model.reevings[laid.reeving];
+  const Vector3 chord = mechanics::end_at(rope.nodes[laid.to], c.bodies).centre -
+                        mechanics::end_at(rope.nodes[laid.from], c.bodies).centre;
   if (no.why == rope::NoCatenary::too_short) {
     return infeasible(fmt::format(
         "{} does not reach: {:.6g} m of a rope that does not stretch over {:.6g} m; give it more length or a stiffness",
-        branch_words(s, no.link), c.links[no.link].length, chord.norm()));
+        branch_words(s, no.branch), c.branches[no.branch].length, chord.norm()));
   }
-  const double radii = rope.nodes[link.to].radius + rope.nodes[link.from].radius;
+  const double radii = rope.nodes[laid.to].radius + rope.nodes[laid.from].radius;
   if (radii > 0 && chord.norm() <= radii) {
     for (const bool first : {false, true}) {
-      const machine::Node &own = rope.nodes[first ? link.from : link.to],
-                          &other = rope.nodes[first ? link.to : link.from];
+      const machine::Node &own = rope.nodes[first ? laid.from : laid.to],
+                          &other = rope.nodes[first ? laid.to : laid.from];
       if (own.at.body == machine::ground || s.model.bodies[own.at.body].free.empty()) continue;
       return infeasible(fmt::format(
           "body '{}' is drawn up to '{}': {} has no room there (the centres {:.3g} m apart, the radii add up "
           "to {:.3g} m); make it heavier, give the rope more length, or put it farther away",
-          s.model.bodies[own.at.body].name, other.name, branch_words(s, no.link), chord.norm(), radii));
+          s.model.bodies[own.at.body].name, other.name, branch_words(s, no.branch), chord.norm(), radii));
     }
     return infeasible(fmt::format("{} has no room: the centres lie {:.6g} m apart, the radii add up to {:.6g} m",
-                                  branch_words(s, no.link), chord.norm(), radii));
+                                  branch_words(s, no.branch), chord.norm(), radii));
   }
   return not_converged(fmt::format(
       "no equilibrium found: {} finds no line on the way there ({:.6g} m of rope, centres {:.6g} m apart); hold the "
       "bodies it runs to, or change its length",
-      branch_words(s, no.link), c.links[no.link].length, chord.norm()));
+      branch_words(s, no.branch), c.branches[no.branch].length, chord.norm()));
 }
 
 /// The ropes that carry nothing, as words; empty if none.
@@ -95,8 +95,8 @@ int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
 int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
     if (s.model.reevings[t.reeving].nodes[t.node].at.body == machine::ground) continue;
-    for (const int link : {t.before, t.after}) {
-      if (c.links[link].length < vanishing * s.layout.length) return link;
+    for (const int branch : {t.before, t.after}) {
+      if (c.branches[branch].length < vanishing * s.layout.length) return branch;
     }
   }
   return -1;
@@ -104,18 +104,18 @@ int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
 
 /// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
 std::string drawn_up(const mechanics::System& s, const mechanics::Configuration& c) {
-  for (std::size_t k = 0; k < s.layout.links.size(); ++k) {
-    const mechanics::Layout::Link& link = s.layout.links[k];
-    const machine::Reeving& rope = s.model.reevings[link.reeving];
-    if (c.links[k].length >= vanishing * s.layout.length) continue;
+  for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
+    const mechanics::Layout::Branch& laid = s.layout.branches[k];
+    const machine::Reeving& rope = s.model.reevings[laid.reeving];
+    if (c.branches[k].length >= vanishing * s.layout.length) continue;
     for (const bool first : {true, false}) {
-      const machine::Node &own = rope.nodes[first ? link.from : link.to],
-                          &other = rope.nodes[first ? link.to : link.from];
+      const machine::Node &own = rope.nodes[first ? laid.from : laid.to],
+                          &other = rope.nodes[first ? laid.to : laid.from];
       if (own.at.body == machine::ground || s.model.bodies[own.at.body].free.empty()) continue;
       return fmt::format(
           "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
           "give the rope more length, or pull less",
-          s.model.bodies[own.at.body].name, other.name, rope.name, c.links[k].length);
+          s.model.bodies[own.at.body].name, other.name, rope.name, c.branches[k].length);
     }
   }
   return {};
@@ -156,7 +156,7 @@ bool hangs_on_given_tension(const mechanics::System& s, int body) {
 
 int too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& iteration) {
   if (iteration.deep < 0) return -1;
-  const int rope = s.layout.links[iteration.deep].reeving;
+  const int rope = s.layout.branches[iteration.deep].reeving;
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
   }
@@ -194,11 +194,11 @@ Outcome reason(const mechanics::System& s, const mechanics::Configuration& c, co
   const std::string& body = s.model.bodies[dof.body].name;
   const double open = e.residual[worst];
   const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
-  if (const int link = vanished(s, c); link >= 0) {
+  if (const int branch = vanished(s, c); branch >= 0) {
     return infeasible(
         fmt::format("{} shrinks to nothing: what rolls there runs against its neighbour; hold it by a "
                     "mainline, or clamp it",
-                    branch_words(s, link)));
+                    branch_words(s, branch)));
   }
   if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
   if (const std::string why = drawn_up(s, c); !why.empty()) return infeasible(why);

@@ -14,7 +14,7 @@ void expect_reason(const machine::Model& m, const std::string& words) {
   const EquilibriumResult r = equilibrium(m);
   ASSERT_FALSE(r.outcome.ok());
   EXPECT_NE(r.outcome.message.find(words), std::string::npos) << r.outcome.message;
-  EXPECT_TRUE(r.spans.empty());
+  EXPECT_TRUE(r.branches.empty());
 }
 
 /// A line whose counterweight hangs behind a sheave.

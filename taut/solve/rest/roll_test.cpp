@@ -35,9 +35,9 @@ TEST(FreeRolling, StandsWhereTheBisectorIsUpright) {
         EXPECT_LT(excess, 1.1);
         continue;
       }
-      EXPECT_NEAR(r.spans[0].H / r.spans[1].H, 1, 1e-6);
-      EXPECT_NEAR(-r.spans[0].V_to / r.spans[1].V_from, 1, 1e-6);
-      EXPECT_NEAR(r.spans[1].V_from - r.spans[0].V_to, 2000 * g, 1e-3);
+      EXPECT_NEAR(r.branches[0].H / r.branches[1].H, 1, 1e-6);
+      EXPECT_NEAR(-r.branches[0].V_to / r.branches[1].V_from, 1, 1e-6);
+      EXPECT_NEAR(r.branches[1].V_from - r.branches[0].V_to, 2000 * g, 1e-3);
     }
   }
 }

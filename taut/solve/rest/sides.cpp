@@ -30,15 +30,15 @@ Sides sides_of(const machine::Model& model) {
 
 /// The free rope that arrives at a contact, and the one that leaves it.
 struct PassingRope {
-  const SpanResult *before = nullptr, *after = nullptr;
+  const BranchResult *before = nullptr, *after = nullptr;
 };
 
 PassingRope passing_rope(const EquilibriumResult& result, const ContactResult& contact) {
   PassingRope b;
-  for (const SpanResult& span : result.spans) {
-    if (span.reeving != contact.reeving) continue;
-    if (span.to == contact.node) b.before = &span;
-    if (span.from == contact.node) b.after = &span;
+  for (const BranchResult& branch : result.branches) {
+    if (branch.reeving != contact.reeving) continue;
+    if (branch.to == contact.node) b.before = &branch;
+    if (branch.from == contact.node) b.after = &branch;
   }
   return b;
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double near = 1e-9;  ///< of a span's length
 
-bool moves(const machine::Model& model, const solve::SpanResult& span, int node) {
-  const machine::Place& place = model.reevings[span.reeving].nodes[node].at;
+bool moves(const machine::Model& model, const solve::BranchResult& branch, int node) {
+  const machine::Place& place = model.reevings[branch.reeving].nodes[node].at;
   return place.body != machine::ground && !model.bodies[place.body].free.empty();
 }
 
@@ -38,16 +38,16 @@ struct Part {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const machine::Model& model, const solve::SpanResult& span)
-      : model_(model), span_(span), ground_(model.terrain) {
-    under_ = {.from = terrain_x(model, span.start), .rate = model.terrain_along.dot(span.shape.along)};
-    length_ = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+  ClearanceSearch(const machine::Model& model, const solve::BranchResult& branch)
+      : model_(model), branch_(branch), ground_(model.terrain) {
+    under_ = {.from = terrain_x(model, branch.start), .rate = model.terrain_along.dot(branch.shape.along)};
+    length_ = std::hypot(branch.shape.chord.x(), branch.shape.chord.y());
   }
 
   /// Of the free rope.
   RopeClearance least() {
-    if (moves(model_, span_, span_.from)) take(under_.from, span_.start);
-    if (moves(model_, span_, span_.to)) take(x_at(length_), span_.end);
+    if (moves(model_, branch_, branch_.from)) take(under_.from, branch_.start);
+    if (moves(model_, branch_, branch_.to)) take(x_at(length_), branch_.end);
     // at a fixed end, but for rounding
     between({.first = near * length_, .last = (1 - near) * length_});
     return found_;
@@ -56,19 +56,19 @@ class ClearanceSearch {
   /// Of what is in a window, ends counted.
   RopeClearance least(const RopeWindow& window) {
     const auto [low, high] = std::minmax(window.from, window.to);
-    const Under across{.from = window.along.dot(span_.start), .rate = window.along.dot(span_.shape.along)};
+    const Under across{.from = window.along.dot(branch_.start), .rate = window.along.dot(branch_.shape.along)};
     const Part part =
         Part{.first = 0, .last = length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
     if (part.empty()) return found_;
     take_at(part.first);
     take_at(part.last);
-    if (length_ == 0) take(under_.from, span_.end);
+    if (length_ == 0) take(under_.from, branch_.end);
     between(part);
     return found_;
   }
 
  private:
-  bool straight() const { return span_.slack || span_.shape.rope.weight <= 0 || span_.shape.force.H <= 0; }
+  bool straight() const { return branch_.slack || branch_.shape.rope.weight <= 0 || branch_.shape.force.H <= 0; }
   double x_at(double h) const { return under_.from + under_.rate * h; }
 
   /// Compares a place of the rope with the ground at x below it.
@@ -82,9 +82,9 @@ class ClearanceSearch {
 
   /// The rope at the distance h: by its sag under the chord.
   void take_at(double h) {
-    if (length_ == 0) return take(under_.from, span_.start);
-    const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(span_.shape, h));
-    take(x_at(h), span_.start + h / length_ * span_.shape.chord + below);
+    if (length_ == 0) return take(under_.from, branch_.start);
+    const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(branch_.shape, h));
+    take(x_at(h), branch_.start + h / length_ * branch_.shape.chord + below);
   }
 
   void between(const Part& part) {
@@ -95,13 +95,13 @@ class ClearanceSearch {
   /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
   void parallel(const machine::GroundPoint& a, const machine::GroundPoint& b, const Part& part) {
     if (straight()) return;
-    const rope::CatenaryRope& rope = span_.shape.rope;
+    const rope::CatenaryRope& rope = branch_.shape.rope;
     const double slope = under_.rate * (b.z - a.z) / (b.x - a.x);
-    const double s = rope.length / 2 + (slope * span_.shape.force.H - span_.shape.force.V) / rope.weight;
+    const double s = rope.length / 2 + (slope * branch_.shape.force.H - branch_.shape.force.V) / rope.weight;
     if (!(s > 0 && s < rope.length)) return;
-    const Vector3 place = rope::point_at(span_.shape, s);
-    const double h = place.dot(span_.shape.along), x = x_at(h);
-    if (h > part.first && h < part.last && x >= a.x && x <= b.x) take(x, span_.start + place);
+    const Vector3 place = rope::point_at(branch_.shape, s);
+    const double h = place.dot(branch_.shape.along), x = x_at(h);
+    if (h > part.first && h < part.last && x >= a.x && x <= b.x) take(x, branch_.start + place);
   }
 
   void hilltop(std::size_t k, const Part& part) {
@@ -113,7 +113,7 @@ class ClearanceSearch {
   }
 
   const machine::Model& model_;
-  const solve::SpanResult& span_;
+  const solve::BranchResult& branch_;
   const Array<machine::GroundPoint>& ground_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
@@ -132,13 +132,14 @@ struct Extent {
 };
 
 /// The part of a span in a window. A rope lies over its chord in plan.
-void take_extent(const machine::Model& model, const solve::SpanResult& span, const RopeWindow& window, Extent& extent) {
-  const double length = std::hypot(span.shape.chord.x(), span.shape.chord.y());
+void take_extent(const machine::Model& model, const solve::BranchResult& branch, const RopeWindow& window,
+                 Extent& extent) {
+  const double length = std::hypot(branch.shape.chord.x(), branch.shape.chord.y());
   const auto [low, high] = std::minmax(window.from, window.to);
-  const Under across{.from = window.along.dot(span.start), .rate = window.along.dot(span.shape.along)};
+  const Under across{.from = window.along.dot(branch.start), .rate = window.along.dot(branch.shape.along)};
   const Part part = Part{.first = 0, .last = length}.within(across, low, high);
   if (part.empty()) return;
-  const double from = terrain_x(model, span.start), rate = model.terrain_along.dot(span.shape.along);
+  const double from = terrain_x(model, branch.start), rate = model.terrain_along.dot(branch.shape.along);
   extent.take(from + rate * part.first);
   extent.take(from + rate * part.last);
 }
@@ -150,9 +151,9 @@ RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
 
 }  // namespace
 
-RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResult& span) {
-  if (model.terrain.empty() || span.slack) return {};
-  return lower({}, ClearanceSearch(model, span).least());
+RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch) {
+  if (model.terrain.empty() || branch.slack) return {};
+  return lower({}, ClearanceSearch(model, branch).least());
 }
 
 RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends) {
@@ -174,16 +175,16 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
 
 RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result) {
   RopeClearance least;
-  for (const solve::SpanResult& span : result.spans) least = lower(least, rope_clearance(model, span));
+  for (const solve::BranchResult& branch : result.branches) least = lower(least, rope_clearance(model, branch));
   return least;
 }
 
-RopeClearance rope_clearance(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+RopeClearance rope_clearance(const machine::Model& model, const Array<solve::BranchResult>& branches, int reeving,
                              const RopeWindow& window) {
   RopeClearance least;
   if (model.terrain.empty()) return least;
-  for (const solve::SpanResult& span : spans) {
-    if (span.reeving == reeving) least = lower(least, ClearanceSearch(model, span).least(window));
+  for (const solve::BranchResult& branch : branches) {
+    if (branch.reeving == reeving) least = lower(least, ClearanceSearch(model, branch).least(window));
   }
   return least;
 }
@@ -197,18 +198,18 @@ TerrainGap terrain_gap(const machine::Model& model, double from, double to) {
   return {.before = part(std::min(high, first) - low), .after = part(high - std::max(low, last))};
 }
 
-TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+TerrainGap terrain_gap(const machine::Model& model, const Array<solve::BranchResult>& branches, int reeving,
                        const RopeWindow& window) {
   Extent extent;
-  for (const solve::SpanResult& span : spans) {
-    if (span.reeving == reeving) take_extent(model, span, window, extent);
+  for (const solve::BranchResult& branch : branches) {
+    if (branch.reeving == reeving) take_extent(model, branch, window, extent);
   }
   return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
 }
 
 TerrainGap terrain_gap(const machine::Model& model, const solve::EquilibriumResult& result) {
   Extent extent;
-  for (const solve::SpanResult& span : result.spans) take_extent(model, span, {}, extent);
+  for (const solve::BranchResult& branch : result.branches) take_extent(model, branch, {}, extent);
   return extent.empty() ? TerrainGap{} : terrain_gap(model, extent.low, extent.high);
 }
 

@@ -18,7 +18,7 @@ struct RopeClearance {
 /// is parallel to the ground below, the places over hilltops, and ends that move with a body. Fixed ends are not
 /// candidates, because a rope may begin at the ground there. NaN where the rope only rises from such an end, is slack,
 /// or has no terrain below it.
-RopeClearance rope_clearance(const machine::Model& model, const solve::SpanResult& span);
+RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch);
 
 /// The least clearance of all branches.
 RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result);
@@ -38,7 +38,7 @@ struct RopeWindow {
 /// Clearance of one rope within a window. All its ends within the window count, fixed ones too, and so do the edges of
 /// the window and of the terrain. A slack branch counts as its chord. NaN where no part of the rope is over terrain in
 /// the window.
-RopeClearance rope_clearance(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+RopeClearance rope_clearance(const machine::Model& model, const Array<solve::BranchResult>& branches, int reeving,
                              const RopeWindow& window);
 
 /// The parts of a horizontal extent without terrain, m along the terrain: before its first and after its last point.
@@ -53,7 +53,7 @@ struct TerrainGap {
 TerrainGap terrain_gap(const machine::Model& model, double from, double to);
 
 /// Gap of the part of one rope within a window; 0 where no part of the rope is in the window.
-TerrainGap terrain_gap(const machine::Model& model, const Array<solve::SpanResult>& spans, int reeving,
+TerrainGap terrain_gap(const machine::Model& model, const Array<solve::BranchResult>& branches, int reeving,
                        const RopeWindow& window = {});
 
 /// Gap of all ropes of a machine in one state.

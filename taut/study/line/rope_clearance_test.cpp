@@ -14,7 +14,7 @@ double rope_height(double x) { return support - a * (std::cosh(span / 2 / a) - s
 
 struct Line {
   machine::Model machine;
-  taut::solve::SpanResult rope;
+  taut::solve::BranchResult rope;
 };
 
 Line line_over(std::vector<machine::GroundPoint> ground) {
@@ -24,7 +24,7 @@ Line line_over(std::vector<machine::GroundPoint> ground) {
                                         2 * a * std::sinh(span / 2 / a), 10, 1e13));
   const auto found = taut::solve::equilibrium(line.machine);
   EXPECT_TRUE(found.outcome.ok()) << found.outcome.message;
-  line.rope = found.spans.at(0);
+  line.rope = found.branches.at(0);
   return line;
 }
 

@@ -35,7 +35,7 @@ std::optional<int> still_node(const machine::Reeving& rope, int reeving, const s
 /// Unstretched rope between two nodes of its path, m.
 double between(const solve::EquilibriumResult& e, int reeving, int first, int last) {
   double length = 0;
-  for (const auto& s : e.spans) {
+  for (const auto& s : e.branches) {
     if (s.reeving == reeving && s.from >= first && s.from < last) length += s.unstretched;
   }
   return length;
