@@ -32,7 +32,8 @@ Input hundred_positions(Mode mode) {
 
 double seconds_of(const Input& in, const Engine& engine) {
   const auto start = std::chrono::steady_clock::now();
-  benchmark::DoNotOptimize(sweep(in, {*in.return_weight, *in.traction_weight, {}, {}}, engine));
+  benchmark::DoNotOptimize(sweep(
+      in, {.q_b = *in.return_weight, .q_T = *in.traction_weight, .return_rope = {}, .traction_rope = {}}, engine));
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

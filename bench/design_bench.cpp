@@ -60,14 +60,17 @@ std::string deck_of(const std::string& input, const std::string& more) {
 
 void closed_loop_by_a_design_deck(benchmark::State& state) {
   const app::Job design{
-      deck_of(
+      .text = deck_of(
           "",
           "design: {ropes: {return: {construction: 6x36, core: IWRC}, traction: {construction: 6x36, core: IWRC}}}"),
-      "deck",
-      {},
-      {}};
+      .name = "deck",
+      .set = {},
+      .progress = {}};
   const app::Job one{
-      deck_of("return_rope: 6x36-IWRC 20 mm 1960 MPa, traction_rope: 6x36-IWRC 22 mm 1960 MPa, ", ""), "deck", {}, {}};
+      .text = deck_of("return_rope: 6x36-IWRC 20 mm 1960 MPa, traction_rope: 6x36-IWRC 22 mm 1960 MPa, ", ""),
+      .name = "deck",
+      .set = {},
+      .progress = {}};
   double all = 0;
   double runs = 0;
   const auto seconds = [](const app::Job& job) {

@@ -98,7 +98,7 @@ double baseline_time() {
 
 machine::Node node_at(const Vector3& at, int body = machine::ground) {
   machine::Node node;
-  node.at = {body, at};
+  node.at = {.body = body, .at = at};
   return node;
 }
 
@@ -106,7 +106,9 @@ machine::Body point_mass(const Vector3& at, double mass, bool in_space) {
   machine::Body body;
   body.position = at;
   body.mass = mass;
-  if (in_space) body.free = {{Vector3::UnitX(), Vector3::Zero()}, {Vector3::UnitY(), Vector3::Zero()}};
+  if (in_space)
+    body.free = {{.along = Vector3::UnitX(), .about = Vector3::Zero()},
+                 {.along = Vector3::UnitY(), .about = Vector3::Zero()}};
   body.free.push_back({Vector3::UnitZ(), Vector3::Zero()});
   return body;
 }
@@ -177,7 +179,7 @@ void tackle(benchmark::State& state) {
   rope.damping_time = 1e-3;
   m.reevings.push_back(rope);
   machine::Signal in;
-  in.law = machine::Curve{{0, 0.5, 4}, {0, -0.125, -1.875}, {0, -0.5, -0.5}};
+  in.law = machine::Curve{.t = {0, 0.5, 4}, .value = {0, -0.125, -1.875}, .slopes = {0, -0.5, -0.5}};
   m.tensioners.push_back({0, true, in});
   solve::TransientOptions options;
   options.duration = 3;
@@ -215,9 +217,10 @@ void belt(benchmark::State& state) {
   m.reevings.push_back(rope);
   m.motors.resize(2);
   m.motors[0].drive.kind = machine::DriveKind::speed;
-  m.motors[0].drive.signal.law = machine::Moves{0, {{0, 2, 0.2, true}}};
+  m.motors[0].drive.signal.law = machine::Moves{.from = 0, .moves = {{.at = 0, .to = 2, .over = 0.2, .smooth = true}}};
   m.motors[1].drive.kind = machine::DriveKind::torque;
-  m.motors[1].drive.signal.law = machine::Moves{0, {{0, -1000, 0.2, true}}};
+  m.motors[1].drive.signal.law =
+      machine::Moves{.from = 0, .moves = {{.at = 0, .to = -1000, .over = 0.2, .smooth = true}}};
   solve::TransientOptions options;
   options.duration = 2;
   options.output_step = 2;

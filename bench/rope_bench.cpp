@@ -31,10 +31,10 @@ std::vector<Case> spans() {
   std::vector<Case> all;
   for (int i = 0; i < 3000; ++i) {
     const double chord = in(10, 1000), slope = in(-1.1, 1.1);
-    Case c{{chord * in(0.98, 1.5), in(1, 200), std::pow(10, in(6, 9))},
-           chord * std::cos(slope),
-           chord * std::sin(slope),
-           {}};
+    Case c{.rope = {.length = chord * in(0.98, 1.5), .weight = in(1, 200), .stiffness = std::pow(10, in(6, 9))},
+           .x = chord * std::cos(slope),
+           .z = chord * std::sin(slope),
+           .near = {}};
     c.near = solve_catenary(c.rope, 1.001 * c.x, 1.001 * c.z)->force;
     all.push_back(c);
   }
@@ -55,7 +55,7 @@ Textbook textbook(const CatenaryRope& rope, double x, double z, double H, double
     const double arc = std::asinh(V1 / H) - std::asinh(V / H);
     const double rx = x - (H * L / EA + H / w * arc);
     const double rz = z - ((V * L + w * L * L / 2) / EA + (T1 - T0) / w);
-    if (std::hypot(rx, rz) <= 1e-9 * chord) return {H, V, true};
+    if (std::hypot(rx, rz) <= 1e-9 * chord) return {.H = H, .V = V, .solved = true};
     const double xH = L / EA + arc / w + (V / T0 - V1 / T1) / w;
     const double xV = H / w * (1 / T1 - 1 / T0);
     const double zV = L / EA + (V1 / T1 - V / T0) / w;
@@ -130,11 +130,12 @@ BENCHMARK(warm_span_in_space_with_stiffness);
 
 void loaded_span(benchmark::State& state) {
   const bool warm = state.range(0) != 0;
-  const std::vector<PointLoad> load{{120, {0, 0, -3e4}}};
-  const auto near = solve_loaded_span({255, 15, 2.5e7}, {250, 0, 20}, load)->force;
+  const std::vector<PointLoad> load{{.s = 120, .force = {0, 0, -3e4}}};
+  const auto near = solve_loaded_span({.length = 255, .weight = 15, .stiffness = 2.5e7}, {250, 0, 20}, load)->force;
   for (auto _ : state) {
     const std::optional<Vector3> start = warm ? std::optional(near) : std::nullopt;
-    benchmark::DoNotOptimize(solve_loaded_span({255, 15, 2.5e7}, {250, 1, 20}, load, start));
+    benchmark::DoNotOptimize(
+        solve_loaded_span({.length = 255, .weight = 15, .stiffness = 2.5e7}, {250, 1, 20}, load, start));
   }
 }
 BENCHMARK(loaded_span)->ArgName("warm")->Arg(0)->Arg(1);

@@ -32,7 +32,8 @@ machine::Model line(int loaded) {
   car.name = "car";
   car.position = (support(loaded) + support(loaded + 1)) / 2 - Vector3(0, 0, 6);
   car.mass = mass;
-  car.free = {{Vector3::UnitX(), Vector3::Zero()}, {Vector3::UnitZ(), Vector3::Zero()}};
+  car.free = {{.along = Vector3::UnitX(), .about = Vector3::Zero()},
+              {.along = Vector3::UnitZ(), .about = Vector3::Zero()}};
   m.bodies.push_back(car);
   machine::Reeving sky;
   sky.name = "skyline";
@@ -215,7 +216,7 @@ void six_span_line(benchmark::State& state) {
     double all_six = 0;
     for (int k = 0; k < spans; ++k) {
       solve::EquilibriumOptions options;
-      options.prescribed = machine::Prescribed{0, 150.0 * k + 75};
+      options.prescribed = machine::Prescribed{.carriage = 0, .x = 150.0 * k + 75};
       auto start = std::chrono::steady_clock::now();
       const auto ours = solve::equilibrium(lines[static_cast<std::size_t>(k)], options);
       const double took = seconds_since(start);

@@ -20,10 +20,26 @@ Input crane() {
   in.tackle_efficiency = 0.95;
   in.extension_stiffness = printed_C1;
   in.retraction_stiffness = printed_C2;
-  in.cases = {{"rated lift", Operation::lift, 77 * degree, 248.2e3, 8},
-              {"static test", Operation::lift, 77 * degree, 296.8e3, 8},
-              {"retract 3 t", Operation::retract, 5 * degree, 32.4e3, 6},
-              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.cases = {{.name = "rated lift",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 248.2e3,
+               .falls = 8},
+              {.name = "static test",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 296.8e3,
+               .falls = 8},
+              {.name = "retract 3 t",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 32.4e3,
+               .falls = 6},
+              {.name = "retract hook",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 2.94e3,
+               .falls = 6}};
   return in;
 }
 
@@ -63,7 +79,7 @@ void one_position(benchmark::State& state) {
   Sheet<double> s;
   SlidingPoint p;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(slide(in, q, {1, 0, 4}, s, p));
+    benchmark::DoNotOptimize(slide(in, q, {.weight = 1, .angle = 0, .length = 4}, s, p));
     benchmark::DoNotOptimize(p.Fh);
   }
 }
@@ -75,7 +91,7 @@ void one_position_written_out(benchmark::State& state) {
   SlidingPoint p;
   for (auto _ : state) {
     Sheet<Num> s("Reutov 2021", Input::describe(), &in);
-    benchmark::DoNotOptimize(slide(in, *in.sliding, {1, 0, 4}, s, p));
+    benchmark::DoNotOptimize(slide(in, *in.sliding, {.weight = 1, .angle = 0, .length = 4}, s, p));
   }
 }
 BENCHMARK(one_position_written_out);

@@ -21,7 +21,12 @@ Input mast() {
 Input with_positions() {
   Input in = mast();
   in.branch_angle.reset();
-  in.span = Span{300, 0.12, {15, 50, 100, 150, 200, 250, 285}, 18, 16e3, 85e3};
+  in.span = Span{.length = 300,
+                 .chord_slope = 0.12,
+                 .carriage_position = {15, 50, 100, 150, 200, 250, 285},
+                 .rope_weight = 18,
+                 .load = 16e3,
+                 .horizontal_tension = 85e3};
   return in;
 }
 

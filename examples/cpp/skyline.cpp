@@ -8,7 +8,8 @@ using namespace taut::machine;
 int main() {
   Builder line;
   line.point("stump", {0, 0, 4}).point("tower", {360, 0, 124}).point("block", {360, 0, 122});
-  line.rope("skyline", "EN 12385-4|6x36-IWRC|20|1960").rope("mainline", RopeFigures{0.54, 7e6, 110e3, {}});
+  line.rope("skyline", "EN 12385-4|6x36-IWRC|20|1960")
+      .rope("mainline", RopeFigures{.mass = 0.54, .stiffness = 7e6, .breaking_force = 110e3, .diameter = {}});
   line.saddle("jack1", {110, 0, 33}, 0.1, 0.4).saddle("jack2", {240, 0, 78}, 0.1, 0.4);
   line.carriage("car", 350, "skyline", "mainline");
   line.reeve("skyline", {anchor("stump"), over("jack1"), through("car"), over("jack2"), anchor("tower")}, length(382));

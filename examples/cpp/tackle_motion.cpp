@@ -7,7 +7,7 @@ using namespace taut::machine;
 
 int main() {
   Builder crane;
-  crane.rope("hoist", RopeFigures{0.9, 12e6, 160e3, 0.016});
+  crane.rope("hoist", RopeFigures{.mass = 0.9, .stiffness = 12e6, .breaking_force = 160e3, .diameter = 0.016});
   crane.body("hook", {0, 0, 4}, 6200, {"x", "z"}).point("pin", {0.2, 0, 10});
   crane.sheave("head", {0, 0, 10}, 0.4, 0.97).sheave("block", {0, 0, 0}, 0.4, 0.97, "hook");
   crane.drum("winch", {-6, 0, 1}, 0.4);

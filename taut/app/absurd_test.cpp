@@ -32,7 +32,7 @@ analyses: [{{equilibrium: {{carriage: car, x: 125 m}}}}]
 
 /// The warnings, one a line.
 std::string warned(const std::string& deck) {
-  const Result r = run(Job{deck, "deck.yaml", {}});
+  const Result r = run(Job{.text = deck, .name = "deck.yaml", .set = {}});
   EXPECT_EQ(to_text(r.errors), "") << deck;
   std::string all;
   for (const std::string& one : r.warnings) all += one + "\n";

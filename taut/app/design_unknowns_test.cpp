@@ -213,7 +213,10 @@ TEST(DesignUnknowns, impossible_limits) {
 TEST(DesignUnknowns, interrupted) {
   const auto run_until = [](int calls) {
     int made = 0;
-    Job job{saw(saw_rope, "1 t", fmt::format("design: {{{}}}", free_weight)), "deck.yaml", {}, {}};
+    Job job{.text = saw(saw_rope, "1 t", fmt::format("design: {{{}}}", free_weight)),
+            .name = "deck.yaml",
+            .set = {},
+            .progress = {}};
     job.progress = [&made, calls](const Progress& p) {
       EXPECT_EQ(p.what, "design");
       return ++made <= calls;

@@ -11,8 +11,14 @@ Result sample() {
   Result r;
   r.title = "sample";
   r.values.push_back({"N", 1, si::N, "N", "axial force", "(4)"});
-  r.tables.push_back({"positions", "Positions", {{"x", si::m}}, {{1.0}, {2.0}}});
-  r.figures.emplace_back(Plot{"size", "Size", "", {"x", si::m}, {"D", si::m}, {{"D", {0, 1}, {1, 2}}}, {}});
+  r.tables.push_back({"positions", "Positions", {{.name = "x", .unit = si::m}}, {{1.0}, {2.0}}});
+  r.figures.emplace_back(Plot{.name = "size",
+                              .title = "Size",
+                              .caption = "",
+                              .x = {.label = "x", .unit = si::m},
+                              .y = {.label = "D", .unit = si::m},
+                              .curves = {{.label = "D", .x = {0, 1}, .y = {1, 2}}},
+                              .marks = {}});
   return r;
 }
 

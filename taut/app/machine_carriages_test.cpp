@@ -9,7 +9,7 @@
 namespace taut::app::machine_carriages_test {
 
 Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  return run(Job{text, "deck.yaml", set});
+  return run(Job{.text = text, .name = "deck.yaml", .set = set});
 }
 
 double value_of(const Result& r, const std::string& name) {

@@ -25,7 +25,9 @@ struct MachineDeck {
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.
-  operator checks::CheckedDeck() const { return {machine, analyses, checks, asked, chosen}; }
+  operator checks::CheckedDeck() const {
+    return {.machine = machine, .analyses = analyses, .checks = checks, .asked = asked, .chosen = chosen};
+  }
 };
 
 }  // namespace taut::app

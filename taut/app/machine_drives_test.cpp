@@ -12,7 +12,7 @@ namespace machine_drives_test {
 using namespace taut;
 
 Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  return app::run(app::Job{text, "deck.yaml", set});
+  return app::run(app::Job{.text = text, .name = "deck.yaml", .set = set});
 }
 
 double cell(const Result& r, const std::string& table, const std::string& column, std::size_t row = 0) {

@@ -30,7 +30,7 @@ machine:
 analyses: [equilibrium: {{motion: {}}}]
 )",
                                        mirrored ? -0.3 : 0.3, round, mirrored ? 9 : -9, swapped ? back : there, motion);
-  const Result r = app::run(app::Job{deck, "deck.yaml", {}});
+  const Result r = app::run(app::Job{.text = deck, .name = "deck.yaml", .set = {}});
   EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   Row row;
   for (const Table& t : r.tables) {

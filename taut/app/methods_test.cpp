@@ -26,7 +26,7 @@ TEST(Methods, EachHasSourceScopeLimitsErrataAndAnExampleThatRuns) {
     EXPECT_FALSE(m.about->scope.empty());
     EXPECT_FALSE(m.about->limits.empty());
     EXPECT_FALSE(m.about->errata.empty());
-    const Result r = run(Job{std::string(m.example), "example", {}});
+    const Result r = run(Job{.text = std::string(m.example), .name = "example", .set = {}});
     EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     EXPECT_FALSE(r.steps.empty());
     EXPECT_FALSE(r.figures.empty());
@@ -71,7 +71,7 @@ TEST(Methods, EveryErratumNamesATestThatExistsAndStandsInTheDocs) {
 
 TEST(Methods, EveryValueOfAResultIsDescribed) {
   for (const MethodEntry& m : methods()) {
-    const Result r = run(Job{std::string(m.example), "example", {}});
+    const Result r = run(Job{.text = std::string(m.example), .name = "example", .set = {}});
     std::set<std::string> seen;
     for (const Value& v : r.values) {
       EXPECT_TRUE(seen.insert(v.name).second) << m.about->name << " says twice: " << v.name;

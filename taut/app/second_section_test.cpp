@@ -55,7 +55,7 @@ analyses: [{{equilibrium: {{carriage: car, x: {} m}}}}]
 }
 
 std::string reported(const std::string& deck) {
-  const Result r = run(Job{deck, "deck.yaml", {}});
+  const Result r = run(Job{.text = deck, .name = "deck.yaml", .set = {}});
   return fmt::format("{}: {}{}{}", r.status == Status::ok ? "ok" : "no", r.message, to_text(r.errors),
                      r.missing.empty() ? std::string{} : r.missing.front().reason);
 }

@@ -26,11 +26,11 @@ TEST(Terrain, KnowsTheColumnsByTheirNamesElseByTheirCount) {
     std::vector<double> x, y, z;
   };
   const std::vector<Row> rows = {
-      {"0,1\n2.5,-3\n", {0, 2.5}, {}, {1, -3}},
-      {"chainage,z\n0,1\n2.5,-3\n", {0, 2.5}, {}, {1, -3}},
-      {"Z;Station [m]\n1;0\n-3;2.5\n", {0, 2.5}, {}, {1, -3}},
-      {"7,5,1\n2,8,-3\n", {7, 2}, {5, 8}, {1, -3}},
-      {"z,x,point,y\n1,7,a,5\n-3,2,b,8\n", {7, 2}, {5, 8}, {1, -3}},
+      {.text = "0,1\n2.5,-3\n", .x = {0, 2.5}, .y = {}, .z = {1, -3}},
+      {.text = "chainage,z\n0,1\n2.5,-3\n", .x = {0, 2.5}, .y = {}, .z = {1, -3}},
+      {.text = "Z;Station [m]\n1;0\n-3;2.5\n", .x = {0, 2.5}, .y = {}, .z = {1, -3}},
+      {.text = "7,5,1\n2,8,-3\n", .x = {7, 2}, .y = {5, 8}, .z = {1, -3}},
+      {.text = "z,x,point,y\n1,7,a,5\n-3,2,b,8\n", .x = {7, 2}, .y = {5, 8}, .z = {1, -3}},
   };
   for (const Row& row : rows) {
     machine::description::Terrain terrain;

@@ -23,7 +23,9 @@ analyses: {}
                      analyses);
 }
 
-Result run(const std::string& analyses) { return app::run(app::Job{span_deck(analyses), "deck.yaml", {}}); }
+Result run(const std::string& analyses) {
+  return app::run(app::Job{.text = span_deck(analyses), .name = "deck.yaml", .set = {}});
+}
 
 double value(const Result& r, const std::string& name) {
   for (const auto& v : r.values) {

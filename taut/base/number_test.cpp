@@ -18,17 +18,17 @@ TEST(Number, ReadsWhatTheWholeTextSays) {
     const char* text;
     double value;
   };
-  for (const Case& c : {Case{"0", 0.0},
-                        {"12", 12.0},
-                        {"+12", 12.0},
-                        {"-1.5e-3", -1.5e-3},
-                        {".5", 0.5},
-                        {"+2.", 2.0},
-                        {"1E5", 1e5},
-                        {"0.1", 0.1},
-                        {"000.0e999", 0.0},
-                        {"4.9e-324", 4.9e-324},
-                        {"1.7976931348623157e308", 1.7976931348623157e308}}) {
+  for (const Case& c : {Case{.text = "0", .value = 0.0},
+                        {.text = "12", .value = 12.0},
+                        {.text = "+12", .value = 12.0},
+                        {.text = "-1.5e-3", .value = -1.5e-3},
+                        {.text = ".5", .value = 0.5},
+                        {.text = "+2.", .value = 2.0},
+                        {.text = "1E5", .value = 1e5},
+                        {.text = "0.1", .value = 0.1},
+                        {.text = "000.0e999", .value = 0.0},
+                        {.text = "4.9e-324", .value = 4.9e-324},
+                        {.text = "1.7976931348623157e308", .value = 1.7976931348623157e308}}) {
     const auto read = parse_double(c.text);
     ASSERT_TRUE(read.has_value()) << c.text;
     EXPECT_EQ(*read, c.value) << c.text;

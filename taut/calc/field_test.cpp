@@ -86,7 +86,7 @@ TEST(Field, RecordsAreMadeOnDemand) {
 }
 
 TEST(Field, RangesKnowTheirOpenEnds) {
-  const Range above_zero{0, 1, false, true};
+  const Range above_zero{.low = 0, .high = 1, .low_included = false, .high_included = true};
   EXPECT_FALSE(above_zero.contains(0));
   EXPECT_TRUE(above_zero.contains(1));
   EXPECT_FALSE(above_zero.contains(1.1));

@@ -16,7 +16,7 @@ Quantities<Tackle> described() {
           {"pull", "F", si::N, "pull on its rope", &Tackle::pull}};
 }
 
-const std::vector<Tackle> two = {{"luff", 4, 2500}, {"gun", 3, 1200}};
+const std::vector<Tackle> two = {{.name = "luff", .falls = 4, .pull = 2500}, {.name = "gun", .falls = 3, .pull = 1200}};
 
 TEST(Quantity, MakesATable) {
   const Table t = make_table("tackles", "Tackles", described(), two);
@@ -39,7 +39,7 @@ TEST(Quantity, MakesAValue) {
 }
 
 TEST(Quantity, IsPickedByNameInTheOrderAsked) {
-  std::vector<Column> columns = {{"x", si::m}};
+  std::vector<Column> columns = {{.name = "x", .unit = si::m}};
   add_columns(columns, picked(described(), {"pull", "falls"}), "luff.");
   ASSERT_EQ(columns.size(), 3U);
   EXPECT_EQ(columns[1].name, "luff.pull");

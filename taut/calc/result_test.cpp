@@ -46,7 +46,8 @@ struct Output {
 TEST(Check, PassesUpToTheLimitIncluded) {
   EXPECT_TRUE(make_check("c", 2, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
   EXPECT_FALSE(make_check("c", 2.1, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
-  const Check c = make_check("c", 22, si::one, {Sense::at_least, 20, "D/d", "verified"});
+  const Check c =
+      make_check("c", 22, si::one, {.sense = Sense::at_least, .limit = 20, .rule = "D/d", .trust = "verified"});
   EXPECT_TRUE(c.passes);
   EXPECT_DOUBLE_EQ(c.utilisation, 20.0 / 22.0);
   EXPECT_FALSE(make_check("c", std::nan(""), si::one, {Sense::at_most, 2, "r", "t"}).passes);
@@ -87,7 +88,14 @@ TEST(Result, FindsByName) {
 }
 
 TEST(Result, ComparisonsBecomeATable) {
-  const Table t = comparison_table({{"take-up", "P_M", si::N, 1, 2, std::nan(""), "corrected", true}});
+  const Table t = comparison_table({{.quantity = "take-up",
+                                     .symbol = "P_M",
+                                     .unit = si::N,
+                                     .printed = 1,
+                                     .corrected = 2,
+                                     .exact = std::nan(""),
+                                     .build_by = "corrected",
+                                     .printed_unsafe = true}});
   ASSERT_EQ(t.rows.size(), 1U);
   EXPECT_EQ(t.rows[0].size(), t.columns.size());
 }
@@ -114,7 +122,8 @@ struct Pins {
 };
 
 TEST(Result, GivenOfNamedStructsCarriesTheirNames) {
-  const Pins in{{{"head", {1, 2, 3}, {}, {}}, {"tail", {0, 0, 1}, Triple{0, 1, 0}, {"x", "z"}}}};
+  const Pins in{{{.name = "head", .at = {1, 2, 3}, .axis = {}, .free = {}},
+                 {.name = "tail", .at = {0, 0, 1}, .axis = Triple{0, 1, 0}, .free = {"x", "z"}}}};
   const auto all = given_of(Pins::describe(), &in);
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(all[0].key, "pins.head.at");

@@ -7,7 +7,8 @@
 namespace taut::verdict_test {
 
 Check check(const std::string& name, double value, const std::string& trust = "verified") {
-  return make_check(name, value, si::one, {Sense::at_most, 1, "rule of " + name, trust});
+  return make_check(name, value, si::one,
+                    {.sense = Sense::at_most, .limit = 1, .rule = "rule of " + name, .trust = trust});
 }
 
 VerdictKind kind_of(const Result& r) { return verdict_of(r)->kind; }
@@ -73,7 +74,8 @@ TEST(VerdictOf, AnUnverifiedLimitDecidesFromHalfOn) {
 
 TEST(VerdictOf, MissingStatesAreNotJudged) {
   Result r = good();
-  r.missing = {{"load path", 3, 96, "x = 12 m", "the rope does not reach"}};
+  r.missing = {
+      {.analysis = "load path", .missing = 3, .places = 96, .first = "x = 12 m", .reason = "the rope does not reach"}};
   EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
   EXPECT_NE(verdict_of(r)->reason.find("3 of 96 places, first x = 12 m"), std::string::npos);
 }

@@ -20,7 +20,7 @@ struct Reading {
 };
 
 Reading read(std::string_view text) {
-  CsvReader csv(text, "t.csv", {{"id"}, {"d_mm"}, {"note", false}});
+  CsvReader csv(text, "t.csv", {{.name = "id"}, {.name = "d_mm"}, {.name = "note", .required = false}});
   Reading out;
   while (csv.next()) out.rows.push_back({csv.unique("id"), csv.positive("d_mm"), csv.text("note")});
   out.diagnostics = csv.take_diagnostics();
@@ -122,13 +122,13 @@ TEST(Csv, message_shows_file_line_and_caret) {
 }
 
 TEST(Csv, asking_for_an_undeclared_column_is_our_bug) {
-  CsvReader csv("id\nA\n", "t.csv", {{"id"}});
+  CsvReader csv("id\nA\n", "t.csv", {{.name = "id"}});
   ASSERT_TRUE(csv.next());
   EXPECT_THROW((void)csv.text("di"), ContractViolation);
 }
 
 TEST(Csv, marks_of_trust) {
-  CsvReader csv("t\nverified\nderived\nunverified\nsure\n\"\"\n", "t.csv", {{"t"}});
+  CsvReader csv("t\nverified\nderived\nunverified\nsure\n\"\"\n", "t.csv", {{.name = "t"}});
   std::vector<Trust> marks;
   while (csv.next()) marks.push_back(csv.trust("t"));
   EXPECT_EQ(marks, (std::vector<Trust>{Trust::verified, Trust::derived, Trust::unverified, Trust::unverified,

@@ -32,7 +32,11 @@ TEST(RopeSearch, every_row_is_found_by_its_id_and_by_its_properties) {
   for (std::size_t i = 0; i < ropes().size(); i += 7) {
     const RopeRow& row = ropes()[i];
     EXPECT_EQ(find_rope(row.id)->id, row.id);
-    const auto rope = find_rope(RopeDescription{row.construction, row.core, row.diameter, row.grade, row.standard});
+    const auto rope = find_rope(RopeDescription{.construction = row.construction,
+                                                .core = row.core,
+                                                .diameter = row.diameter,
+                                                .grade = row.grade,
+                                                .standard = row.standard});
     ASSERT_TRUE(rope) << row.id << ": " << to_text(rope.error());
     EXPECT_EQ(rope->id, row.id);
   }

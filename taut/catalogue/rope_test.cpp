@@ -57,9 +57,12 @@ TEST(Ropes, en_6x7_agrees_with_the_printed_table_of_another_standard) {
   struct Printed {
     double diameter, mass, force;
   };
-  for (const auto& [d, mass, force] : {Printed{6, 0.124, 21.2}, Printed{10, 0.345, 58.8}, Printed{16, 0.883, 150},
-                                       Printed{28, 2.70, 461}, Printed{40, 5.52, 940}}) {
-    const auto row = find_rope(RopeDescription{"6x7", "FC", d / 1e3, 1770e6, "EN"});
+  for (const auto& [d, mass, force] :
+       {Printed{.diameter = 6, .mass = 0.124, .force = 21.2}, Printed{.diameter = 10, .mass = 0.345, .force = 58.8},
+        Printed{.diameter = 16, .mass = 0.883, .force = 150}, Printed{.diameter = 28, .mass = 2.70, .force = 461},
+        Printed{.diameter = 40, .mass = 5.52, .force = 940}}) {
+    const auto row = find_rope(
+        RopeDescription{.construction = "6x7", .core = "FC", .diameter = d / 1e3, .grade = 1770e6, .standard = "EN"});
     ASSERT_TRUE(row) << d;
     EXPECT_NEAR(row->mass_per_length / mass, 1.0, 0.005) << d;
     EXPECT_NEAR(row->breaking_force / (force * 1e3), 1.0, 0.005) << d;

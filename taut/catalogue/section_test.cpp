@@ -41,8 +41,9 @@ Strips strips(double width, double height, double radius) {
 Strips hollow(const SectionRow& row, double width, double height) {
   const Strips outer = strips(width, height, row.outer_radius);
   const Strips inner = strips(width - 2.0 * row.thickness, height - 2.0 * row.thickness, row.inner_radius);
-  return {outer.area - inner.area, outer.second_moment - inner.second_moment,
-          outer.plastic_modulus - inner.plastic_modulus};
+  return {.area = outer.area - inner.area,
+          .second_moment = outer.second_moment - inner.second_moment,
+          .plastic_modulus = outer.plastic_modulus - inner.plastic_modulus};
 }
 
 TEST(Sections, the_built_in_table_is_read_whole) {

@@ -19,8 +19,10 @@ using taut_test::run_text;
 Result two_checks() {
   Result r;
   r.checks.push_back(
-      make_check("a.safety_factor", 5, si::one, {Sense::at_least, 4, "by practice", "UNVERIFIED: recalled"}));
-  r.checks.push_back(make_check("a.termination", 5, si::one, {Sense::at_least, 4, "WAC", "verified"}));
+      make_check("a.safety_factor", 5, si::one,
+                 {.sense = Sense::at_least, .limit = 4, .rule = "by practice", .trust = "UNVERIFIED: recalled"}));
+  r.checks.push_back(make_check("a.termination", 5, si::one,
+                                {.sense = Sense::at_least, .limit = 4, .rule = "WAC", .trust = "verified"}));
   return r;
 }
 

@@ -7,7 +7,7 @@
 namespace taut::design::design_checks_test {
 
 Check check(const char* name, double value, Sense sense, double limit, const char* part = "") {
-  Check c = make_check(name, value, si::N, {sense, limit, "rule", "user"});
+  Check c = make_check(name, value, si::N, {.sense = sense, .limit = limit, .rule = "rule", .trust = "user"});
   c.part = part;
   return c;
 }

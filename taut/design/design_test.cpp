@@ -175,7 +175,7 @@ class UserCatalogue : public testing::Test {
     std::ofstream(folder_ / "mine.csv") << csv;
     const std::string deck = line_deck(
         300, 2000, 15, "{}", fmt::format("design: {{catalogue: mine.csv, seek: {}, ropes: {{skyline: {{}}}}}}", seek));
-    return app::run(app::Job{deck, (folder_ / "deck.yaml").string(), {}});
+    return app::run(app::Job{.text = deck, .name = (folder_ / "deck.yaml").string(), .set = {}});
   }
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / fmt::format("taut_design_test_{}", static_cast<const void*>(this));

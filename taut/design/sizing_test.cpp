@@ -49,7 +49,8 @@ TEST(Sizing, agrees_with_brute_force_on_200_random_cases) {
     for (std::size_t i = 0; i < all.size(); ++i) passes[i] = random() % 8 == 0;
     const auto answer = cheapest(costs, [&](const Choice& c) {
       const auto at = std::find(all.begin(), all.end(), c);
-      return SizingTrial{passes[static_cast<std::size_t>(at - all.begin())], 0.5, "x"};
+      return SizingTrial{
+          .passes = passes[static_cast<std::size_t>(at - all.begin())], .utilisation = 0.5, .governs = "x"};
     });
     double least = -1;
     for (std::size_t i = 0; i < all.size(); ++i) {

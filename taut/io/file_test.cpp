@@ -125,8 +125,12 @@ TEST_F(File, MessagesOfNamedFilesStillHelp) {
   ASSERT_EQ(mistakes.size(), 1U);
   EXPECT_EQ(mistakes[0].message, "'...' is not a key of a deck; did you mean 'display'?");
   EXPECT_EQ(mistakes[0].place, (Place{1, 1}));
-  const Diagnostic rows =
-      without_text({"ropes.csv", {2, 3}, "'-5' is below 0 in column 'd_mm'", "x", 2}, "id,d_mm\na,-5\n");
+  const Diagnostic rows = without_text({.file = "ropes.csv",
+                                        .place = {.line = 2, .column = 3},
+                                        .message = "'-5' is below 0 in column 'd_mm'",
+                                        .source_line = "x",
+                                        .width = 2},
+                                       "id,d_mm\na,-5\n");
   EXPECT_EQ(rows.message, "'...' is below 0 in column 'd_mm'");
   EXPECT_EQ(rows.source_line, "");
 }

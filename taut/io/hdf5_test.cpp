@@ -29,18 +29,21 @@ std::vector<Table> made() {
   Table t;
   t.name = "time";
   t.title = "Motion, μ = 0.1";
-  t.columns = {{"t", si::s}, {"hoist[2].T", si::N}, {"a/b", si::one}, {"state", si::one}};
+  t.columns = {{.name = "t", .unit = si::s},
+               {.name = "hoist[2].T", .unit = si::N},
+               {.name = "a/b", .unit = si::one},
+               {.name = "state", .unit = si::one}};
   t.rows = {{0.0, 0.1 + 0.2, 1.0, std::string("stick")}, {0.01, std::nan(""), -1e-300, std::string("slip ü")}};
   Table empty;
   empty.name = "empty";
-  empty.columns = {{"t", si::s}};
+  empty.columns = {{.name = "t", .unit = si::s}};
   return {empty, t};
 }
 
 TEST(Hdf5, LongRowsAreWrittenAsOthers) {
   Table t;
   t.name = "time";
-  t.columns = {{"t", si::s}, {"x", si::m}};
+  t.columns = {{.name = "t", .unit = si::s}, {.name = "x", .unit = si::m}};
   const auto rows = std::make_shared<LongRows>(2);
   rows->add({0, 1.0 / 3});
   rows->add({0.5, std::nan("")});

@@ -15,21 +15,74 @@ Result sample() {
   r.title = "Title";
   r.method = "mast_section";
   r.message = "fine";
-  r.values = {{"P_s", 1.0 / 3.0, si::N, "P_s", "force of the mast", "(4)"},
-              {"A", std::nan(""), si::m2, "A", "area", "(5)"}};
-  r.tables = {
-      {"sweep", "Sweep", {{"x", si::m}, {"note", si::one}}, {{1.5, std::string("a")}, {std::nan(""), std::string()}}}};
-  r.checks = {make_check("D/d", 22, si::one, {Sense::at_least, 20, "rule", "verified"}),
-              make_check("q", 1, si::one, {Sense::at_most, 0, "rule", "user"})};
-  r.steps = {{Step::Kind::heading, "", "", {}, 0, si::one, "", "Forces"},
-             {Step::Kind::given, "", "m", {}, 1.2, si::one, "input", "ratio"},
-             {Step::Kind::equation, "4", "P_s", make_node(Op::multiply, {make_symbol("m", 1.2), make_number(2)}, 2.4),
-              2.4, si::N, "Paper, (4)", ""},
-             {Step::Kind::note, "", "", {}, 0, si::one, "", "a note"}};
-  r.comparisons = {{"force", "P_s", si::N, 1, 2, std::nan(""), "corrected: because", true}};
-  r.figures = {Plot{"sizes", "", "", {"x", si::m}, {"y", si::m}, {{"a", {1}, {2}, false, false}}, {}}, Drawing{}};
+  r.values = {{.name = "P_s",
+               .value = 1.0 / 3.0,
+               .unit = si::N,
+               .symbol = "P_s",
+               .label = "force of the mast",
+               .source = "(4)"},
+              {.name = "A", .value = std::nan(""), .unit = si::m2, .symbol = "A", .label = "area", .source = "(5)"}};
+  r.tables = {{.name = "sweep",
+               .title = "Sweep",
+               .columns = {{.name = "x", .unit = si::m}, {.name = "note", .unit = si::one}},
+               .rows = {{1.5, std::string("a")}, {std::nan(""), std::string()}}}};
+  r.checks = {
+      make_check("D/d", 22, si::one, {.sense = Sense::at_least, .limit = 20, .rule = "rule", .trust = "verified"}),
+      make_check("q", 1, si::one, {.sense = Sense::at_most, .limit = 0, .rule = "rule", .trust = "user"})};
+  r.steps = {{.kind = Step::Kind::heading,
+              .eq = "",
+              .symbol = "",
+              .formula = {},
+              .value = 0,
+              .unit = si::one,
+              .source = "",
+              .words = "Forces"},
+             {.kind = Step::Kind::given,
+              .eq = "",
+              .symbol = "m",
+              .formula = {},
+              .value = 1.2,
+              .unit = si::one,
+              .source = "input",
+              .words = "ratio"},
+             {.kind = Step::Kind::equation,
+              .eq = "4",
+              .symbol = "P_s",
+              .formula = make_node(Op::multiply, {make_symbol("m", 1.2), make_number(2)}, 2.4),
+              .value = 2.4,
+              .unit = si::N,
+              .source = "Paper, (4)",
+              .words = ""},
+             {.kind = Step::Kind::note,
+              .eq = "",
+              .symbol = "",
+              .formula = {},
+              .value = 0,
+              .unit = si::one,
+              .source = "",
+              .words = "a note"}};
+  r.comparisons = {{.quantity = "force",
+                    .symbol = "P_s",
+                    .unit = si::N,
+                    .printed = 1,
+                    .corrected = 2,
+                    .exact = std::nan(""),
+                    .build_by = "corrected: because",
+                    .printed_unsafe = true}};
+  r.figures = {Plot{.name = "sizes",
+                    .title = "",
+                    .caption = "",
+                    .x = {.label = "x", .unit = si::m},
+                    .y = {.label = "y", .unit = si::m},
+                    .curves = {{.label = "a", .x = {1}, .y = {2}, .dashed = false, .points_only = false}},
+                    .marks = {}},
+               Drawing{}};
   r.warnings = {"look out"};
-  r.errors = {{"deck.yaml", {12, 15}, "wrong", "line", 3}};
+  r.errors = {{.file = "deck.yaml",
+               .place = {.line = 12, .column = 15},
+               .message = "wrong",
+               .source_line = "line",
+               .width = 3}};
   return r;
 }
 
@@ -79,13 +132,18 @@ TEST(Json, AnEmptyResultHasEveryKey) {
 TEST(Json, NumbersReadBackBitByBitAndOthersAreNull) {
   for (const double x : {1.0 / 3.0, 0.1 + 0.2, 5e-324, -0.0, 1e22, std::numeric_limits<double>::max()}) {
     Result r;
-    r.values = {{"x", x, si::one, "x", "", ""}};
+    r.values = {{.name = "x", .value = x, .unit = si::one, .symbol = "x", .label = "", .source = ""}};
     const double back = nlohmann::ordered_json::parse(to_json(r))["values"]["x"]["value"].get<double>();
     EXPECT_EQ(back, x);
     EXPECT_EQ(std::signbit(back), std::signbit(x));
   }
   Result r;
-  r.values = {{"x", -std::numeric_limits<double>::infinity(), si::one, "x", "", ""}};
+  r.values = {{.name = "x",
+               .value = -std::numeric_limits<double>::infinity(),
+               .unit = si::one,
+               .symbol = "x",
+               .label = "",
+               .source = ""}};
   EXPECT_TRUE(nlohmann::ordered_json::parse(to_json(r))["values"]["x"]["value"].is_null());
 }
 

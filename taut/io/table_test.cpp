@@ -9,10 +9,13 @@
 namespace taut::io::table_test {
 
 TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
-  const Table t{"extension",
-                "Extension",
-                {{"boom_length", si::m}, {"case", si::one}, {"moment, luffing", si::N_m}},
-                {{9.0, std::string("rated, 8 falls"), 0.1}, {std::nan(""), std::string("say \"no\"\nnow"), 1e300}}};
+  const Table t{
+      .name = "extension",
+      .title = "Extension",
+      .columns = {{.name = "boom_length", .unit = si::m},
+                  {.name = "case", .unit = si::one},
+                  {.name = "moment, luffing", .unit = si::N_m}},
+      .rows = {{9.0, std::string("rated, 8 falls"), 0.1}, {std::nan(""), std::string("say \"no\"\nnow"), 1e300}}};
   EXPECT_EQ(to_csv(t),
             "boom_length [m],case,\"moment, luffing [N m]\"\r\n"
             "9,\"rated, 8 falls\",0.1\r\n"
@@ -21,13 +24,15 @@ TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
 
 TEST(TableCsv, NumbersReadBackBitByBit) {
   for (const double x : {1.0 / 3.0, 0.1 + 0.2, 5e-324, -std::numeric_limits<double>::max(), 123456789.123456789}) {
-    const std::string csv = to_csv({"t", "", {{"x", si::one}}, {{x}}});
+    const std::string csv =
+        to_csv({.name = "t", .title = "", .columns = {{.name = "x", .unit = si::one}}, .rows = {{x}}});
     EXPECT_EQ(std::strtod(csv.c_str() + 3, nullptr), x) << csv;
   }
 }
 
 TEST(TableCsv, LongRowsAreWrittenAsOthersPieceByPiece) {
-  Table t{"time", "", {{"t", si::s}, {"x", si::m}}, {}};
+  Table t{
+      .name = "time", .title = "", .columns = {{.name = "t", .unit = si::s}, {.name = "x", .unit = si::m}}, .rows = {}};
   Table same = t;
   const auto rows = std::make_shared<LongRows>(2);
   for (int i = 0; i < 20'000; ++i) {
@@ -47,13 +52,14 @@ TEST(TableCsv, LongRowsAreWrittenAsOthersPieceByPiece) {
 }
 
 TEST(Series, CurvesOverTheSameXStandBesideEachOther) {
-  const Plot p{"forces",
-               "Forces",
-               "",
-               {"boom length", si::m},
-               {"force", si::N},
-               {{"S1", {9, 10}, {1, 2}, false, false}, {"S1", {9, 10}, {3, std::nan("")}, true, false}},
-               {}};
+  const Plot p{.name = "forces",
+               .title = "Forces",
+               .caption = "",
+               .x = {.label = "boom length", .unit = si::m},
+               .y = {.label = "force", .unit = si::N},
+               .curves = {{.label = "S1", .x = {9, 10}, .y = {1, 2}, .dashed = false, .points_only = false},
+                          {.label = "S1", .x = {9, 10}, .y = {3, std::nan("")}, .dashed = true, .points_only = false}},
+               .marks = {}};
   const Table t = series_table(p);
   ASSERT_EQ(t.columns.size(), 3U);
   EXPECT_EQ(t.name, "forces");
@@ -65,19 +71,26 @@ TEST(Series, CurvesOverTheSameXStandBesideEachOther) {
 }
 
 TEST(Series, CurvesOverDifferentXStandBelowEachOther) {
-  const Plot p{"grip",
-               "Grip",
-               "",
-               {"speed", si::m_per_s},
-               {"grip", si::one},
-               {{"a", {1, 2}, {5, 6}, false, false}, {"b", {3}, {7}, false, false}},
-               {}};
+  const Plot p{.name = "grip",
+               .title = "Grip",
+               .caption = "",
+               .x = {.label = "speed", .unit = si::m_per_s},
+               .y = {.label = "grip", .unit = si::one},
+               .curves = {{.label = "a", .x = {1, 2}, .y = {5, 6}, .dashed = false, .points_only = false},
+                          {.label = "b", .x = {3}, .y = {7}, .dashed = false, .points_only = false}},
+               .marks = {}};
   EXPECT_EQ(to_csv(series_table(p)), "curve,speed [m/s],grip\r\na,1,5\r\na,2,6\r\nb,3,7\r\n");
 }
 
 TEST(Series, ShortOrNoCurvesAreHarmless) {
   EXPECT_EQ(to_csv(series_table({})), "\r\n");
-  const Plot p{"p", "", "", {"x", si::m}, {"y", si::m}, {{"", {1, 2}, {5}, false, false}}, {}};
+  const Plot p{.name = "p",
+               .title = "",
+               .caption = "",
+               .x = {.label = "x", .unit = si::m},
+               .y = {.label = "y", .unit = si::m},
+               .curves = {{.label = "", .x = {1, 2}, .y = {5}, .dashed = false, .points_only = false}},
+               .marks = {}};
   EXPECT_EQ(to_csv(series_table(p)), "x [m],y [m]\r\n1,5\r\n2,\r\n");
 }
 
@@ -90,7 +103,7 @@ TEST(Series, NamesColumnsByTheirLabels) {
 
 TEST(TableCsv, TextsAreNoFormulas) {
   Table t;
-  t.columns = {{"=a", si::one}, {"b", si::m}};
+  t.columns = {{.name = "=a", .unit = si::one}, {.name = "b", .unit = si::m}};
   t.rows = {{std::string("=1+1"), -1.0}, {std::string("+x"), 2.0},  {std::string("-x,y"), -1e-9},
             {std::string("@x"), 0.0},    {std::string("\tx"), 0.0}, {std::string("\rx"), 0.0},
             {std::string("a=1"), 0.0},   {std::string(), 0.0}};

@@ -11,10 +11,13 @@ Scene falling() {
   Scene s;
   s.name = "motion";
   s.t = {0, 0.25};
-  SceneLine rope{"hoist", Role::rope, {{{0, 0, 10}, {0, 0, 5}}, {{0, 0, 10}, {1, 0, 6}, {0, 0, 4}}}, {}};
+  SceneLine rope{.name = "hoist",
+                 .role = Role::rope,
+                 .points = {{{0, 0, 10}, {0, 0, 5}}, {{0, 0, 10}, {1, 0, 6}, {0, 0, 4}}},
+                 .tension = {}};
   rope.tension = {{100, 100}, {90, 90, 90}};
-  s.lines = {rope, {"empty", Role::rope, {{}, {}}, {}}};
-  s.points = {{"hook", 0.25, {{0, 0, 5}, {0, 0, 4}}, {{0, 0, 0}, {0, 0, -1.5}}}};
+  s.lines = {rope, {.name = "empty", .role = Role::rope, .points = {{}, {}}, .tension = {}}};
+  s.points = {{.name = "hook", .radius = 0.25, .at = {{0, 0, 5}, {0, 0, 4}}, .velocity = {{0, 0, 0}, {0, 0, -1.5}}}};
   return s;
 }
 

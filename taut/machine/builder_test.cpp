@@ -46,7 +46,8 @@ TEST(Builder, TellsMistakesAtTheirPlaces) {
 
 TEST(Builder, FallsAreBranchesBetweenTheBlocks) {
   Builder b;
-  b.rope("hoist", RopeFigures{0.9, 10e6, 150e3, 0.016}).body("hook", {0, 0, 4}, 200);
+  b.rope("hoist", RopeFigures{.mass = 0.9, .stiffness = 10e6, .breaking_force = 150e3, .diameter = 0.016})
+      .body("hook", {0, 0, 4}, 200);
   b.sheave("head", {0, 0, 10}, 0.4, 0.97).sheave("block", {0, 0, 0}, 0.4, 0.97, "hook").drum("winch", {-6, 0, 1}, 0.4);
   b.point("pin", {0.2, 0, 10}).load("hook", 6000);
   b.reeve("hoist", {on_drum("winch"), falls(4, "head", "block"), anchor("pin")}, length(40));

@@ -93,8 +93,8 @@ TEST(Compile, FreedomsGuidesLoadsAndTemperature) {
   Machine m = tackle(6, {anchor("lead"), falls(6, "head", "block"), anchor("pin")});
   m.bodies[0].free = {"ry"};
   m.bodies[0].guide = Triple{0, 0, 2};
-  m.loads = {{"eye", 100.0, {}}, {"hook", {}, Triple{1, 2, 3}}};
-  m.take_up = {{"hook", 50.0, {}, {2, 0, 0}}};
+  m.loads = {{.at = "eye", .mass = 100.0, .force = {}}, {.at = "hook", .mass = {}, .force = Triple{1, 2, 3}}};
+  m.take_up = {{.body = "hook", .weight = 50.0, .screw = {}, .along = {2, 0, 0}}};
   m.temperature = 303.15;
   m.ropes[0].reference_temperature = 283.15;
   m.gravity = 10;
@@ -114,8 +114,13 @@ TEST(Compile, FreedomsGuidesLoadsAndTemperature) {
 
 TEST(Compile, GuysStandBehindTheReevings) {
   Machine m = line();
-  m.guys = {{"g1", "main", "head", "tail", description::Install{3e3, description::InstallAt::anchor}, {}},
-            {"g2", "main", "tail", "head", {}, 120.0}};
+  m.guys = {{.name = "g1",
+             .rope = "main",
+             .from = "head",
+             .to = "tail",
+             .install = description::Install{.tension = 3e3, .at = description::InstallAt::anchor},
+             .length = {}},
+            {.name = "g2", .rope = "main", .from = "tail", .to = "head", .install = {}, .length = 120.0}};
   const auto model = compile(m);
   ASSERT_TRUE(model) << complaints_of(m);
   EXPECT_EQ(model->reevings[2].given, Given::tension_at_end);
@@ -144,62 +149,84 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
     std::string expected;
   };
   const std::vector<Row> rows = {
-      {[](Machine& m) { m.points[0].body = "bom"; }, "points.head.body: there is no body 'bom'"},
-      {[](Machine& m) { m.reevings[0].path[0] = anchor("haed"); },
-       "reevings[0].path[0].anchor: there is no point, body, carriage, sheave or support 'haed'; did you mean 'head'?"},
-      {[](Machine& m) { m.reevings[0].path[2] = over("head"); },
-       "reevings[0].path[2].over: 'head' is a point; here a sheave or support is named"},
-      {[](Machine& m) { m.reevings[0].rope = "skylin"; }, "reevings[0].rope: there is no rope 'skylin'; did you mean"},
-      {[](Machine& m) { m.reevings[0].length = {}; }, "reevings[0]: needs one of length"},
-      {[](Machine& m) { m.reevings[0].tension_at_end = 3; }, "reevings[0]: has length and tension_at_end"},
-      {[](Machine& m) {
-         m.drums[0].drive = description::Drive{{}, {}, "4 kN", description::Brake::open};
-       },
-       "reevings[1]: has tension_at_start and the pull of its first drum"},
-      {[](Machine& m) { m.reevings[0].path.pop_back(); }, "reevings[0].path[2]: a rope's first and last"},
-      {[](Machine& m) { m.reevings[0].path[2] = anchor("head"); }, "reevings[0].path[2]: a rope is fixed at its ends"},
-      {[](Machine& m) { m.reevings[0].path[2].parts = 4; }, "reevings[0].path[2].parts: no sheave is beside this one"},
-      {[](Machine& m) { m.reevings[0].path[2] = falls(4, "jack", "jack"); }, "path[2].between: two sheaves"},
-      {[](Machine& m) { m.reevings[0].path[1] = over("jack"); },
-       "carriages.car: the path of the rope it rides on goes past"},
-      {[](Machine& m) { m.supports[0].motor.emplace(); }, "reevings[0]: runs over a sheave with a motor: needs two of"},
-      {[](Machine& m) { m.carriages[0].rides = "main"; }, "carriages.car: rides on 'main', but the path of 'skyline'"},
-      {[](Machine& m) { m.carriages[0].mainline = "skyline"; },
-       "carriages.car.mainline: the path of 'skyline' does not"},
-      {[](Machine& m) { m.carriages[0].length_before = 3; }, "carriages.car.length_before: belongs to"},
-      {[](Machine& m) { m.ropes[0].mass = {}; }, "ropes.skyline: says neither"},
-      {[](Machine& m) { m.ropes[0].stiffness = {}; }, "ropes.skyline: lacks its 'stiffness', EA"},
-      {[](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; }, "ropes.skyline.rope: "},
-      {[](Machine& m) {
-         m.bodies = {{"hook", 1.0, {0, 0, 1}, {}, {"z"}, {}, {}, {}}};
-       },
-       "bodies.hook: may move, but no rope runs to it"},
-      {[](Machine& m) {
-         m.supports[0].axis = {0, 0, 0};
-       },
-       "supports.jack.axis: the axis is zero"},
-      {[](Machine& m) {
-         m.loads = {{"head", 3.0, {}}};
-       },
-       "loads[0].at: 'head' is fixed to the ground"},
-      {[](Machine& m) {
-         m.loads = {{"cat", 3.0, {}}};
-       },
-       "loads[0].at: there is no body"},
-      {[](Machine& m) { m.reevings[1].rope = "skyline"; }, "reevings[1]: another rope is called 'skyline'"},
-      {[](Machine& m) {
-         m.points[1].at = {60, 0, 22};
-       },
-       "reevings[0].path: 'jack' and 'tail' are at the same place"},
-      {[](Machine& m) {
-         m.terrain = description::Terrain{{}, {0, 5, 4}, {0, 0, 0}, {}, {}};
-       },
-       "terrain.x[2]: x has to grow"},
-      {[](Machine& m) {
-         m.terrain = description::Terrain{{}, {0, 5}, {0}, {}, {}};
-       },
-       "terrain.z: 1 heights for 2 places"},
-      {[](Machine& m) { m.reevings.clear(), m.carriages.clear(); }, "the machine has no rope"},
+      {.spoil = [](Machine& m) { m.points[0].body = "bom"; }, .expected = "points.head.body: there is no body 'bom'"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[0] = anchor("haed"); },
+       .expected = "reevings[0].path[0].anchor: there is no point, body, carriage, sheave or support 'haed'; did you "
+                   "mean 'head'?"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[2] = over("head"); },
+       .expected = "reevings[0].path[2].over: 'head' is a point; here a sheave or support is named"},
+      {.spoil = [](Machine& m) { m.reevings[0].rope = "skylin"; },
+       .expected = "reevings[0].rope: there is no rope 'skylin'; did you mean"},
+      {.spoil = [](Machine& m) { m.reevings[0].length = {}; }, .expected = "reevings[0]: needs one of length"},
+      {.spoil = [](Machine& m) { m.reevings[0].tension_at_end = 3; },
+       .expected = "reevings[0]: has length and tension_at_end"},
+      {.spoil =
+           [](Machine& m) {
+             m.drums[0].drive =
+                 description::Drive{.speed = {}, .torque = {}, .pull = "4 kN", .brake = description::Brake::open};
+           },
+       .expected = "reevings[1]: has tension_at_start and the pull of its first drum"},
+      {.spoil = [](Machine& m) { m.reevings[0].path.pop_back(); },
+       .expected = "reevings[0].path[2]: a rope's first and last"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[2] = anchor("head"); },
+       .expected = "reevings[0].path[2]: a rope is fixed at its ends"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[2].parts = 4; },
+       .expected = "reevings[0].path[2].parts: no sheave is beside this one"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[2] = falls(4, "jack", "jack"); },
+       .expected = "path[2].between: two sheaves"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[1] = over("jack"); },
+       .expected = "carriages.car: the path of the rope it rides on goes past"},
+      {.spoil = [](Machine& m) { m.supports[0].motor.emplace(); },
+       .expected = "reevings[0]: runs over a sheave with a motor: needs two of"},
+      {.spoil = [](Machine& m) { m.carriages[0].rides = "main"; },
+       .expected = "carriages.car: rides on 'main', but the path of 'skyline'"},
+      {.spoil = [](Machine& m) { m.carriages[0].mainline = "skyline"; },
+       .expected = "carriages.car.mainline: the path of 'skyline' does not"},
+      {.spoil = [](Machine& m) { m.carriages[0].length_before = 3; },
+       .expected = "carriages.car.length_before: belongs to"},
+      {.spoil = [](Machine& m) { m.ropes[0].mass = {}; }, .expected = "ropes.skyline: says neither"},
+      {.spoil = [](Machine& m) { m.ropes[0].stiffness = {}; }, .expected = "ropes.skyline: lacks its 'stiffness', EA"},
+      {.spoil = [](Machine& m) { m.ropes[0].rope = "EN 12385-4|6x36-IWRC|20|1961"; },
+       .expected = "ropes.skyline.rope: "},
+      {.spoil =
+           [](Machine& m) {
+             m.bodies = {{.name = "hook",
+                          .mass = 1.0,
+                          .at = {0, 0, 1},
+                          .centre = {},
+                          .free = {"z"},
+                          .guide = {},
+                          .inertia = {},
+                          .motion = {}}};
+           },
+       .expected = "bodies.hook: may move, but no rope runs to it"},
+      {.spoil =
+           [](Machine& m) {
+             m.supports[0].axis = {0, 0, 0};
+           },
+       .expected = "supports.jack.axis: the axis is zero"},
+      {.spoil = [](Machine& m) { m.loads = {{.at = "head", .mass = 3.0, .force = {}}}; },
+       .expected = "loads[0].at: 'head' is fixed to the ground"},
+      {.spoil = [](Machine& m) { m.loads = {{.at = "cat", .mass = 3.0, .force = {}}}; },
+       .expected = "loads[0].at: there is no body"},
+      {.spoil = [](Machine& m) { m.reevings[1].rope = "skyline"; },
+       .expected = "reevings[1]: another rope is called 'skyline'"},
+      {.spoil =
+           [](Machine& m) {
+             m.points[1].at = {60, 0, 22};
+           },
+       .expected = "reevings[0].path: 'jack' and 'tail' are at the same place"},
+      {.spoil =
+           [](Machine& m) {
+             m.terrain = description::Terrain{.file = {}, .x = {0, 5, 4}, .z = {0, 0, 0}, .from = {}, .along = {}};
+           },
+       .expected = "terrain.x[2]: x has to grow"},
+      {.spoil =
+           [](Machine& m) {
+             m.terrain = description::Terrain{.file = {}, .x = {0, 5}, .z = {0}, .from = {}, .along = {}};
+           },
+       .expected = "terrain.z: 1 heights for 2 places"},
+      {.spoil = [](Machine& m) { m.reevings.clear(), m.carriages.clear(); }, .expected = "the machine has no rope"},
   };
   for (const Row& row : rows) {
     Machine m = line();
@@ -221,7 +248,7 @@ TEST(Compile, TellsAllMistakesAtOnce) {
   m.ropes[0].mass = {};
   m.reevings[0].path[0] = anchor("x");
   m.reevings[1].tension_at_start = {};
-  m.loads = {{"nothing", 1.0, {}}};
+  m.loads = {{.at = "nothing", .mass = 1.0, .force = {}}};
   const auto model = compile(m);
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().size(), 4U) << complaints_of(m);

@@ -9,7 +9,9 @@
 namespace taut::machine::signal_test {
 
 Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
-  return {"r", si::m_per_s, Moves{from, {{start, to, duration, smooth}}}};
+  return {.name = "r",
+          .unit = si::m_per_s,
+          .law = Moves{.from = from, .moves = {{.at = start, .to = to, .over = duration, .smooth = smooth}}}};
 }
 
 /// Derivatives against central differences, away from breakpoints.
@@ -59,7 +61,12 @@ TEST(Signal, ASmoothRampBeginsAndEndsAtRest) {
 }
 
 TEST(Signal, MovesFollowEachOther) {
-  const Signal s{"s", si::m, Moves{0, {{1, 2, 1, false}, {2, 5, 2, true}, {6, 0, 0, false}}}};
+  const Signal s{.name = "s",
+                 .unit = si::m,
+                 .law = Moves{.from = 0,
+                              .moves = {{.at = 1, .to = 2, .over = 1, .smooth = false},
+                                        {.at = 2, .to = 5, .over = 2, .smooth = true},
+                                        {.at = 6, .to = 0, .over = 0, .smooth = false}}}};
   EXPECT_EQ(at(s, 0.5).value, 0);
   EXPECT_EQ(at(s, 1.5).value, 1);
   EXPECT_EQ(at(s, 3).value, 3.5);
@@ -69,16 +76,16 @@ TEST(Signal, MovesFollowEachOther) {
 }
 
 TEST(Signal, ASineAndItsIntegral) {
-  const Signal s{"s", si::N, Sine{3, 2, 5, 0.4}};
+  const Signal s{.name = "s", .unit = si::N, .law = Sine{.mean = 3, .amplitude = 2, .omega = 5, .phase = 0.4}};
   for (const double t : {0.0, 0.3, 2.0}) expect_derivatives(s, t);
   const double exact = 3 * 1.7 - 2.0 / 5 * (std::cos(5 * 1.9 + 0.4) - std::cos(5 * 0.2 + 0.4));
   EXPECT_NEAR(integral(s, 0.2, 1.9), exact, 1e-14);
-  const Signal still{"s", si::N, Sine{3, 2, 0, M_PI / 2}};
+  const Signal still{.name = "s", .unit = si::N, .law = Sine{.mean = 3, .amplitude = 2, .omega = 0, .phase = M_PI / 2}};
   EXPECT_NEAR(integral(still, 0, 2), 10, 1e-14);
 }
 
 TEST(Signal, ATableIsLinearAndHeldOutside) {
-  const Signal s{"s", si::m, Curve{{1, 2, 4}, {5, 7, 3}, {}}};
+  const Signal s{.name = "s", .unit = si::m, .law = Curve{.t = {1, 2, 4}, .value = {5, 7, 3}, .slopes = {}}};
   EXPECT_EQ(at(s, 0).value, 5);
   EXPECT_EQ(at(s, 1.5).value, 6);
   EXPECT_EQ(at(s, 3).value, 5);
@@ -88,7 +95,7 @@ TEST(Signal, ATableIsLinearAndHeldOutside) {
 }
 
 TEST(Signal, ACubicTableHasContinuousAcceleration) {
-  const Signal s{"s", si::rad, smooth_curve({0, 1, 2.5, 3, 5}, {0, 1, -1, 0.5, 2})};
+  const Signal s{.name = "s", .unit = si::rad, .law = smooth_curve({0, 1, 2.5, 3, 5}, {0, 1, -1, 0.5, 2})};
   const auto& curve = std::get<Curve>(s.law);
   for (std::size_t i = 0; i < curve.t.size(); ++i) EXPECT_NEAR(at(s, curve.t[i]).value, curve.value[i], 1e-14);
   for (const double t : {1.0, 2.5, 3.0}) {
@@ -102,7 +109,7 @@ TEST(Signal, ACubicTableHasContinuousAcceleration) {
 
 RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   const auto number = [] { return *rc::gen::inRange(-1000, 1000) / 100.0; };
-  Moves moves{number(), {}};
+  Moves moves{.from = number(), .moves = {}};
   double t = 0;
   for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
     t += *rc::gen::inRange(0, 200) / 100.0;
@@ -110,7 +117,7 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
     moves.moves.push_back({t, number(), over, *rc::gen::arbitrary<bool>()});
     t += over;
   }
-  const Signal s{"s", si::m, moves};
+  const Signal s{.name = "s", .unit = si::m, .law = moves};
   const double middle = t * *rc::gen::inRange(0, 100) / 100.0;
   RC_ASSERT(std::abs(integral(s, 0, middle) + integral(s, middle, t + 1) - integral(s, 0, t + 1)) < 1e-11);
   const std::vector<double> breaks = breakpoints(s);

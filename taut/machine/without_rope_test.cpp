@@ -14,12 +14,12 @@ Reeving named(const std::string& name) {
 Model machine() {
   Model m;
   m.reevings = {named("main"), named("back"), named("track"), named("haul")};
-  Carriage first{"first", 0, 2, 1, 0};
+  Carriage first{.name = "first", .body = 0, .reeving = 2, .node = 1, .mainline = 0};
   first.haulback = 1;
-  Carriage second{"second", 1, 2, 2, -1};
+  Carriage second{.name = "second", .body = 1, .reeving = 2, .node = 2, .mainline = -1};
   second.grip_reeving = 3;
   m.carriages = {first, second};
-  m.tensioners = {{0, true, {}}};
+  m.tensioners = {{.reeving = 0, .at_start = true, .change = {}}};
   return m;
 }
 

@@ -45,7 +45,7 @@ TEST(ArcLength, IsTheSumOverTheArc) {
 }
 
 TEST(ArcLength, ARopeThatDoesNotSlipKeepsTheTensionItCameWith) {
-  const Arc a{0.4, 3, 20e3, 22e3, 2e6, never, 1};
+  const Arc a{.radius = 0.4, .wrap = 3, .T_in = 20e3, .T_out = 22e3, .stiffness = 2e6, .friction = never, .flow = 1};
   EXPECT_NEAR(arc_length(a).length, 1.2 / (1 + 20e3 / 2e6), 1e-15);
   Arc back = a;
   back.flow = -1;

@@ -31,7 +31,7 @@ struct OneBeam {
   }
   const Eigen::VectorXd& residual() {
     e.residual.setZero(layout.size);
-    add_beams({m, layout}, c, e);
+    add_beams({.model = m, .layout = layout}, c, e);
     return e.residual;
   }
 };
@@ -76,8 +76,8 @@ TEST(BeamPiece, WhatItGivesToItsEndsIsItsWeight) {
     m.bodies = {body("foot", {0.4, -0.2, 1}, 0, "xyzXYZ"), body("head", {2, 3, 9}, 0, "xyzXYZ")};
     m.bodies[0].orientation = Eigen::AngleAxisd(0.7, Vector3(1, -2, 0.5).normalized());
     machine::StraightBeam b = upright(8);
-    b.from = {0, {0.3, 0.1, -0.2}};
-    b.to = {1, {-0.1, 0.2, 0.3}};
+    b.from = {.body = 0, .at = {0.3, 0.1, -0.2}};
+    b.to = {.body = 1, .at = {-0.1, 0.2, 0.3}};
     b.top = BeamTop::clamped;
     b.bow = 1.0 / 250;
     b.sense = {1, -1, 0};
@@ -111,10 +111,10 @@ TEST(BeamPiece, AHingeLeansFreelyAndDoesNotTurnAboutItsAxis) {
     Configuration moved = beam.c;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(beam.layout.size);
     step.segment<3>(p.unknown + 4) = by;
-    move_beams({beam.m, beam.layout}, step, 1, moved);
+    move_beams({.model = beam.m, .layout = beam.layout}, step, 1, moved);
     std::swap(beam.c, moved);
     const double open = beam.residual()[p.unknown + 6];
-    const Vector3 lean = piece_start({beam.m, beam.layout}, beam.c, 0).axes.col(2);
+    const Vector3 lean = piece_start({.model = beam.m, .layout = beam.layout}, beam.c, 0).axes.col(2);
     EXPECT_NEAR(lean.z(), by.z() == 0 ? std::cos(by.norm()) : 1, 1e-12);
     std::swap(beam.c, moved);
     return open;
@@ -134,14 +134,14 @@ TEST(BeamPiece, TheMisfitTellsForcesFromLengths) {
     machine::Model m;
     m.bodies.push_back(body("head", {0, 0, 5}, 0, "z"));
     machine::StraightBeam b = upright(5);
-    b.to = {0, Vector3::Zero()};
+    b.to = {.body = 0, .at = Vector3::Zero()};
     b.top = top;
     b.section.weight = 0;
     OneBeam beam(m, b);
     beam.c.pieces[0].force = {200, 0, 0};
     beam.residual();
     double force = 0, length = 0;
-    add_beam_misfit({beam.m, beam.layout}, beam.e, force, length);
+    add_beam_misfit({.model = beam.m, .layout = beam.layout}, beam.e, force, length);
     const double EI = b.section.EI_x, place = 200.0 * 125 / (6 * EI), turn = 200.0 * 25 / (2 * EI);
     const double size = beam.layout.length;
     EXPECT_NEAR(force, top == BeamTop::hinged ? 200 * 5 / size : 0, 1e-3);

@@ -20,13 +20,13 @@ TEST(Bend, OnARoundIsTheAngleTurnedAboutItsAxis) {
   node.radius = 0.3;
   for (const double side : {1.0, -1.0}) {
     for (const double angle : {0.2, 1.5, 3.0, 4.5}) {
-      const BranchEnd end{Vector3::Zero(), Vector3::UnitY(), side * node.radius};
+      const BranchEnd end{.centre = Vector3::Zero(), .axis = Vector3::UnitY(), .radius = side * node.radius};
       EXPECT_NEAR(bend(node, end, at_angle(0.4), at_angle(0.4 + side * angle)).wrap, angle, 1e-12);
       EXPECT_NEAR(bend(node, end, at_angle(0.4), at_angle(0.4 - side * 0.3)).wrap, -0.3, 1e-12) << "through the air";
     }
   }
   node.turns = 2;
-  const BranchEnd end{Vector3::Zero(), Vector3::UnitY(), 0.3};
+  const BranchEnd end{.centre = Vector3::Zero(), .axis = Vector3::UnitY(), .radius = 0.3};
   EXPECT_NEAR(bend(node, end, at_angle(0), at_angle(1)).wrap, 1 + 4 * pi, 1e-12);
 }
 
@@ -47,8 +47,9 @@ TEST(Bend, ItsDerivativesAreThoseOfDifferences) {
   for (int i = 0; i < 200; ++i) {
     machine::Node node;
     node.radius = i % 2 == 0 ? 0.4 : 0;
-    const BranchEnd end{Vector3::Zero(), Vector3(dice.in(-0.2, 0.2), 1, dice.in(-0.2, 0.2)).normalized(),
-                        node.radius * (i % 4 == 0 ? 1 : -1)};
+    const BranchEnd end{.centre = Vector3::Zero(),
+                        .axis = Vector3(dice.in(-0.2, 0.2), 1, dice.in(-0.2, 0.2)).normalized(),
+                        .radius = node.radius * (i % 4 == 0 ? 1 : -1)};
     const Vector3 in(1, dice.in(-0.1, 0.1), dice.in(-0.5, 0.5)), out(1, dice.in(-0.1, 0.1), dice.in(0.6, 2));
     const Bend b = bend(node, end, in.normalized(), out.normalized());
     for (int k = 0; k < 3; ++k) {

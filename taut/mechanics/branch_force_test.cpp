@@ -10,7 +10,7 @@
 namespace taut::mechanics::branch_force_test {
 
 BranchEnd round(const Vector3& centre, double radius, const Vector3& axis = Vector3::UnitY()) {
-  return {centre, axis.normalized(), radius};
+  return {.centre = centre, .axis = axis.normalized(), .radius = radius};
 }
 
 TEST(BranchForce, TheStraightLineTouchesBothRounds) {
@@ -39,9 +39,11 @@ TEST(BranchForce, RatesAreThoseOfDifferences) {
       const Vector3 ahead = (d + by).normalized(), back = (d - by).normalized();
       const Vector3 change = (tangent_offset(end, ahead) - tangent_offset(end, back)) / (2 * h);
       EXPECT_LT((change - tangent_offset_rate(end, d) * by / h).norm(), 1e-7);
-      const double leaves = arcs_between(end, none, {back, d}, {ahead, d}) / (2 * h);
+      const double leaves =
+          arcs_between(end, none, {.leaves = back, .arrives = d}, {.leaves = ahead, .arrives = d}) / (2 * h);
       EXPECT_NEAR(leaves, arc_rate(end, d, true).dot(by) / h, 1e-7);
-      const double arrives = arcs_between(none, end, {d, back}, {d, ahead}) / (2 * h);
+      const double arrives =
+          arcs_between(none, end, {.leaves = d, .arrives = back}, {.leaves = d, .arrives = ahead}) / (2 * h);
       EXPECT_NEAR(arrives, arc_rate(end, d, false).dot(by) / h, 1e-7);
     }
   }
@@ -55,7 +57,8 @@ TEST(BranchForce, ItsForceEndsTheRopeAtTheTangentPoint) {
     const BranchEnd to = round({dice.in(10, 60), dice.in(-2, 2), dice.in(-30, 30)}, dice.in(-2, 2));
     const BranchDirections straight = straight_directions(from, to);
     const double chord = (to.centre - from.centre).norm();
-    const rope::CatenaryRope rope{chord * dice.in(0.999, 1.3), dice.ten_to(0, 2), dice.ten_to(6, 9)};
+    const rope::CatenaryRope rope{
+        .length = chord * dice.in(0.999, 1.3), .weight = dice.ten_to(0, 2), .stiffness = dice.ten_to(6, 9)};
     const auto b = branch_force(rope, from, to, straight);
     if (!b) continue;
     ++found;
@@ -66,7 +69,7 @@ TEST(BranchForce, ItsForceEndsTheRopeAtTheTangentPoint) {
     const double H = std::hypot(b->force.x(), b->force.y());
     rope::CatenaryRope free = rope;
     free.length = b->length;
-    const rope::ExactEnd end = rope::exact_end(free, {H, b->force.z()});
+    const rope::ExactEnd end = rope::exact_end(free, {.H = H, .V = b->force.z()});
     const Vector3 along = Vector3(b->force.x(), b->force.y(), 0) / H;
     const Vector3 reached = static_cast<double>(end.x) * along + static_cast<double>(end.z) * up();
     EXPECT_LT((reached - between).norm(), 1e-7 * chord) << i;

@@ -29,16 +29,16 @@ Case any_case(unsigned seed) {
   const Vector3 to(c * std::cos(slope), in(-0.05, 0.05) * c, c * std::sin(slope));
   const auto radius = [&] { return in(0, 1) < 0.3 ? 0 : std::pow(10, in(-2.5, -0.5)) * c * (in(0, 1) < 0.5 ? -1 : 1); };
   const double r0 = radius(), r1 = radius(), excess = in(0, 1) < 0.5 ? in(0.98, 1.5) : in(0.999, 1.02);
-  return {{c * excess, std::pow(10, in(0, 2)), std::pow(10, in(5.5, 9))},
-          {Vector3::Zero(), Vector3::UnitY(), r0},
-          {to, Vector3::UnitY(), r1}};
+  return {.rope = {.length = c * excess, .weight = std::pow(10, in(0, 2)), .stiffness = std::pow(10, in(5.5, 9))},
+          .from = {.centre = Vector3::Zero(), .axis = Vector3::UnitY(), .radius = r0},
+          .to = {.centre = to, .axis = Vector3::UnitY(), .radius = r1}};
 }
 
 /// Asked until its span is closed too.
 tl::expected<Branch, rope::NoCatenary> solved(const Case& c, machine::BranchState at) {
   auto b = solve_branch(c.rope, c.from, c.to, at);
   for (int i = 0; b && i < 3; ++i) {
-    at = {b->length, b->leaves, b->arrives, b->span.force};
+    at = {.length = b->length, .leaves = b->leaves, .arrives = b->arrives, .force = b->span.force};
     rope::CatenaryRope rope = c.rope;
     rope.length = b->length;
     b = solve_branch(rope, c.from, c.to, at);
@@ -64,7 +64,8 @@ TEST(Branch, FoundColdBetweenRoundsOfAnySize) {
     EXPECT_LT(std::abs(b->offset_to.dot(b->arrives)), 1e-12 * size) << seed;
     EXPECT_NEAR(b->offset_to.norm(), std::abs(c.to.radius), 1e-12 * size);
     // what is not free lies on the rounds
-    const BranchDirections straight = straight_directions(c.from, c.to), now{b->leaves, b->arrives};
+    const BranchDirections straight = straight_directions(c.from, c.to),
+                           now{.leaves = b->leaves, .arrives = b->arrives};
     EXPECT_NEAR(b->length + arcs_between(c.from, c.to, straight, now), c.rope.length, 1e-10 * size) << seed;
   }
   EXPECT_GE(found, cases * 998 / 1000);
@@ -96,7 +97,7 @@ TEST(Branch, RatesAreDerivatives) {
       Case there = c;
       there.rope.length = b->length + feed;
       there.to.centre += by;
-      return *solved(there, {b->length, b->leaves, b->arrives, b->span.force});
+      return *solved(there, {.length = b->length, .leaves = b->leaves, .arrives = b->arrives, .force = b->span.force});
     };
     const Vector3 way = Vector3(0.4, 0.2, -0.7);
     const Branch ahead = moved(h * way, 0), behind = moved(-h * way, 0), more = moved({0, 0, 0}, h),

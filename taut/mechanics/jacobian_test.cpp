@@ -25,7 +25,7 @@ double worst_derivative(const machine::Model& m, std::optional<machine::Prescrib
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 1);
   const mechanics::Layout layout = mechanics::layout(m, state, prescribed, flow);
-  const mechanics::System system{m, layout, prescribed ? prescribed->x : 0};
+  const mechanics::System system{.model = m, .layout = layout, .coordinate = prescribed ? prescribed->x : 0};
   mechanics::Configuration c;
   c.bodies = state.bodies;
   for (const auto& k : layout.branches) {
@@ -92,7 +92,7 @@ TEST(Jacobian, MatchesDifferencesForGivenTensionsWarmRopesAndCopies) {
 }
 
 TEST(Jacobian, MatchesDifferencesForCarriagesThatPitch) {
-  machine::Prescribed aside{0, 62, Vector3(0.8, 0.6, 0).normalized()};
+  machine::Prescribed aside{.carriage = 0, .x = 62, .along = Vector3(0.8, 0.6, 0).normalized()};
   EXPECT_LT(worst_derivative(rollers(1, 0, 0.4, 900), machine::Prescribed{0, 60}, 1e-5), 1e-6);
   EXPECT_LT(worst_derivative(rollers(3, 1.2, 0.4, 900), aside, 1e-7), 1e-6);
   aside.z = 25;
@@ -121,10 +121,11 @@ machine::Model with_beam(machine::BeamHold base, machine::BeamTop top, taut::str
   m.bodies.push_back(body("head", {1, 0.5, 9}, 100, "xyzXYZ"));
   machine::StraightBeam b;
   b.name = "mast";
-  if (on_body) b.from = {0, {0.2, 0.1, 0.3}};
-  b.to =
-      top == machine::BeamTop::free ? machine::Place{machine::ground, {1, 0.5, 9}} : machine::Place{1, {0.1, 0, -0.2}};
-  b.section = taut::structure::tube_section(0.2, 0.01, {210e6, 80e6});  // small forces: no rounding in the differences
+  if (on_body) b.from = {.body = 0, .at = {0.2, 0.1, 0.3}};
+  b.to = top == machine::BeamTop::free ? machine::Place{.body = machine::ground, .at = {1, 0.5, 9}}
+                                       : machine::Place{.body = 1, .at = {0.1, 0, -0.2}};
+  b.section = taut::structure::tube_section(0.2, 0.01,
+                                            {.E = 210e6, .G = 80e6});  // small forces: no rounding in the differences
   b.section.EI_y *= 0.7;
   b.section.weight = 4;
   b.strong = {1, 1, 0};
@@ -135,7 +136,7 @@ machine::Model with_beam(machine::BeamHold base, machine::BeamTop top, taut::str
   b.sense = {0.3, -1, 0};
   b.stations = {0.6};
   machine::add_beam(m, b);
-  m.loads.push_back({{2, {0.1, 0.2, -0.1}}, {5, 1, -9}});
+  m.loads.push_back({{.body = 2, .at = {0.1, 0.2, -0.1}}, {5, 1, -9}});
   m.reevings.push_back(reeve("guy", {anchor("stump", {-6, 2, 0}), anchor_on("lug", 2, {-0.2, 0.1, 0.3})}, 8.3, 9, 5e6));
   m.reevings.push_back(reeve("top", {anchor("tree", {9, -2, 1}), anchor_on("head", 1)}, 12, 9, 5e6));
   return m;
@@ -166,8 +167,8 @@ TEST(Jacobian, MatchesDifferencesForRopeLoadsAndTorques) {
   drive.tension_drop = 800;
   machine::Node load = anchor_on("load", 1), spread = anchor_on("spread", 2);
   load.kind = spread.kind = machine::NodeKind::load;
-  load.load = {0.3, 600, 0, 0, -1, true, false};
-  spread.load = {0.6, 0, 50, 0.4, 1, false, false};
+  load.load = {.share = 0.3, .force = 600, .rate = 0, .part = 0, .sense = -1, .by_motion = true, .open = false};
+  spread.load = {.share = 0.6, .force = 0, .rate = 50, .part = 0.4, .sense = 1, .by_motion = false, .open = false};
   m.reevings.push_back(
       reeve("saw", {drive, sheave("top", {3, 0, 2}, 0.3, 1, 0.98), load, spread, sheave("idler", origin, 0.3, 1, 1, 0)},
             15, 4, 2e6));

@@ -52,8 +52,8 @@ void expect_complete(const Layout& l) {
 TEST(Layout, EveryUnknownHasItsEquation) {
   expect_complete(layout_of(three_spans(316, 0.1)));
   expect_complete(layout_of(with_carriage(true)));
-  expect_complete(layout_of(with_carriage(true), machine::Prescribed{0, 150}));
-  expect_complete(layout_of(with_carriage(false), machine::Prescribed{0, 150}));
+  expect_complete(layout_of(with_carriage(true), machine::Prescribed{.carriage = 0, .x = 150}));
+  expect_complete(layout_of(with_carriage(false), machine::Prescribed{.carriage = 0, .x = 150}));
   expect_complete(layout_of(rollers(2, 0.8, 0.3, 1000)));
   expect_complete(layout_of(tackle(6, 0.97, 3000)));
   expect_complete(layout_of(boom()));
@@ -62,11 +62,11 @@ TEST(Layout, EveryUnknownHasItsEquation) {
 TEST(Layout, WhatFollowsFromAPrescribedPlace) {
   const Layout free = layout_of(with_carriage(true));
   EXPECT_EQ(free.coordinate_row, -1);
-  const Layout by_rope = layout_of(with_carriage(true), machine::Prescribed{0, 150});
+  const Layout by_rope = layout_of(with_carriage(true), machine::Prescribed{.carriage = 0, .x = 150});
   EXPECT_EQ(by_rope.size, free.size) << "the mainline's length gives way";
   EXPECT_EQ(by_rope.coordinate_row, by_rope.ropes[1].row);
   EXPECT_EQ(by_rope.hold, -1);
-  const Layout by_force = layout_of(with_carriage(false), machine::Prescribed{0, 150});
+  const Layout by_force = layout_of(with_carriage(false), machine::Prescribed{.carriage = 0, .x = 150});
   EXPECT_EQ(by_force.size, layout_of(with_carriage(false)).size + 1) << "a force along the track";
   EXPECT_GE(by_force.hold, 0);
 }
@@ -86,7 +86,7 @@ TEST(Layout, ALiftedSupportIsNoTurn) {
 
 TEST(Layout, ScalesAreTheLargest) {
   machine::Model m = with_carriage(true, 0.1, 2000);
-  m.loads.push_back({{0, origin}, {0, 0, -50e3}});
+  m.loads.push_back({{.body = 0, .at = origin}, {0, 0, -50e3}});
   const Layout l = layout_of(m);
   EXPECT_GE(l.heaviest, 50e3);
   EXPECT_NEAR(l.stiffest, 26e6, 1e-6);

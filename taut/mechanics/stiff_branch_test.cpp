@@ -29,11 +29,11 @@ double worst_rate(const machine::Model& m) {
   }
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e;
-  const mechanics::System first{m, by_length};
+  const mechanics::System first{.model = m, .layout = by_length};
   for (int i = 0; i < 4; ++i) EXPECT_FALSE(mechanics::evaluate(first, c, e));
   const mechanics::Layout layout = mechanics::with_forces(by_length, m, 0, 1e6);
   EXPECT_GT(layout.size, by_length.size);
-  const mechanics::System system{m, layout};
+  const mechanics::System system{.model = m, .layout = layout};
   c = mechanics::with_forces(system, c, e);
   EXPECT_FALSE(mechanics::evaluate(system, c, e));
   Eigen::MatrixXd J;
@@ -83,10 +83,10 @@ TEST(StiffBranch, EvaluatesToTheSameBalanceAsByLengths) {
   }
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e, forces;
-  const mechanics::System first{m, by_length};
+  const mechanics::System first{.model = m, .layout = by_length};
   for (int i = 0; i < 4; ++i) ASSERT_FALSE(mechanics::evaluate(first, c, e));
   const mechanics::Layout layout = mechanics::with_forces(by_length, m, 0, 1e6);
-  const mechanics::System system{m, layout};
+  const mechanics::System system{.model = m, .layout = layout};
   c = mechanics::with_forces(system, c, e);
   ASSERT_FALSE(mechanics::evaluate(system, c, forces));
   EXPECT_LT((forces.residual.head(by_length.size) - e.residual).cwiseAbs().maxCoeff(), 1e-9 * e.largest_force);

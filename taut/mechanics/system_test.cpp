@@ -30,7 +30,9 @@ struct Laid {
     c = configuration_of(layout, state);
     c.open_loads.assign(layout.ropes.size(), 0);
   }
-  System system(double coordinate = 0, double losses = 1) const { return {m, layout, coordinate, losses}; }
+  System system(double coordinate = 0, double losses = 1) const {
+    return {.model = m, .layout = layout, .coordinate = coordinate, .losses = losses};
+  }
   /// Spans close by one step at a time.
   const Eigen::VectorXd& residual(double coordinate = 0, double losses = 1) {
     for (int i = 0; i < 5; ++i) EXPECT_FALSE(evaluate(system(coordinate, losses), c, e));
@@ -59,7 +61,7 @@ TEST(System, BalancesAreTheSlopeOfTheEnergy) {
   b.orientation = Eigen::AngleAxisd(0.6, Vector3(1, 2, -1).normalized());
   b.centre = {0.2, -0.3, 0.4};
   m.bodies.push_back(b);
-  m.loads.push_back({{0, {0.5, 0.1, -0.6}}, {700, -400, -900}});
+  m.loads.push_back({{.body = 0, .at = {0.5, 0.1, -0.6}}, {700, -400, -900}});
   const std::vector<Vector3> stumps = {{-6, 0, 9}, {15, -3, 11}, {3, 14, 2}},
                              lugs = {{-0.4, 0, 0.3}, {0.5, 0.2, 0}, {0, 0.6, -0.2}};
   const double lengths[] = {11.3, 13.1, 13.2};
@@ -76,15 +78,15 @@ TEST(System, BalancesAreTheSlopeOfTheEnergy) {
     double sum = 300 * m.gravity * (pose.position + pose.orientation * b.centre).z();
     sum -= m.loads[0].force.dot(pose.position + pose.orientation * m.loads[0].at.at);
     for (std::size_t i = 0; i < 3; ++i) {
-      sum += m.reevings[i].copies *
-             energy_of({c.branches[i].length, 12, 4e5}, stumps[i], pose.position + pose.orientation * lugs[i]);
+      sum += m.reevings[i].copies * energy_of({.length = c.branches[i].length, .weight = 12, .stiffness = 4e5},
+                                              stumps[i], pose.position + pose.orientation * lugs[i]);
     }
     return sum;
   };
   for (int i = 0; i < 6; ++i) {
     const double h = 1e-4;
     Configuration ahead, back;
-    Change unit{Eigen::VectorXd::Unit(laid.layout.size, i), std::vector<rope::CatenaryForce>(3)};
+    Change unit{.step = Eigen::VectorXd::Unit(laid.layout.size, i), .force = std::vector<rope::CatenaryForce>(3)};
     move(laid.system(), laid.c, unit, h, ahead);
     move(laid.system(), laid.c, unit, -h, back);
     EXPECT_NEAR(balance[i], -(energy(ahead) - energy(back)) / (2 * h), 1e-6 * laid.e.largest_force) << i;
@@ -136,7 +138,7 @@ TEST(System, AHeldCarriageIsPulledAlongItsTrack) {
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 20}), over("car", origin, 0), anchor("tail", {150, 30, 50})}, 165, 0, 1e6));
   m.carriages.push_back({"car", 0, 0, 1, -1});
-  Laid laid(m, 0, machine::Prescribed{0, 55});
+  Laid laid(m, 0, machine::Prescribed{.carriage = 0, .x = 55});
   ASSERT_GE(laid.layout.hold, 0);
   laid.residual(55);
   const Vector3 in = Vector3(60, 0, -10).normalized(), out = Vector3(90, 30, 40).normalized();

@@ -7,7 +7,9 @@ namespace given_test {
 using namespace taut;
 using namespace taut::report;
 
-Given given(const std::string& key, double x) { return {key, "x", "words", si::m, {x}, "", false}; }
+Given given(const std::string& key, double x) {
+  return {.key = key, .symbol = "x", .words = "words", .unit = si::m, .numbers = {x}, .text = "", .is_default = false};
+}
 
 TEST(Given, ListsOfRecordsBecomeTables) {
   const std::vector<Given> all{given("span", 1), given("cases[0].falls", 2), given("cases[0].length", 3),

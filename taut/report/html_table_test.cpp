@@ -8,7 +8,7 @@
 namespace taut::report::html_table_test {
 
 Table wide(std::size_t columns) {
-  Table t{"load_path", "Load path", {}, {std::vector<Cell>()}};
+  Table t{.name = "load_path", .title = "Load path", .columns = {}, .rows = {std::vector<Cell>()}};
   for (std::size_t k = 0; k < columns; ++k) {
     t.columns.push_back({fmt::format("c{}", k), si::one});
     t.rows[0].emplace_back(static_cast<double>(k));
@@ -49,10 +49,12 @@ TEST(HtmlTable, AColumnInWhichNothingStandsIsLeftOut) {
 }
 
 TEST(HtmlTable, RowsWithUnitsOfTheirOwnKeepTheirDigits) {
-  const Table t{"envelope",
-                "Envelope",
-                {{"quantity", si::one}, {"unit", si::one}, {"max", si::one}},
-                {{std::string("T"), std::string("N"), 22078.4}, {std::string("z"), std::string("m"), 3.56648}}};
+  const Table t{.name = "envelope",
+                .title = "Envelope",
+                .columns = {{.name = "quantity", .unit = si::one},
+                            {.name = "unit", .unit = si::one},
+                            {.name = "max", .unit = si::one}},
+                .rows = {{std::string("T"), std::string("N"), 22078.4}, {std::string("z"), std::string("m"), 3.56648}}};
   const std::string html = table_html(t, {});
   EXPECT_EQ(times(html, ">3.5665<"), 1U);
   EXPECT_EQ(times(html, ">22078<"), 1U);
@@ -73,7 +75,11 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
 
 /// Rows that each begin with a name are a list: all of them are shown, below what they are parts of.
 TEST(HtmlTable, ALongListIsShownWholeAndASeriesIsNot) {
-  Table list{"compared", "Compared", {{"what", si::one}, {"taut", si::one}}, {}}, series = list;
+  Table list{.name = "compared",
+             .title = "Compared",
+             .columns = {{.name = "what", .unit = si::one}, {.name = "taut", .unit = si::one}},
+             .rows = {}},
+      series = list;
   for (std::size_t i = 0; i < 2 * most_rows; ++i) {
     list.rows.push_back({fmt::format("row {}: S{}", i / 3, i % 3), static_cast<double>(i)});
     series.rows.push_back({std::string("step"), static_cast<double>(i)});

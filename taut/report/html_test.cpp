@@ -69,7 +69,8 @@ TEST(Html, IsCompleteForEveryStatusAndForNothing) {
   r.message = "no grip: raise the wrap angle";
   EXPECT_NE(report::to_html(r).find("no grip: raise the wrap angle"), std::string::npos);
   r.status = Status::bad_deck;
-  r.errors.push_back({"deck.yaml", {12, 3}, "'diamter' is not a field of rope", "  diamter: 12 mm", 7});
+  r.errors.push_back(
+      {"deck.yaml", {.line = 12, .column = 3}, "'diamter' is not a field of rope", "  diamter: 12 mm", 7});
   const std::string page = report::to_html(r);
   EXPECT_NE(page.find("deck.yaml:12:3"), std::string::npos);
   EXPECT_NE(page.find("^~~~~~"), std::string::npos);

@@ -11,7 +11,14 @@ using namespace taut::report;
 
 Step equation(const std::string& no, double value) {
   const Num a = Num::named("a", si::N, value);
-  return {Step::Kind::equation, no, "F_1", (a + a).formula(), 2 * value, si::N, "Author 2020, (" + no + ")", ""};
+  return {.kind = Step::Kind::equation,
+          .eq = no,
+          .symbol = "F_1",
+          .formula = (a + a).formula(),
+          .value = 2 * value,
+          .unit = si::N,
+          .source = "Author 2020, (" + no + ")",
+          .words = ""};
 }
 
 TEST(Steps, ShowFormulaNumbersValueAndSource) {
@@ -36,7 +43,14 @@ TEST(Steps, TheNumberIsSaidOnce) {
 
 TEST(Steps, GivenLinesStandTogether) {
   Result r;
-  const Step given{Step::Kind::given, "", "f", {}, 0.12, si::one, "input", "friction"};
+  const Step given{.kind = Step::Kind::given,
+                   .eq = "",
+                   .symbol = "f",
+                   .formula = {},
+                   .value = 0.12,
+                   .unit = si::one,
+                   .source = "input",
+                   .words = "friction"};
   r.steps = {given, given, equation("1", 1), given};
   const std::string html = steps_html(r);
   std::size_t lines = 0;

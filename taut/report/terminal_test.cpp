@@ -18,7 +18,7 @@ TEST(Terminal, PlainUnlessAskedForColour) {
 
 TEST(Terminal, ColourChangesNothingElse) {
   const Result r = taut_test::made_result();
-  std::string coloured = to_terminal(r, {true, 100});
+  std::string coloured = to_terminal(r, {.colour = true, .width = 100});
   for (const std::string code : {"\x1b[1;31m", "\x1b[1;32m", "\x1b[0m"}) {
     for (std::size_t at = coloured.find(code); at != std::string::npos; at = coloured.find(code))
       coloured.erase(at, code.size());
@@ -48,19 +48,25 @@ TEST(Terminal, SaysWhyThereIsNoAnswer) {
 TEST(Terminal, WordsWrapAtTheWidth) {
   Result r;
   r.warnings = {std::string(30, 'a') + " " + std::string(30, 'b') + " " + std::string(30, 'c')};
-  const std::string text = to_terminal(r, {false, 50});
+  const std::string text = to_terminal(r, {.colour = false, .width = 50});
   EXPECT_NE(text.find("\n    " + std::string(30, 'b') + "\n"), std::string::npos) << text;
 }
 
 TEST(Terminal, PrintsShortTablesTurnsWideOnesAndNamesLongOnes) {
   Result r;
-  const Table narrow{"narrow", "Narrow", {{"x", si::m}, {"rope", si::one}}, {{1.5, "haulback"}}};
-  Table wide{"wide", "Wide", {}, {{}}};
+  const Table narrow{.name = "narrow",
+                     .title = "Narrow",
+                     .columns = {{.name = "x", .unit = si::m}, {.name = "rope", .unit = si::one}},
+                     .rows = {{1.5, "haulback"}}};
+  Table wide{.name = "wide", .title = "Wide", .columns = {}, .rows = {{}}};
   for (int k = 0; k < 20; ++k) {
     wide.columns.push_back({fmt::format("column_{}", k), si::N});
     wide.rows[0].emplace_back(1000.0 * k);
   }
-  const Table tall{"tall", "Tall", {{"x", si::m}}, std::vector<std::vector<Cell>>(100, std::vector<Cell>{1.0})};
+  const Table tall{.name = "tall",
+                   .title = "Tall",
+                   .columns = {{.name = "x", .unit = si::m}},
+                   .rows = std::vector<std::vector<Cell>>(100, std::vector<Cell>{1.0})};
   r.tables = {narrow, wide, tall};
   const std::string text = to_terminal(r);
   EXPECT_NE(text.find("  x [m]  rope\n    1.5  haulback\n"), std::string::npos) << text;

@@ -11,7 +11,8 @@ using namespace taut::report;
 
 Result with_check(double value) {
   Result r;
-  r.checks = {make_check("a", value, si::one, {Sense::at_most, 1, "rule", "verified"})};
+  r.checks = {
+      make_check("a", value, si::one, {.sense = Sense::at_most, .limit = 1, .rule = "rule", .trust = "verified"})};
   return r;
 }
 

@@ -6,10 +6,11 @@ namespace taut::results::merge_test {
 
 TEST(Merge, WhatTheVerdictIsMadeOfComesAlong) {
   Result to;
-  to.values = {{"T_max", 5, si::N, "", "", ""}};
+  to.values = {{.name = "T_max", .value = 5, .unit = si::N, .symbol = "", .label = "", .source = ""}};
   Result from;
-  from.values = {{"T_max", 7, si::N, "", "", ""}, {"x", 1, si::m, "", "", ""}};
-  from.missing = {{"sweep", 1, 5, "x = 2 m", "slack"}};
+  from.values = {{.name = "T_max", .value = 7, .unit = si::N, .symbol = "", .label = "", .source = ""},
+                 {.name = "x", .value = 1, .unit = si::m, .symbol = "", .label = "", .source = ""}};
+  from.missing = {{.analysis = "sweep", .missing = 1, .places = 5, .first = "x = 2 m", .reason = "slack"}};
   from.unmade = {"a"};
   from.preface = "The deck breaks a rope at 1 s";
   warn_unsafe(from, "slack");

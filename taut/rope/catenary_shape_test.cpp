@@ -17,7 +17,9 @@ struct Solved {
   CatenaryForce force;
 };
 
-Solved solved(const CatenaryRope& rope, double x, double z) { return {rope, x, z, solve_catenary(rope, x, z)->force}; }
+Solved solved(const CatenaryRope& rope, double x, double z) {
+  return {.rope = rope, .x = x, .z = z, .force = solve_catenary(rope, x, z)->force};
+}
 
 rc::Gen<Solved> any_span() {
   return rc::gen::map(rc::gen::tuple(rc::gen::inRange(-200, 201), rc::gen::inRange(980, 1500), rc::gen::inRange(60, 91),
@@ -30,7 +32,7 @@ rc::Gen<Solved> any_span() {
 }
 
 TEST(CatenaryShape, GivesTheSagOfTheSpecification) {
-  const Solved s = solved({100, 9.81, 1e7}, 80, 0);
+  const Solved s = solved({.length = 100, .weight = 9.81, .stiffness = 1e7}, 80, 0);
   const Sag sag = largest_sag(s.rope, s.force);
   EXPECT_NEAR(sag.depth, 26.547034967, 1e-8);
   EXPECT_NEAR(sag.x, 40, 1e-12);
@@ -94,34 +96,34 @@ TEST(CatenaryShape, ATautUprightRopeHasNoSag) {
   // a point off the vertical by rounding or by millimetres, either end up
   for (const double x : {0.0, 1e-17, 1e-9, 0.01}) {
     for (const double z : {20.0, -20.0}) {
-      const CatenaryRope rope{20, 50, 1e6};
+      const CatenaryRope rope{.length = 20, .weight = 50, .stiffness = 1e6};
       const auto s = solve_catenary(rope, x, z * (1 + 5e-3));
       ASSERT_TRUE(s);
       EXPECT_NEAR(largest_sag(rope, s->force).depth, 0, 1e-9) << x << ", " << z;
     }
   }
   // a loop hangs below its lower end
-  const CatenaryRope rope{20, 50, 1e6};
+  const CatenaryRope rope{.length = 20, .weight = 50, .stiffness = 1e6};
   const auto loop = solve_catenary(rope, 1e-6, 4);
   EXPECT_NEAR(largest_sag(rope, loop->force).depth, 8, 0.05);
 }
 
 TEST(CatenaryShape, OfAWeightlessRopeIsItsChord) {
-  const Solved s = solved({10, 0, 1e6}, 9, 6);
+  const Solved s = solved({.length = 10, .weight = 0, .stiffness = 1e6}, 9, 6);
   EXPECT_NEAR(largest_sag(s.rope, s.force).depth, 0, 1e-14);
   EXPECT_NEAR(stretched_length(s.rope, s.force), std::hypot(9, 6), 1e-13);
   EXPECT_NEAR(point_at(s.rope, s.force, 5).x, 4.5, 1e-13);
 }
 
 TEST(CatenaryShape, OfAVerticalLoopHangsBelowItsLowerEnd) {
-  const Solved s = solved({10, 5, std::numeric_limits<double>::infinity()}, 0, 4);
+  const Solved s = solved({.length = 10, .weight = 5, .stiffness = std::numeric_limits<double>::infinity()}, 0, 4);
   const Sag sag = largest_sag(s.rope, s.force);
   EXPECT_NEAR(sag.depth, 3, 1e-13);
   EXPECT_NEAR(sag.s, 3, 1e-13);
   const Solved swapped = solved(s.rope, 0, -4);
   EXPECT_NEAR(largest_sag(swapped.rope, swapped.force).depth, 3, 1e-13);
   EXPECT_EQ(stretched_length(s.rope, s.force), 10);
-  const Solved elastic = solved({10, 5, 1e3}, 0, 4);
+  const Solved elastic = solved({.length = 10, .weight = 5, .stiffness = 1e3}, 0, 4);
   EXPECT_GT(stretched_length(elastic.rope, elastic.force), 10);
   EXPECT_THROW(length_to(s.rope, s.force, 0), ContractViolation);
   EXPECT_THROW(point_at(s.rope, s.force, 11), ContractViolation);

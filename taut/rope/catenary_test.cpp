@@ -34,8 +34,9 @@ Case random_case(std::mt19937_64& source) {
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(source); };
   const double chord = in(10, 1000);
   const double slope = in(-1.1, 1.1);
-  return {
-      {chord * in(0.98, 1.5), in(1, 200), std::pow(10, in(6, 9))}, chord * std::cos(slope), chord * std::sin(slope)};
+  return {.rope = {.length = chord * in(0.98, 1.5), .weight = in(1, 200), .stiffness = std::pow(10, in(6, 9))},
+          .x = chord * std::cos(slope),
+          .z = chord * std::sin(slope)};
 }
 
 rc::Gen<Case> any_case() {
@@ -50,7 +51,7 @@ double distance(const CatenaryForce& a, const CatenaryForce& b) { return std::hy
 double size(const CatenaryForce& a) { return std::hypot(a.H, a.V); }
 
 TEST(Catenary, GivesTheSpanOfTheSpecification) {
-  const CatenaryRope rope{100, 9.81, 1e7};
+  const CatenaryRope rope{.length = 100, .weight = 9.81, .stiffness = 1e7};
   const auto s = solve_catenary(rope, 80, 0);
   ASSERT_TRUE(s);
   EXPECT_NEAR(s->force.H, 331.73013818, 1e-8);
@@ -81,8 +82,9 @@ TEST(Catenary, TakesItsEndsInAnyOrderAndAnyUnits) {
     ASSERT_TRUE(s && swapped) << i;
     EXPECT_EQ(s->force.H, swapped->force.H) << i;
     EXPECT_EQ(s->force.V, -swapped->force.V) << i;
-    const auto imperial = solve_catenary({c.rope.length / foot, c.rope.weight * foot / pound, c.rope.stiffness / pound},
-                                         c.x / foot, c.z / foot);
+    const auto imperial = solve_catenary(
+        {.length = c.rope.length / foot, .weight = c.rope.weight * foot / pound, .stiffness = c.rope.stiffness / pound},
+        c.x / foot, c.z / foot);
     ASSERT_TRUE(imperial) << i;
     EXPECT_LT(distance(s->force, {imperial->force.H * pound, imperial->force.V * pound}), 1e-12 * size(s->force)) << i;
   }
@@ -107,10 +109,10 @@ RC_GTEST_PROP(Catenary, DoesNotDependOnTheStart, ()) {
   const auto cold = solve_catenary(c.rope, c.x, c.z);
   const double H = std::pow(10.0, *rc::gen::inRange(-3, 8));
   const double V = *rc::gen::inRange(-10, 11) * H;
-  const auto warm = solve_catenary(c.rope, c.x, c.z, CatenaryForce{H, V});
+  const auto warm = solve_catenary(c.rope, c.x, c.z, CatenaryForce{.H = H, .V = V});
   RC_ASSERT(cold && warm);
   RC_ASSERT(distance(cold->force, warm->force) <= 1e-13 * size(cold->force));
-  const auto nonsense = solve_catenary(c.rope, c.x, c.z, CatenaryForce{-1, std::nan("")});
+  const auto nonsense = solve_catenary(c.rope, c.x, c.z, CatenaryForce{.H = -1, .V = std::nan("")});
   RC_ASSERT(bool(nonsense));
   RC_ASSERT(distance(cold->force, nonsense->force) <= 1e-13 * size(cold->force));
 }
@@ -128,7 +130,8 @@ TEST(Catenary, AnswersFarOutsideTheUsualRange) {
                           : kind < 0.6 ? std::pow(10, -in(1, 11)) * (in(0, 1) < 0.5 ? -1 : 1)
                                        : std::pow(10, in(-2, 2));
     const double EA = in(0, 1) < 0.1 ? infinite : std::pow(10, in(4, 11));
-    const CatenaryRope rope{std::hypot(x, z) * (1 + excess), std::pow(10, in(-4, 3)), EA};
+    const CatenaryRope rope{
+        .length = std::hypot(x, z) * (1 + excess), .weight = std::pow(10, in(-4, 3)), .stiffness = EA};
     const auto s = solve_catenary(rope, x, z);
     if (std::isinf(EA) && rope.length <= std::hypot(x, z)) {
       ASSERT_FALSE(s);
@@ -144,7 +147,7 @@ TEST(Catenary, InextensibleHasItsClosedForm) {
   // k = w x/(2 H), L^2 - z^2 = (x sinh(k)/k)^2
   for (const double k : {0.01, 0.3, 2.0, 20.0}) {
     const double x = 70, z = 40, w = 12;
-    const CatenaryRope rope{std::hypot(z, x * std::sinh(k) / k), w, infinite};
+    const CatenaryRope rope{.length = std::hypot(z, x * std::sinh(k) / k), .weight = w, .stiffness = infinite};
     const auto s = solve_catenary(rope, x, z);
     ASSERT_TRUE(s);
     const double expected = w * x / (2 * k);
@@ -152,13 +155,13 @@ TEST(Catenary, InextensibleHasItsClosedForm) {
     EXPECT_NEAR(s->force.V, w * z / 2 / std::tanh(k), 1e-11 * std::max(expected, w * rope.length));
   }
   // and is the limit of a stiff one
-  const auto stiff = solve_catenary({90, 12, 1e14}, 70, 40);
-  const auto rigid = solve_catenary({90, 12, infinite}, 70, 40);
+  const auto stiff = solve_catenary({.length = 90, .weight = 12, .stiffness = 1e14}, 70, 40);
+  const auto rigid = solve_catenary({.length = 90, .weight = 12, .stiffness = infinite}, 70, 40);
   EXPECT_NEAR(stiff->force.H, rigid->force.H, 1e-10 * rigid->force.H);
 }
 
 TEST(Catenary, WithoutWeightIsASpring) {
-  const auto s = solve_catenary({10, 0, 1e6}, 9, -6);
+  const auto s = solve_catenary({.length = 10, .weight = 0, .stiffness = 1e6}, 9, -6);
   ASSERT_TRUE(s);
   const double c = std::hypot(9, 6), T = 1e6 * (c - 10) / 10;
   EXPECT_NEAR(s->force.H, T * 9 / c, 1e-9);
@@ -166,12 +169,12 @@ TEST(Catenary, WithoutWeightIsASpring) {
   EXPECT_EQ(solve_catenary({11, 0, 1e6}, 9, -6).error(), NoCatenary::slack);
   EXPECT_EQ(solve_catenary({10, 0, infinite}, 9, -6).error(), NoCatenary::too_short);
   // and is the limit of a light one
-  const auto light = solve_catenary({10, 1e-9, 1e6}, 9, -6);
+  const auto light = solve_catenary({.length = 10, .weight = 1e-9, .stiffness = 1e6}, 9, -6);
   EXPECT_NEAR(light->force.H, s->force.H, 1e-8);
 }
 
 TEST(Catenary, HangsInAVerticalLine) {
-  const CatenaryRope rope{10, 5, 1e4};
+  const CatenaryRope rope{.length = 10, .weight = 5, .stiffness = 1e4};
   const auto taut = solve_catenary(rope, 0, 12);  // z = L + V L/EA
   EXPECT_NEAR(taut->force.V, 2e3, 1e-9);
   EXPECT_EQ(taut->force.H, 0);
@@ -208,7 +211,8 @@ void expect_compliance(const CatenaryRope& rope, const CatenaryForce& f, double 
   const EndPosition p = end_position(rope, f);
   const double h = 1e-5 * f.H;
   const auto slope = [&](double dH, double dV, auto member) {
-    const ExactEnd a = exact_end(rope, {f.H + dH, f.V + dV}), b = exact_end(rope, {f.H - dH, f.V - dV});
+    const ExactEnd a = exact_end(rope, {.H = f.H + dH, .V = f.V + dV}),
+                   b = exact_end(rope, {.H = f.H - dH, .V = f.V - dV});
     return static_cast<double>((a.*member - b.*member) / (2 * static_cast<long double>(dH + dV)));
   };
   const double scale = std::max(p.dx_dH, p.dz_dV);
@@ -221,12 +225,12 @@ void expect_compliance(const CatenaryRope& rope, const CatenaryForce& f, double 
 TEST(Catenary, KnowsItsCompliance) {
   for (const double EA : {1e4, 1e7, infinite}) {
     for (const double V : {-800.0, -200.0, 0.0, 30.0, 499.0, 2000.0}) {
-      expect_compliance({100, 10, EA}, {300, V}, 1e-8);
-      expect_compliance({100, 1e-3, EA}, {300, V}, 1e-8);
+      expect_compliance({.length = 100, .weight = 10, .stiffness = EA}, {.H = 300, .V = V}, 1e-8);
+      expect_compliance({.length = 100, .weight = 1e-3, .stiffness = EA}, {.H = 300, .V = V}, 1e-8);
     }
   }
   // the small entry of a taut, level, inextensible rope keeps its digits: L (w L/T)^2/12/T
-  const EndPosition p = end_position({100, 1e-4, infinite}, {1000, 0});
+  const EndPosition p = end_position({.length = 100, .weight = 1e-4, .stiffness = infinite}, {.H = 1000, .V = 0});
   EXPECT_NEAR(p.dx_dH, 0.1 * 1e-10 / 12, 1e-9 * 0.1 * 1e-10 / 12);
 }
 
@@ -257,7 +261,7 @@ RC_GTEST_PROP(Catenary, StiffnessLengthAndHeatAreDerivatives, ()) {
 }
 
 TEST(Catenary, StiffnessOfAVerticalRope) {
-  const CatenaryRope rope{10, 5, 1e4};
+  const CatenaryRope rope{.length = 10, .weight = 5, .stiffness = 1e4};
   const CatenaryStiffness taut = stiffness(rope, solve_catenary(rope, 0, 12)->force);
   EXPECT_NEAR(taut.dV_dz, 1e3, 1e-9);  // EA/L
   const auto beside = solve_catenary(rope, 1e-6, 12);
@@ -270,7 +274,7 @@ TEST(Catenary, StiffnessOfAVerticalRope) {
 }
 
 TEST(Catenary, HeatKeepsTheWeight) {
-  const CatenaryRope warm = heated({100, 10, 1e6}, 1.2e-5 * 40);
+  const CatenaryRope warm = heated({.length = 100, .weight = 10, .stiffness = 1e6}, 1.2e-5 * 40);
   EXPECT_NEAR(warm.length, 100.048, 1e-12);
   EXPECT_NEAR(warm.length * warm.weight, 1000, 1e-12 * 1000);
   EXPECT_EQ(warm.stiffness, 1e6);

@@ -24,9 +24,9 @@ Exact exact_guy(double slope, double T) {
   const Vector3 chord(c * std::cos(slope), 0, c * std::sin(slope));
   const double across = w * c * std::cos(slope);
   const double L = c / (1 + T / EA - across * across / (24 * T * T));
-  const Span span = *solve_span({L, w, EA}, chord);
+  const Span span = *solve_span({.length = L, .weight = w, .stiffness = EA}, chord);
   const double mean = std::hypot(span.force.H, span.force.V);
-  return {{c, slope, w, EA, mean}, span};
+  return {.guy = {.length = c, .slope = slope, .weight = w, .stiffness = EA, .tension = mean}, .span = span};
 }
 
 // Witness: the tangent stiffness of the exact catenary. The estimate takes the chord for the unstretched length (an
@@ -49,15 +49,15 @@ TEST(Guy, HorizontalStiffnessIsNearTheCatenarys) {
 }
 
 TEST(Guy, ErnstIsTheDerivativeOfTheTautCubic) {
-  const GuyLine guy{40, 0.7, 20, 2.5e7, 0};
-  const Parabola p{40 * std::cos(0.7), 40 * std::sin(0.7), 20};
+  const GuyLine guy{.length = 40, .slope = 0.7, .weight = 20, .stiffness = 2.5e7, .tension = 0};
+  const Parabola p{.span = 40 * std::cos(0.7), .rise = 40 * std::sin(0.7), .weight = 20};
   for (const double L : {39.95, 40.0, 40.02}) {
     const double T = taut_tension(p, L, guy.stiffness);
     GuyLine at = guy;
     at.tension = T;
     // T(c) at constant L and constant weight across the chord: dT/dc = E_eq A/L
     const auto stretched = [&](double c) {
-      return taut_tension({c * std::cos(0.7), c * std::sin(0.7), 20}, L, guy.stiffness);
+      return taut_tension({.span = c * std::cos(0.7), .rise = c * std::sin(0.7), .weight = 20}, L, guy.stiffness);
     };
     const double slope = (stretched(40 + 1e-5) - stretched(40 - 1e-5)) / 2e-5;
     EXPECT_NEAR(ernst_stiffness(at) / L / slope, 1, 3e-3) << L;
@@ -67,7 +67,7 @@ TEST(Guy, ErnstIsTheDerivativeOfTheTautCubic) {
 TEST(Guy, ErnstHasItsLimits) {
   EXPECT_EQ(ernst_stiffness({40, 0.7, 0, 2.5e7, 1e4}), 2.5e7);
   EXPECT_NEAR(ernst_stiffness({40, pi / 2, 20, 2.5e7, 1e4}), 2.5e7, 1e-3);  // upright: no sag
-  const GuyLine guy{40, 0.7, 20, 2.5e7, 1e4};
+  const GuyLine guy{.length = 40, .slope = 0.7, .weight = 20, .stiffness = 2.5e7, .tension = 1e4};
   EXPECT_NEAR(ernst_secant_stiffness(guy, 1e4, 1e4), ernst_stiffness(guy), 1e-6);
   // the secant is the mean of the compliance between the tensions: integral of dT/(E_eq A)
   const double T_1 = 6e3, T_2 = 3e4;
@@ -82,13 +82,14 @@ TEST(Guy, ErnstHasItsLimits) {
 }
 
 TEST(Guy, ThreeEqualGuysAreAlikeInEveryDirection) {
-  const GuyStiffness k = horizontal_stiffness({40, 0.7, 20, 2.5e7, 1e4});
+  const GuyStiffness k =
+      horizontal_stiffness({.length = 40, .slope = 0.7, .weight = 20, .stiffness = 2.5e7, .tension = 1e4});
   RingStiffness ring;
   for (int i = 0; i < 3; ++i) ring = ring + in_ring(k, 0.4 + i * 2 * pi / 3);
   EXPECT_NEAR(ring.xx, 1.5 * (k.in_plane + k.across), 1e-6);
   EXPECT_NEAR(ring.yy, ring.xx, 1e-6);
   EXPECT_NEAR(ring.xy, 0, 1e-6);
-  const GuyPull pull = pull_on_mast({40, pi / 6, 20, 2.5e7, 1e4});
+  const GuyPull pull = pull_on_mast({.length = 40, .slope = pi / 6, .weight = 20, .stiffness = 2.5e7, .tension = 1e4});
   EXPECT_NEAR(pull.downwards, 5e3, 1e-9);
   EXPECT_NEAR(pull.horizontal, 1e4 * std::sqrt(0.75), 1e-9);
 }

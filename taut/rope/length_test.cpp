@@ -13,7 +13,8 @@ namespace taut::rope::length_test {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(Length, KeepsTheThreeApart) {
-  const std::vector<TensionPiece> path{{100, 2e4, 3e4}, {50, 3e4, 3e4}};
+  const std::vector<TensionPiece> path{{.unstretched = 100, .T_from = 2e4, .T_to = 3e4},
+                                       {.unstretched = 50, .T_from = 3e4, .T_to = 3e4}};
   const double heat = steel_expansion * 20;
   const RopeLengths l = path_lengths(path, 1e7, heat);
   EXPECT_EQ(l.unstretched, 150);
@@ -25,19 +26,20 @@ TEST(Length, KeepsTheThreeApart) {
 }
 
 RC_GTEST_PROP(Length, UnstretchedIsTheInverse, ()) {
-  const TensionPiece piece{*rc::gen::inRange(1, 100000) / 100.0, *rc::gen::inRange(0, 100000) * 1.0,
-                           *rc::gen::inRange(0, 100000) * 1.0};
+  const TensionPiece piece{.unstretched = *rc::gen::inRange(1, 100000) / 100.0,
+                           .T_from = *rc::gen::inRange(0, 100000) * 1.0,
+                           .T_to = *rc::gen::inRange(0, 100000) * 1.0};
   const double heat = *rc::gen::inRange(-60, 60) * steel_expansion;
   const double stretched = path_lengths(std::vector{piece}, 5e6, heat).stretched;
   const double back = unstretched_length(stretched, piece.T_from, piece.T_to, 5e6, heat);
   RC_ASSERT(std::abs(back - piece.unstretched) < 1e-13 * piece.unstretched);
-  const TensionPiece swapped{piece.unstretched, piece.T_to, piece.T_from};
+  const TensionPiece swapped{.unstretched = piece.unstretched, .T_from = piece.T_to, .T_to = piece.T_from};
   RC_ASSERT(path_lengths(std::vector{swapped}, 5e6, heat).stretched == stretched);
 }
 
 TEST(Length, OfASpanIsThatOfItsPieces) {
   // witness: the span cut into 4000 pieces with their own tensions, at the temperature
-  const CatenaryRope rope{105, 20, 3e6};
+  const CatenaryRope rope{.length = 105, .weight = 20, .stiffness = 3e6};
   const double heat = 40 * steel_expansion;
   const CatenaryRope warm = heated(rope, heat);
   const CatenaryForce f = solve_catenary(warm, 90, 40)->force;

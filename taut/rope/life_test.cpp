@@ -7,7 +7,10 @@
 namespace taut::rope::life_test {
 
 /// The one set of constants that is known, 8x19 Seale with fibre core, mean break.
-LifeConstants seale() { return {"mean_break", {1.278, 0.029, 6.241, -1.613}, "recalled", "UNVERIFIED: recalled"}; }
+LifeConstants seale() {
+  return {
+      .count = "mean_break", .a = {1.278, 0.029, 6.241, -1.613}, .words = "recalled", .trust = "UNVERIFIED: recalled"};
+}
 
 RopeUse over_two_sheaves() {
   RopeUse use;
@@ -15,7 +18,8 @@ RopeUse over_two_sheaves() {
   use.rope.diameter = 0.016;
   use.rope.grade = 1770e6;
   use.tension = 117 * 256;
-  use.bends = {{"a", BendKind::sheave, 0.4, 117 * 256, 3, 1}, {"b", BendKind::sheave, 0.4, 117 * 256, 3, 1}};
+  use.bends = {{.name = "a", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .side = 1},
+               {.name = "b", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .side = 1}};
   return use;
 }
 
@@ -44,7 +48,8 @@ TEST(Life, more_pull_less_life_and_a_larger_sheave_more) {
 
 TEST(Life, miner_adds_bends_and_duties) {
   LifeRules rules;
-  rules.duty = {{"full", 1e4, 1.0, {}}, {"half", 2e4, 0.5, {}}};
+  rules.duty = {{.name = "full", .cycles = 1e4, .load = 1.0, .over = {}},
+                {.name = "half", .cycles = 2e4, .load = 0.5, .over = {}}};
   rules.constants = {seale()};
   const auto lives = life_of(over_two_sheaves(), rules);
   ASSERT_EQ(lives.size(), 1U);
@@ -60,7 +65,7 @@ TEST(Life, endless_rope) {
   use.bends[1].side = -1;
   use.closed = true;
   LifeRules rules;
-  rules.duty = {{"all", 1e4, 1.0, {}}};
+  rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
   rules.constants = {seale()};
   const double simple = life_of(use, rules)[0].damage;
   rules.reverse_weight = 2;
@@ -70,7 +75,7 @@ TEST(Life, endless_rope) {
 TEST(Life, drum_is_half_and_reverse_counts_more) {
   RopeUse use = over_two_sheaves();
   LifeRules rules;
-  rules.duty = {{"all", 1e4, 1.0, {}}};
+  rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
   rules.constants = {seale()};
   rules.reverse_weight = 2;
   const double simple = life_of(use, rules)[0].damage;

@@ -23,11 +23,13 @@ LoadedSpan random_span(unsigned seed, double sideways = 0.3) {
   std::mt19937_64 source(seed);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(source); };
   const Vector3 chord(in(-100, 100), in(-100, 100), in(-60, 60));
-  const CatenaryRope rope{chord.norm() * in(0.99, 1.3), in(1, 50), std::pow(10, in(6, 9))};
+  const CatenaryRope rope{
+      .length = chord.norm() * in(0.99, 1.3), .weight = in(1, 50), .stiffness = std::pow(10, in(6, 9))};
   std::vector<PointLoad> loads(1 + seed % 4);
   for (PointLoad& load : loads) {
     const double P = std::pow(10, in(2, 5));
-    load = {rope.length * in(0.02, 0.98), Vector3(in(-1, 1) * sideways * P, in(-1, 1) * sideways * P, -P)};
+    load = {.s = rope.length * in(0.02, 0.98),
+            .force = Vector3(in(-1, 1) * sideways * P, in(-1, 1) * sideways * P, -P)};
   }
   return *solve_loaded_span(rope, chord, loads);
 }
@@ -50,7 +52,7 @@ TEST(LoadedSpan, SolvesWhateverLoads) {
 }
 
 TEST(LoadedSpan, WithoutLoadsIsTheCatenary) {
-  const CatenaryRope rope{110, 20, 1e7};
+  const CatenaryRope rope{.length = 110, .weight = 20, .stiffness = 1e7};
   const Vector3 chord(60, -70, 25);
   const Span plain = *solve_span(rope, chord);
   const LoadedSpan s = *solve_loaded_span(rope, chord, {});
@@ -66,7 +68,8 @@ TEST(LoadedSpan, WithoutLoadsIsTheCatenary) {
 // Closed form: two straight springs that meet at the load.
 TEST(LoadedSpan, OfAWeightlessRopeIsATriangle) {
   const double L = 10, EA = 1e6, P = 5e3, half = 4.9;
-  const LoadedSpan s = *solve_loaded_span({L, 0, EA}, {2 * half, 0, 0}, std::vector{PointLoad{5, weight(P)}});
+  const LoadedSpan s = *solve_loaded_span({.length = L, .weight = 0, .stiffness = EA}, {2 * half, 0, 0},
+                                          std::vector{PointLoad{.s = 5, .force = weight(P)}});
   const double T = s.force.norm();
   const double stretched = 5 * (1 + T / EA);
   const double sag = -point_at(s, 5).z();
@@ -79,8 +82,8 @@ TEST(LoadedSpan, OfAWeightlessRopeIsATriangle) {
 
 // Independent witness: a lumped chain of 2000 springs, each end of it by marching from the start's force.
 TEST(LoadedSpan, IsTheLimitOfALumpedChain) {
-  const CatenaryRope rope{105, 30, 2e7};
-  const std::vector<PointLoad> loads{{40, Vector3(500, 2000, -20000)}, {70, weight(8000)}};
+  const CatenaryRope rope{.length = 105, .weight = 30, .stiffness = 2e7};
+  const std::vector<PointLoad> loads{{.s = 40, .force = Vector3(500, 2000, -20000)}, {.s = 70, .force = weight(8000)}};
   const LoadedSpan s = *solve_loaded_span(rope, {90, 20, 30}, loads);
   const int n = 4200;  // loads lie on nodes
   const double l = rope.length / n;
@@ -146,10 +149,10 @@ RC_GTEST_PROP(LoadedSpan, StiffnessAndLengthRatesAreDerivatives, ()) {
 }
 
 TEST(LoadedSpan, TakesLoadsAtItsEndsAndInAnyOrder) {
-  const CatenaryRope rope{105, 30, 2e7};
+  const CatenaryRope rope{.length = 105, .weight = 30, .stiffness = 2e7};
   const Vector3 chord(90, 20, 30);
   const LoadedSpan plain = *solve_loaded_span(rope, chord, {});
-  const std::vector<PointLoad> ends{{105, weight(700)}, {0, weight(900)}};
+  const std::vector<PointLoad> ends{{.s = 105, .force = weight(700)}, {.s = 0, .force = weight(900)}};
   const LoadedSpan s = *solve_loaded_span(rope, chord, ends);
   EXPECT_LT((force_on_start(s) - force_on_start(plain) - weight(900)).norm(), 1e-9 * largest_tension(s));
   EXPECT_LT((force_on_end(s) - force_on_end(plain) - weight(700)).norm(), 1e-9 * largest_tension(s));
@@ -158,8 +161,8 @@ TEST(LoadedSpan, TakesLoadsAtItsEndsAndInAnyOrder) {
 }
 
 TEST(LoadedSpan, HangsStraightDown) {
-  const CatenaryRope rope{10, 5, 1e4};
-  const LoadedSpan s = *solve_loaded_span(rope, {0, 0, -12}, std::vector{PointLoad{4, weight(300)}});
+  const CatenaryRope rope{.length = 10, .weight = 5, .stiffness = 1e4};
+  const LoadedSpan s = *solve_loaded_span(rope, {0, 0, -12}, std::vector{PointLoad{.s = 4, .force = weight(300)}});
   // stretch 2 m = (weight below each point, and the end's pull F) over EA
   const double F = (2 - (5 * 50 + 4 * 300) / 1e4) / (10 / 1e4);
   EXPECT_NEAR(force_on_end(s).z(), F, 1e-6);

@@ -20,8 +20,8 @@ RopeUse hoist_rope() {
   use.rope.trust = catalogue::Trust::verified;
   use.tension = 40e3;
   use.where = "hoist";
-  use.bends = {{"head", BendKind::sheave, 0.32, 36e3, 3.0, 1}};
-  use.ends = {{"hook", 30e3}};
+  use.bends = {{.name = "head", .kind = BendKind::sheave, .diameter = 0.32, .tension = 36e3, .wrap = 3.0, .side = 1}};
+  use.ends = {{.name = "hook", .tension = 30e3}};
   return use;
 }
 
@@ -38,8 +38,8 @@ double value_of(const RopeChecks& all, const std::string& name) {
 
 TEST(RopeCheck, strength_at_every_place) {
   RopeRules rules;
-  rules.safety_factors = {{3.5, "a rule", "verified"}};
-  rules.termination = Limit{0.8, "wedge", "verified"};
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
+  rules.termination = Limit{.value = 0.8, .rule = "wedge", .trust = "verified"};
   const RopeChecks all = check_rope(hoist_rope(), rules);
   EXPECT_DOUBLE_EQ(value_of(all, "hoist.safety_factor"), 4.0);
   EXPECT_NEAR(value_of(all, "hoist.termination"), 0.8 * 160 / 30, 1e-12);
@@ -56,7 +56,7 @@ TEST(RopeCheck, the_worst_sheave_governs) {
   use.bends.push_back({"small", BendKind::sheave, 0.08, 35e3, 1.0, 1});
   use.bends.push_back({"touched", BendKind::sheave, 0.01, 40e3, 0.0, 1});  // does not bend it
   RopeRules rules;
-  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
   const RopeChecks all = check_rope(use, rules);
   EXPECT_NEAR(value_of(all, "hoist.on_sheave"), (1 - 0.5 / std::sqrt(5)) * 160 / 35, 1e-12);
   EXPECT_EQ(
@@ -66,10 +66,10 @@ TEST(RopeCheck, the_worst_sheave_governs) {
 
 TEST(RopeCheck, a_crane_factor_has_the_bending_in_it) {
   RopeRules rules;
-  rules.safety_factors = {{4.5, "ISO 4308-1", "verified"}};
+  rules.safety_factors = {{.value = 4.5, .rule = "ISO 4308-1", .trust = "verified"}};
   rules.factor_covers_bending = true;
-  rules.termination = Limit{0.75, "wedge", "verified"};
-  rules.least_termination = Limit{0.8, "at least", "UNVERIFIED: recalled"};
+  rules.termination = Limit{.value = 0.75, .rule = "wedge", .trust = "verified"};
+  rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "UNVERIFIED: recalled"};
   const RopeChecks all = check_rope(hoist_rope(), rules);
   EXPECT_EQ(find(all, "hoist.on_sheave"), nullptr);
   EXPECT_FALSE(find(all, "hoist.safety_factor")->passes);
@@ -80,8 +80,8 @@ TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
   RopeUse use = hoist_rope();
   RopeRules rules;
   rules.dynamic_factor = 1.5;
-  rules.elastic_share = Limit{0.6, "share", "user"};
-  rules.dynamic_safety = Limit{2.0, "own", "user"};
+  rules.elastic_share = Limit{.value = 0.6, .rule = "share", .trust = "user"};
+  rules.dynamic_safety = Limit{.value = 2.0, .rule = "own", .trust = "user"};
   EXPECT_DOUBLE_EQ(value_of(check_rope(use, rules), "hoist.elastic_limit"), 60e3);
   use.peak = 97e3;
   use.peak_where = "load drop";
@@ -95,8 +95,8 @@ TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
 TEST(RopeCheck, what_no_rule_and_no_drum_answers) {
   RopeRules rules;
   rules.runs = true;
-  rules.fleet_angle = Limit{0.03, "smooth", "user"};
-  rules.layers = Limit{3, "grooved", "user"};
+  rules.fleet_angle = Limit{.value = 0.03, .rule = "smooth", .trust = "user"};
+  rules.layers = Limit{.value = 3, .rule = "grooved", .trust = "user"};
   rules.rated_pull = 50e3;
   RopeUse use = hoist_rope();
   const auto reported = [&](const std::string& words) {
@@ -108,11 +108,12 @@ TEST(RopeCheck, what_no_rule_and_no_drum_answers) {
   EXPECT_EQ(reported("D/d"), 0) << "nobody asked for it";
   EXPECT_EQ(check_rope(use, rules).remarks.size(), 1U);
   EXPECT_EQ(reported("it ends on no drum"), 3);
-  use.drums = {{"winch", 40e3, 0.01, {}, {}, {}}};
+  use.drums = {
+      {.name = "winch", .tension = 40e3, .fleet_angle = 0.01, .layers = {}, .first_radius = {}, .last_radius = {}}};
   EXPECT_EQ(reported("'face_width'"), 2);  // the fleet angle is known
   use.drums[0].layers = 2;
   EXPECT_EQ(reported("'face_width'"), 0);
-  rules.sheave_ratios = {{18, "ladder", "user"}};
+  rules.sheave_ratios = {{.value = 18, .rule = "ladder", .trust = "user"}};
   EXPECT_EQ(reported("D/d"), 0);
 }
 
@@ -122,7 +123,7 @@ TEST(RopeCheck, a_recalled_dynamic_factor_is_told) {
   RopeRules rules;
   rules.dynamic_factor = 1.5;
   rules.dynamic_trust = "UNVERIFIED: phi2 recalled";
-  rules.dynamic_safety = Limit{2.0, "own", "user"};
+  rules.dynamic_safety = Limit{.value = 2.0, .rule = "own", .trust = "user"};
   EXPECT_EQ(find(check_rope(use, rules), "hoist.dynamic_safety_factor")->trust, "UNVERIFIED: phi2 recalled");
   use.peak = 97e3;
   EXPECT_EQ(find(check_rope(use, rules), "hoist.dynamic_safety_factor")->trust, "user");
@@ -130,10 +131,10 @@ TEST(RopeCheck, a_recalled_dynamic_factor_is_told) {
 
 TEST(RopeCheck, heat_takes_strength_and_its_trust) {
   RopeRules rules;
-  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
   rules.temperature = 423.15;
-  rules.hottest = Limit{473.15, "steel core", "UNVERIFIED: recalled"};
-  rules.heat_strength = Limit{0.9, "up to 200 degC", "UNVERIFIED: recalled"};
+  rules.hottest = Limit{.value = 473.15, .rule = "steel core", .trust = "UNVERIFIED: recalled"};
+  rules.heat_strength = Limit{.value = 0.9, .rule = "up to 200 degC", .trust = "UNVERIFIED: recalled"};
   const RopeChecks all = check_rope(hoist_rope(), rules);
   EXPECT_DOUBLE_EQ(value_of(all, "hoist.safety_factor"), 3.6);
   EXPECT_TRUE(find(all, "hoist.safety_factor")->trust.starts_with("UNVERIFIED"));
@@ -146,15 +147,15 @@ TEST(RopeCheck, an_unverified_breaking_force_is_told) {
   RopeUse use = hoist_rope();
   use.rope.trust = catalogue::Trust::unverified;
   RopeRules rules;
-  rules.safety_factors = {{3.5, "a rule", "verified"}};
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
   EXPECT_TRUE(find(check_rope(use, rules), "hoist.safety_factor")->trust.starts_with("UNVERIFIED"));
 }
 
 TEST(RopeCheck, wire_stress_and_groove) {
   RopeRules rules;
-  rules.wire = Limit{0.05, "d/20", "user"};
+  rules.wire = Limit{.value = 0.05, .rule = "d/20", .trust = "user"};
   rules.bending_modulus = 80e9;
-  rules.groove_pressure = Limit{10e6, "cast iron", "user"};
+  rules.groove_pressure = Limit{.value = 10e6, .rule = "cast iron", .trust = "user"};
   const RopeChecks all = check_rope(hoist_rope(), rules);
   EXPECT_NEAR(value_of(all, "hoist.wire_stress"), 36e3 / 117.76e-6 + 80e9 * 0.0008 / 0.32, 1);
   EXPECT_NEAR(value_of(all, "hoist.groove_pressure"), 2 * 36e3 / (0.016 * 0.32), 1e-3);
@@ -163,11 +164,12 @@ TEST(RopeCheck, wire_stress_and_groove) {
 
 TEST(RopeCheck, drum_pull_in_the_last_layer) {
   RopeUse use = hoist_rope();
-  use.drums = {{"winch", 38e3, 0.02, 3, 0.2, 0.232}};
+  use.drums = {
+      {.name = "winch", .tension = 38e3, .fleet_angle = 0.02, .layers = 3, .first_radius = 0.2, .last_radius = 0.232}};
   RopeRules rules;
   rules.rated_pull = 45e3;
-  rules.fleet_angle = Limit{0.0262, "smooth", "UNVERIFIED: recalled"};
-  rules.layers = Limit{3, "grooved", "verified"};
+  rules.fleet_angle = Limit{.value = 0.0262, .rule = "smooth", .trust = "UNVERIFIED: recalled"};
+  rules.layers = Limit{.value = 3, .rule = "grooved", .trust = "verified"};
   const RopeChecks all = check_rope(use, rules);
   EXPECT_NEAR(find(all, "hoist.last_layer_pull")->limit, 45e3 * 0.2 / 0.232, 1e-9);
   EXPECT_TRUE(find(all, "hoist.last_layer_pull")->passes);
@@ -180,8 +182,8 @@ TEST(RopeCheck, what_is_not_known_is_told) {
   use.rope.breaking_force = 0;
   use.rope.diameter = 0;
   RopeRules rules;
-  rules.safety_factors = {{3.5, "a rule", "verified"}};
-  rules.sheave_ratios = {{20, "a rule", "verified"}};
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
+  rules.sheave_ratios = {{.value = 20, .rule = "a rule", .trust = "verified"}};
   const RopeChecks all = check_rope(use, rules);
   EXPECT_TRUE(all.checks.empty());
   EXPECT_EQ(all.left_out.size(), 2U);
@@ -191,7 +193,7 @@ TEST(RopeCheck, what_is_not_known_is_told) {
 TEST(RopeCheck, en13001) {
   RopeUse use = hoist_rope();
   RopeRules rules;
-  rules.resistance = Limit{0, "EN 13001-3-2", "UNVERIFIED: recalled"};
+  rules.resistance = Limit{.value = 0, .rule = "EN 13001-3-2", .trust = "UNVERIFIED: recalled"};
   rules.dynamic_factor = 1.2;
   rules.fatigue_history = 8;
   const RopeChecks all = check_rope(use, rules);

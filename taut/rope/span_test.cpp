@@ -63,7 +63,7 @@ TEST(Span, ThreeThousandTurnedAndMirrored) {
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(source); };
   for (int i = 0; i < 3000; ++i) {
     const double c = in(10, 1000), slope = in(-1.1, 1.1);
-    const CatenaryRope rope{c * in(0.98, 1.5), in(1, 200), std::pow(10, in(6, 9))};
+    const CatenaryRope rope{.length = c * in(0.98, 1.5), .weight = in(1, 200), .stiffness = std::pow(10, in(6, 9))};
     const Vector3 chord(c * std::cos(slope), 0, c * std::sin(slope));
     const auto here = solve_span(rope, chord);
     ASSERT_TRUE(here) << i;
@@ -111,7 +111,7 @@ RC_GTEST_PROP(Span, StiffnessAndRatesAreDerivatives, ()) {
 
 TEST(Span, WeightlessAndTautIsASpringInSpace) {
   const Vector3 chord(9, -6, 4);
-  const Span s = *solve_span({11, 0, 1e6}, chord);
+  const Span s = *solve_span({.length = 11, .weight = 0, .stiffness = 1e6}, chord);
   const double c = chord.norm(), T = 1e6 * (c - 11) / 11;
   const Vector3 e = chord / c;
   EXPECT_LT((force_on_start(s) - T * e).norm(), 1e-8);
@@ -122,7 +122,7 @@ TEST(Span, WeightlessAndTautIsASpringInSpace) {
 }
 
 TEST(Span, WeightlessAndSlackCarriesNothing) {
-  const Span s = *solve_span({12, 0, 1e6}, {9, -6, 4});
+  const Span s = *solve_span({.length = 12, .weight = 0, .stiffness = 1e6}, {9, -6, 4});
   EXPECT_TRUE(s.slack);
   EXPECT_EQ(force_on_start(s).norm() + force_on_end(s).norm(), 0);
   EXPECT_EQ(stiffness(s).norm(), 0);
@@ -139,7 +139,7 @@ TEST(Span, SaysWhyThereIsNone) {
 }
 
 TEST(Span, HangsInAVerticalLine) {
-  const Span s = *solve_span({10, 5, 1e4}, {0, 0, -12});
+  const Span s = *solve_span({.length = 10, .weight = 5, .stiffness = 1e4}, {0, 0, -12});
   EXPECT_LT((force_on_start(s) - Vector3(0, 0, -2000 - 25)).norm(), 1e-9);
   const Matrix3 K = stiffness(s);
   EXPECT_NEAR(K(2, 2), 1e3, 1e-9);
@@ -148,7 +148,7 @@ TEST(Span, HangsInAVerticalLine) {
 }
 
 TEST(Span, SagsAsItsCatenary) {
-  const Span s = *solve_span({100, 9.81, 1e7}, {48, 64, 0});
+  const Span s = *solve_span({.length = 100, .weight = 9.81, .stiffness = 1e7}, {48, 64, 0});
   EXPECT_NEAR(largest_sag(s), 26.547034967, 1e-8);
   EXPECT_NEAR(sag_at(s, 40), 26.547034967, 1e-8);
   EXPECT_NEAR(largest_tension(s), 592.144521698, 1e-8);

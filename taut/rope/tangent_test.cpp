@@ -80,7 +80,7 @@ Pair random_pair(unsigned seed, unsigned kind) {
   if (kind == 2) from = point(from.centre);
   if (kind == 3) to = point(to.centre);
   if (kind == 4) to = sheave(to.centre, from.axis + 1e-6 * vector(), to.radius, to.side);
-  return {from, to};
+  return {.from = from, .to = to};
 }
 
 void expect_tangent(const Round& round, const Vector3& contact, const TangentLine& line, double fleet) {
@@ -151,7 +151,11 @@ Round moved(const Round& r, const Vector3& shift, const Vector3& rotation) {
   const Matrix3 turn =
       angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() : Matrix3(Matrix3::Identity());
   return r.radius == 0 ? point(r.centre + shift)
-                       : Round{r.centre + shift, turn * r.axis, turn * r.zero, r.radius, r.side};
+                       : Round{.centre = r.centre + shift,
+                               .axis = turn * r.axis,
+                               .zero = turn * r.zero,
+                               .radius = r.radius,
+                               .side = r.side};
 }
 
 TEST(Tangent, RatesAreDerivatives) {

@@ -23,7 +23,7 @@ std::optional<BeamStability> pressed(const machine::Model& m, const Vector3& for
   const mechanics::Layout layout = mechanics::layout(m, state, std::nullopt, no_flow(m));
   mechanics::Configuration c = configuration_of(layout, state);
   for (machine::PieceState& piece : c.pieces) piece.force = force;
-  return beam_stability({m, layout}, c, factors);
+  return beam_stability({.model = m, .layout = layout}, c, factors);
 }
 
 /// A strut along `axis` whose far end slides along it.
@@ -34,7 +34,7 @@ machine::Model strut(BeamHold base, BeamTop top, const Vector3& axis, double len
   m.bodies.push_back(slide);
   machine::StraightBeam b;
   b.name = "strut";
-  b.to = {0, Vector3::Zero()};
+  b.to = {.body = 0, .at = Vector3::Zero()};
   b.section = structure::tube_section(0.2, 0.008);
   b.section.EI_y *= 1.5;  // it buckles towards x
   b.section.EA *= 1e5;    // and keeps its length
@@ -51,10 +51,10 @@ TEST(BeamStability, StrutsBuckleAtTheTextbooksLoads) {
     BeamHold base;
     BeamTop top;
     double kl;
-  } cases[] = {{BeamHold::hinged, BeamTop::hinged, pi},
-               {BeamHold::clamped, BeamTop::hinged, clamped_hinged},
-               {BeamHold::hinged, BeamTop::clamped, clamped_hinged},
-               {BeamHold::clamped, BeamTop::clamped, 2 * pi}};
+  } cases[] = {{.base = BeamHold::hinged, .top = BeamTop::hinged, .kl = pi},
+               {.base = BeamHold::clamped, .top = BeamTop::hinged, .kl = clamped_hinged},
+               {.base = BeamHold::hinged, .top = BeamTop::clamped, .kl = clamped_hinged},
+               {.base = BeamHold::clamped, .top = BeamTop::clamped, .kl = 2 * pi}};
   for (const Vector3& axis : {Vector3(0, 0, 1), Vector3(0.48, 0.6, 0.64)}) {
     for (const auto& [base, top, kl] : cases) {
       const double critical = kl * kl * EI / (length * length);

@@ -36,7 +36,7 @@ struct SetByHand {
     layout = mechanics::layout(m, state, std::nullopt, taut_test::no_flow(m));
     c = taut_test::configuration_of(layout, state);
   }
-  mechanics::System system() const { return {m, layout}; }
+  mechanics::System system() const { return {.model = m, .layout = layout}; }
 };
 
 TEST(BeamTables, PointsOfACantileverAreTheTextbooks) {

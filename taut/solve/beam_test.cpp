@@ -35,7 +35,7 @@ machine::Model cantilever(BeamOrder order, const Vector3& force, double EA_facto
   b.section.EA *= EA_factor;
   b.order = order;
   machine::add_beam(m, b);
-  m.loads.push_back({{static_cast<int>(m.bodies.size()) - 1, Vector3::Zero()}, force});
+  m.loads.push_back({{.body = static_cast<int>(m.bodies.size()) - 1, .at = Vector3::Zero()}, force});
   return m;
 }
 
@@ -94,7 +94,7 @@ TEST(Beam, HingedMastHeldAtItsTopBucklesAtEulersLoad) {
                                20 * (1 - 1e-6), 0, 1e10));
   }
   for (const double share : {0.5, 0.97}) {
-    m.loads = {{{0, Vector3::Zero()}, {0, 0, -share * euler(b.section, 8)}}};
+    m.loads = {{.at = {.body = 0, .at = Vector3::Zero()}, .force = {0, 0, -share * euler(b.section, 8)}}};
     const auto r = solve::equilibrium(m);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.beams[0].critical_factor, 1 / share, 1e-3 / share);
@@ -112,7 +112,7 @@ TEST(Beam, UpsideDownOnAHingeItFalls) {
   const auto r = solve::equilibrium(m);
   EXPECT_EQ(r.outcome.status, taut::Status::infeasible);
   EXPECT_NE(r.outcome.message.find("mast"), std::string::npos) << r.outcome.message;
-  m.loads.push_back({{0, Vector3::Zero()}, {300, 0, 0}});  // pushed, it comes to rest hanging
+  m.loads.push_back({{.body = 0, .at = Vector3::Zero()}, {300, 0, 0}});  // pushed, it comes to rest hanging
   const auto pushed = solve::equilibrium(m);
   EXPECT_EQ(pushed.outcome.status, taut::Status::infeasible);
   EXPECT_NE(pushed.outcome.message.find("'mast'"), std::string::npos) << pushed.outcome.message;
@@ -165,8 +165,8 @@ machine::Model slewed(double angle, bool mirrored, double stiffer = 1) {
   guy("g2", {-12, -6, -1}, 1, {0, 0, 0}, 18.7);
   guy("g3", {4, 12, 0}, 0, {0.1, 0.2, 0}, 16.5);
   guy("g4", {4, -12, 0}, 0, {0.1, -0.2, 0}, 16.5);
-  m.loads = {{{1, Vector3::Zero()}, turn * Vector3(40e3, 8e3, -60e3)},
-             {{0, turn * Vector3(0.3, 0, 0)}, turn * Vector3(5e3, 0, -20e3)}};
+  m.loads = {{.at = {.body = 1, .at = Vector3::Zero()}, .force = turn * Vector3(40e3, 8e3, -60e3)},
+             {.at = {.body = 0, .at = turn * Vector3(0.3, 0, 0)}, .force = turn * Vector3(5e3, 0, -20e3)}};
   return m;
 }
 
@@ -195,9 +195,9 @@ TEST(Beam, VeryStiffItIsARigidBody) {
   rigid.bodies[0].centre = {0, 0, 6};
   for (auto& rope : rigid.reevings) {
     auto& place = rope.nodes[1].at;
-    place = {0, place.at + Vector3(0, 0, place.body == 0 ? 10.8 : 12)};
+    place = {.body = 0, .at = place.at + Vector3(0, 0, place.body == 0 ? 10.8 : 12)};
   }
-  for (auto& load : rigid.loads) load.at = {0, load.at.at + Vector3(0, 0, load.at.body == 0 ? 10.8 : 12)};
+  for (auto& load : rigid.loads) load.at = {.body = 0, .at = load.at.at + Vector3(0, 0, load.at.body == 0 ? 10.8 : 12)};
   // with the lugs on the axis nothing turns it
   const auto centred = [](machine::Model m) {
     for (auto& rope : m.reevings) rope.nodes[1].at.at.x() = rope.nodes[1].at.at.y() = 0;
@@ -218,13 +218,13 @@ TEST(Beam, TripodOfStrutsCarriesByItsLines) {
     machine::StraightBeam b = mast(1, structure::tube_section(0.1, 0.005));
     b.name = "leg" + std::to_string(i);
     b.from.at = {3 * std::cos(angle), 3 * std::sin(angle), 0};
-    b.to = {0, Vector3::Zero()};
+    b.to = {.body = 0, .at = Vector3::Zero()};
     b.base = machine::BeamHold::hinged;
     b.top = machine::BeamTop::hinged;
     b.section.EA *= 1e6;
     machine::add_beam(m, b);
   }
-  m.loads.push_back({{0, Vector3::Zero()}, {0, 0, -90e3}});
+  m.loads.push_back({{.body = 0, .at = Vector3::Zero()}, {0, 0, -90e3}});
   const auto r = solve::equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const double N = 90e3 / 3 * std::sqrt(45.0) / 6;
@@ -242,14 +242,14 @@ TEST(Beam, BowedStrutIsTheTextbooks) {
   const double N = 60e3, L = 6, share = 1.0 / 300;
   m.bodies.push_back(body("slide", {0, 0, L}, 0, "z"));
   machine::StraightBeam b = mast(1, structure::tube_section(0.1, 0.005));
-  b.to = {0, Vector3::Zero()};
+  b.to = {.body = 0, .at = Vector3::Zero()};
   b.base = machine::BeamHold::hinged;
   b.top = machine::BeamTop::hinged;
   b.bow = share;
   b.sense = {0.6, 0.8, 0};
   b.section.EA *= 1e6;
   machine::add_beam(m, b);
-  m.loads.push_back({{0, Vector3::Zero()}, {0, 0, -N}});
+  m.loads.push_back({{.body = 0, .at = Vector3::Zero()}, {0, 0, -N}});
   const auto r = solve::equilibrium(m);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   // e/(1 - N/N_cr), Ayrton and Perry; flat: 1e-4 of the slope squared

@@ -33,7 +33,7 @@ TransientOptions started(Start start, double duration, int outputs) {
 /// Sliding from the start on, without inertia.
 TransientOptions sliding(double duration, int steps, double by = 0.1) {
   TransientOptions o = slowly(duration, steps, Start::sliding);
-  o.slid = {Slid{false, 0, by}};
+  o.slid = {Slid{.drum = false, .index = 0, .by = by}};
   return o;
 }
 

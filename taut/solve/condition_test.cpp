@@ -21,7 +21,7 @@ TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
   machine::Model m;
   m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 3}), anchor("b", {120, 0, 3})}, 121, 12, inf));
   for (const double f : {0.5, 4.0, 30.0}) {
-    const Conditioned c = equilibrium_under(m, {Kind::sag_of_span, 0, f, 0});
+    const Conditioned c = equilibrium_under(m, {.kind = Kind::sag_of_span, .reeving = 0, .value = f, .span = 0});
     ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
     double low = 1, high = 1e5;
     for (int i = 0; i < 200; ++i) {
@@ -37,25 +37,28 @@ TEST(Condition, TheSagOfALevelSpanIsTheCatenarys) {
 TEST(Condition, BySagByLengthAndByTensionAreOneState) {
   const machine::Model m = with_carriage(true, 0.1, 1500);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   options.band = false;
   for (const double sag : {6.0, 12.0}) {
-    const Conditioned by_sag = equilibrium_under(m, {Kind::sag_at_carriage, 0, sag, 0}, options);
+    const Conditioned by_sag =
+        equilibrium_under(m, {.kind = Kind::sag_at_carriage, .reeving = 0, .value = sag, .span = 0}, options);
     ASSERT_TRUE(by_sag.result.outcome.ok()) << by_sag.result.outcome.message;
     EXPECT_NEAR(sag_of_carriage(by_sag.model, by_sag.result, 0), sag, 1e-8);
     const auto& spans = by_sag.result.branches;
-    const Conditioned by_tension = equilibrium_under(m, {Kind::tension_at_start, 0, spans.front().T_from, 0}, options);
+    const Conditioned by_tension = equilibrium_under(
+        m, {.kind = Kind::tension_at_start, .reeving = 0, .value = spans.front().T_from, .span = 0}, options);
     ASSERT_TRUE(by_tension.result.outcome.ok());
     EXPECT_NEAR(sag_of_carriage(m, by_tension.result, 0), sag, 1e-6);
     EXPECT_NEAR(by_tension.result.ropes[0].unstretched, by_sag.result.ropes[0].unstretched, 1e-7);
-    const Conditioned by_length =
-        equilibrium_under(m, {Kind::length, 0, by_sag.result.ropes[0].unstretched, 0}, options);
+    const Conditioned by_length = equilibrium_under(
+        m, {.kind = Kind::length, .reeving = 0, .value = by_sag.result.ropes[0].unstretched, .span = 0}, options);
     EXPECT_NEAR(sag_of_carriage(m, by_length.result, 0), sag, 1e-6);
     // the same where the tension is what is given and what follows
     machine::Model pulled = m;
     pulled.reevings[0].given = machine::Given::tension_at_end;
     pulled.reevings[0].value = 30e3;
-    const Conditioned as_tension = equilibrium_under(pulled, {Kind::sag_at_carriage, 0, sag, 0}, options);
+    const Conditioned as_tension =
+        equilibrium_under(pulled, {.kind = Kind::sag_at_carriage, .reeving = 0, .value = sag, .span = 0}, options);
     ASSERT_TRUE(as_tension.result.outcome.ok()) << as_tension.result.outcome.message;
     EXPECT_NEAR(as_tension.result.ropes[0].unstretched, by_sag.result.ropes[0].unstretched, 1e-6);
   }
@@ -64,9 +67,10 @@ TEST(Condition, BySagByLengthAndByTensionAreOneState) {
 TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
   const machine::Model m = with_carriage(false, 0, 1500);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 130};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 130};
   options.band = false;
-  const Conditioned c = equilibrium_under(m, {Kind::free_running, 0, 0, 0}, options);
+  const Conditioned c =
+      equilibrium_under(m, {.kind = Kind::free_running, .reeving = 0, .value = 0, .span = 0}, options);
   ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
   EXPECT_LT(c.result.hold.norm(), 1e-3);
   const EquilibriumResult let_go = equilibrium(c.model, {}, c.result.state);
@@ -77,8 +81,9 @@ TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
 TEST(Condition, SaysWhenNoneFits) {
   const machine::Model m = with_carriage(true, 0.1, 1500);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
-  const Conditioned c = equilibrium_under(m, {Kind::sag_at_carriage, 0, 1e5, 0}, options);
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
+  const Conditioned c =
+      equilibrium_under(m, {.kind = Kind::sag_at_carriage, .reeving = 0, .value = 1e5, .span = 0}, options);
   EXPECT_EQ(c.result.outcome.status, taut::Status::infeasible);
   EXPECT_NE(c.result.outcome.message.find("no length of 'skyline' found with this sag"), std::string::npos)
       << c.result.outcome.message;
@@ -96,14 +101,14 @@ Loop running_loop(double EA, double eta) {
   RunningLoop& l = all.loop;
   l.span = 200;
   l.rise = 15;
-  l.traction_rope = {14, 1.5 * EA};
-  l.return_rope = {10, EA};
+  l.traction_rope = {.weight = 14, .stiffness = 1.5 * EA};
+  l.return_rope = {.weight = 10, .stiffness = EA};
   l.efficiency = eta;
   l.pull_z = -20e3;
   l.pull_x = 8e3;
   machine::Model& m = all.machine;
   m.bodies.push_back(body("car", {90, 0, -5}, 0, "xyz"));
-  m.loads.push_back({{0, origin}, {8e3, 0, -20e3}});
+  m.loads.push_back({{.body = 0, .at = origin}, {8e3, 0, -20e3}});
   machine::Node tail = over("tail", {200, 0, 15});
   tail.law.efficiency = eta;
   m.reevings.push_back(
@@ -117,13 +122,14 @@ TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
   for (const double EA : {5e6, 2e7}) {
     const Loop both = running_loop(EA, 0.9);
     EquilibriumOptions options;
-    options.prescribed = machine::Prescribed{0, 90};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = 90};
     options.motion = Motion::in;
     options.flow = {{0, 0, 1, 0},
                     {0, 0}};  // in-haul: the return rope runs from the upper branch over B to the lower one
     LoopState by_sag;
     ASSERT_TRUE(solve_loop(both.loop, {90, 11}, by_sag).ok());
-    const Conditioned c = equilibrium_under(both.machine, {Kind::sag_at_carriage, 0, 11, 0}, options);
+    const Conditioned c =
+        equilibrium_under(both.machine, {.kind = Kind::sag_at_carriage, .reeving = 0, .value = 11, .span = 0}, options);
     ASSERT_TRUE(c.result.outcome.ok()) << c.result.outcome.message;
     const auto& spans = c.result.branches;  // head-car, car-tail, tail-car, winch-car
     ASSERT_EQ(spans.size(), 4U);
@@ -132,14 +138,16 @@ TEST(Condition, TheModesOfARunningSkylineAreThoseOfTheClosedLoop) {
     // the winch's pull given
     LoopSag pulled;
     ASSERT_TRUE(find_loop_sag(both.loop, 90, LoopGiven::tension_at_A, 45e3, pulled).ok());
-    const Conditioned p = equilibrium_under(both.machine, {Kind::tension_of, 0, 45e3, 0, {1}}, options);
+    const Conditioned p = equilibrium_under(
+        both.machine, {.kind = Kind::tension_of, .reeving = 0, .value = 45e3, .span = 0, .of = {1}}, options);
     ASSERT_TRUE(p.result.outcome.ok()) << p.result.outcome.message;
     EXPECT_NEAR(p.result.branches[3].T_from, 45e3, 1e-3);
     EXPECT_NEAR(sag_of_carriage(p.model, p.result, 0), pulled.sag, 1e-5);
     // the length of the whole loop given
     LoopSag looped;
     ASSERT_TRUE(find_loop_sag(both.loop, 90, LoopGiven::length, 403, looped).ok());
-    const Conditioned l = equilibrium_under(both.machine, {Kind::length_of, 0, 403, 0, {0, 1}}, options);
+    const Conditioned l = equilibrium_under(
+        both.machine, {.kind = Kind::length_of, .reeving = 0, .value = 403, .span = 0, .of = {0, 1}}, options);
     ASSERT_TRUE(l.result.outcome.ok()) << l.result.outcome.message;
     EXPECT_NEAR(l.result.ropes[0].unstretched + l.result.ropes[1].unstretched, 403, 1e-8);
     EXPECT_NEAR(sag_of_carriage(l.model, l.result, 0), looped.sag, 1e-5);

@@ -64,8 +64,8 @@ TEST(Continuation, FindsTheTurningPointOfAnOverhungLoad) {
     b.orientation << std::cos(0.05), 0, std::sin(0.05), 0, 1, 0, -std::sin(0.05), 0, std::cos(0.05);
     m.bodies.push_back(b);
     m.reevings.push_back(reeve("stay", {anchor("back", {-3, 0, 0}), anchor_on("tip", 0, {0, 0, 4})}, 5.0, 0, 200e3));
-    m.loads.push_back({{0, {0, 0, 4}}, {0, 0, -force}});
-    m.loads.push_back({{0, {0, 0, 4}}, {500, 0, 0}});
+    m.loads.push_back({{.body = 0, .at = {0, 0, 4}}, {0, 0, -force}});
+    m.loads.push_back({{.body = 0, .at = {0, 0, 4}}, {500, 0, 0}});
     return m;
   };
   // by hand: moment of the load about the hinge against that of the stay, largest force over the lean q

@@ -22,10 +22,10 @@ machine::Model saw(double force = 2500) {
   machine::Model m;
   m.bodies.push_back(body("slide", {8, 0, 0.3}, 0, "x"));
   m.bodies.push_back(body("cut", {5.2, 0, 1.05}, 0, "xyz"));
-  m.loads.push_back({{0, origin}, {14e3, 0, 0}});
+  m.loads.push_back({{.body = 0, .at = origin}, {14e3, 0, 0}});
   machine::Node drive = sheave("drive", {0, 0, 0}, 0.4, 1);
   drive.kind = machine::NodeKind::drive;
-  drive.law = {0.3, 1};
+  drive.law = {.friction = 0.3, .efficiency = 1};
   machine::Node cut = anchor_on("cut", 1);
   cut.kind = machine::NodeKind::load;
   cut.load.force = force;

@@ -10,6 +10,7 @@
 #include "taut/base/array.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/band.hpp"
 #include "taut/solve/beam_tables.hpp"
 #include "taut/solve/rest/far_loop.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
@@ -46,17 +47,6 @@ double weight_on(const machine::Model& model, int body) {
   double weight = model.bodies[body].mass * model.gravity;
   for (const machine::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
   return weight;
-}
-
-/// Whether motion changes tensions: by losses, or by the weight of rope that runs round.
-bool differs_in_motion(const machine::Model& model) {
-  for (const machine::Reeving& rope : model.reevings) {
-    if (rope.mass * rope.speed > 0) return true;
-    for (const machine::Node& node : rope.nodes) {
-      if (node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
-    }
-  }
-  return false;
 }
 
 mechanics::Configuration configuration_of(const mechanics::Layout& layout, const machine::State& state) {
@@ -466,42 +456,6 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
                           carriage.name, options.prescribed->x, mainline.name, hold.norm())};
 }
 
-/// The tensions of both directions of motion beside the answer at rest.
-void add_band(const machine::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
-  const machine::Model held = with_loads_held(model);
-  for (const Motion motion : {Motion::in, Motion::out}) {
-    EquilibriumOptions moving = options;
-    moving.motion = motion;
-    moving.held = true;  // its friction holds it at rest
-    const EquilibriumResult other = equilibrium(held, moving, result.state);
-    if (!other.outcome.ok() || other.branches.size() != result.branches.size()) {
-      result.band = false;
-      continue;
-    }
-    const auto widen = [](double& low, double& high, double T) {
-      low = std::min(low, T);
-      high = std::max(high, T);
-    };
-    for (std::size_t k = 0; k < result.branches.size(); ++k) {
-      BranchResult& branch = result.branches[k];
-      widen(branch.T_from_min, branch.T_from_max, other.branches[k].T_from);
-      widen(branch.T_to_min, branch.T_to_max, other.branches[k].T_to);
-    }
-    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
-      ContactResult& contact = result.contacts[k];
-      widen(contact.T_in_min, contact.T_in_max, other.contacts[k].T_in);
-      widen(contact.T_out_min, contact.T_out_max, other.contacts[k].T_out);
-    }
-    for (std::size_t r = 0; r < result.ropes.size(); ++r) {
-      RopeResult& rope = result.ropes[r];
-      if (other.ropes[r].T_max <= rope.T_max) continue;
-      const double unstretched = rope.unstretched;
-      rope = other.ropes[r];
-      rope.unstretched = unstretched;
-    }
-  }
-}
-
 /// Whether a mainline hangs deep: see deep_mainline_link.
 bool hangs_deep(const machine::Model& model, const Solved& s) {
   return s.outcome.ok() && deep_mainline_link({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e) >= 0;
@@ -592,10 +546,7 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
   }
   result.flow = flow;
   const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
-  if (result.outcome.ok() && band && differs_in_motion(model)) {
-    result.band = true;
-    add_band(model, options, result);
-  }
+  if (result.outcome.ok() && band && differs_in_motion(model)) add_band(model, options, result);
   return result;
 }
 

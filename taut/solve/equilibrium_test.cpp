@@ -135,7 +135,7 @@ TEST(Equilibrium, ClosedRopeWithTakeUp) {
   // a belt over a drive and an idler on a slide, pulled by 5 kN
   machine::Model m;
   m.bodies.push_back(body("slide", {3, 0, 0}, 0, "x"));
-  m.loads.push_back({{0, origin}, {5e3, 0, 0}});
+  m.loads.push_back({{.body = 0, .at = origin}, {5e3, 0, 0}});
   machine::Node drive = sheave("drive", origin, 0.3, 1);
   drive.kind = machine::NodeKind::drive;
   m.reevings.push_back(reeve("belt", {drive, sheave("idler", origin, 0.3, 1, 0.97, 0)}, 8, 0, 1e6));
@@ -170,7 +170,7 @@ TEST(Equilibrium, SlackGuyDropsOut) {
   // a pole on a hinge, leaning on the guy to its left; the right one is too long to carry
   machine::Model m;
   m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
-  m.loads.push_back({{0, {0, 0, 10}}, {1e3, 0, -5e3}});
+  m.loads.push_back({{.body = 0, .at = {0, 0, 10}}, {1e3, 0, -5e3}});
   m.reevings.push_back(reeve("left", {anchor_on("top", 0, {0, 0, 10}), anchor("a", {-10, 0, 0})}, 14.1, 0, 1e6));
   m.reevings.push_back(reeve("right", {anchor_on("top", 0, {0, 0, 10}), anchor("b", {10, 0, 0})}, 14.2, 0, 1e6));
   const EquilibriumResult r = equilibrium(m);
@@ -188,7 +188,7 @@ TEST(Equilibrium, RopesThatDoNotStretchAreTheLimitOfRopesThatHardlyDo) {
   machine::Model m = with_carriage(false);
   EquilibriumOptions options;
   for (const double x : {100.0, 150.0, 190.0}) {
-    options.prescribed = machine::Prescribed{0, x};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
     m.reevings[0].stiffness = std::numeric_limits<double>::infinity();
     const EquilibriumResult rigid = equilibrium(m, options);
     ASSERT_TRUE(rigid.outcome.ok()) << rigid.outcome.message;
@@ -212,7 +212,7 @@ TEST(Equilibrium, SaysWhatIsMissing) {
 
   machine::Model free;
   free.bodies.push_back(body("hook", {0, 0, 5}, 100, "xz"));
-  free.loads.push_back({{0, Vector3::Zero()}, {10, 0, 0}});
+  free.loads.push_back({{.body = 0, .at = Vector3::Zero()}, {10, 0, 0}});
   r = equilibrium(free);
   EXPECT_EQ(r.outcome.status, Status::infeasible);
   EXPECT_NE(r.outcome.message.find("'hook' is not held along z"), std::string::npos) << r.outcome.message;

@@ -81,7 +81,7 @@ Line random_line(unsigned seed) {
   }
   m.reevings.push_back(reeve("skyline", nodes, sky * dice.in(1.0, 1.1), std::pow(10, dice.in(0.5, 1.6)), 2e7));
   line.options.prescribed =
-      machine::Prescribed{0, p[loaded].x() + dice.in(0.1, 0.9) * (p[loaded + 1].x() - p[loaded].x())};
+      machine::Prescribed{.carriage = 0, .x = p[loaded].x() + dice.in(0.1, 0.9) * (p[loaded + 1].x() - p[loaded].x())};
   if (line.kind == 1) add_haul_rope(m, p, loaded, dice.in(1.001, 1.03));
   if (line.kind == 2) {
     m.reevings.push_back(reeve("mainline", {anchor("w", p.back()), anchor_on("car", 0)}, sky / 2, 6, 6e6));
@@ -102,7 +102,7 @@ Line moved(Line line, const taut::Matrix3& turn) {
     b.position = turn * b.position;
     b.orientation = turn * b.orientation;
     if (turn.determinant() < 0) b.orientation.col(1) *= -1;  // stays right-handed
-    for (machine::Freedom& way : b.free) way = {turn * way.along, turn * way.about};
+    for (machine::Freedom& way : b.free) way = {.along = turn * way.along, .about = turn * way.about};
   }
   for (machine::Reeving& r : line.model.reevings) {
     for (machine::Node& n : r.nodes) {

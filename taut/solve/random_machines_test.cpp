@@ -84,7 +84,7 @@ Machine random_pole(Dice& dice) {
                                      (at - Vector3(0, 0, h)).norm() * dice.in(0.99, 0.999), weight,
                                      dice.ten_to(5.5, 7.5)));
   }
-  t.model.loads.push_back({{0, {0, 0, h}}, {dice.in(-2e3, 2e3), dice.in(-2e3, 2e3), -dice.ten_to(3, 4)}});
+  t.model.loads.push_back({{.body = 0, .at = {0, 0, h}}, {dice.in(-2e3, 2e3), dice.in(-2e3, 2e3), -dice.ten_to(3, 4)}});
   t.size = h;
   return t;
 }
@@ -107,7 +107,7 @@ double worst_balance(const Machine& t, const EquilibriumResult& r) {
   };
   for (int b = 0; b < static_cast<int>(n); ++b) {
     const machine::Body& body = t.model.bodies[static_cast<std::size_t>(b)];
-    act(b, machine::in_ground(r.state, {b, body.centre}), {0, 0, -body.mass * t.model.gravity});
+    act(b, machine::in_ground(r.state, {.body = b, .at = body.centre}), {0, 0, -body.mass * t.model.gravity});
   }
   for (const machine::Load& load : t.model.loads) act(load.at.body, machine::in_ground(r.state, load.at), load.force);
   for (const BranchResult& s : r.branches) {
@@ -166,9 +166,10 @@ machine::Model transformed(machine::Model m, const Matrix3& M) {
   for (machine::Body& b : m.bodies) {
     b.position = M * b.position;
     b.centre = M * b.centre;
-    for (machine::Freedom& way : b.free) way = {turn * way.along, mirror * (turn * way.about)};
+    for (machine::Freedom& way : b.free) way = {.along = turn * way.along, .about = mirror * (turn * way.about)};
   }
-  for (machine::Load& load : m.loads) load = {{load.at.body, M * load.at.at}, turn * load.force};
+  for (machine::Load& load : m.loads)
+    load = {.at = {.body = load.at.body, .at = M * load.at.at}, .force = turn * load.force};
   for (machine::Reeving& r : m.reevings) {
     r.value *= scale;
     r.weight /= scale;

@@ -41,7 +41,8 @@ Line random_line(unsigned seed) {
           body("car", (p[at] + p[at + 1]) / 2 - Vector3(0, 0, 3), std::pow(10, dice.in(1, 4)), "xyz"));
       line.model.carriages.push_back({"car", 0, 0, static_cast<int>(nodes.size()) - 1, kind == 3 ? 1 : -1});
       if (kind >= 2) {
-        line.options.prescribed = machine::Prescribed{0, p[at].x() + dice.in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
+        line.options.prescribed =
+            machine::Prescribed{.carriage = 0, .x = p[at].x() + dice.in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
       }
     }
     if (i + 1 == spans) break;

@@ -121,7 +121,8 @@ TEST(RopeLoad, HeavyRopeAgreesWithItsDifferentialEquation) {
       ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
       EXPECT_NEAR(r.branches[0].unstretched, 0.3 * length, 1e-8);
       EXPECT_NEAR(r.branches[0].T_to - r.branches[1].T_from, sense * 700, 1e-6);
-      const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, length, {0, 0, 0, sense * 700.0, 0.3 * length});
+      const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, length,
+                                             {.q = 0, .from = 0, .to = 0, .F = sense * 700.0, .place = 0.3 * length});
       EXPECT_LT((end - Vector3(60, 8, -7)).norm(), 1e-6 * length) << length << ' ' << sense;
     }
   }
@@ -137,7 +138,7 @@ double miss_of_rate(int elements) {
   EXPECT_NEAR(
       r.branches.back().T_from - r.branches.front().T_to - 30 * (r.branches.back().start - r.branches.front().end).z(),
       40 * 0.5 * 62, 0.02 * 40 * 31);
-  const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, 62, {-40, 0.2 * 62, 0.7 * 62});
+  const Vector3 end = end_by_integration(start_pull(r), 30, 2e6, 62, {.q = -40, .from = 0.2 * 62, .to = 0.7 * 62});
   return (end - Vector3(60, 8, -7)).norm();
 }
 

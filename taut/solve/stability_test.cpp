@@ -19,7 +19,7 @@ EnergyCurvature curvature_at_rest(const machine::Model& m) {
   const EquilibriumResult r = equilibrium(m);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   const mechanics::Layout l = mechanics::layout(m, r.state, {}, {});
-  const mechanics::System system{m, l, 0};
+  const mechanics::System system{.model = m, .layout = l, .coordinate = 0};
   mechanics::Configuration c;
   c.bodies = r.state.bodies;
   for (const mechanics::Layout::Branch& k : l.branches) {
@@ -68,7 +68,7 @@ TEST(Stability, NegativeDirections) {
 machine::Model pole(double weight) {
   machine::Model m;
   m.bodies.push_back(body("pole", {0, 0, 0}, 0, "Y"));
-  m.loads.push_back({{0, {0, 0, 10}}, {0, 0, -weight}});
+  m.loads.push_back({{.body = 0, .at = {0, 0, 10}}, {0, 0, -weight}});
   for (const double side : {-1.0, 1.0}) {
     m.reevings.push_back(reeve("guy", {anchor_on("top", 0, {0, 0, 10}), anchor("a", {8 * side, 0, 0})}, 12.8, 0, 2e6));
   }

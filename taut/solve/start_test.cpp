@@ -15,7 +15,7 @@ machine::Model ropeway(double tower_diameter) {
   m.bodies.push_back(body("counterweight", {-1, 0, -8}, 11e3, "z"));
   m.bodies.push_back(body("cabin", {285, 0, 110}, 1700, "xyz"));
   machine::Node tower = sheave("tower", {150, 0, 69}, tower_diameter / 2, 1, 0);
-  tower.law = {0.08, 0};
+  tower.law = {.friction = 0.08, .efficiency = 0};
   tower.support = Vector3::UnitZ();
   m.reevings.push_back(reeve("track",
                              {anchor_on("counterweight", 0), sheave("deflection", {0, 0, 6}, 1, 1, 0.98), tower,
@@ -32,7 +32,7 @@ TEST(Start, ColdBesideASaddleOfAnySize) {
     double last = 0;
     for (double x = 410; x >= 155 + diameter; x -= 10) {
       EquilibriumOptions options;
-      options.prescribed = machine::Prescribed{0, x};
+      options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
       options.band = false;
       const EquilibriumResult r = equilibrium(m, options);
       ASSERT_TRUE(r.outcome.ok()) << diameter << " m, x " << x << ": " << r.outcome.message;

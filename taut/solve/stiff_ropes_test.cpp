@@ -89,7 +89,7 @@ TEST(StiffRopes, GivenTensionIsMetAtAnyStiffness) {
         m.reevings[0].given = given;
         m.reevings[0].value = 123456;
         for (machine::Reeving& rope : m.reevings) rope.stiffness = stiffness;
-        options.prescribed = machine::Prescribed{0, 150};
+        options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
         const EquilibriumResult r = equilibrium(m, options);
         ASSERT_TRUE(r.outcome.ok()) << stiffness << " " << r.outcome.message;
         const bool start = given == machine::Given::tension_at_start;
@@ -178,7 +178,7 @@ TEST(StiffRopes, SlackRopeWithoutWeightCarriesNothing) {
 
 TEST(StiffRopes, AnswerIsAStartForTheNextOne) {
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   machine::Model m = with_carriage(true);
   for (machine::Reeving& rope : m.reevings) rope.stiffness = rigid;
   const EquilibriumResult first = equilibrium(m, options);
@@ -198,7 +198,7 @@ TEST(StiffRopes, CarriageThatOnlyAForceHoldsHasNoEquilibriumUnlessItIsHeld) {
       reeve("line", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 0})}, 101, 5, 1e7));
   m.carriages.push_back({"car", 0, 0, 1, -1});
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 30};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 30};
   const EquilibriumResult held = equilibrium(m, options);
   ASSERT_TRUE(held.outcome.ok()) << held.outcome.message;
   EXPECT_GT(held.hold.norm(), 10);
@@ -221,13 +221,13 @@ TEST(StiffRopes, MainlineThatHardlyHasToPushIsSlack) {
   m.carriages.push_back({"car", 0, 0, 1, 1});
   EquilibriumOptions options;
   for (const double off : {1e-12, 1e-10, 1e-8}) {
-    options.prescribed = machine::Prescribed{0, 50 - off};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = 50 - off};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << off << " " << r.outcome.message;
     EXPECT_LT(r.branches[2].T_from, 1e-9 * 200 * g);
     EXPECT_NEAR(r.state.bodies[0].position.x(), 50 - off, 1e-13 * 50);
   }
-  options.prescribed = machine::Prescribed{0, 49};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 49};
   EXPECT_EQ(equilibrium(m, options).outcome.status, Status::infeasible);
 }
 

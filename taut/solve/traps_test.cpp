@@ -27,7 +27,7 @@ machine::Model line(double start, double middle, double end) {
 
 EquilibriumResult solved(const machine::Model& m) {
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 60};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 60};
   const EquilibriumResult r = equilibrium(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   return r;

@@ -23,7 +23,7 @@ struct Chain {
   };
   End end(const Eigen::Vector2d& first) const {
     const double piece = length / elements;
-    End e{{0, 0}, {0, 0}, {0, 0}};
+    End e{.at = {0, 0}, .load_at = {0, 0}, .last = {0, 0}};
     // half an element's weight hangs at the support itself
     Eigen::Vector2d pull = first + Eigen::Vector2d(0, weight * piece / 2);
     for (int i = 1; i <= elements; ++i) {
@@ -89,7 +89,7 @@ TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
       "skyline", {anchor("head", {0, 0, 0}), over("car", origin, 0), anchor("tail", {240, 0, 102})}, 262, 21, 26.6e6));
   m.carriages.push_back({"car", 0, 0, 1, -1});
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 90};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 90};
   const EquilibriumResult r = equilibrium(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   EXPECT_NEAR(r.branches[0].T_to / r.branches[1].T_from, 1, 1e-10);
@@ -118,7 +118,7 @@ double energy(const machine::Model& m, const std::vector<BranchResult>& spans, c
     const machine::Reeving& r = m.reevings[static_cast<std::size_t>(spans[k].reeving)];
     const Vector3 from = machine::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].from)].at);
     const Vector3 to = machine::in_ground(state, r.nodes[static_cast<std::size_t>(spans[k].to)].at);
-    const taut::rope::CatenaryRope rope{lengths[k], r.weight, r.stiffness};
+    const taut::rope::CatenaryRope rope{.length = lengths[k], .weight = r.weight, .stiffness = r.stiffness};
     const auto span = taut::rope::solve_span(rope, to - from);
     EXPECT_TRUE(span.has_value());
     sum += taut::rope::elastic_energy(span->rope, span->force);

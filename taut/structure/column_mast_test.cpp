@@ -13,8 +13,15 @@ namespace taut::structure::column_mast_test {
 
 ColumnMast cantilever(const char* name, double height, double down, double across) {
   ColumnMast m;
-  m.pieces = {{height, *catalogue::find_section(name), {}, 355e6, 160e6}};
-  m.combinations = {{"work", {{height, down, across, 0, 0, 0}}, {1.0}}};
+  m.pieces = {{.length = height,
+               .section = *catalogue::find_section(name),
+               .top = {},
+               .yield = 355e6,
+               .allowable_stress = 160e6}};
+  m.combinations = {
+      {.words = "work",
+       .loads = {{.height = height, .down = down, .across_y = across, .across_z = 0, .moment_y = 0, .moment_z = 0}},
+       .factors = {1.0}}};
   return m;
 }
 
@@ -102,12 +109,14 @@ TEST(ColumnMast, LoadsNearlyAtOnePlace) {
     const auto r = column_mast(m);
     return std::pair{r.critical_factor, mast_use(r.mast, r.cases).member.value};
   };
-  const auto one = use({{41, 4e3, 1e3, 0, 0, 0}});
+  const auto one = use({{.height = 41, .down = 4e3, .across_y = 1e3, .across_z = 0, .moment_y = 0, .moment_z = 0}});
   // clamped and held: 2.0457 (pi/L)^2 E I = 292.2 kN over 1.35 x 9 kN, of which 4 kN act 1 m lower
   EXPECT_GT(one.first, 292.2e3 / (1.35 * 9e3));
   EXPECT_LT(one.first, 1.05 * 292.2e3 / (1.35 * 9e3));
   for (const double apart : {1e-7, 1e-4, 3e-3, 0.03, 0.05}) {
-    const auto two = use({{41, 2e3, 500, 0, 0, 0}, {41 + apart, 2e3, 500, 0, 0, 0}});
+    const auto two =
+        use({{.height = 41, .down = 2e3, .across_y = 500, .across_z = 0, .moment_y = 0, .moment_z = 0},
+             {.height = 41 + apart, .down = 2e3, .across_y = 500, .across_z = 0, .moment_y = 0, .moment_z = 0}});
     EXPECT_NEAR(two.first / one.first, 1, 2e-4 + 0.02 * apart) << apart;
     EXPECT_NEAR(two.second / one.second, 1, 3e-3) << apart;
   }
@@ -133,8 +142,16 @@ TEST(ColumnMast, MirroredAndTurned) {
 
 TEST(ColumnMast, SteppedMastHasItsWorstSectionAboveTheStep) {
   ColumnMast m = cantilever("CHS 508x16", 12, 60e3, 25e3);
-  m.pieces = {{6, *catalogue::find_section("CHS 508x16"), {}, 355e6, {}},
-              {6, *catalogue::find_section("CHS 323.9x6.3"), {}, 355e6, {}}};
+  m.pieces = {{.length = 6,
+               .section = *catalogue::find_section("CHS 508x16"),
+               .top = {},
+               .yield = 355e6,
+               .allowable_stress = {}},
+              {.length = 6,
+               .section = *catalogue::find_section("CHS 323.9x6.3"),
+               .top = {},
+               .yield = 355e6,
+               .allowable_stress = {}}};
   const auto r = column_mast(m);
   const MastUse u = mast_use(r.mast, r.cases);
   EXPECT_EQ(u.section.at.part, 1U);
@@ -200,10 +217,13 @@ RC_GTEST_PROP(MastSizing, AgreesWithTryingAll, ()) {
   const auto mast_of = [&](const catalogue::SectionRow& row) -> std::optional<LoadedMast> {
     LoadedMast m;
     m.mast.parts.resize(1);
-    m.mast.parts[0].member.steel = {row, yield, 210e9, {}};
-    m.mast.parts[0].member.y = m.mast.parts[0].member.z = {2 * height, {}, 0.9};
-    const CrossForces f{down, side * M / height, M / height, M, side * M, 0};
-    m.cases = {{"work", {{0, 0, f, f, f}}, {}}};
+    m.mast.parts[0].member.steel = {.section = row, .yield = yield, .E = 210e9, .gamma = {}};
+    m.mast.parts[0].member.y = m.mast.parts[0].member.z = {.length = 2 * height, .critical_force = {}, .C_m = 0.9};
+    const CrossForces f{
+        .N = down, .V_y = side * M / height, .V_z = M / height, .M_y = M, .M_z = side * M, .torsion = 0};
+    m.cases = {{.words = "work",
+                .stations = {{.height = 0, .part = 0, .service = f, .design = f, .member = f}},
+                .critical_force = {}}};
     return m;
   };
   // every fifth section: a catalogue of its own
@@ -236,7 +256,7 @@ TEST(MastSizing, LightestTubeOfCaseA) {
     m.pieces[0].allowable_stress.reset();
     ColumnMastResult r = column_mast(m);
     if (!r.refused.empty()) return std::nullopt;
-    return LoadedMast{std::move(r.mast), std::move(r.cases)};
+    return LoadedMast{.mast = std::move(r.mast), .cases = std::move(r.cases)};
   };
   catalogue::SectionFilter tubes;
   tubes.shape = catalogue::SectionShape::chs;

@@ -13,8 +13,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Column prismatic(double L, double EI, double N, bool clamped = true, double top = 0) {
   Column c;
-  c.pieces = {{L, EI, {}, 0}};
-  c.loads = {{0, N, 0, 0}};
+  c.pieces = {{.length = L, .EI = EI, .EI_top = {}, .weight = 0}};
+  c.loads = {{.piece = 0, .down = N, .across = 0, .moment = 0}};
   c.clamped_base = clamped;
   c.top_stiffness = top;
   return c;
@@ -37,7 +37,9 @@ TEST(Column, CutAnywhere) {
     const double whole = critical_factor(prismatic(7, 3e7, 1e5, true, top));
     for (const double cut : {3.0, 0.02, 1e-3, 1e-4, 1e-7}) {
       Column c = prismatic(7, 3e7, 1e5, true, top);
-      c.pieces = {{3.5, 3e7, {}, 0}, {cut, 3e7, {}, 0}, {3.5 - cut, 3e7, {}, 0}};
+      c.pieces = {{.length = 3.5, .EI = 3e7, .EI_top = {}, .weight = 0},
+                  {.length = cut, .EI = 3e7, .EI_top = {}, .weight = 0},
+                  {.length = 3.5 - cut, .EI = 3e7, .EI_top = {}, .weight = 0}};
       c.loads[0].piece = 2;
       EXPECT_NEAR(critical_factor(c) / whole, 1, 3e-4) << top << " " << cut;
     }
@@ -64,8 +66,9 @@ TEST(Column, SpringAtTheTopOfAHingedColumn) {
 TEST(Column, SteppedCantilever) {
   for (const double ratio : {2.0, 4.0}) {
     Column c;
-    c.pieces = {{4, ratio * 1e7, {}, 0}, {4, 1e7, {}, 0}};
-    c.loads = {{1, 1e5, 0, 0}};
+    c.pieces = {{.length = 4, .EI = ratio * 1e7, .EI_top = {}, .weight = 0},
+                {.length = 4, .EI = 1e7, .EI_top = {}, .weight = 0}};
+    c.loads = {{.piece = 1, .down = 1e5, .across = 0, .moment = 0}};
     const double P = critical_factor(c) * 1e5;
     const double k_low = std::sqrt(P / (ratio * 1e7)), k_high = std::sqrt(P / 1e7);
     EXPECT_NEAR(std::tan(k_low * 4) * std::tan(k_high * 4), k_high / k_low, 1e-4) << ratio;
@@ -112,8 +115,12 @@ TEST(Column, BuiltCrooked) {
 
 TEST(Column, HeldTopTakesTheLoadAcross) {
   Column c = prismatic(6, 1e8, 100, true, infinite);
-  c.pieces = {{3, 1e8, {}, 0}, {3, 1e8, {}, 0}};
-  c.loads = {{1, 1, 0, 0}, {0, 0, 16e3, 0}};  // propped cantilever, load in its middle: 3 P L/16 at the clamp
+  c.pieces = {{.length = 3, .EI = 1e8, .EI_top = {}, .weight = 0}, {.length = 3, .EI = 1e8, .EI_top = {}, .weight = 0}};
+  c.loads = {{.piece = 1, .down = 1, .across = 0, .moment = 0},
+             {.piece = 0,
+              .down = 0,
+              .across = 16e3,
+              .moment = 0}};  // propped cantilever, load in its middle: 3 P L/16 at the clamp
   EXPECT_NEAR(bent_shape(c)->front().M, 3 * 16e3 * 6 / 16, 1e-1);
   c.top_stiffness = 3 * 1e8 / 216;  // as stiff as the cantilever itself: half of the prop's force
   EXPECT_NEAR(bent_shape(c)->front().M, 16e3 * 3 - 5.0 / 16 * 16e3 / 2 * 6, 1e-1);
@@ -133,8 +140,10 @@ TEST(Column, TaperIsTheLimitOfSteps) {
 
 TEST(Column, ForceAlongTheHeightCountsBelowIt) {
   Column c;
-  c.pieces = {{5, 1e11, {}, 200}, {3, 1e11, {}, 100}};
-  c.loads = {{0, 3e3, 1e3, 0}, {1, 2e3, 500, 250}};
+  c.pieces = {{.length = 5, .EI = 1e11, .EI_top = {}, .weight = 200},
+              {.length = 3, .EI = 1e11, .EI_top = {}, .weight = 100}};
+  c.loads = {{.piece = 0, .down = 3e3, .across = 1e3, .moment = 0},
+             {.piece = 1, .down = 2e3, .across = 500, .moment = 250}};
   const auto points = bent_shape(c);
   EXPECT_NEAR(points->front().N, 5e3 + 1000 + 300, 1e-9);
   EXPECT_NEAR(points->back().N, 2e3, 1e-6);

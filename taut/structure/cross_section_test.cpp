@@ -12,10 +12,10 @@
 namespace taut::structure::cross_section_test {
 
 SteelSection steel(const char* name, double yield = 355e6) {
-  return {*catalogue::find_section(name), yield, 210e9, {}};
+  return {.section = *catalogue::find_section(name), .yield = yield, .E = 210e9, .gamma = {}};
 }
 CrossForces forces(double N, double M_y, double M_z = 0, double V_z = 0, double V_y = 0, double torsion = 0) {
-  return {N, V_y, V_z, M_y, M_z, torsion};
+  return {.N = N, .V_y = V_y, .V_z = V_z, .M_y = M_y, .M_z = M_z, .torsion = torsion};
 }
 CrossSectionUse use(const SteelSection& m, const CrossForces& f) {
   Sheet<double> s;
@@ -116,29 +116,34 @@ RC_GTEST_PROP(CrossSection, SameWrittenAsComputed, ()) {
   const double yield = *rc::gen::element(235e6, 355e6, 460e6);
   const auto part = [&] { return *rc::gen::inRange(-900, 900) / 1e3; };
   const double N_pl = row.area * yield, V_pl = N_pl / 3;
-  CrossForces f{part() * N_pl,
-                part() * V_pl,
-                part() * V_pl,
-                part() * row.W_pl_y * yield,
-                part() * row.W_pl_z * yield,
-                part() * row.W_el_y * yield / 4};
+  CrossForces f{.N = part() * N_pl,
+                .V_y = part() * V_pl,
+                .V_z = part() * V_pl,
+                .M_y = part() * row.W_pl_y * yield,
+                .M_z = part() * row.W_pl_z * yield,
+                .torsion = part() * row.W_el_y * yield / 4};
   RC_PRE(section_class(row, yield, f).value < 4);
   static const Description none;
   Sheet<Num> written("test", none, nullptr);
   Sheet<double> plain;
-  const SteelSection m{row, yield, 210e9, {}};
+  const SteelSection m{.section = row, .yield = yield, .E = 210e9, .gamma = {}};
   const CrossSectionUse a = cross_section(m, f, written), b = cross_section(m, f, plain);
   RC_ASSERT(a.utilisation == b.utilisation);
   RC_ASSERT(a.shear == b.shear);
   RC_ASSERT(b.utilisation >= b.n);
   // signs don't count, and a tube has no axes
-  const auto mirrored = cross_section(m, CrossForces{f.N, -f.V_y, f.V_z, -f.M_y, f.M_z, -f.torsion}, plain);
+  const auto mirrored = cross_section(
+      m, CrossForces{.N = f.N, .V_y = -f.V_y, .V_z = f.V_z, .M_y = -f.M_y, .M_z = f.M_z, .torsion = -f.torsion}, plain);
   RC_ASSERT(mirrored.utilisation == b.utilisation);
   if (row.shape == catalogue::SectionShape::chs) {
     const double c = std::cos(0.7), s = std::sin(0.7);
     const auto turned = cross_section(m,
-                                      CrossForces{f.N, c * f.V_y - s * f.V_z, s * f.V_y + c * f.V_z,
-                                                  c * f.M_y - s * f.M_z, s * f.M_y + c * f.M_z, f.torsion},
+                                      CrossForces{.N = f.N,
+                                                  .V_y = c * f.V_y - s * f.V_z,
+                                                  .V_z = s * f.V_y + c * f.V_z,
+                                                  .M_y = c * f.M_y - s * f.M_z,
+                                                  .M_z = s * f.M_y + c * f.M_z,
+                                                  .torsion = f.torsion},
                                       plain);
     if (std::isfinite(b.utilisation)) RC_ASSERT(std::abs(turned.utilisation / b.utilisation - 1) < 1e-9);
   }

@@ -10,7 +10,13 @@ namespace taut::structure::hollow_section_test {
 using catalogue::SectionRow;
 
 HollowSizes sizes_of(const SectionRow& r) {
-  return {r.shape, r.forming, r.height, r.width, r.thickness, r.outer_radius, r.inner_radius};
+  return {.shape = r.shape,
+          .forming = r.forming,
+          .height = r.height,
+          .width = r.width,
+          .wall = r.thickness,
+          .outer_radius = r.outer_radius,
+          .inner_radius = r.inner_radius};
 }
 
 // The catalogue's rows were computed elsewhere, and 410 of them compared with a printed table.

@@ -11,9 +11,9 @@ namespace taut::structure::member_test {
 
 Member member(const char* name, double L_y, double L_z, double C_m = 0.9) {
   Member m;
-  m.steel = {*catalogue::find_section(name), 355e6, 210e9, {}};
-  m.y = {L_y, {}, C_m};
-  m.z = {L_z, {}, C_m};
+  m.steel = {.section = *catalogue::find_section(name), .yield = 355e6, .E = 210e9, .gamma = {}};
+  m.y = {.length = L_y, .critical_force = {}, .C_m = C_m};
+  m.z = {.length = L_z, .critical_force = {}, .C_m = C_m};
   return m;
 }
 CrossForces forces(double N, double M_y, double M_z = 0) {

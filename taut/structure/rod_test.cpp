@@ -18,7 +18,7 @@ RodPiece piece(BeamOrder order) {
   p.section = tube_section(0.3, 0.01);
   p.section.EI_y *= 0.6;
   p.section.weight = 700;
-  p.bow = {0.02, 12, Eigen::Vector2d(0.6, -0.8)};
+  p.bow = {.angle = 0.02, .length = 12, .towards = Eigen::Vector2d(0.6, -0.8)};
   p.order = order;
   p.from = 2, p.to = 9;
   p.steps = 40;
@@ -77,7 +77,8 @@ TEST(Rod, SecondOrderIsTheBeam) {
   RodPiece p = piece(BeamOrder::second);
   p.bow.angle = 0;
   const RodState start = start_of(BeamOrder::second);
-  const BeamState end = carry(p.section, {start.place, start.axes, start.force, start.moment}, 7, p.steps);
+  const BeamState end = carry(
+      p.section, {.place = start.place, .axes = start.axes, .force = start.force, .moment = start.moment}, 7, p.steps);
   const RodState same = along(p, start);
   EXPECT_LT((same.place - end.place).norm(), 1e-12);
   EXPECT_LT((same.axes - end.axes).norm(), 1e-12);

@@ -23,7 +23,7 @@ constexpr double g = 9.80665;
 
 solve::EquilibriumResult placed(const machine::Model& m, double x) {
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, x};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
   solve::EquilibriumResult r = solve::equilibrium(m, options);
   EXPECT_TRUE(r.outcome.ok()) << r.outcome.message;
   return r;
@@ -98,12 +98,12 @@ TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
 
 TEST(Rollers, ALoadOutsideThemLiftsTheOtherOne) {
   machine::Model m = rollers(2, 0.6, 0.2, 0, 0);
-  m.loads.push_back({{0, {0.1, 0, -0.3}}, {0, 0, -8000}});
+  m.loads.push_back({{.body = 0, .at = {0.1, 0, -0.3}}, {0, 0, -8000}});
   solve::EquilibriumResult r = placed(m, 75);
   EXPECT_EQ(r.contacts[0].state, solve::ContactState::turning);
   EXPECT_EQ(r.contacts[1].state, solve::ContactState::turning);
   // pushed forward at its lower end: it would tip up over its rear roller
-  m.loads[0] = {{0, {0, 0, -1.5}}, {-2500, 0, -3000}};
+  m.loads[0] = {.at = {.body = 0, .at = {0, 0, -1.5}}, .force = {-2500, 0, -3000}};
   r = placed(m, 75);
   EXPECT_EQ(r.contacts[0].state == solve::ContactState::pulled || r.contacts[1].state == solve::ContactState::pulled,
             true);
@@ -125,7 +125,8 @@ TEST(Rollers, TheAnswerIsStationaryInEnergy) {
         const auto& node = m.reevings[0].nodes[n];
         return node.at.body < 0 ? node.at.at : Vector3(origin_at + orientation * node.at.at);
       };
-      const auto span = taut::rope::solve_span({r.branches[k].unstretched, 18, 26e6}, end(k + 1) - end(k));
+      const auto span = taut::rope::solve_span({.length = r.branches[k].unstretched, .weight = 18, .stiffness = 26e6},
+                                               end(k + 1) - end(k));
       // by quadrature along the rope: weight times height and T^2/(2 EA)
       constexpr int parts = 400;
       for (int i = 0; i < parts; ++i) {
@@ -148,7 +149,7 @@ machine::Model hauled(double rise, double friction) {
   machine::Model m;
   m.bodies.push_back(body("car", {80, 0, 10}, 1500, "xyz"));
   machine::Node wheels = over("car", origin, 0);
-  wheels.law = friction > 0 ? machine::ContactLaw{friction, 0} : machine::ContactLaw{};
+  wheels.law = friction > 0 ? machine::ContactLaw{.friction = friction, .efficiency = 0} : machine::ContactLaw{};
   m.reevings.push_back(reeve("skyline", {anchor("head", {0, 0, 20}), wheels, anchor("tail", {200, 0, 20 + rise})},
                              203 + rise * rise / 400, 17, 26e6));
   machine::Node drive = sheave("drive", {0, 0, 17}, 0.5, -1);
@@ -182,7 +183,7 @@ TEST(FixedTo, FoundAgainByTheLengthBeforeTheGrip) {
   machine::Model m = hauled(40, 0.02);
   solve::EquilibriumOptions options;
   options.motion = solve::Motion::in;
-  options.prescribed = machine::Prescribed{0, 130};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 130};
   const solve::EquilibriumResult at = solve::equilibrium(m, options);
   ASSERT_TRUE(at.outcome.ok()) << at.outcome.message;
   double before = 0;

@@ -27,9 +27,9 @@ Catenary of_length(double length, double span) {
   double low = span / 50, high = 1e6;
   for (int i = 0; i < 300; ++i) {
     const double a = (low + high) / 2;
-    (Catenary{a, span}.length() > length ? low : high) = a;
+    (Catenary{.a = a, .span = span}.length() > length ? low : high) = a;
   }
-  return {low, span};
+  return {.a = low, .span = span};
 }
 
 TEST(Installation, FollowsTheTemperatureAsTheClosedCatenary) {
@@ -39,7 +39,8 @@ TEST(Installation, FollowsTheTemperatureAsTheClosedCatenary) {
   m.reevings.push_back(reeve("r", {anchor("a", {0, 0, 0}), anchor("b", {150, 0, 0})}, 151, 12, inf));
   for (const double dT : {-35.0, 0.0, 25.0}) {
     m.reevings[0].thermal_strain = 1.2e-5 * dT;
-    const Installation i = installation(empty_line(m, 0), {Kind::length, 0, 151, 0});
+    const Installation i =
+        installation(empty_line(m, 0), {.kind = Kind::length, .reeving = 0, .value = 151, .span = 0});
     ASSERT_TRUE(i.outcome.ok()) << i.outcome.message;
     const double warm = 151 * (1 + 1.2e-5 * dT);
     const Catenary c = of_length(warm, 150);
@@ -52,9 +53,11 @@ TEST(Installation, FollowsTheTemperatureAsTheClosedCatenary) {
     EXPECT_NEAR(i.cut, warm, 1e-9);
     EXPECT_NEAR(i.stretched, warm, 1e-9);
     // the same tension given finds the length again
-    const Installation back = installation(empty_line(m, 0), {Kind::tension_at_end, 0, i.T_end, 0});
+    const Installation back =
+        installation(empty_line(m, 0), {.kind = Kind::tension_at_end, .reeving = 0, .value = i.T_end, .span = 0});
     EXPECT_NEAR(back.unstretched, 151, 1e-6);
-    const Installation by_sag = installation(empty_line(m, 0), {Kind::sag_of_span, 0, i.sag[0], 0});
+    const Installation by_sag =
+        installation(empty_line(m, 0), {.kind = Kind::sag_of_span, .reeving = 0, .value = i.sag[0], .span = 0});
     EXPECT_NEAR(by_sag.unstretched, 151, 1e-7);
   }
 }
@@ -65,7 +68,7 @@ TEST(Installation, AnEmptyLineIsTheLineThatNeverHadACarriage) {
   ASSERT_TRUE(line.outcome.ok());
   EXPECT_EQ(line.removed, (std::vector<std::string>{"car", "mainline"}));
   ASSERT_EQ(line.model.reevings.size(), 1U);
-  const Installation i = installation(line, {Kind::length, 0, 318, 0});
+  const Installation i = installation(line, {.kind = Kind::length, .reeving = 0, .value = 318, .span = 0});
   ASSERT_TRUE(i.outcome.ok()) << i.outcome.message;
   const solve::EquilibriumResult e = solve::equilibrium(three_spans(318, 0.1));
   EXPECT_NEAR(i.T_start, e.branches.front().T_from, 1e-5);
@@ -77,9 +80,11 @@ TEST(Installation, AnEmptyLineIsTheLineThatNeverHadACarriage) {
 
 TEST(Installation, EndsSwappedIsTheSame) {
   machine::Model m = three_spans(315, 0.1);
-  const Installation there = installation(empty_line(m, 0), {Kind::tension_at_start, 0, 30e3, 0});
+  const Installation there =
+      installation(empty_line(m, 0), {.kind = Kind::tension_at_start, .reeving = 0, .value = 30e3, .span = 0});
   std::reverse(m.reevings[0].nodes.begin(), m.reevings[0].nodes.end());
-  const Installation back = installation(empty_line(m, 0), {Kind::tension_at_end, 0, 30e3, 0});
+  const Installation back =
+      installation(empty_line(m, 0), {.kind = Kind::tension_at_end, .reeving = 0, .value = 30e3, .span = 0});
   ASSERT_TRUE(there.outcome.ok());
   ASSERT_TRUE(back.outcome.ok()) << back.outcome.message;
   EXPECT_NEAR(there.unstretched, back.unstretched, 1e-8);

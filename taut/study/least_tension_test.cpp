@@ -24,7 +24,7 @@ machine::Model ring(double force, double left = 10e3, double right = 10e3) {
   m.bodies.push_back(body("ring", origin, 1, "x"));
   m.reevings.push_back(reeve("left", {anchor("a", {-20, 0, 0}), anchor_on("ring", 0)}, 20 / (1 + left / EA), 0, EA));
   m.reevings.push_back(reeve("right", {anchor_on("ring", 0), anchor("b", {20, 0, 0})}, 20 / (1 + right / EA), 0, EA));
-  if (force != 0) m.loads.push_back({{0, origin}, {force, 0, 0}});
+  if (force != 0) m.loads.push_back({{.body = 0, .at = origin}, {force, 0, 0}});
   return m;
 }
 
@@ -77,7 +77,7 @@ TEST(LeastTension, ThreeHeavyGuysUnderWindFromAllSides) {
       m.reevings.push_back(reeve("guy" + std::to_string(k), {anchor_on("top", 0), anchor("anchor", foot)},
                                  Vector3(foot - Vector3(0, 0, 12)).norm() / (1 + 20e3 / 10e6), 15, 10e6));
     }
-    if (wind > 0) m.loads.push_back({{0, origin}, {wind * std::cos(from), wind * std::sin(from), 0}});
+    if (wind > 0) m.loads.push_back({{.body = 0, .at = origin}, {wind * std::cos(from), wind * std::sin(from), 0}});
     return m;
   };
   std::vector<machine::Model> cases = {post(0, 0)};

@@ -19,9 +19,10 @@ using namespace taut::study;
 
 TEST(Clearance, OfARopeIsThatOfAFineGrid) {
   machine::Model m = with_carriage(true, 0.1, 1500);
-  m.terrain = {{-10, 2}, {40, 21}, {70, 20}, {120, 36}, {160, 30}, {230, 55}, {310, 60}};
+  m.terrain = {{.x = -10, .z = 2},  {.x = 40, .z = 21},  {.x = 70, .z = 20}, {.x = 120, .z = 36},
+               {.x = 160, .z = 30}, {.x = 230, .z = 55}, {.x = 310, .z = 60}};
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   const solve::EquilibriumResult e = solve::equilibrium(m, options);
   ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
   for (const auto& [from, to] : {std::pair{0.0, 300.0}, {60.0, 110.0}, {280.0, 100.0}, {210.0, 215.0}}) {
@@ -34,7 +35,7 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
         least = std::min(least, p.z() - ground_height(m.terrain, p.x()));
       }
     }
-    const RopeClearance low = rope_clearance(m, e.branches, 0, {Vector3::UnitX(), from, to});
+    const RopeClearance low = rope_clearance(m, e.branches, 0, {.along = Vector3::UnitX(), .from = from, .to = to});
     EXPECT_LE(low.height, least + 1e-9);
     EXPECT_NEAR(low.height, least, 2e-3) << from << " to " << to;
     EXPECT_GE(low.place.x(), std::min(from, to) - 1e-9);
@@ -46,12 +47,13 @@ TEST(Clearance, OfARopeIsThatOfAFineGrid) {
 
 TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
   machine::Model m = with_carriage(true, 0.1, 200);
-  m.terrain = {{-10, -12}, {40, 7}, {70, 6}, {120, 22}, {160, 16}, {230, 41}, {310, 46}};
+  m.terrain = {{.x = -10, .z = -12}, {.x = 40, .z = 7},   {.x = 70, .z = 6},  {.x = 120, .z = 22},
+               {.x = 160, .z = 16},  {.x = 230, .z = 41}, {.x = 310, .z = 46}};
   PayloadLimits limits;
   limits.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
-  limits.rope_between = {Vector3::UnitX(), 100, 190};
+  limits.rope_between = {.along = Vector3::UnitX(), .from = 100, .to = 190};
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   const Payload straight = payload(m, 0, limits, options);
   ASSERT_TRUE(straight.outcome.ok()) << straight.outcome.message;
   ASSERT_EQ(straight.limit.kind, LimitKind::rope_clearance) << straight.governing;
@@ -61,9 +63,9 @@ TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
     machine::Model other = turned(m, angle, by);
     for (machine::GroundPoint& p : other.terrain) p.z += by.z();
     PayloadLimits there = limits;
-    there.rope_between = {along, 100 + shift, 190 + shift};
+    there.rope_between = {.along = along, .from = 100 + shift, .to = 190 + shift};
     solve::EquilibriumOptions placed;
-    placed.prescribed = machine::Prescribed{0, 150 + shift, along};
+    placed.prescribed = machine::Prescribed{.carriage = 0, .x = 150 + shift, .along = along};
     const Payload p = payload(other, 0, there, placed);
     ASSERT_TRUE(p.outcome.ok()) << p.outcome.message;
     EXPECT_EQ(p.governing, straight.governing);
@@ -74,11 +76,11 @@ TEST(Clearance, OfALineTurnedInPlanIsTheSame) {
 TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
   machine::Model m;
   m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 10}), anchor("b", {100, 0, 10})}, 100.2, 15, 1e9));
-  m.terrain = {{0, 0}, {100, 0}};
+  m.terrain = {{.x = 0, .z = 0}, {.x = 100, .z = 0}};
   const solve::EquilibriumResult e = solve::equilibrium(m);
   ASSERT_TRUE(e.outcome.ok());
   const auto height = [&](double from, double to) {
-    return rope_clearance(m, e.branches, 0, {Vector3::UnitX(), from, to}).height;
+    return rope_clearance(m, e.branches, 0, {.along = Vector3::UnitX(), .from = from, .to = to}).height;
   };
   const auto z_at = [&](double x) { return 10 - taut::rope::sag_at(e.branches[0].shape, x); };
   EXPECT_NEAR(height(100, 0), z_at(50), 1e-9);
@@ -86,11 +88,11 @@ TEST(Clearance, OfAWindowCountsItsEdgesAndTheTerrains) {
   EXPECT_NEAR(height(70, 90), z_at(70), 1e-9);
   EXPECT_NEAR(height(0, 0), 10, 1e-9);
   EXPECT_TRUE(std::isnan(height(-20, -1)));
-  m.terrain = {{60, 0}, {80, 0}};
+  m.terrain = {{.x = 60, .z = 0}, {.x = 80, .z = 0}};
   EXPECT_NEAR(height(0, 100), z_at(60), 1e-9);
   // a terrain across the rope is one place of it
   m.terrain_along = Vector3::UnitY();
-  m.terrain = {{-5, 3}, {5, 3}};
+  m.terrain = {{.x = -5, .z = 3}, {.x = 5, .z = 3}};
   EXPECT_NEAR(height(0, 100), z_at(50) - 3, 1e-9);
 }
 
@@ -106,34 +108,34 @@ TEST(Clearance, SaysWhichPartOfTheExtentTheTerrainDoesNotReach) {
     EXPECT_NEAR(gap.missing(), before + after, 1e-9);
   };
   expect_gap(terrain_gap(m, e.branches, 0), 100, 0);
-  m.terrain = {{20, 0}, {70, 0}};
+  m.terrain = {{.x = 20, .z = 0}, {.x = 70, .z = 0}};
   expect_gap(terrain_gap(m, e.branches, 0), 20, 30);
   expect_gap(terrain_gap(m, e), 50, 30);
-  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 90, 25}), 0, 20);
-  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 80, 90}), 0, 10);
-  expect_gap(terrain_gap(m, e.branches, 0, {Vector3::UnitX(), 200, 300}), 0, 0);
+  expect_gap(terrain_gap(m, e.branches, 0, {.along = Vector3::UnitX(), .from = 90, .to = 25}), 0, 20);
+  expect_gap(terrain_gap(m, e.branches, 0, {.along = Vector3::UnitX(), .from = 80, .to = 90}), 0, 10);
+  expect_gap(terrain_gap(m, e.branches, 0, {.along = Vector3::UnitX(), .from = 200, .to = 300}), 0, 0);
   expect_gap(terrain_gap(m, 15, 5), 10, 0);
-  m.terrain = {{0, 0}, {100, 0}};
+  m.terrain = {{.x = 0, .z = 0}, {.x = 100, .z = 0}};
   expect_gap(terrain_gap(m, e.branches, 0), 0, 0);
   // the terrain's x runs the other way, from the middle
   m.terrain_from = {50, 0, 0};
   m.terrain_along = -Vector3::UnitX();
-  m.terrain = {{-40, 0}, {50, 0}};
+  m.terrain = {{.x = -40, .z = 0}, {.x = 50, .z = 0}};
   expect_gap(terrain_gap(m, e.branches, 0), 10, 0);
   expect_gap(terrain_gap(m, e), 10, 30);
 }
 
 TEST(Limits, EachIsReachedByItsPayload) {
   machine::Model m = with_carriage(true, 0.1, 200);
-  m.terrain = {{0, 0}, {300, 60}};
+  m.terrain = {{.x = 0, .z = 0}, {.x = 300, .z = 60}};
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   options.motion = solve::Motion::in;
   PayloadLimits pull;
-  pull.ends = {{1, false, 3e3}};
+  pull.ends = {{.reeving = 1, .at_end = false, .tension = 3e3}};
   PayloadLimits rope;
   rope.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
-  rope.rope_between = {Vector3::UnitX(), 100, 190};
+  rope.rope_between = {.along = Vector3::UnitX(), .from = 100, .to = 190};
   PayloadLimits angle;
   angle.break_angle = 0.9;
   for (const auto& [limits, kind] :
@@ -163,7 +165,7 @@ TEST(Limits, LiftOffEndsThePayload) {
   m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, over("car", origin, 0));
   m.carriages.push_back({"car", 0, 0, 1, -1});
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 60};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 60};
   PayloadLimits limits;
   limits.lift_off = true;
   limits.most = 20e3;

@@ -15,7 +15,7 @@ using namespace taut::study;
 using taut::Status;
 
 TEST(LoadPath, GroundIsLinearBetweenItsPoints) {
-  const std::vector<machine::GroundPoint> ground{{0, 10}, {50, 20}, {100, 0}};
+  const std::vector<machine::GroundPoint> ground{{.x = 0, .z = 10}, {.x = 50, .z = 20}, {.x = 100, .z = 0}};
   EXPECT_DOUBLE_EQ(ground_height(ground, 0), 10);
   EXPECT_DOUBLE_EQ(ground_height(ground, 25), 15);
   EXPECT_DOUBLE_EQ(ground_height(ground, 50), 20);
@@ -29,7 +29,7 @@ TEST(LoadPath, GroundIsLinearBetweenItsPoints) {
 TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
   for (const bool mainline : {true, false}) {
     machine::Model m = with_carriage(mainline);
-    m.terrain = {{0, 0}, {300, 60}};
+    m.terrain = {{.x = 0, .z = 0}, {.x = 300, .z = 60}};
     LoadPathOptions options;
     options.from = mainline ? 135 : 95;
     options.to = 195;
@@ -39,7 +39,7 @@ TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
     ASSERT_EQ(path.points.size(), 13U);
     for (const LoadPathPoint& p : path.points) {
       solve::EquilibriumOptions alone;
-      alone.prescribed = machine::Prescribed{0, p.x};
+      alone.prescribed = machine::Prescribed{.carriage = 0, .x = p.x};
       const solve::EquilibriumResult cold = solve::equilibrium(m, alone);
       ASSERT_TRUE(cold.outcome.ok());
       EXPECT_NEAR(p.at.state.bodies[0].position.x(), p.x, 1e-8);
@@ -132,7 +132,7 @@ TEST(LoadPath, ASkylineOfGivenTensionKeepsItsTautRoot) {
         if (i % 8 == 0) {
           const machine::Model kept = solve::installed(fed_skyline(z, efficiency), path.points[i].at);
           solve::EquilibriumOptions same = options.equilibrium;
-          same.prescribed = machine::Prescribed{0, path.points[i].x};
+          same.prescribed = machine::Prescribed{.carriage = 0, .x = path.points[i].x};
           const solve::EquilibriumResult by_length = solve::equilibrium(kept, same, path.points[i].at.state);
           ASSERT_TRUE(by_length.outcome.ok()) << by_length.outcome.message;
           EXPECT_NEAR(by_length.state.bodies[0].position.z(), path.points[i].z, 1e-6);
@@ -149,7 +149,8 @@ TEST(LoadPath, AConditionHoldsAlongIt) {
   path.to = 185;
   path.steps = 5;
   path.equilibrium.band = false;
-  path.condition = solve::Condition{solve::Condition::Kind::sag_at_carriage, 0, 9, 0};
+  path.condition =
+      solve::Condition{.kind = solve::Condition::Kind::sag_at_carriage, .reeving = 0, .value = 9, .span = 0};
   const LoadPath there = load_path(m, path);
   ASSERT_TRUE(there.outcome.ok()) << there.outcome.message;
   std::swap(path.from, path.to);

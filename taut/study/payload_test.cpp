@@ -27,9 +27,9 @@ TEST(Payload, OfATackleIsItsFallsTimesTheRope) {
 
 TEST(Payload, TheFirstLimitReachedGoverns) {
   machine::Model m = with_carriage(true, 0.1, 200);
-  m.terrain = {{0, 0}, {300, 60}};
+  m.terrain = {{.x = 0, .z = 0}, {.x = 300, .z = 60}};
   solve::EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   PayloadLimits limits;
   limits.tension = {40e3, none};
   const Payload by_rope = payload(m, 0, limits, options);
@@ -78,7 +78,7 @@ TEST(Payload, AlongTheLine) {
   for (const PayloadPoint& p : payload_path(m, limits, path)) {
     ASSERT_TRUE(p.payload.outcome.ok()) << p.payload.outcome.message;
     solve::EquilibriumOptions options;
-    options.prescribed = machine::Prescribed{0, p.x};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = p.x};
     EXPECT_NEAR(p.payload.mass / payload(m, 0, limits, options).mass, 1, 1e-7);
     EXPECT_NEAR(p.payload.at.ropes[0].T_max / 40e3, 1, 1e-8);
   }

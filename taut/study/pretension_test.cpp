@@ -70,8 +70,9 @@ TEST(Pretension, TensionersPulledInTurn) {
     std::vector<std::pair<double, double>> tensions;  // kN, as printed
   };
   const auto out = place_of(boom_bodies::s3, boom_bodies::s2);
-  for (const Order& order : {Order{{extension, retraction}, {{0.635, 0}, {0.635, 2.54}, {1.905, 2.54}, {1.905, 5.08}}},
-                             Order{{retraction, extension}, {{0, 1.27}, {1.27, 1.27}, {1.27, 3.81}, {2.54, 3.81}}}}) {
+  for (const Order& order :
+       {Order{.pulled = {extension, retraction}, .tensions = {{0.635, 0}, {0.635, 2.54}, {1.905, 2.54}, {1.905, 5.08}}},
+        Order{.pulled = {retraction, extension}, .tensions = {{0, 1.27}, {1.27, 1.27}, {1.27, 3.81}, {2.54, 3.81}}}}) {
     std::vector<Pull> pulls;
     pulls.reserve(4);
     for (std::size_t i = 0; i < 4; ++i) pulls.push_back(until_it_moves(order.pulled[i % 2], out, 2e-8));

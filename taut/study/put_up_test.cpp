@@ -19,8 +19,8 @@ machine::Model two_lines(double left, double right) {
   m.reevings.push_back(reeve("left", {anchor("a", {0, 0, 20}), anchor_on("knot", 0)}, 0, 12, 8e6));
   m.reevings.push_back(reeve("right", {anchor_on("knot", 0), anchor("b", {110, 0, 24})}, 0, 9, 6e6));
   m.reevings.push_back(reeve("stay", {anchor("c", {40, 0, 40}), anchor_on("knot", 0)}, 26, 10, 9e6));
-  m.reevings[0].put_up = machine::PutUp{left, false, {0}, {}};
-  m.reevings[1].put_up = machine::PutUp{right, true, {0}, {}};
+  m.reevings[0].put_up = machine::PutUp{.tension = left, .at_end = false, .bodies = {0}, .loads = {}};
+  m.reevings[1].put_up = machine::PutUp{.tension = right, .at_end = true, .bodies = {0}, .loads = {}};
   return m;
 }
 
@@ -28,7 +28,7 @@ TEST(PutUp, ASpanHasItsTensionAndKeepsItsLength) {
   for (const bool at_end : {false, true}) {
     machine::Model m;
     m.reevings.push_back(reeve("line", {anchor("a", {0, 0, 10}), anchor("b", {120, 0, 25})}, 0, 15, 9e6));
-    m.reevings[0].put_up = machine::PutUp{30e3, at_end, {}, {}};
+    m.reevings[0].put_up = machine::PutUp{.tension = 30e3, .at_end = at_end, .bodies = {}, .loads = {}};
     const std::vector<PutUpLine> lines = put_up(m);
     ASSERT_EQ(lines.size(), 1U);
     ASSERT_TRUE(lines[0].at.outcome.ok()) << lines[0].at.outcome.message;

@@ -12,9 +12,12 @@ TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
     double value;
     Unit unit;
   };
-  for (const Case& c : {Case{"30 m/min", 0.5, si::m_per_s}, Case{"12 kN", 12e3, si::N}, Case{"-3.5", -3.5, si::one},
-                        Case{"5 %", 0.05, si::one}, Case{"180 deg", M_PI, si::rad}, Case{"2 kN m", 2e3, si::N_m},
-                        Case{"120 cm", 1.2, si::m}, Case{"2 s", 2, si::s}}) {
+  for (const Case& c :
+       {Case{.text = "30 m/min", .value = 0.5, .unit = si::m_per_s},
+        Case{.text = "12 kN", .value = 12e3, .unit = si::N}, Case{.text = "-3.5", .value = -3.5, .unit = si::one},
+        Case{.text = "5 %", .value = 0.05, .unit = si::one}, Case{.text = "180 deg", .value = M_PI, .unit = si::rad},
+        Case{.text = "2 kN m", .value = 2e3, .unit = si::N_m}, Case{.text = "120 cm", .value = 1.2, .unit = si::m},
+        Case{.text = "2 s", .value = 2, .unit = si::s}}) {
     const auto found = parse_any_quantity(c.text);
     ASSERT_TRUE(found) << c.text;
     EXPECT_NEAR(found->value, c.value, 1e-12 * std::abs(c.value)) << c.text;

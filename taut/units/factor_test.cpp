@@ -73,7 +73,7 @@ class Witness {
     if (source == nullptr || target == nullptr) return {};
     cv_converter* converter = ut_get_converter(source.get(), target.get());
     if (converter == nullptr) return {};
-    const Line line{cv_convert_double(converter, 0.0), cv_convert_double(converter, 1.0)};
+    const Line line{.at_zero = cv_convert_double(converter, 0.0), .at_one = cv_convert_double(converter, 1.0)};
     cv_free(converter);
     return line;
   }
@@ -104,9 +104,9 @@ TEST(UnitFactors, AreThoseOfUdunitsToTheLastBit) {
   ASSERT_TRUE(witness.ready()) << "install libudunits2-dev";
   for (const NameRow& row : name_rows()) {
     if (!is_latin(row)) continue;
-    const auto line = witness.convert({{&row, 1}});
+    const auto line = witness.convert({{.row = &row, .exponent = 1}});
     EXPECT_EQ(line.at_zero, row.scale.zero) << row.name;
-    const double factor = factor_of({{&row, 1}});
+    const double factor = factor_of({{.row = &row, .exponent = 1}});
     if (rounded_by_the_witness(row.name)) {
       EXPECT_NEAR(factor, line.at_one, 1e-15 * factor) << row.name;
     } else {
@@ -124,7 +124,7 @@ TEST(UnitFactors, OfProductsAreThoseOfUdunitsWithinItsRounding) {
     for (const NameRow& b : rows) {
       if (!is_latin(b) || &a == &b) continue;
       const int power = static_cast<int>((&a - rows.data()) + (&b - rows.data())) % 4 + 1;
-      const std::vector<UnitPower> product = {{&a, 2}, {&b, -power}};
+      const std::vector<UnitPower> product = {{.row = &a, .exponent = 2}, {.row = &b, .exponent = -power}};
       const double factor = factor_of(product);
       EXPECT_NEAR(factor, witness.convert(product).at_one, 4e-15 * factor)
           << a.name << "^2 " << b.name << "^-" << power;
@@ -133,7 +133,9 @@ TEST(UnitFactors, OfProductsAreThoseOfUdunitsWithinItsRounding) {
 }
 
 TEST(UnitFactors, AreTheNearestDoubles) {
-  const auto factor = [](std::string_view name, int exponent) { return factor_of({{row_of(name), exponent}}); };
+  const auto factor = [](std::string_view name, int exponent) {
+    return factor_of({{.row = row_of(name), .exponent = exponent}});
+  };
   EXPECT_EQ(factor("in", 1), 0.0254);
   EXPECT_EQ(factor("yd", 1), 0.9144);
   EXPECT_EQ(factor("psi", 1), 6894.757293168362);
@@ -157,16 +159,16 @@ TEST(UnitFactors, CyrillicNamesAreThoseOfTheirUnit) {
     const char* latin;
     Unit unit;
   };
-  for (const Case& c : {Case{"63 кН", "63 kN", si::N},
-                        {"12 мм", "12 mm", si::m},
-                        {"160 МПа", "160 MPa", si::Pa},
-                        {"12 град", "12 deg", si::rad},
-                        {"3.2 т", "3.2 t", si::kg},
-                        {"1.5 кгс/м", "1.5 kgf/m", si::N_per_m},
-                        {"4 м/с²", "4 m/s²", si::m_per_s2},
-                        {"160 Н/мм2", "160 N/mm2", si::Pa},
-                        {"100 кН с/м", "100 kN s/m", si::N_s_per_m},
-                        {"5 1/с", "5 1/s", si::per_s}}) {
+  for (const Case& c : {Case{.cyrillic = "63 кН", .latin = "63 kN", .unit = si::N},
+                        {.cyrillic = "12 мм", .latin = "12 mm", .unit = si::m},
+                        {.cyrillic = "160 МПа", .latin = "160 MPa", .unit = si::Pa},
+                        {.cyrillic = "12 град", .latin = "12 deg", .unit = si::rad},
+                        {.cyrillic = "3.2 т", .latin = "3.2 t", .unit = si::kg},
+                        {.cyrillic = "1.5 кгс/м", .latin = "1.5 kgf/m", .unit = si::N_per_m},
+                        {.cyrillic = "4 м/с²", .latin = "4 m/s²", .unit = si::m_per_s2},
+                        {.cyrillic = "160 Н/мм2", .latin = "160 N/mm2", .unit = si::Pa},
+                        {.cyrillic = "100 кН с/м", .latin = "100 kN s/m", .unit = si::N_s_per_m},
+                        {.cyrillic = "5 1/с", .latin = "5 1/s", .unit = si::per_s}}) {
     const auto read = parse_quantity(c.cyrillic, c.unit);
     ASSERT_TRUE(read.has_value()) << c.cyrillic << ": " << read.error().message;
     EXPECT_EQ(*read, parse_quantity(c.latin, c.unit).value()) << c.cyrillic;

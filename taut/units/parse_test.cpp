@@ -95,7 +95,8 @@ TEST(ParseNumber, TakesWholeTextOnly) {
 
 TEST(UnitNames, EveryNameIsReadAsAQuantityOfItsKind) {
   for (const NameRow& row : name_rows()) {
-    const Unit unit{row.dimension, "?", row.name, row.is_angle, row.kind};
+    const Unit unit{
+        .dimension = row.dimension, .symbol = "?", .shown = row.name, .is_angle = row.is_angle, .kind = row.kind};
     EXPECT_TRUE(parse_quantity("1 " + std::string(row.name), unit).has_value()) << row.name;
   }
 }

@@ -22,13 +22,22 @@ struct Pair {
   double S1, S2;
 };
 /// Table 2 of the paper, rows 1 to 9, N.
-constexpr Pair table_2[] = {{95.5e3, 181e3}, {178e3, 9.8e3}, {162.5e3, 43e3}, {105e3, 168e3}, {114e3, 156e3},
-                            {104e3, 174e3},  {113e3, 159e3}, {82.5e3, 208e3}, {100e3, 186e3}};
+constexpr Pair table_2[] = {{.S1 = 95.5e3, .S2 = 181e3}, {.S1 = 178e3, .S2 = 9.8e3},  {.S1 = 162.5e3, .S2 = 43e3},
+                            {.S1 = 105e3, .S2 = 168e3},  {.S1 = 114e3, .S2 = 156e3},  {.S1 = 104e3, .S2 = 174e3},
+                            {.S1 = 113e3, .S2 = 159e3},  {.S1 = 82.5e3, .S2 = 208e3}, {.S1 = 100e3, .S2 = 186e3}};
 
 Input paper() {
   Input in = printed_boom();
-  in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
-              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.cases = {{.name = "static test",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 296.8e3,
+               .falls = 8},
+              {.name = "retract hook",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 2.94e3,
+               .falls = 6}};
   return in;
 }
 
@@ -57,7 +66,7 @@ TEST(BoomRopesErrata, PrintedC1ContradictsTable2) {
   const double F_1 = table_2[0].S2 - 2 * table_2[0].S1;
   const auto row_3 = [&](double C1, double F) {
     const double both = 2 * C1 + printed_C2;
-    return Pair{table_2[0].S1 + (F_1 - F) * C1 / both, table_2[0].S2 - (F_1 - F) * printed_C2 / both};
+    return Pair{.S1 = table_2[0].S1 + (F_1 - F) * C1 / both, .S2 = table_2[0].S2 - (F_1 - F) * printed_C2 / both};
   };
   const double F_4 = -274.06e3;
   const double F_3 = table_2[2].S2 - 2 * table_2[2].S1;
@@ -113,7 +122,8 @@ TEST(BoomRopesErrata, HalfSheaveBelongsToSection3) {
 }
 
 TEST(BoomRopesErrata, SumOfProjections) {
-  const Case lift{"", Operation::lift, 77 * degree, 248.2e3, 8};
+  const Case lift{
+      .name = "", .operation = Operation::lift, .luffing_angle = 77 * degree, .suspended_weight = 248.2e3, .falls = 8};
   const double weight = 248.2e3 + 8.44e3;
   const double literal =
       248.2e3 / (8 * 0.95) + 0.15 * weight * std::cos(lift.luffing_angle) + weight * std::sin(lift.luffing_angle);

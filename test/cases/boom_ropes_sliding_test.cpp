@@ -145,7 +145,9 @@ class BoomRopesSlip : public testing::TestWithParam<SlipRow> {};
 
 TEST_P(BoomRopesSlip, AngleAfterTheJerk) {
   const SlipRow& r = GetParam();
-  const SlipAngle a = slip_angle(crane(), {}, {r.length, r.mass * tonne, r.overlap_change, 6});
+  const SlipAngle a = slip_angle(
+      crane(), {},
+      {.boom_length = r.length, .suspended_weight = r.mass * tonne, .overlap_change = r.overlap_change, .falls = 6});
   EXPECT_NEAR(a.angle / degree, r.angle, 0.05);
   EXPECT_TRUE(a.jamming);
 }

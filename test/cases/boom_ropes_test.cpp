@@ -19,10 +19,26 @@ constexpr double tonne = 9.81e3;
 
 Input paper() {
   Input in = printed_boom();
-  in.cases = {{"rated lift", Operation::lift, 77 * degree, 248.2e3, 8},
-              {"static test", Operation::lift, 77 * degree, 296.8e3, 8},
-              {"retract 3 t", Operation::retract, 5 * degree, 32.4e3, 6},
-              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.cases = {{.name = "rated lift",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 248.2e3,
+               .falls = 8},
+              {.name = "static test",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 296.8e3,
+               .falls = 8},
+              {.name = "retract 3 t",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 32.4e3,
+               .falls = 6},
+              {.name = "retract hook",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 2.94e3,
+               .falls = 6}};
   return in;
 }
 

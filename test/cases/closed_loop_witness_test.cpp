@@ -90,36 +90,84 @@ void expect_band(const char* what, const Band& band, const TabledBand& t) {
 }
 
 TEST(ClosedLoopWitness, ErrorOfEquation1AtMidspan) {
-  for (const TabledBand& t : std::vector<TabledBand>{
-           {-30, 0.02, 1.4, 1.7},  {-30, 0.05, 3.1, 4.3},  {-30, 0.10, 7.2, 8.4},  {-30, 0.15, 9.8, 12.3},
-           {-10, 0.02, 0.6, 0.7},  {-10, 0.05, 1.5, 1.7},  {-10, 0.10, 2.8, 3.3},  {-10, 0.15, 4.3, 4.7},
-           {0, 0.02, 0, 0},        {0, 0.05, 0, 0},        {0, 0.10, 0, 0.1},      {0, 0.15, 0, 0.2},
-           {10, 0.02, -0.7, -0.6}, {10, 0.05, -1.7, -1.6}, {10, 0.10, -3.3, -3.0}, {10, 0.15, -4.7, -4.2},
-           {30, 0.02, -1.7, -1.7}, {30, 0.05, -4.3, -4.1}, {30, 0.10, -8.4, -8.1}, {30, 0.15, -12.3, -11.7}}) {
+  for (const TabledBand& t : std::vector<TabledBand>{{.alpha = -30, .share = 0.02, .low = 1.4, .high = 1.7},
+                                                     {.alpha = -30, .share = 0.05, .low = 3.1, .high = 4.3},
+                                                     {.alpha = -30, .share = 0.10, .low = 7.2, .high = 8.4},
+                                                     {.alpha = -30, .share = 0.15, .low = 9.8, .high = 12.3},
+                                                     {.alpha = -10, .share = 0.02, .low = 0.6, .high = 0.7},
+                                                     {.alpha = -10, .share = 0.05, .low = 1.5, .high = 1.7},
+                                                     {.alpha = -10, .share = 0.10, .low = 2.8, .high = 3.3},
+                                                     {.alpha = -10, .share = 0.15, .low = 4.3, .high = 4.7},
+                                                     {.alpha = 0, .share = 0.02, .low = 0, .high = 0},
+                                                     {.alpha = 0, .share = 0.05, .low = 0, .high = 0},
+                                                     {.alpha = 0, .share = 0.10, .low = 0, .high = 0.1},
+                                                     {.alpha = 0, .share = 0.15, .low = 0, .high = 0.2},
+                                                     {.alpha = 10, .share = 0.02, .low = -0.7, .high = -0.6},
+                                                     {.alpha = 10, .share = 0.05, .low = -1.7, .high = -1.6},
+                                                     {.alpha = 10, .share = 0.10, .low = -3.3, .high = -3.0},
+                                                     {.alpha = 10, .share = 0.15, .low = -4.7, .high = -4.2},
+                                                     {.alpha = 30, .share = 0.02, .low = -1.7, .high = -1.7},
+                                                     {.alpha = 30, .share = 0.05, .low = -4.3, .high = -4.1},
+                                                     {.alpha = 30, .share = 0.10, .low = -8.4, .high = -8.1},
+                                                     {.alpha = 30, .share = 0.15, .low = -12.3, .high = -11.7}}) {
     expect_band("P_b", bands_at(t.alpha, t.share).P_b, t);
   }
 }
 
 TEST(ClosedLoopWitness, ErrorOfEquation7AtMidspan) {
-  for (const TabledBand& t : std::vector<TabledBand>{
-           {-30, 0.02, 1.2, 3.4}, {-30, 0.05, 1.7, 8.4},  {-30, 0.10, 5.2, 16.6}, {-30, 0.15, 2.9, 24.2},
-           {-20, 0.02, 0.8, 2.5}, {-20, 0.05, 0.5, 6.0},  {-20, 0.10, 1.5, 11.2}, {-20, 0.15, -3.6, 15.4},
-           {-10, 0.02, 0.6, 1.3}, {-10, 0.05, 0.7, 2.9},  {-10, 0.10, -2.1, 4.7}, {-10, 0.15, -4.0, 5.4},
-           {0, 0.02, -0.2, -0.1}, {0, 0.05, -1.0, -0.5},  {0, 0.10, -4.2, -2.1},  {0, 0.15, -9.8, -4.5},
-           {30, 0.02, 0, 0},      {30, 0.05, -0.3, -0.3}, {30, 0.10, -1.5, -1.0}, {30, 0.15, -3.3, -2.1}}) {
+  for (const TabledBand& t : std::vector<TabledBand>{{.alpha = -30, .share = 0.02, .low = 1.2, .high = 3.4},
+                                                     {.alpha = -30, .share = 0.05, .low = 1.7, .high = 8.4},
+                                                     {.alpha = -30, .share = 0.10, .low = 5.2, .high = 16.6},
+                                                     {.alpha = -30, .share = 0.15, .low = 2.9, .high = 24.2},
+                                                     {.alpha = -20, .share = 0.02, .low = 0.8, .high = 2.5},
+                                                     {.alpha = -20, .share = 0.05, .low = 0.5, .high = 6.0},
+                                                     {.alpha = -20, .share = 0.10, .low = 1.5, .high = 11.2},
+                                                     {.alpha = -20, .share = 0.15, .low = -3.6, .high = 15.4},
+                                                     {.alpha = -10, .share = 0.02, .low = 0.6, .high = 1.3},
+                                                     {.alpha = -10, .share = 0.05, .low = 0.7, .high = 2.9},
+                                                     {.alpha = -10, .share = 0.10, .low = -2.1, .high = 4.7},
+                                                     {.alpha = -10, .share = 0.15, .low = -4.0, .high = 5.4},
+                                                     {.alpha = 0, .share = 0.02, .low = -0.2, .high = -0.1},
+                                                     {.alpha = 0, .share = 0.05, .low = -1.0, .high = -0.5},
+                                                     {.alpha = 0, .share = 0.10, .low = -4.2, .high = -2.1},
+                                                     {.alpha = 0, .share = 0.15, .low = -9.8, .high = -4.5},
+                                                     {.alpha = 30, .share = 0.02, .low = 0, .high = 0},
+                                                     {.alpha = 30, .share = 0.05, .low = -0.3, .high = -0.3},
+                                                     {.alpha = 30, .share = 0.10, .low = -1.5, .high = -1.0},
+                                                     {.alpha = 30, .share = 0.15, .low = -3.3, .high = -2.1}}) {
     expect_band("T_up", bands_at(t.alpha, t.share).T_up, t);
   }
 }
 
 TEST(ClosedLoopWitness, ErrorOfEquation9AtMidspan) {
-  for (const TabledBand& t : std::vector<TabledBand>{
-           {-30, 0.02, -2.9, -1.2}, {-30, 0.05, -6.6, -2.3}, {-30, 0.10, -11.5, -5.6}, {-30, 0.15, -15.3, -6.1},
-           {-20, 0.02, -2.2, -0.9}, {-20, 0.05, -5.2, -1.9}, {-20, 0.10, -9.6, -4.1},  {-20, 0.15, -13.5, -4.9},
-           {-10, 0.02, -1.2, -0.8}, {-10, 0.05, -3.1, -1.8}, {-10, 0.10, -6.8, -3.0},  {-10, 0.15, -10.9, -5.7},
-           {0, 0.02, -0.2, -0.1},   {0, 0.05, -0.9, -0.5},   {0, 0.10, -3.3, -2.1},    {0, 0.15, -6.8, -4.5},
-           {10, 0.02, 0.7, 1.1},    {10, 0.05, 0.8, 2.4},    {10, 0.10, -0.9, 3.4},    {10, 0.15, -4.4, 2.8},
-           {20, 0.02, 1.5, 2.2},    {20, 0.05, 2.8, 5.3},    {20, 0.10, 2.5, 9.5},     {20, 0.15, -0.3, 12.0},
-           {30, 0.02, 2.3, 3.1},    {30, 0.05, 4.8, 7.7},    {30, 0.10, 6.5, 15.3},    {30, 0.15, 5.4, 22.1}}) {
+  for (const TabledBand& t : std::vector<TabledBand>{{.alpha = -30, .share = 0.02, .low = -2.9, .high = -1.2},
+                                                     {.alpha = -30, .share = 0.05, .low = -6.6, .high = -2.3},
+                                                     {.alpha = -30, .share = 0.10, .low = -11.5, .high = -5.6},
+                                                     {.alpha = -30, .share = 0.15, .low = -15.3, .high = -6.1},
+                                                     {.alpha = -20, .share = 0.02, .low = -2.2, .high = -0.9},
+                                                     {.alpha = -20, .share = 0.05, .low = -5.2, .high = -1.9},
+                                                     {.alpha = -20, .share = 0.10, .low = -9.6, .high = -4.1},
+                                                     {.alpha = -20, .share = 0.15, .low = -13.5, .high = -4.9},
+                                                     {.alpha = -10, .share = 0.02, .low = -1.2, .high = -0.8},
+                                                     {.alpha = -10, .share = 0.05, .low = -3.1, .high = -1.8},
+                                                     {.alpha = -10, .share = 0.10, .low = -6.8, .high = -3.0},
+                                                     {.alpha = -10, .share = 0.15, .low = -10.9, .high = -5.7},
+                                                     {.alpha = 0, .share = 0.02, .low = -0.2, .high = -0.1},
+                                                     {.alpha = 0, .share = 0.05, .low = -0.9, .high = -0.5},
+                                                     {.alpha = 0, .share = 0.10, .low = -3.3, .high = -2.1},
+                                                     {.alpha = 0, .share = 0.15, .low = -6.8, .high = -4.5},
+                                                     {.alpha = 10, .share = 0.02, .low = 0.7, .high = 1.1},
+                                                     {.alpha = 10, .share = 0.05, .low = 0.8, .high = 2.4},
+                                                     {.alpha = 10, .share = 0.10, .low = -0.9, .high = 3.4},
+                                                     {.alpha = 10, .share = 0.15, .low = -4.4, .high = 2.8},
+                                                     {.alpha = 20, .share = 0.02, .low = 1.5, .high = 2.2},
+                                                     {.alpha = 20, .share = 0.05, .low = 2.8, .high = 5.3},
+                                                     {.alpha = 20, .share = 0.10, .low = 2.5, .high = 9.5},
+                                                     {.alpha = 20, .share = 0.15, .low = -0.3, .high = 12.0},
+                                                     {.alpha = 30, .share = 0.02, .low = 2.3, .high = 3.1},
+                                                     {.alpha = 30, .share = 0.05, .low = 4.8, .high = 7.7},
+                                                     {.alpha = 30, .share = 0.10, .low = 6.5, .high = 15.3},
+                                                     {.alpha = 30, .share = 0.15, .low = 5.4, .high = 22.1}}) {
     expect_band("T_lA", bands_at(t.alpha, t.share).T_lA, t);
   }
 }

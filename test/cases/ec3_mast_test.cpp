@@ -28,8 +28,15 @@ mast_section::Output published() {
 
 structure::ColumnMast tube(const mast_section::Output& out) {
   structure::ColumnMast m;
-  m.pieces = {{8, *catalogue::find_section("CHS 508x16"), {}, 355e6, 160e6}};
-  m.combinations = {{"work", {{8, out.N, out.Q, 0, 0, 0}}, {1.0}}};
+  m.pieces = {{.length = 8,
+               .section = *catalogue::find_section("CHS 508x16"),
+               .top = {},
+               .yield = 355e6,
+               .allowable_stress = 160e6}};
+  m.combinations = {
+      {.words = "work",
+       .loads = {{.height = 8, .down = out.N, .across_y = out.Q, .across_z = 0, .moment_y = 0, .moment_z = 0}},
+       .factors = {1.0}}};
   return m;
 }
 

@@ -14,7 +14,11 @@ int main() {
   in.tackle_efficiency = 0.95;
   in.extension_stiffness = boom::printed_C1;
   in.retraction_stiffness = boom::printed_C2;
-  in.cases = {{"retract 3 t", boom::Operation::retract, 0.087, 32.4e3, 6}};
+  in.cases = {{.name = "retract 3 t",
+               .operation = boom::Operation::retract,
+               .luffing_angle = 0.087,
+               .suspended_weight = 32.4e3,
+               .falls = 6}};
   boom::Output out;
   const auto outcome = boom::solve(in, out);
   std::cout << "taut " << taut::version << ": S20 >= " << out.S20_min << " N\n";

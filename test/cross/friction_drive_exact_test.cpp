@@ -35,8 +35,8 @@ double number(const Result& r, const std::string& name) {
   return v == nullptr ? not_computed : v->value;
 }
 
-TakeUp weight(double W) { return {W, {}, {}}; }
-TakeUp screw(double W) { return {{}, {}, W}; }
+TakeUp weight(double W) { return {.weight = W, .mass = {}, .screw = {}}; }
+TakeUp screw(double W) { return {.weight = {}, .mass = {}, .screw = W}; }
 
 TEST(FrictionDriveExact, NoSlipTakeUpOfTheMethodUsesTheWholeArc) {
   Input in = saw();
@@ -117,10 +117,10 @@ TEST(FrictionDriveExact, CutWithinTheBranchLeavesMoreSlackTension) {
 
 TEST(FrictionDriveExact, OneTakeUpOnly) {
   Input in = saw();
-  in.take_up = TakeUp{1e3, 100, {}};
+  in.take_up = TakeUp{.weight = 1e3, .mass = 100, .screw = {}};
   ASSERT_EQ(complaints(in).size(), 1u);
   EXPECT_EQ(complaints(in)[0].path, "take_up");
-  in.take_up = TakeUp{{}, 100, {}};
+  in.take_up = TakeUp{.weight = {}, .mass = 100, .screw = {}};
   EXPECT_TRUE(complaints(in).empty());
 }
 

@@ -38,7 +38,7 @@ input:
   cut: in_tight_branch
 )",
                   k.cutting_force, k.friction, k.speed, k.idler_loss, k.radius, k.screw ? "screw" : "weight", k.pull);
-  return taut::app::run(taut::app::Job{deck, "method.yaml", {}});
+  return taut::app::run(taut::app::Job{.text = deck, .name = "method.yaml", .set = {}});
 }
 
 Result machine(const Case& k) {
@@ -64,7 +64,7 @@ analyses: [equilibrium: {{motion: in}}]
                   k.screw ? "" : ", free: [x]", 2 * k.radius, k.friction, k.speed, 2 * k.radius, 1 / k.idler_loss,
                   k.start == 0 ? drive : idler, k.start == 0 ? idler : drive, rest,
                   k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull), k.cutting_force);
-  return taut::app::run(taut::app::Job{deck, "machine.yaml", {}});
+  return taut::app::run(taut::app::Job{.text = deck, .name = "machine.yaml", .set = {}});
 }
 
 void expect_same(const Case& k, double tolerance) {

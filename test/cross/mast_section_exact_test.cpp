@@ -44,7 +44,7 @@ Guy guy_at(double angle) {
   g.breaking_force = 300e3;
   g.plan_angle = angle;
   g.anchor_distance = 12;
-  g.install = GuyInstall{20e3, GuyEnd::top};
+  g.install = GuyInstall{.tension = 20e3, .at = GuyEnd::top};
   return g;
 }
 
@@ -211,7 +211,7 @@ TEST(MoreExamples, AllRunAndTheirExactChecksPass) {
     std::ifstream file(entry.path());
     std::stringstream text;
     text << file.rdbuf();
-    const Result r = run(Job{text.str(), entry.path().string(), {}});
+    const Result r = run(Job{.text = text.str(), .name = entry.path().string(), .set = {}});
     EXPECT_EQ(r.status, Status::ok) << entry.path() << r.message;
     int exact = 0;
     for (const Check& c : r.checks) {

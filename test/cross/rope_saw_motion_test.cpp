@@ -44,7 +44,7 @@ analyses: [{9}]
                                        k.cutting_force, k.friction, k.speed, 1 / k.idler_loss, side, rest, k.position,
                                        k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull),
                                        k.screw ? "" : ", free: [x]", k.analyses);
-  return taut::app::run(taut::app::Job{deck, "saw.yaml", {}});
+  return taut::app::run(taut::app::Job{.text = deck, .name = "saw.yaml", .set = {}});
 }
 
 const char* const in_time = "transient: {duration: 6 s, output_step: 20 ms, tolerance: 1e-4}";
@@ -80,12 +80,12 @@ TEST(RopeSawMotion, ComesToTheSteadyTensions) {
 /// The published initial tension lets the rope slip until it stands, the no-slip one doesn't. The force acts in the
 /// middle of the branch here, the idler feels the slack tension alone: (r + 1) P/(e - r) is the least pull.
 TEST(RopeSawMotion, ThePublishedTensionSlipsTheOtherDoesNot) {
-  const Result method = taut::app::run(taut::app::Job{R"(taut: 1
+  const Result method = taut::app::run(taut::app::Job{.text = R"(taut: 1
 method: friction_drive
 input: {cutting_force: 4 kN, friction: 0.35, wrap: 180 deg, rope_mass: 0.6 kg/m, speed: 15 m/s, grip_reserve: 1.2, idler_loss: 1.08}
 )",
-                                                      "method.yaml",
-                                                      {}});
+                                                      .name = "method.yaml",
+                                                      .set = {}});
   Saw k;
   k.idler_loss = 1.08;
   k.analyses = in_time;

@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   taut::io::Sample sample;
   const bool good = taut::io::read(deck->input, taut::io::Sample::describe(), &sample, "sample", mistakes);
   if (!good && mistakes.empty()) std::abort();
-  taut::io::place(deck->input, {{"cases[1].falls", "x"}, {"rope.diameter", "y"}}, mistakes);
+  taut::io::place(deck->input, {{.path = "cases[1].falls", .message = "x"}, {.path = "rope.diameter", .message = "y"}},
+                  mistakes);
   for (const taut::Diagnostic& d : mistakes) {
     if (d.place.line < 1 || d.place.column < 1 || d.message.empty()) std::abort();
   }

@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (text.find("include") != std::string_view::npos || text.find("file") != std::string_view::npos) return 0;
   const std::clock_t until = std::clock() + CLOCKS_PER_SEC;  // processor time: others may keep the machine busy
   const auto progress = [until](const taut::Progress&) { return std::clock() < until; };
-  const taut::Result r = taut::app::run({std::string(text), "deck.yaml", {}, progress});
+  const taut::Result r =
+      taut::app::run({.text = std::string(text), .name = "deck.yaml", .set = {}, .progress = progress});
   if (r.status == taut::Status::bad_deck && r.errors.empty()) std::abort();
   if (r.status != taut::Status::ok && r.message.empty()) std::abort();
   if (taut::io::to_json(r).empty()) std::abort();

@@ -19,7 +19,8 @@ class ExampleReport : public testing::TestWithParam<std::string> {};
 TEST_P(ExampleReport, IsTheStoredOne) {
   const taut::app::MethodEntry* method = taut::app::find_method(GetParam());
   ASSERT_NE(method, nullptr);
-  const Result r = taut::app::run(taut::app::Job{std::string(method->example), GetParam() + ".yaml", {}});
+  const Result r =
+      taut::app::run(taut::app::Job{.text = std::string(method->example), .name = GetParam() + ".yaml", .set = {}});
   const std::string page = normalised(report::to_markdown(r));
   EXPECT_TRUE(page == golden(GetParam() + ".md", page))
       << "the report changed: write it with TAUT_WRITE_GOLDEN=1, look";

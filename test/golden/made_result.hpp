@@ -69,13 +69,16 @@ inline void add_steps(taut::Result& r, const MadeInput& in) {
       "16", "b", si::m.in("mm"), [&](const Num& x) { return allow * pow(x, 3) - n * x - 6 * m; }, 0.0, 3.0);
   const Num w = s.eq("", "W", si::m3, pow(*b, 3) / 6, "bending of a square");
   const Num sigma = s.eq("12", "sigma_max", si::Pa, n / pow(*b, 2) + m / w);
-  s.check("stress at the clamp", sigma, si::Pa,
-          {Sense::at_most, allow * 1.05, "N/A + M/W <= 1.05 [sigma], (12)", "verified"});
+  s.check(
+      "stress at the clamp", sigma, si::Pa,
+      {.sense = Sense::at_most, .limit = allow * 1.05, .rule = "N/A + M/W <= 1.05 [sigma], (12)", .trust = "verified"});
   s.check("drum D/d", s.named("q", si::one, 18), si::one,
-          {Sense::at_least, Num(20), "smallest ratio of drum to rope diameter, ISO 16625 table 2",
-           "UNVERIFIED: read from a secondary source"});
+          {.sense = Sense::at_least,
+           .limit = Num(20),
+           .rule = "smallest ratio of drum to rope diameter, ISO 16625 table 2",
+           .trust = "UNVERIFIED: read from a secondary source"});
   s.check("rope safety", s.named("S", si::one, 4.6), si::one,
-          {Sense::at_least, Num(3.5), "OR-OSHA rope factor", "user"});
+          {.sense = Sense::at_least, .limit = Num(3.5), .rule = "OR-OSHA rope factor", .trust = "user"});
   s.warn("block_friction is outside 0.10..0.16 <script>alert('x')</script>");
   s.warn("The printed D_tube is 0.6 % too small: the paper rounds 32/pi to 10. Build by the exact coefficients.");
   s.move_to(r);
@@ -83,40 +86,59 @@ inline void add_steps(taut::Result& r, const MadeInput& in) {
 
 inline taut::Drawing made_mast(double r, double gamma) {
   using namespace taut;
-  Drawing d{
-      "mast", "Mast with the resultants of its blocks", "Branches leave under alpha; the drums stand at the foot.", {}};
-  d.shapes.emplace_back(Polyline{{{-5, 0}, {14, 0}}, Role::ground});
-  d.shapes.emplace_back(Polyline{{{-0.16, 0}, {0.16, 0}, {0.16, 8}, {-0.16, 8}}, Role::structure, true, true});
-  d.shapes.emplace_back(Circle{{0, 8}, 0.35, Role::body, 0, 0, true});
-  d.shapes.emplace_back(Polyline{{{0.1, 8.33}, {13, 8.33 - 12.9 * std::tan(0.2094)}}, Role::rope});
-  d.shapes.emplace_back(Polyline{{{-0.35, 8}, {-0.35, 0.6}}, Role::rope});
-  d.shapes.emplace_back(Polyline{{{0.1, 7.6}, {13, 7.6 - 12.9 * std::tan(0.25)}}, Role::second_rope});
-  d.shapes.emplace_back(Circle{{-0.8, 0.6}, 0.45, Role::body, 0, 0, true});
-  d.shapes.emplace_back(ForceArrow{{0, 8}, r * std::cos(gamma), -r * std::sin(gamma), "R_sky"});
+  Drawing d{.name = "mast",
+            .title = "Mast with the resultants of its blocks",
+            .caption = "Branches leave under alpha; the drums stand at the foot.",
+            .shapes = {}};
+  d.shapes.emplace_back(Polyline{.points = {{.x = -5, .y = 0}, {.x = 14, .y = 0}}, .role = Role::ground});
   d.shapes.emplace_back(
-      ForceArrow{{0, 8}, 0.4 * r * std::cos(gamma), -0.4 * r * std::sin(gamma), "R_main", Role::second_force});
+      Polyline{.points = {{.x = -0.16, .y = 0}, {.x = 0.16, .y = 0}, {.x = 0.16, .y = 8}, {.x = -0.16, .y = 8}},
+               .role = Role::structure,
+               .closed = true,
+               .filled = true});
   d.shapes.emplace_back(
-      ForceArrow{{13, 8.33 - 12.9 * std::tan(0.2094)}, 1e5 * std::cos(0.2094), -1e5 * std::sin(0.2094), "T_sky"});
-  d.shapes.emplace_back(ForceArrow{{0, 0}, 0, 162e3, "N", Role::force, true});
-  d.shapes.emplace_back(DimensionLine{{-0.16, 0}, {-0.16, 8}, 2.2, "h = 8 m"});
-  d.shapes.emplace_back(AngleMark{{0.1, 8.33}, 3, 0, -0.2094, "alpha"});
-  d.shapes.emplace_back(Polyline{{{0.1, 8.33}, {4, 8.33}}, Role::axis});
-  d.shapes.emplace_back(Label{{-0.8, 0.6}, "drum"});
-  d.shapes.emplace_back(Label{{0, 8}, "blocks"});
+      Circle{.center = {.x = 0, .y = 8}, .radius = 0.35, .role = Role::body, .from = 0, .to = 0, .filled = true});
+  d.shapes.emplace_back(
+      Polyline{.points = {{.x = 0.1, .y = 8.33}, {.x = 13, .y = 8.33 - 12.9 * std::tan(0.2094)}}, .role = Role::rope});
+  d.shapes.emplace_back(Polyline{.points = {{.x = -0.35, .y = 8}, {.x = -0.35, .y = 0.6}}, .role = Role::rope});
+  d.shapes.emplace_back(Polyline{.points = {{.x = 0.1, .y = 7.6}, {.x = 13, .y = 7.6 - 12.9 * std::tan(0.25)}},
+                                 .role = Role::second_rope});
+  d.shapes.emplace_back(
+      Circle{.center = {.x = -0.8, .y = 0.6}, .radius = 0.45, .role = Role::body, .from = 0, .to = 0, .filled = true});
+  d.shapes.emplace_back(
+      ForceArrow{.at = {.x = 0, .y = 8}, .fx = r * std::cos(gamma), .fy = -r * std::sin(gamma), .label = "R_sky"});
+  d.shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = 8},
+                                   .fx = 0.4 * r * std::cos(gamma),
+                                   .fy = -0.4 * r * std::sin(gamma),
+                                   .label = "R_main",
+                                   .role = Role::second_force});
+  d.shapes.emplace_back(ForceArrow{.at = {.x = 13, .y = 8.33 - 12.9 * std::tan(0.2094)},
+                                   .fx = 1e5 * std::cos(0.2094),
+                                   .fy = -1e5 * std::sin(0.2094),
+                                   .label = "T_sky"});
+  d.shapes.emplace_back(
+      ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 162e3, .label = "N", .role = Role::force, .towards = true});
+  d.shapes.emplace_back(
+      DimensionLine{.from = {.x = -0.16, .y = 0}, .to = {.x = -0.16, .y = 8}, .offset = 2.2, .text = "h = 8 m"});
+  d.shapes.emplace_back(
+      AngleMark{.center = {.x = 0.1, .y = 8.33}, .radius = 3, .from = 0, .to = -0.2094, .text = "alpha"});
+  d.shapes.emplace_back(Polyline{.points = {{.x = 0.1, .y = 8.33}, {.x = 4, .y = 8.33}}, .role = Role::axis});
+  d.shapes.emplace_back(Label{.at = {.x = -0.8, .y = 0.6}, .text = "drum"});
+  d.shapes.emplace_back(Label{.at = {.x = 0, .y = 8}, .text = "blocks"});
   return d;
 }
 
 inline taut::Plot made_plot() {
   using namespace taut;
-  Plot p{"positions",
-         "Mast size against carriage position",
-         "The worst position governs.",
-         {"carriage position x", si::m},
-         {"side of the section", si::m.in("mm")},
-         {},
-         {}};
-  Curve solid{"solid square b", {}, {}};
-  Curve tube{"tube D_tube", {}, {}, true};
+  Plot p{.name = "positions",
+         .title = "Mast size against carriage position",
+         .caption = "The worst position governs.",
+         .x = {.label = "carriage position x", .unit = si::m},
+         .y = {.label = "side of the section", .unit = si::m.in("mm")},
+         .curves = {},
+         .marks = {}};
+  Curve solid{.label = "solid square b", .x = {}, .y = {}};
+  Curve tube{.label = "tube D_tube", .x = {}, .y = {}, .dashed = true};
   for (int i = 0; i <= 40; ++i) {
     const double x = 5.0 * i;
     solid.x.push_back(x);
@@ -125,7 +147,8 @@ inline taut::Plot made_plot() {
     tube.y.push_back(i > 15 && i < 19 ? NAN : 0.5 + 0.05 * std::sin(x / 60));
   }
   p.curves = {solid, tube};
-  p.marks = {{95, 0.33, "governs", false}, {0, 0.4, "largest tube in stock", true}};
+  p.marks = {{.x = 95, .y = 0.33, .label = "governs", .whole_line = false},
+             {.x = 0, .y = 0.4, .label = "largest tube in stock", .whole_line = true}};
   return p;
 }
 
@@ -140,28 +163,72 @@ inline taut::Result made_result() {
   r.source = "Shoshin, Dorozhko, Shtollmann, Yarmolik (2022), Section of the mast of a cable yarder";
   r.given = given_of(MadeInput::describe(), &in);
   add_steps(r, in);
-  r.values = {{"R_sky", 138864.558, si::N, "R_sky", "resultant on the skyline block", "(4)"},
-              {"gamma_sky", 0.990985, si::rad, "gamma_sky", "resultant below the horizontal", "(8)"},
-              {"M", 852064.180, si::N_m, "M", "bending moment at the clamp", "fig. 7"},
-              {"b_square", 0.3183905, si::m.in("mm"), "b", "side of the solid square", "(16)"},
-              {"k", 1.234e-9, si::m_per_N, "k_1", "compliance of the guyed head", ""}};
-  r.comparisons = {{"tube diameter", "D_tube", si::m.in("mm"), 0.5412163, 0.5445087,
-                    std::numeric_limits<double>::quiet_NaN(), "corrected: 32/pi instead of 10", true},
-                   {"hollow square", "B_hollow", si::m.in("mm"), 0.3257, 0.3256166,
-                    std::numeric_limits<double>::quiet_NaN(), "either", false}};
-  Table positions{"positions",
-                  "Worst carriage position",
-                  {{"x", si::m}, {"alpha", si::rad}, {"N", si::N}, {"b_square", si::m.in("mm")}, {"note", si::one}},
-                  {}};
+  r.values = {{.name = "R_sky",
+               .value = 138864.558,
+               .unit = si::N,
+               .symbol = "R_sky",
+               .label = "resultant on the skyline block",
+               .source = "(4)"},
+              {.name = "gamma_sky",
+               .value = 0.990985,
+               .unit = si::rad,
+               .symbol = "gamma_sky",
+               .label = "resultant below the horizontal",
+               .source = "(8)"},
+              {.name = "M",
+               .value = 852064.180,
+               .unit = si::N_m,
+               .symbol = "M",
+               .label = "bending moment at the clamp",
+               .source = "fig. 7"},
+              {.name = "b_square",
+               .value = 0.3183905,
+               .unit = si::m.in("mm"),
+               .symbol = "b",
+               .label = "side of the solid square",
+               .source = "(16)"},
+              {.name = "k",
+               .value = 1.234e-9,
+               .unit = si::m_per_N,
+               .symbol = "k_1",
+               .label = "compliance of the guyed head",
+               .source = ""}};
+  r.comparisons = {{.quantity = "tube diameter",
+                    .symbol = "D_tube",
+                    .unit = si::m.in("mm"),
+                    .printed = 0.5412163,
+                    .corrected = 0.5445087,
+                    .exact = std::numeric_limits<double>::quiet_NaN(),
+                    .build_by = "corrected: 32/pi instead of 10",
+                    .printed_unsafe = true},
+                   {.quantity = "hollow square",
+                    .symbol = "B_hollow",
+                    .unit = si::m.in("mm"),
+                    .printed = 0.3257,
+                    .corrected = 0.3256166,
+                    .exact = std::numeric_limits<double>::quiet_NaN(),
+                    .build_by = "either",
+                    .printed_unsafe = false}};
+  Table positions{.name = "positions",
+                  .title = "Worst carriage position",
+                  .columns = {{.name = "x", .unit = si::m},
+                              {.name = "alpha", .unit = si::rad},
+                              {.name = "N", .unit = si::N},
+                              {.name = "b_square", .unit = si::m.in("mm")},
+                              {.name = "note", .unit = si::one}},
+                  .rows = {}};
   for (int i = 0; i < 70; ++i) {
     positions.rows.push_back({3.0 * i, 0.2 + 0.001 * i, 160e3 + 17 * i, i == 3 ? NAN : 0.318 + 1e-5 * i,
                               std::string(i == 7 ? "governs" : "")});
   }
   r.tables = {positions, comparison_table(r.comparisons)};
   r.figures = {made_mast(138864.558, 0.990985), made_plot()};
-  Drawing polygon{"forces", "Force polygon at the skyline block", "", {}, si::N};
-  polygon.shapes = {ForceArrow{{0, 0}, 97814, -20791, "T_sky"}, ForceArrow{{97814, -20791}, 0, -77777, "F_span_sky"},
-                    ForceArrow{{0, 0}, 97814, -98568, "R_sky", Role::second_force}};
+  Drawing polygon{
+      .name = "forces", .title = "Force polygon at the skyline block", .caption = "", .shapes = {}, .unit = si::N};
+  polygon.shapes = {
+      ForceArrow{.at = {.x = 0, .y = 0}, .fx = 97814, .fy = -20791, .label = "T_sky"},
+      ForceArrow{.at = {.x = 97814, .y = -20791}, .fx = 0, .fy = -77777, .label = "F_span_sky"},
+      ForceArrow{.at = {.x = 0, .y = 0}, .fx = 97814, .fy = -98568, .label = "R_sky", .role = Role::second_force}};
   r.figures.emplace_back(polygon);
   r.assumptions = {"The mast is clamped at its foot; guylines are left out.",
                    "Friction acts so that the drum side is the larger."};

@@ -36,7 +36,7 @@ inline constexpr int s1 = 0, s2 = 1, s3 = 2, hook = 3, load = 4;
 inline machine::Signal boom_ramp(double to, double start, const taut::Unit& unit) {
   machine::Signal s;
   s.unit = unit;
-  s.law = taut::machine::Moves{0, {{start, to, 0.5, false}}};
+  s.law = taut::machine::Moves{.from = 0, .moves = {{.at = start, .to = to, .over = 0.5, .smooth = false}}};
   return s;
 }
 
@@ -160,7 +160,8 @@ inline void add_boom_winding(const Boom& b, machine::Model& m) {
   winch.reeving = static_cast<int>(m.reevings.size()) - 2;
   winch.change.unit = taut::si::m;
   const double until = b.start + 60;
-  winch.change.law = taut::machine::Curve{{b.start, b.start + 0.5, until}, {0, v * 0.25, v * (0.25 + 59.5)}, {0, v, v}};
+  winch.change.law = taut::machine::Curve{
+      .t = {b.start, b.start + 0.5, until}, .value = {0, v * 0.25, v * (0.25 + 59.5)}, .slopes = {0, v, v}};
   m.tensioners.push_back(winch);
   machine::Face ground;
   const Vector3 load = m.bodies[boom_bodies::load].position;

@@ -27,7 +27,7 @@ inline description::Rope steel(const std::string& name) {
 /// A span with a support, a rolling carriage and its mainline from a drum.
 inline Machine line() {
   Machine m;
-  m.points = {{"head", {}, {0, 0, 10}}, {"tail", {}, {100, 0, 30}}};
+  m.points = {{.name = "head", .body = {}, .at = {0, 0, 10}}, {.name = "tail", .body = {}, .at = {100, 0, 30}}};
   m.ropes = {steel("skyline"), steel("main")};
   description::Round jack;
   jack.name = "jack";
@@ -61,7 +61,9 @@ inline Machine line() {
 inline Machine tackle(int parts, std::vector<PathElement> path) {
   Machine m;
   m.ropes = {steel("hoist")};
-  m.points = {{"lead", {}, {-3, 0, 0}}, {"pin", {}, {0.2, 0, 10}}, {"eye", {"hook"}, {0, 0, 0.3}}};
+  m.points = {{.name = "lead", .body = {}, .at = {-3, 0, 0}},
+              {.name = "pin", .body = {}, .at = {0.2, 0, 10}},
+              {.name = "eye", .body = {"hook"}, .at = {0, 0, 0.3}}};
   description::Body hook;
   hook.name = "hook";
   hook.at = {0, 0, 4};

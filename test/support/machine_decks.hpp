@@ -13,7 +13,7 @@
 namespace taut_test {
 
 inline taut::Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  return taut::app::run(taut::app::Job{text, "deck.yaml", set});
+  return taut::app::run(taut::app::Job{.text = text, .name = "deck.yaml", .set = set});
 }
 
 inline double value_of(const taut::Result& r, const std::string& name) {

@@ -19,7 +19,7 @@ inline const Vector3 origin{0, 0, 0};
 inline machine::Node anchor_on(const std::string& name, int body, const Vector3& at = origin) {
   machine::Node node;
   node.name = name;
-  node.at = {body, at};
+  node.at = {.body = body, .at = at};
   return node;
 }
 
@@ -34,7 +34,7 @@ inline machine::Node over(const std::string& name, const Vector3& at, int body =
 
 inline machine::Node saddle(const std::string& name, const Vector3& at, double friction) {
   machine::Node node = over(name, at);
-  node.law = {friction, friction > 0 ? 0.0 : 1.0};
+  node.law = {.friction = friction, .efficiency = friction > 0 ? 0.0 : 1.0};
   node.support = Vector3::UnitZ();
   return node;
 }
@@ -187,7 +187,7 @@ inline machine::Model turned(machine::Model m, double angle, const Vector3& by) 
   for (machine::Body& b : m.bodies) {
     b.position = turn * b.position + by;
     b.orientation = turn * b.orientation;
-    for (machine::Freedom& way : b.free) way = {turn * way.along, turn * way.about};
+    for (machine::Freedom& way : b.free) way = {.along = turn * way.along, .about = turn * way.about};
   }
   for (machine::Reeving& r : m.reevings) {
     for (machine::Node& n : r.nodes) {

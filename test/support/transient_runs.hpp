@@ -47,7 +47,7 @@ inline taut::solve::TransientResult run_to_end(const taut::machine::Model& m,
 /// From one value to another without a jump of rate or acceleration.
 inline taut::machine::Signal smooth_move(double from, double to, double start, double over) {
   taut::machine::Signal s;
-  s.law = taut::machine::Moves{from, {{start, to, over, true}}};
+  s.law = taut::machine::Moves{.from = from, .moves = {{.at = start, .to = to, .over = over, .smooth = true}}};
   return s;
 }
 

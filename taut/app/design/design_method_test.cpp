@@ -97,7 +97,7 @@ TEST(DesignMethod, loop_with_an_own_catalogue_and_prices) {
          "thin,mine,6x36,IWRC,8,29,0.26,1960,45,verified,1\n";
   const std::string deck =
       loop(200, 10, 20, "", "design: {catalogue: mine.csv, seek: cheapest, ropes: {return: {}, traction: {}}}");
-  const Result r = run(Job{deck, (folder / "deck.yaml").string(), {}, {}});
+  const Result r = run(Job{.text = deck, .name = (folder / "deck.yaml").string(), .set = {}, .progress = {}});
   std::filesystem::remove_all(folder);
   ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
   EXPECT_EQ(text_cell(table_of(r, "design"), 0, "designation"), "cheap");

@@ -15,7 +15,7 @@ using namespace taut;
 TEST(Starters, EachRunsAndExplainsItself) {
   EXPECT_GE(app::starters().size(), 6U);
   for (const app::Starter& one : app::starters()) {
-    const Result r = app::run(app::Job{std::string(one.text), one.name + ".yaml", {}});
+    const Result r = app::run(app::Job{.text = std::string(one.text), .name = one.name + ".yaml", .set = {}});
     EXPECT_EQ(exit_code(r), 0) << one.name << ": " << r.message << to_text(r.errors);
     EXPECT_FALSE(one.title.empty()) << one.name;
     EXPECT_EQ(one.text.front(), '#') << one.name << " begins with what it is";
@@ -40,7 +40,7 @@ TEST(Starters, AreFoundByTheWordsOfTheTrade) {
 TEST(ExplainMachine, KnowsItsPartsAndEveryTableOfAnEquilibrium) {
   const std::string text = app::explain_machine("machine").value_or("");
   for (const app::Starter& one : app::starters()) {
-    const Result r = app::run(app::Job{std::string(one.text), one.name + ".yaml", {}});
+    const Result r = app::run(app::Job{.text = std::string(one.text), .name = one.name + ".yaml", .set = {}});
     for (const Table& t : r.tables) {
       if (t.name.find('_') != std::string::npos && t.name != "rope_loads") continue;  // named by its analysis
       EXPECT_NE(text.find("\n  " + t.name + " "), std::string::npos) << one.name << ": " << t.name;

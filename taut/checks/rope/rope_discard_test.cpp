@@ -21,7 +21,8 @@ Table discard(const std::string& construction, const std::string& core, const st
   use.rope.construction = construction;
   use.rope.core = core;
   use.rope.diameter = 16e-3;
-  use.drums = {{"winch", 1e3, {}, layers, {}, {}}};
+  use.drums = {
+      {.name = "winch", .tension = 1e3, .fleet_angle = {}, .layers = layers, .first_radius = {}, .last_radius = {}}};
   Result r;
   add_discard(request, use, r);
   return r.tables.at(0);

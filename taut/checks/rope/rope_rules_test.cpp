@@ -90,7 +90,7 @@ TEST(RopeRules, one_dynamic_factor) {
   RopeCheckRequest request;
   request.dynamic_factor = 1.4;
   EXPECT_EQ(rules_for(request, six_strand("IWRC")).dynamic_factor, 1.4);
-  request.hoist = HoistRequest{HoistClass::HC3, 0.5};
+  request.hoist = HoistRequest{.hoisting_class = HoistClass::HC3, .speed = 0.5};
   EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("either"), std::string::npos);
   request.dynamic_factor.reset();
   EXPECT_NEAR(rules_for(request, six_strand("IWRC")).dynamic_factor, 1.15 + 0.51 * 0.5, 1e-12);

@@ -142,7 +142,7 @@ TEST(Override, FindsWhatASweepsParameterFinds) {
       const Node* machine = root.find("machine");
       ASSERT_NE(machine, nullptr);
       const Found found = path.starts_with("faces")
-                              ? Found{&machine->find("faces")->find("s1.low")->find("body")[0], true}
+                              ? Found{.node = &machine->find("faces")->find("s1.low")->find("body")[0], .all = true}
                               : follow(root, place);
       ASSERT_TRUE(found.all) << path;
       EXPECT_EQ(found.node->text, "7") << begin << path;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 tl::expected<Measure, UnitError> value_of(std::string_view text) {
   return evaluate(text, [](std::string_view name) -> tl::expected<Measure, std::string> {
-    if (name == "gap") return Measure{0.95, dimension(0, 1, 0), false};
-    if (name == "beta") return Measure{0.5, {}, true};
+    if (name == "gap") return Measure{.value = 0.95, .dimension = dimension(0, 1, 0), .is_angle = false};
+    if (name == "beta") return Measure{.value = 0.5, .dimension = {}, .is_angle = true};
     return tl::unexpected(fmt::format("no {}", name));
   });
 }

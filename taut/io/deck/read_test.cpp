@@ -20,7 +20,7 @@ struct Reading {
 
 Reading read_sample(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
-  if (!d) return {false, {}, to_text(d.error())};
+  if (!d) return {.good = false, .sample = {}, .text = to_text(d.error())};
   Reading reported;
   Diagnostics mistakes = d->mistakes;
   reported.good = read(d->root, Sample::describe(), &reported.sample, "sample", mistakes);
@@ -133,7 +133,7 @@ struct ReadMachine {
 
 ReadMachine read_machine(const std::string& text) {
   const auto d = parse(text, "deck.yaml");
-  if (!d) return {false, {}, to_text(d.error())};
+  if (!d) return {.good = false, .machine = {}, .text = to_text(d.error())};
   ReadMachine reported;
   Diagnostics mistakes = d->mistakes;
   reported.good = read(d->root, SampleMachine::describe(), &reported.machine, "machine", mistakes);
@@ -200,7 +200,11 @@ TEST(Read, PlacesComplaintsAtNamesWithDots) {
   const auto d = parse("pins:\n  boom: [0 m, 0 m, 1 m]\n  boom.top: {at: [0 m, 0 m, 2 m]}\n", "deck.yaml");
   ASSERT_TRUE(d);
   Diagnostics mistakes;
-  place(d->root, {{"pins.boom.top.at", "m1"}, {"pins.boom[1]", "m2"}, {"pins.boom.tip", "m3"}}, mistakes);
+  place(d->root,
+        {{.path = "pins.boom.top.at", .message = "m1"},
+         {.path = "pins.boom[1]", .message = "m2"},
+         {.path = "pins.boom.tip", .message = "m3"}},
+        mistakes);
   ASSERT_EQ(mistakes.size(), 3U);
   EXPECT_EQ(mistakes[0].place, (Place{3, 18}));
   EXPECT_EQ(mistakes[1].place, (Place{2, 15}));
@@ -235,14 +239,14 @@ TEST(Read, PlacesComplaintsAtTheirPathOrTheNearestAboveIt) {
   ASSERT_TRUE(d);
   Diagnostics mistakes;
   place(d->root,
-        {{"rope.diameter", "m1"},
-         {"cases[1].falls", "m2"},
-         {"cases[1].angle", "m3"},
-         {"second_rope.strength", "m4"},
-         {"", "m5"},
-         {"cases[7].falls", "m6"},
-         {"..", "m7"},
-         {"span[0]", "m8"}},
+        {{.path = "rope.diameter", .message = "m1"},
+         {.path = "cases[1].falls", .message = "m2"},
+         {.path = "cases[1].angle", .message = "m3"},
+         {.path = "second_rope.strength", .message = "m4"},
+         {.path = "", .message = "m5"},
+         {.path = "cases[7].falls", .message = "m6"},
+         {.path = "..", .message = "m7"},
+         {.path = "span[0]", .message = "m8"}},
         mistakes);
   ASSERT_EQ(mistakes.size(), 8U);
   EXPECT_EQ(mistakes[0].place, (Place{3, 13}));

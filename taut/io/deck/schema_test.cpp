@@ -20,8 +20,8 @@ namespace taut::io::schema_test {
 
 namespace fs = std::filesystem;
 
-const std::vector<SchemaMethod> methods = {{"sample", "A sample", &Sample::describe()},
-                                           {"rope", "A rope", &SampleRope::describe()}};
+const std::vector<SchemaMethod> methods = {{.name = "sample", .title = "A sample", .input = &Sample::describe()},
+                                           {.name = "rope", .title = "A rope", .input = &SampleRope::describe()}};
 
 TEST(Schema, AQuantitysPatternAgreesWithItsReader) {
   std::vector<std::string> units = {"m/s2", "m/s^2", "kN m", "kN*m",   "kN·m",   "N/mm2", "N/mm²", "1/s",
@@ -46,7 +46,8 @@ TEST(Schema, AQuantitysPatternAgreesWithItsReader) {
 }
 
 TEST(Schema, NamesVectorsShortFormsAndGroups) {
-  const auto j = nlohmann::ordered_json::parse(deck_schema({{"machine", "A machine", &SampleMachine::describe()}}));
+  const auto j = nlohmann::ordered_json::parse(
+      deck_schema({{.name = "machine", .title = "A machine", .input = &SampleMachine::describe()}}));
   const auto& machine = j["definitions"]["machine"]["properties"];
   const auto& pin = machine["pins"]["additionalProperties"]["anyOf"];
   EXPECT_EQ(pin[0]["properties"]["at"]["minItems"], 3);

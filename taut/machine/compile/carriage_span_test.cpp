@@ -10,7 +10,7 @@ Node node(const std::string& name, NodeKind kind, double x, double z, int body =
   Node n;
   n.name = name;
   n.kind = kind;
-  n.at = {body, body == ground ? Vector3(x, 0, z) : Vector3(0, 0, 0)};
+  n.at = {.body = body, .at = body == ground ? Vector3(x, 0, z) : Vector3(0, 0, 0)};
   return n;
 }
 
@@ -26,7 +26,7 @@ Model line(NodeKind hold, bool backwards) {
   if (backwards) std::reverse(r.nodes.begin(), r.nodes.end());
   r.value = 330;
   m.reevings = {r};
-  m.carriages = {{"car", 0, 0, 2, -1}};
+  m.carriages = {{.name = "car", .body = 0, .reeving = 0, .node = 2, .mainline = -1}};
   return m;
 }
 

@@ -35,7 +35,7 @@ PathElement through(const std::string& name, bool grip = false) {
 /// A skyline at 45 degrees in plan, an endless haul rope beside it, a carriage between.
 Machine line() {
   Machine m;
-  m.points = {{"head", {}, {0, 0, 10}}, {"tail", {}, {100, 100, 30}}};
+  m.points = {{.name = "head", .body = {}, .at = {0, 0, 10}}, {.name = "tail", .body = {}, .at = {100, 100, 30}}};
   for (const char* name : {"skyline", "haul"}) {
     description::Rope rope;
     rope.name = name;
@@ -139,31 +139,33 @@ TEST(Carriages, TellsMistakesAtTheirPath) {
     void (*spoil)(Machine&);
   };
   const std::vector<Case> cases = {
-      {"carriages.car.rollers", [](Machine& m) { m.carriages[0].wheelbase.reset(); }},
-      {"carriages.car.wheelbase", [](Machine& m) { m.carriages[0].rollers = 1; }},
-      {"carriages.car.rollers", [](Machine& m) { m.carriages[0].hold = Hold::clamped; }},
-      {"carriages.car.hold", [](Machine& m) { m.carriages[0].hold = Hold::fixed_to; }},
-      {"carriages.car.fixed_to", [](Machine& m) { m.carriages[0].fixed_to = "haul"; }},
-      {"carriages.car.fixed_to", [](Machine& m) { m.carriages[0].fixed_to = "hawl"; }},
-      {"carriages.car.haulback", [](Machine& m) { m.carriages[0].haulback = "haul"; }},
-      {"carriages.car.length_before", [](Machine& m) { m.carriages[0].length_before = 3; }},
-      {"reevings[0].path[1].through", [](Machine& m) { m.reevings[0].path[1].grip = true; }},
-      {"reevings[1].path[0].grip", [](Machine& m) { m.reevings[1].path[0].grip = true; }},
-      {"loads[0].dragged.along",
-       [](Machine& m) {
-         description::Load load;
-         load.at = "car";
-         load.mass = 100;
-         load.dragged.emplace().along = {0, 0};
-         m.loads = {load};
-       }},
-      {"points.hook.body",
-       [](Machine& m) {
-         m.carriages[0].rollers = 1;
-         m.carriages[0].wheelbase.reset();
-         m.carriages[0].height = 0;
-         m.points.push_back({"hook", "car", {0, 0, -1}});
-       }},
+      {.path = "carriages.car.rollers", .spoil = [](Machine& m) { m.carriages[0].wheelbase.reset(); }},
+      {.path = "carriages.car.wheelbase", .spoil = [](Machine& m) { m.carriages[0].rollers = 1; }},
+      {.path = "carriages.car.rollers", .spoil = [](Machine& m) { m.carriages[0].hold = Hold::clamped; }},
+      {.path = "carriages.car.hold", .spoil = [](Machine& m) { m.carriages[0].hold = Hold::fixed_to; }},
+      {.path = "carriages.car.fixed_to", .spoil = [](Machine& m) { m.carriages[0].fixed_to = "haul"; }},
+      {.path = "carriages.car.fixed_to", .spoil = [](Machine& m) { m.carriages[0].fixed_to = "hawl"; }},
+      {.path = "carriages.car.haulback", .spoil = [](Machine& m) { m.carriages[0].haulback = "haul"; }},
+      {.path = "carriages.car.length_before", .spoil = [](Machine& m) { m.carriages[0].length_before = 3; }},
+      {.path = "reevings[0].path[1].through", .spoil = [](Machine& m) { m.reevings[0].path[1].grip = true; }},
+      {.path = "reevings[1].path[0].grip", .spoil = [](Machine& m) { m.reevings[1].path[0].grip = true; }},
+      {.path = "loads[0].dragged.along",
+       .spoil =
+           [](Machine& m) {
+             description::Load load;
+             load.at = "car";
+             load.mass = 100;
+             load.dragged.emplace().along = {0, 0};
+             m.loads = {load};
+           }},
+      {.path = "points.hook.body",
+       .spoil =
+           [](Machine& m) {
+             m.carriages[0].rollers = 1;
+             m.carriages[0].wheelbase.reset();
+             m.carriages[0].height = 0;
+             m.points.push_back({"hook", "car", {0, 0, -1}});
+           }},
   };
   for (const Case& one : cases) {
     Machine m = line();
@@ -182,7 +184,8 @@ TEST(Dragged, BalanceOfTheBarByHand) {
   for (const double alpha : {-0.5, 0.0, 0.4}) {
     for (const double delta : {0.0, 0.15}) {
       for (const double mu : {0.0, 0.6}) {
-        const description::Dragged bunch{alpha, mu, 0.4, delta, {3, 4}};
+        const description::Dragged bunch{
+            .ground_angle = alpha, .friction = mu, .share = 0.4, .lift_angle = delta, .along = {3, 4}};
         const double length = 12, weight = 800 * 9.81;
         const Vector3 on_carriage = force_of(bunch, 800, 9.81);
         const Vector3 way(0.6, 0.8, 0);
@@ -202,12 +205,14 @@ TEST(Dragged, BalanceOfTheBarByHand) {
 
 TEST(Dragged, LimitsByHand) {
   const double W = 1000 * 9.81;
-  const Vector3 level = force_of({0, 0.5, 0.6, 0, {1, 0}}, 1000, 9.81);
+  const Vector3 level =
+      force_of({.ground_angle = 0, .friction = 0.5, .share = 0.6, .lift_angle = 0, .along = {1, 0}}, 1000, 9.81);
   EXPECT_NEAR(level.z(), -0.6 * W, 1e-9);
   EXPECT_NEAR(level.x(), -0.5 * 0.4 * W, 1e-9);
   EXPECT_NEAR((force_of({0.3, 0.5, 1, 0, {1, 0}}, 1000, 9.81) + W * up()).norm(), 0, 1e-9) << "hangs free";
   // up a slope: the carriage bears the downhill part of the weight and the friction
-  const Vector3 steep = force_of({0.3, 0.5, 0.6, 0, {0, 2}}, 1000, 9.81);
+  const Vector3 steep =
+      force_of({.ground_angle = 0.3, .friction = 0.5, .share = 0.6, .lift_angle = 0, .along = {0, 2}}, 1000, 9.81);
   const Vector3 t(0, std::cos(0.3), std::sin(0.3));
   EXPECT_NEAR(steep.dot(t), -W * (std::sin(0.3) + 0.5 * 0.4 * std::cos(0.3)), 1e-9);
   // lifted to the upright it hangs free

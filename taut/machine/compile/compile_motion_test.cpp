@@ -21,7 +21,7 @@ description::PathElement element(std::optional<std::string> description::PathEle
 description::Signal ramp(const std::string& name, const std::string& to) {
   description::Signal s;
   s.name = name;
-  s.ramp = description::Ramp{{}, to, 0, 0.5, false};
+  s.ramp = description::Ramp{.from = {}, .to = to, .start = 0, .duration = 0.5, .smooth = false};
   return s;
 }
 
@@ -134,10 +134,12 @@ TEST(CompileMotion, MistakesOfSignals) {
   EXPECT_THAT(complaints_of(m), HasSubstr("signals.hoist_speed.ramp.from"));
   m = crane();
   m.signals[0].ramp.reset();
-  m.signals[0].sequence = {{0, "1 m/s", 2, false}, {1, "0 m/s", 1, false}};
+  m.signals[0].sequence = {{.at = 0, .to = "1 m/s", .over = 2, .smooth = false},
+                           {.at = 1, .to = "0 m/s", .over = 1, .smooth = false}};
   EXPECT_THAT(complaints_of(m), HasSubstr("signals.hoist_speed.sequence[1]: begins at 1 s"));
   m.signals[0].sequence.clear();
-  m.signals[0].table = description::SignalTable{{0, 1, 1}, {"0 m/s", "1 m/s", "2 m/s"}, {}};
+  m.signals[0].table =
+      description::SignalTable{.t = {0, 1, 1}, .value = {"0 m/s", "1 m/s", "2 m/s"}, .interpolation = {}};
   EXPECT_THAT(complaints_of(m), HasSubstr("signals.hoist_speed.table.t[2]: times have to grow"));
   m.signals[0].table->t.pop_back();
   EXPECT_THAT(complaints_of(m), HasSubstr("3 values for 2 times"));
@@ -162,7 +164,7 @@ TEST(CompileMotion, MistakesOfBodiesAndDrives) {
 
 TEST(CompileMotion, Observables) {
   Machine m = crane();
-  m.points = {{"eye", {"hook"}, {0, 0, 0.3}}};
+  m.points = {{.name = "eye", .body = {"hook"}, .at = {0, 0, 0.3}}};
   m.observe = {"hook.z",         "hoist.T_max", "hoist[2].T", "head.speed", "winch.torque",
                "energy.kinetic", "hoist_speed", "eye.vz",     "boom.ry"};
   const auto model = compile(m);
@@ -247,8 +249,9 @@ TEST(CompileMotion, MistakesOfEvents) {
 
 TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   Machine m = crane();
-  m.markers = {{"hook.foot", {"hook"}, {0, 0, -0.2}}, {"boom.foot", {"boom"}, {0, 0, 0}}};
-  m.faces = {{"floor", {}, {0, 0, -6}, {20, 0, -6}, {0, 0, 2}}};
+  m.markers = {{.name = "hook.foot", .body = {"hook"}, .at = {0, 0, -0.2}},
+               {.name = "boom.foot", .body = {"boom"}, .at = {0, 0, 0}}};
+  m.faces = {{.name = "floor", .body = {}, .from = {0, 0, -6}, .to = {20, 0, -6}, .normal = {0, 0, 2}}};
   description::FaceContact c;
   c.point = "hook.foot";
   c.face = "floor";
@@ -260,10 +263,10 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   ram.name = "ram";
   ram.from = "boom.foot";
   ram.to = "hook.foot";
-  ram.law = description::ActuatorLaw{1e5, 2e6, "hoist_speed"};
+  ram.law = description::ActuatorLaw{.F0 = 1e5, .gain = 2e6, .reference = "hoist_speed"};
   m.actuators = {ram};
   m.signals.push_back(ramp("pull_in", "-3 mm"));
-  m.tensioners = {{"1", description::RopeEnd::end, "pull_in"}};
+  m.tensioners = {{.reeving = "1", .end = description::RopeEnd::end, .change = "pull_in"}};
   m.observe = {"hook.foot.N", "ram.F"};
   const auto model = compile(m);
   ASSERT_TRUE(model) << complaints_of(m);

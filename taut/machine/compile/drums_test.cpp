@@ -69,10 +69,10 @@ TEST(Drums, ALayerThatIsGivenStays) {
 TEST(Drums, ATorqueGivesTheTensionOfEachCopy) {
   Drive drive;
   drive.kind = DriveKind::torque;
-  drive.signal = Signal{{}, si::N_m, 4e3};
+  drive.signal = Signal{.name = {}, .unit = si::N_m, .law = 4e3};
   const description::Drum d = winch(full(2) + 1);
   EXPECT_NEAR(pull_of_torque(d, drive, rope16(), 2).value_or(0), 4e3 / (0.15 + 2.5 * 0.016) / 2, 1e-9);
-  drive.signal = Signal{{}, si::N_m, 0.0};
+  drive.signal = Signal{.name = {}, .unit = si::N_m, .law = 0.0};
   EXPECT_FALSE(pull_of_torque(d, drive, rope16(), 2)) << "nothing pulls yet";
 }
 

@@ -37,7 +37,7 @@ Machine loop() {
 /// From a point over a sheave to another point.
 Machine line_over(const Triple& from, const Triple& sheave_at, const Triple& to) {
   Machine m;
-  m.points = {{"a", {}, from}, {"b", {}, to}};
+  m.points = {{.name = "a", .body = {}, .at = from}, {.name = "b", .body = {}, .at = to}};
   m.ropes = {steel("rope")};
   m.sheaves = {sheave("s", sheave_at, 0.5)};
   description::Reeving rope;

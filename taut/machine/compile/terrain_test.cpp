@@ -16,9 +16,12 @@ struct Built {
 
 Built build(const description::Terrain& given) {
   Machine machine;
-  machine.bodies = {{"cart", 10, {}, {}, {"x"}, {}, {}, {}}};
-  machine.points = {
-      {"head", {}, {10, 20, 30}}, {"tail", {}, {70, 100, 60}}, {"over", {}, {10, 20, 0}}, {"eye", "cart", {0, 0, 0}}};
+  machine.bodies = {
+      {.name = "cart", .mass = 10, .at = {}, .centre = {}, .free = {"x"}, .guide = {}, .inertia = {}, .motion = {}}};
+  machine.points = {{.name = "head", .body = {}, .at = {10, 20, 30}},
+                    {.name = "tail", .body = {}, .at = {70, 100, 60}},
+                    {.name = "over", .body = {}, .at = {10, 20, 0}},
+                    {.name = "eye", .body = "cart", .at = {0, 0, 0}}};
   Built built;
   const Links links(machine, built.complaints);
   add_terrain(given, links, built.model, built.complaints);
@@ -49,7 +52,7 @@ TEST(TerrainLine, OfASurveyRunsBetweenTwoPointsOrFirstAndLastRow) {
   t.between = {"head", "tail"};
   Built b = build(t);
   ASSERT_TRUE(b.complaints.empty()) << b.complaints.front().message;
-  expect_ground(b.model, {{-5, 3}, {15, 4}, {40, 8}, {110, 9}});
+  expect_ground(b.model, {{.x = -5, .z = 3}, {.x = 15, .z = 4}, {.x = 40, .z = 8}, {.x = 110, .z = 9}});
   EXPECT_NEAR(terrain_x(b.model, {70, 100, 5}), 100, 1e-12);
   EXPECT_EQ(b.model.terrain_off_line.rows, 1);
   EXPECT_EQ(b.model.terrain_off_line.farthest, 3);
@@ -58,12 +61,12 @@ TEST(TerrainLine, OfASurveyRunsBetweenTwoPointsOrFirstAndLastRow) {
   // seen from the other end
   t.between = {"tail", "head"};
   b = build(t);
-  expect_ground(b.model, {{-10, 9}, {60, 8}, {85, 4}, {105, 3}});
+  expect_ground(b.model, {{.x = -10, .z = 9}, {.x = 60, .z = 8}, {.x = 85, .z = 4}, {.x = 105, .z = 3}});
   // first and last row are on a parallel, 1 m beside
   t.between.clear();
   t.corridor = 2.5;
   b = build(t);
-  expect_ground(b.model, {{0, 3}, {20, 4}, {45, 8}, {115, 9}});
+  expect_ground(b.model, {{.x = 0, .z = 3}, {.x = 20, .z = 4}, {.x = 45, .z = 8}, {.x = 115, .z = 9}});
   EXPECT_EQ(b.model.terrain_off_line.rows, 2);
   EXPECT_NEAR(b.model.terrain_off_line.distance, 5, 1e-12);
   t.corridor = 5.5;
@@ -71,7 +74,7 @@ TEST(TerrainLine, OfASurveyRunsBetweenTwoPointsOrFirstAndLastRow) {
   // the line by its beginning and direction
   t.from = {10, 20};
   t.along = {6, 8};
-  expect_ground(build(t).model, {{-5, 3}, {15, 4}, {40, 8}, {110, 9}});
+  expect_ground(build(t).model, {{.x = -5, .z = 3}, {.x = 15, .z = 4}, {.x = 40, .z = 8}, {.x = 110, .z = 9}});
 }
 
 TEST(TerrainLine, OfAProfileBeginsAtTheFirstOfTwoPoints) {
@@ -81,7 +84,7 @@ TEST(TerrainLine, OfAProfileBeginsAtTheFirstOfTwoPoints) {
   t.between = {"head", "tail"};
   const Built b = build(t);
   ASSERT_TRUE(b.complaints.empty());
-  expect_ground(b.model, {{-10, 1}, {50, 2}, {120, 3}});
+  expect_ground(b.model, {{.x = -10, .z = 1}, {.x = 50, .z = 2}, {.x = 120, .z = 3}});
   EXPECT_NEAR(terrain_x(b.model, {40, 60, 0}), 50, 1e-12);
   EXPECT_EQ(b.model.terrain_off_line.rows, 0);
 }

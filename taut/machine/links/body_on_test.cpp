@@ -11,7 +11,9 @@ namespace taut::machine::body_on_test {
 /// A boom up at 30 degrees with a section on it and a tip on that.
 Machine boom() {
   Machine m;
-  m.points = {{"far", {}, {0, 0, 30}}, {"nose", "tip", {0, 0, 0}}, {"end", "section", {1, 0, 0}}};
+  m.points = {{.name = "far", .body = {}, .at = {0, 0, 30}},
+              {.name = "nose", .body = "tip", .at = {0, 0, 0}},
+              {.name = "end", .body = "section", .at = {1, 0, 0}}};
   m.ropes.emplace_back().name = "rope";
   m.ropes[0].mass = 1;
   m.ropes[0].stiffness = 1e6;

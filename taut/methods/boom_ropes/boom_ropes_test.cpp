@@ -11,8 +11,11 @@
 namespace taut::boom_ropes::boom_ropes_test {
 
 Case any_case() {
-  return {"", *rc::gen::element(Operation::lift, Operation::retract, Operation::extend),
-          *rc::gen::inRange(0, 90) * degree, 1.0 * *rc::gen::inRange(0, 400000), *rc::gen::inRange(1, 12)};
+  return {.name = "",
+          .operation = *rc::gen::element(Operation::lift, Operation::retract, Operation::extend),
+          .luffing_angle = *rc::gen::inRange(0, 90) * degree,
+          .suspended_weight = 1.0 * *rc::gen::inRange(0, 400000),
+          .falls = *rc::gen::inRange(1, 12)};
 }
 
 Input any_input() {
@@ -94,14 +97,23 @@ RC_GTEST_PROP(BoomRopes, ForcesScale, ()) {
 
 Input paper() {
   Input in = printed_boom();
-  in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
-              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.cases = {{.name = "static test",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 296.8e3,
+               .falls = 8},
+              {.name = "retract hook",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 2.94e3,
+               .falls = 6}};
   return in;
 }
 
 TEST(BoomRopes, ExtendingIsLiftingWithThePadsPullingBack) {
-  const Case lift{"", Operation::lift, 0.7, 30e3, 6};
-  const Case extend{"", Operation::extend, 0.7, 30e3, 6};
+  const Case lift{.name = "", .operation = Operation::lift, .luffing_angle = 0.7, .suspended_weight = 30e3, .falls = 6};
+  const Case extend{
+      .name = "", .operation = Operation::extend, .luffing_angle = 0.7, .suspended_weight = 30e3, .falls = 6};
   const double friction = 0.15 * (30e3 + 8.44e3) * std::cos(0.7);
   EXPECT_NEAR(force(paper(), lift) - force(paper(), extend), 2 * friction, 1e-9);
 }

@@ -11,7 +11,8 @@ namespace taut::boom_ropes::drawing_test {
 
 Input crane() {
   Input in = printed_boom();
-  in.cases = {{"lift", Operation::lift, 1.3, 100e3, 8}};
+  in.cases = {
+      {.name = "lift", .operation = Operation::lift, .luffing_angle = 1.3, .suspended_weight = 100e3, .falls = 8}};
   in.sliding.emplace();
   in.sliding->boom_length = {21, 9, 15};
   in.sliding->luffing_angle = {0.5};

@@ -13,13 +13,22 @@ namespace taut::boom_ropes::result_test {
 
 Input crane() {
   Input in = printed_boom();
-  in.cases = {{"static test", Operation::lift, 77 * degree, 296.8e3, 8},
-              {"retract hook", Operation::retract, 5 * degree, 2.94e3, 6}};
+  in.cases = {{.name = "static test",
+               .operation = Operation::lift,
+               .luffing_angle = 77 * degree,
+               .suspended_weight = 296.8e3,
+               .falls = 8},
+              {.name = "retract hook",
+               .operation = Operation::retract,
+               .luffing_angle = 5 * degree,
+               .suspended_weight = 2.94e3,
+               .falls = 6}};
   in.sliding.emplace();
   in.sliding->boom_length = {9, 15, 21};
   in.sliding->luffing_angle = {19 * degree, 52 * degree};
   in.sliding->suspended_weight = {2943, 32373};
-  in.sliding->slip_angles = {{21, 2943, 0.4, 6}, {21, 2943, -3, 6}};
+  in.sliding->slip_angles = {{.boom_length = 21, .suspended_weight = 2943, .overlap_change = 0.4, .falls = 6},
+                             {.boom_length = 21, .suspended_weight = 2943, .overlap_change = -3, .falls = 6}};
   return in;
 }
 

@@ -21,7 +21,8 @@ TEST(SlipAngle, WithoutLoadIsTheAngleOfFriction) {
 
 TEST(SlipAngle, WithoutJammingBothAgree) {
   // A long overlap: both lower pads carry.
-  const SlipAngle a = slip_angle(crane(), {}, {9, 2943, 0, 6});
+  const SlipAngle a =
+      slip_angle(crane(), {}, {.boom_length = 9, .suspended_weight = 2943, .overlap_change = 0, .falls = 6});
   EXPECT_FALSE(a.jamming);
   EXPECT_NEAR(a.angle, a.free_angle, 1e-12);
 }
@@ -31,7 +32,8 @@ TEST(SlipAngle, JammedWithoutOffsetsHasTheClosedForm) {
   q.offset_lead = 0;
   q.pad_height_3 = 0;
   const double G_n = 32373;
-  const SlipAngle a = slip_angle(crane(), q, {21, G_n, 0, 6});
+  const SlipAngle a =
+      slip_angle(crane(), q, {.boom_length = 21, .suspended_weight = G_n, .overlap_change = 0, .falls = 6});
   ASSERT_TRUE(a.jamming);
   const double W = 8.44e3 + G_n;
   const double carried = 0.155 * (2 * (8.44e3 * q.center_3 + G_n * q.head_distance) / 1.35 - W);
@@ -39,7 +41,8 @@ TEST(SlipAngle, JammedWithoutOffsetsHasTheClosedForm) {
 }
 
 TEST(SlipAngle, SaysWhenThereIsNoOverlap) {
-  const SlipAngle a = slip_angle(crane(), {}, {21, 2943, -2, 6});
+  const SlipAngle a =
+      slip_angle(crane(), {}, {.boom_length = 21, .suspended_weight = 2943, .overlap_change = -2, .falls = 6});
   EXPECT_TRUE(std::isnan(a.angle));
   EXPECT_NE(a.reason.find("overlap"), std::string::npos);
 }
@@ -57,8 +60,10 @@ TEST(SlipAngle, ZeroWhenItSlidesAtTheHorizontal) {
 RC_GTEST_PROP(SlipAngle, LessOverlapHoldsSteeper, ()) {
   const double overlap_change = static_cast<double>(*rc::gen::inRange(0, 400)) / 1000;
   const double G_n = *rc::gen::inRange(1000, 40000);
-  const SlipAngle a = slip_angle(crane(), {}, {20, G_n, overlap_change, 6});
-  const SlipAngle b = slip_angle(crane(), {}, {20, G_n, overlap_change + 0.05, 6});
+  const SlipAngle a = slip_angle(
+      crane(), {}, {.boom_length = 20, .suspended_weight = G_n, .overlap_change = overlap_change, .falls = 6});
+  const SlipAngle b = slip_angle(
+      crane(), {}, {.boom_length = 20, .suspended_weight = G_n, .overlap_change = overlap_change + 0.05, .falls = 6});
   RC_ASSERT(a.angle > b.angle);
   RC_ASSERT(a.angle >= a.free_angle);
 }

@@ -12,7 +12,7 @@ Peaks peaks_with(Input in, double q_b, double q_T) {
   Peaks peaks;
   for (const Haul haul : {Haul::in, Haul::out}) {
     in.haul = haul;
-    for (const Row& row : sweep(in, {q_b, q_T, {}, {}})) {
+    for (const Row& row : sweep(in, {.q_b = q_b, .q_T = q_T, .return_rope = {}, .traction_rope = {}})) {
       if (row.outcome.ok()) peaks = larger(peaks, closed_form_peaks_of(row.out));
     }
   }

@@ -12,7 +12,7 @@ using namespace taut_test;
 
 Case<double> case_of(const Input& in) {
   Sheet<double> s;
-  return make_case(in, {in.position.data(), *in.return_weight, *in.traction_weight}, s);
+  return make_case(in, {.x = in.position.data(), .q_b = *in.return_weight, .q_T = *in.traction_weight}, s);
 }
 
 TEST(ClosedLoopCase, HeightDifferenceStandsForTheSlope) {
@@ -45,7 +45,7 @@ TEST(ClosedLoopCase, SheavesMultiplyAndOutHaulInverts) {
 TEST(ClosedLoopCase, WithoutAPositionTheCarriageIsAtMidspan) {
   Input in = example();
   Sheet<double> s;
-  const auto c = make_case(in, {nullptr, 1, 1}, s);
+  const auto c = make_case(in, {.x = nullptr, .q_b = 1, .q_T = 1}, s);
   EXPECT_EQ(c.x, 100);
   EXPECT_TRUE(c.midspan);
   in.position = {100.001};

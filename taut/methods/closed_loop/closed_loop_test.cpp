@@ -106,7 +106,7 @@ TEST(ClosedLoopDeck, AnEngineDecidesTheSagAndTheExactColumn) {
   in.loop_length = 402;
   Engine engine;
   engine.sag = [](const Input&, const Case<double>&, ExactSag& found) {
-    found = {12, 50};
+    found = {.sag = 12, .second = 50};
     return Outcome{};
   };
   engine.solve = [](const Input&, const Case<double>& c, Output& out) {
@@ -148,7 +148,7 @@ TEST(ClosedLoopDeck, RopesAndSafetyFactors) {
   in.wire_strength = 1e9;
   EXPECT_NE(complaint_at(in, "wire_strength"), "");
   in = example();
-  in.choose_ropes = RopeFilter{"6x36", {}, {}};
+  in.choose_ropes = RopeFilter{.construction = "6x36", .core = {}, .grade = {}};
   EXPECT_NE(complaint_at(in, "choose_ropes"), "");
   in.return_weight.reset();
   in.traction_weight.reset();

@@ -13,7 +13,7 @@ using namespace taut_test;
 
 Paper<double> paper_of(const Input& in) {
   Sheet<double> s;
-  auto c = make_case(in, {in.position.data(), *in.return_weight, *in.traction_weight}, s);
+  auto c = make_case(in, {.x = in.position.data(), .q_b = *in.return_weight, .q_T = *in.traction_weight}, s);
   c.f = *in.sag;
   Paper<double> p{};
   resolve_force(c, s, p);

@@ -123,7 +123,7 @@ TEST(ClosedLoopResult, ChosenRopesPassTheirChecks) {
   in.return_weight.reset();
   in.traction_weight.reset();
   in.safety_factor = 3.5;
-  in.choose_ropes = RopeFilter{"6x36", "IWRC", 1960e6};
+  in.choose_ropes = RopeFilter{.construction = "6x36", .core = "IWRC", .grade = 1960e6};
   in.clearance = 12;
   const Result r = run(in);
   ASSERT_EQ(r.status, Status::ok) << r.message;

@@ -25,7 +25,7 @@ Input choosing() {
   in.return_weight.reset();
   in.traction_weight.reset();
   in.safety_factor = 3.5;
-  in.choose_ropes = RopeFilter{"6x36", "IWRC", 1960e6};
+  in.choose_ropes = RopeFilter{.construction = "6x36", .core = "IWRC", .grade = 1960e6};
   in.position = {40, 100, 160};
   return in;
 }

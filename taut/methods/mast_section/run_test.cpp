@@ -105,7 +105,11 @@ TEST(MastSectionRun, UnverifiedSectionIsMarked) {
   Input in = yarder();
   in.skyline_force = 20e3;
   in.mainline_force = 10e3;
-  in.choose_section = ChooseSection{SectionKind::chs, FormingChoice::seamless, "GOST", LeastTrust::unverified, 35};
+  in.choose_section = ChooseSection{.shape = SectionKind::chs,
+                                    .forming = FormingChoice::seamless,
+                                    .standard = "GOST",
+                                    .least_trust = LeastTrust::unverified,
+                                    .largest_slenderness = 35};
   const Result r = run(in);
   ASSERT_EQ(r.checks.size(), 2u);
   EXPECT_TRUE(warns(r, "unverified row"));

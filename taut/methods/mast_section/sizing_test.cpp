@@ -18,7 +18,7 @@ Input mast() {
   return in;
 }
 
-const std::vector<ClampForces> loads{{160e3, 850e3, 0}, {190e3, 700e3, 1}};
+const std::vector<ClampForces> loads{{.N = 160e3, .M = 850e3, .index = 0}, {.N = 190e3, .M = 700e3, .index = 1}};
 
 TEST(MastSectionSizing, LightestPassesAndNoLighterOneDoes) {
   Input in = mast();
@@ -60,7 +60,11 @@ TEST(MastSectionSizing, YieldIsThatOfTheWall) {
 TEST(MastSectionSizing, ChoiceIsKept) {
   Input in = mast();
   in.allowable_stress = 300e6;
-  in.choose_section = ChooseSection{SectionKind::rhs, FormingChoice::hot, "EN 10210", LeastTrust::verified, 35};
+  in.choose_section = ChooseSection{.shape = SectionKind::rhs,
+                                    .forming = FormingChoice::hot,
+                                    .standard = "EN 10210",
+                                    .least_trust = LeastTrust::verified,
+                                    .largest_slenderness = 35};
   EXPECT_EQ(shapes_of(in), std::vector{SectionShape::rhs});
   const auto best = lightest(in, SectionShape::rhs, loads);
   ASSERT_TRUE(best.has_value());
@@ -83,7 +87,7 @@ TEST(MastSectionSizing, ThinWallsOnlyWhenAllowed) {
 }
 
 TEST(MastSectionSizing, NoneWhenNonePasses) {
-  const std::vector<ClampForces> huge{{1e9, 1e9, 0}};
+  const std::vector<ClampForces> huge{{.N = 1e9, .M = 1e9, .index = 0}};
   EXPECT_FALSE(lightest(mast(), SectionShape::chs, huge).has_value());
   const auto best = strongest(mast(), SectionShape::chs, huge);
   ASSERT_TRUE(best.has_value());

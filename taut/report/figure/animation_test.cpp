@@ -17,13 +17,13 @@ Animation sinking(std::size_t times) {
   a.title = "sinking <fast>";
   Animation::Line rope, mast;
   mast.role = Role::structure;
-  Animation::Round head{"head", Role::body, 0.5, {}, {}};
-  Animation::Readout T{"T", si::N, {}};
+  Animation::Round head{.label = "head", .role = Role::body, .radius = 0.5, .at = {}, .angle = {}};
+  Animation::Readout T{.label = "T", .unit = si::N, .value = {}};
   for (std::size_t i = 0; i < times; ++i) {
     const double s = static_cast<double>(i) / 10;
     a.t.push_back(s);
-    rope.points.push_back({{0, 10}, {0, 10 - s}});
-    mast.points.push_back({{-5, 0}, {-5, 12}});
+    rope.points.push_back({{.x = 0, .y = 10}, {.x = 0, .y = 10 - s}});
+    mast.points.push_back({{.x = -5, .y = 0}, {.x = -5, .y = 12}});
     head.at.push_back({0, 10});
     head.angle.push_back(s);
     T.value.push_back(1000 + s);

@@ -14,7 +14,13 @@ using namespace taut::report;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string svg(std::vector<Shape> shapes, Unit unit = si::m, double vertical = 1) {
-  return drawing_svg({"d", "Title <&>", "", std::move(shapes), unit, vertical}, Display{});
+  return drawing_svg({.name = "d",
+                      .title = "Title <&>",
+                      .caption = "",
+                      .shapes = std::move(shapes),
+                      .unit = unit,
+                      .vertical_scale = vertical},
+                     Display{});
 }
 
 /// Corners of the first path with this stroke.
@@ -36,7 +42,9 @@ bool is_clean(const std::string& text) {
 }
 
 TEST(SvgDrawing, IsToScaleWithUpUp) {
-  const auto p = corners(svg({Polyline{{{0, 0}, {30, 0}, {30, 40}}, Role::structure}}), "#333b44");
+  const auto p = corners(
+      svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 30, .y = 0}, {.x = 30, .y = 40}}, .role = Role::structure}}),
+      "#333b44");
   ASSERT_EQ(p.size(), 3U);
   const double x = p[1].first - p[0].first;
   const double y = p[2].second - p[1].second;
@@ -46,7 +54,13 @@ TEST(SvgDrawing, IsToScaleWithUpUp) {
 }
 
 TEST(SvgDrawing, StretchesHeightsAndSaysSo) {
-  const Drawing d{"d", "", "", {Polyline{{{0, 0}, {300, 0}, {300, 4}}, Role::structure}}, si::m, 5};
+  const Drawing d{.name = "d",
+                  .title = "",
+                  .caption = "",
+                  .shapes = {Polyline{.points = {{.x = 0, .y = 0}, {.x = 300, .y = 0}, {.x = 300, .y = 4}},
+                                      .role = Role::structure}},
+                  .unit = si::m,
+                  .vertical_scale = 5};
   const auto p = corners(drawing_svg(d, Display{}), "#333b44");
   EXPECT_NEAR((p[2].second - p[1].second) / (p[1].first - p[0].first), -5 * 4.0 / 300, 0.002);
   EXPECT_NE(scale_words(d).find("5 times"), std::string::npos);
@@ -54,8 +68,10 @@ TEST(SvgDrawing, StretchesHeightsAndSaysSo) {
 }
 
 TEST(SvgDrawing, ArrowsAreAsLongAsTheirForces) {
-  const std::string text = svg({Polyline{{{0, 0}, {10, 0}}, Role::structure}, ForceArrow{{0, 0}, 0, 2000, "A"},
-                                ForceArrow{{5, 0}, 0, 1000, "B", Role::second_force}});
+  const std::string text =
+      svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 10, .y = 0}}, .role = Role::structure},
+           ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 2000, .label = "A"},
+           ForceArrow{.at = {.x = 5, .y = 0}, .fx = 0, .fy = 1000, .label = "B", .role = Role::second_force}});
   const auto a = corners(text, "#b3261e");
   const auto b = corners(text, "#7b3fa0");
   ASSERT_EQ(a.size(), 2U);
@@ -68,8 +84,9 @@ TEST(SvgDrawing, ArrowsAreAsLongAsTheirForces) {
 
 TEST(SvgDrawing, AForcePolygonCloses) {
   const std::string text =
-      svg({ForceArrow{{0, 0}, 3000, 0, "H"}, ForceArrow{{3000, 0}, 0, 4000, "V", Role::second_force},
-           ForceArrow{{0, 0}, 3000, 4000, "R", Role::highlight}},
+      svg({ForceArrow{.at = {.x = 0, .y = 0}, .fx = 3000, .fy = 0, .label = "H"},
+           ForceArrow{.at = {.x = 3000, .y = 0}, .fx = 0, .fy = 4000, .label = "V", .role = Role::second_force},
+           ForceArrow{.at = {.x = 0, .y = 0}, .fx = 3000, .fy = 4000, .label = "R", .role = Role::highlight}},
           si::N);
   EXPECT_NE(text.find("= 5 kN"), std::string::npos);
   const auto v = corners(text, "#7b3fa0");
@@ -79,18 +96,25 @@ TEST(SvgDrawing, AForcePolygonCloses) {
 
 TEST(SvgDrawing, ATowardsArrowEndsAtItsPoint) {
   const std::string text =
-      svg({Polyline{{{0, 0}, {10, 0}}, Role::ground}, ForceArrow{{0, 0}, 0, 500, "N", Role::force, true}});
+      svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 10, .y = 0}}, .role = Role::ground},
+           ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 500, .label = "N", .role = Role::force, .towards = true}});
   EXPECT_GT(corners(text, "#b3261e")[0].second, 20);  // its tail is below the ground
 }
 
 TEST(SvgDrawing, NothingOfABadShapeReachesThePage) {
   const double inf = std::numeric_limits<double>::infinity();
   const std::string text =
-      svg({Polyline{{{nan, 0}, {1, inf}, {0, 0}, {1, 1}}}, Circle{{0, 0}, nan}, Circle{{0, 0}, 1, Role::body, inf, 0},
-           ForceArrow{{nan, 0}, 1, 1, "x"}, ForceArrow{{0, 0}, nan, 1, "x"}, ForceArrow{{0, 0}, 0, 0, "zero"},
-           DimensionLine{{0, 0}, {0, 0}, 1, "none"}, DimensionLine{{0, nan}, {0, 0}, 1, "none"},
-           AngleMark{{0, 0}, nan, 0, 1, "a"}, AngleMark{{0, 0}, 1, 0, 1e300, "a"}, Label{{inf, 0}, "gone"},
-           Label{{0, 0}, "<script>"}});
+      svg({Polyline{.points = {{.x = nan, .y = 0}, {.x = 1, .y = inf}, {.x = 0, .y = 0}, {.x = 1, .y = 1}}},
+           Circle{.center = {.x = 0, .y = 0}, .radius = nan},
+           Circle{.center = {.x = 0, .y = 0}, .radius = 1, .role = Role::body, .from = inf, .to = 0},
+           ForceArrow{.at = {.x = nan, .y = 0}, .fx = 1, .fy = 1, .label = "x"},
+           ForceArrow{.at = {.x = 0, .y = 0}, .fx = nan, .fy = 1, .label = "x"},
+           ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 0, .label = "zero"},
+           DimensionLine{.from = {.x = 0, .y = 0}, .to = {.x = 0, .y = 0}, .offset = 1, .text = "none"},
+           DimensionLine{.from = {.x = 0, .y = nan}, .to = {.x = 0, .y = 0}, .offset = 1, .text = "none"},
+           AngleMark{.center = {.x = 0, .y = 0}, .radius = nan, .from = 0, .to = 1, .text = "a"},
+           AngleMark{.center = {.x = 0, .y = 0}, .radius = 1, .from = 0, .to = 1e300, .text = "a"},
+           Label{.at = {.x = inf, .y = 0}, .text = "gone"}, Label{.at = {.x = 0, .y = 0}, .text = "<script>"}});
   EXPECT_TRUE(is_clean(text));
   EXPECT_EQ(text.find("<script>"), std::string::npos);
   EXPECT_NE(text.find("zero"), std::string::npos);
@@ -105,9 +129,10 @@ TEST(SvgDrawing, EmptyAndDegenerateDrawings) {
 }
 
 TEST(SvgDrawing, FitsAPageWithItsLabels) {
-  std::vector<Shape> shapes{Polyline{{{0, 0}, {100, 3}}, Role::rope}};
+  std::vector<Shape> shapes{Polyline{.points = {{.x = 0, .y = 0}, {.x = 100, .y = 3}}, .role = Role::rope}};
   for (int i = 0; i < 8; ++i) {
-    shapes.emplace_back(Label{{100, 3.0 * i}, "a rather long label at the right end, number " + std::to_string(i)});
+    shapes.emplace_back(Label{.at = {.x = 100, .y = 3.0 * i},
+                              .text = "a rather long label at the right end, number " + std::to_string(i)});
   }
   const std::string text = svg(shapes);
   std::smatch m;

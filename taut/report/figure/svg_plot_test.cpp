@@ -13,7 +13,13 @@ using namespace taut::report;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string svg(std::vector<Curve> curves, std::vector<Mark> marks = {}) {
-  return plot_svg({"p", "Title", "", {"position", si::m}, {"force", si::N}, std::move(curves), std::move(marks)},
+  return plot_svg({.name = "p",
+                   .title = "Title",
+                   .caption = "",
+                   .x = {.label = "position", .unit = si::m},
+                   .y = {.label = "force", .unit = si::N},
+                   .curves = std::move(curves),
+                   .marks = std::move(marks)},
                   Display{});
 }
 
@@ -28,14 +34,14 @@ int count(const std::string& text, const std::string& what) {
 }
 
 TEST(SvgPlot, AxesCarryUnits) {
-  const std::string text = svg({{"T", {0, 100}, {0, 50e3}}});
+  const std::string text = svg({{.label = "T", .x = {0, 100}, .y = {0, 50e3}}});
   EXPECT_NE(text.find(" in kN"), std::string::npos);
   EXPECT_NE(text.find(" in m<"), std::string::npos);
   EXPECT_NE(text.find(">50<"), std::string::npos);  // kN, not N
 }
 
 TEST(SvgPlot, BreaksAtNan) {
-  const std::string text = svg({{"T", {0, 1, 2, 3, 4}, {1, 2, nan, 2, 1}}});
+  const std::string text = svg({{.label = "T", .x = {0, 1, 2, 3, 4}, .y = {1, 2, nan, 2, 1}}});
   EXPECT_TRUE(is_clean(text));
   const std::size_t at = text.find("stroke-width=\"2\" stroke-linejoin");
   const std::size_t path = text.rfind("d=\"", at);
@@ -59,15 +65,19 @@ TEST(SvgPlot, EmptyAndDegenerate) {
 }
 
 TEST(SvgPlot, ANearLimitIsALineAFarOneIsNamed) {
-  const std::string near = svg({{"T", {0, 1}, {1e3, 2e3}}}, {{0, 3e3, "limit", true}});
+  const std::string near =
+      svg({{.label = "T", .x = {0, 1}, .y = {1e3, 2e3}}}, {{.x = 0, .y = 3e3, .label = "limit", .whole_line = true}});
   EXPECT_EQ(near.find("outside the range"), std::string::npos);
-  const std::string far = svg({{"T", {0, 1}, {1e3, 2e3}}}, {{0, 1e6, "limit", true}});
+  const std::string far =
+      svg({{.label = "T", .x = {0, 1}, .y = {1e3, 2e3}}}, {{.x = 0, .y = 1e6, .label = "limit", .whole_line = true}});
   EXPECT_NE(far.find("outside the range"), std::string::npos);
   EXPECT_NE(far.find("1000 kN"), std::string::npos);
 }
 
 TEST(SvgPlot, EscapesLabels) {
-  const std::string text = svg({{"<script>", {0, 1}, {1, 2}}}, {{0, 1, "<b>\x01", false}, {nan, nan, "gone", false}});
+  const std::string text = svg({{.label = "<script>", .x = {0, 1}, .y = {1, 2}}},
+                               {{.x = 0, .y = 1, .label = "<b>\x01", .whole_line = false},
+                                {.x = nan, .y = nan, .label = "gone", .whole_line = false}});
   EXPECT_EQ(text.find("<script>"), std::string::npos);
   EXPECT_EQ(text.find("<b>"), std::string::npos);
   EXPECT_EQ(text.find("gone"), std::string::npos);

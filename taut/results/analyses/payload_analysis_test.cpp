@@ -32,19 +32,35 @@ struct Case {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
-      {"skyline: {safety_factor: 3.5}", "tension of 'skyline'", 140, 170,
-       [](const Result& r) { return value_of(r, "skyline.T_max") / (280e3 / 3.5); }},
-      {"skyline: {tension: 70 kN}", "tension of 'skyline'", 130, 170,
-       [](const Result& r) { return value_of(r, "skyline.T_max") / 70e3; }},
-      {"winch: {pull: 4 kN}", "pull of 'mainline' at 'winch'", 150, 225,
-       [](const Result& r) { return value_of(r, "mainline.T_start") / 4e3; }},
-      {"clearance: 3 m", "clearance of 'car'", 150, 190,
-       [](const Result& r) { return 1 + (3 - value_of(r, "clearance_min")) / 100; }},
-      {"break_angle: 27 deg", "break angle at 'jack1'", 138, 148,
-       [](const Result& r) {
-         const Table& t = table_of(r, "sheaves");
-         return cell(t, row_of(t, "name", "jack1"), "wrap") / (27 * M_PI / 180);
-       }},
+      {.limit = "skyline: {safety_factor: 3.5}",
+       .governing = "tension of 'skyline'",
+       .from = 140,
+       .to = 170,
+       .value = [](const Result& r) { return value_of(r, "skyline.T_max") / (280e3 / 3.5); }},
+      {.limit = "skyline: {tension: 70 kN}",
+       .governing = "tension of 'skyline'",
+       .from = 130,
+       .to = 170,
+       .value = [](const Result& r) { return value_of(r, "skyline.T_max") / 70e3; }},
+      {.limit = "winch: {pull: 4 kN}",
+       .governing = "pull of 'mainline' at 'winch'",
+       .from = 150,
+       .to = 225,
+       .value = [](const Result& r) { return value_of(r, "mainline.T_start") / 4e3; }},
+      {.limit = "clearance: 3 m",
+       .governing = "clearance of 'car'",
+       .from = 150,
+       .to = 190,
+       .value = [](const Result& r) { return 1 + (3 - value_of(r, "clearance_min")) / 100; }},
+      {.limit = "break_angle: 27 deg",
+       .governing = "break angle at 'jack1'",
+       .from = 138,
+       .to = 148,
+       .value =
+           [](const Result& r) {
+             const Table& t = table_of(r, "sheaves");
+             return cell(t, row_of(t, "name", "jack1"), "wrap") / (27 * M_PI / 180);
+           }},
   };
   return all;
 }

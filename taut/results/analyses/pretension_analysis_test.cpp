@@ -94,23 +94,40 @@ TEST(PretensionAnalysis, MistakesAreToldAtTheirPlaces) {
     bool floor;
   };
   for (const Case& c :
-       {Case{"  - pretension: {pull: [{rope: lft, force: 30 kN}]}", "did you mean 'left'", false},
-        Case{"  - pretension: {pull: [{rope: left}]}", "force", false},
-        Case{"  - pretension: {pull: [{rope: left, force: 30 kN, take_up: 1 mm}]}", "force", false},
-        Case{"  - pretension: {pull: []}", "list is empty", false},
-        Case{"  - pretension: {pull: [{rope: left, until: out}]}", "needs 'moves'", true},
-        Case{"  - pretension: {pull: [{rope: left, until: out, moves: 3 kN}]}", "kN", true},
-        Case{"  - pretension: {pull: [{rope: left, force: 3 kN, moves: 3 mm}]}", "belongs to 'until'", false},
-        Case{"  - pretension: {least: {ropes: [left, left], tension: 1 kN}}", "named twice", false},
-        Case{"  - pretension: {least: {ropes: [left], tension: 1 kN, cases: [{name: a, loads: [{at: nowhere, mass: 1 "
-             "kg}]}]}}",
-             "nowhere", false},
-        Case{"  - pretension: {least: {ropes: [left], tension: 1 kN}}", "without contacts", true},
-        Case{"  - transient: {duration: 1 s, start: sliding}", "needs 'slid'", true},
-        Case{"  - transient: {duration: 1 s, slid: [{drum: w, by: 1 m}]}", "belongs to a start 'sliding'", true},
-        Case{"  - transient: {duration: 1 s, start: sliding, slid: [{drum: w, by: 1 m}]}", "there is no drum 'w'",
-             true},
-        Case{"  - transient: {duration: 1 s, quasi_static: true, method: verlet}", "its own steps", true}}) {
+       {Case{.deck = "  - pretension: {pull: [{rope: lft, force: 30 kN}]}",
+       .words = "did you mean 'left'",
+       .floor = false},
+        Case{.deck = "  - pretension: {pull: [{rope: left}]}", .words = "force", .floor = false},
+        Case{.deck = "  - pretension: {pull: [{rope: left, force: 30 kN, take_up: 1 mm}]}",
+        .words = "force",
+        .floor = false},
+        Case{.deck = "  - pretension: {pull: []}", .words = "list is empty", .floor = false},
+        Case{.deck = "  - pretension: {pull: [{rope: left, until: out}]}", .words = "needs 'moves'", .floor = true},
+        Case{.deck = "  - pretension: {pull: [{rope: left, until: out, moves: 3 kN}]}", .words = "kN", .floor = true},
+        Case{.deck = "  - pretension: {pull: [{rope: left, force: 3 kN, moves: 3 mm}]}",
+        .words = "belongs to 'until'",
+        .floor = false},
+        Case{.deck = "  - pretension: {least: {ropes: [left, left], tension: 1 kN}}",
+        .words = "named twice",
+        .floor = false},
+        Case{.deck = "  - pretension: {least: {ropes: [left], tension: 1 kN, cases: [{name: a, loads: [{at: nowhere, "
+                     "mass: 1 "
+                     "kg}]}]}}",
+        .words = "nowhere",
+        .floor = false},
+        Case{.deck = "  - pretension: {least: {ropes: [left], tension: 1 kN}}",
+        .words = "without contacts",
+        .floor = true},
+        Case{.deck = "  - transient: {duration: 1 s, start: sliding}", .words = "needs 'slid'", .floor = true},
+        Case{.deck = "  - transient: {duration: 1 s, slid: [{drum: w, by: 1 m}]}",
+        .words = "belongs to a start 'sliding'",
+        .floor = true},
+        Case{.deck = "  - transient: {duration: 1 s, start: sliding, slid: [{drum: w, by: 1 m}]}",
+        .words = "there is no drum 'w'",
+        .floor = true},
+        Case{.deck = "  - transient: {duration: 1 s, quasi_static: true, method: verlet}",
+        .words = "its own steps",
+        .floor = true}}) {
     const Result r = run_text(ring_deck(c.deck, c.floor));
     EXPECT_EQ(r.status, Status::bad_deck) << c.deck;
     EXPECT_TRUE(has_mistake(r, c.words)) << c.deck << to_text(r.errors);

@@ -22,9 +22,12 @@ TEST(SweepAnalysis, EachValueIsASingleRunAndBackIsTheSame) {
     std::string parameter, unit;
     double from, to;
   };
-  for (const Case& c : {Case{"loads[0].mass", "kg", 0, 3000}, Case{"loads.car.mass", "kg", 0, 3000},
-                        Case{"reevings.skyline.length", "m", 384, 379}, Case{"machine.points.tower.z", "m", 118, 130},
-                        Case{"carriages.car.mass", "kg", 200, 900}, Case{"supports.jack1.friction", "", 0, 0.3}}) {
+  for (const Case& c : {Case{.parameter = "loads[0].mass", .unit = "kg", .from = 0, .to = 3000},
+                        Case{.parameter = "loads.car.mass", .unit = "kg", .from = 0, .to = 3000},
+                        Case{.parameter = "reevings.skyline.length", .unit = "m", .from = 384, .to = 379},
+                        Case{.parameter = "machine.points.tower.z", .unit = "m", .from = 118, .to = 130},
+                        Case{.parameter = "carriages.car.mass", .unit = "kg", .from = 200, .to = 900},
+                        Case{.parameter = "supports.jack1.friction", .unit = "", .from = 0, .to = 0.3}}) {
     SCOPED_TRACE(c.parameter);
     const auto text = [&](double v) { return fmt::format("{:.17g} {}", v, c.unit); };
     const Result r = run_text(sweep_of(c.parameter, text(c.from), text(c.to), 3));

@@ -54,11 +54,14 @@ solve::DynamicState state() {
   s.ropes[0].whole = {1};
   s.ropes[0].angle = s.ropes[0].spin = s.ropes[0].passed = s.ropes[0].wrap = {1.1, std::nextafter(2.0, 3.0)};
   s.ropes[0].inside = s.ropes[0].inside_velocity = {{1, 2, 3}};
-  s.drums = {{12.5, 2, {0.001, -0.0}}};
+  s.drums = {{.content = 12.5, .layer = 2, .strain = {0.001, -0.0}}};
   s.force = {INFINITY, 5e-324};
   s.happened = {1};
-  const machine::Signal moves{"v", si::m_per_s, machine::Moves{0.25, {{1, 0.7, 0.5, true}}}};
-  s.drum_drive = {{machine::DriveKind::speed, moves, true}};
+  const machine::Signal moves{
+      .name = "v",
+      .unit = si::m_per_s,
+      .law = machine::Moves{.from = 0.25, .moves = {{.at = 1, .to = 0.7, .over = 0.5, .smooth = true}}}};
+  s.drum_drive = {{.kind = machine::DriveKind::speed, .signal = moves, .brake = true}};
   s.damping_time = {0.003};
   return s;
 }
@@ -87,9 +90,12 @@ TEST(TransientState, EveryKindOfSignalComesBack) {
   const machine::Model m = winch();
   solve::DynamicState s = state();
   for (const machine::Signal& signal :
-       {machine::Signal{"", si::m_per_s, 0.3}, machine::Signal{"s", si::m_per_s, machine::Sine{1, 2, 3, 4}},
-        machine::Signal{"c", si::m_per_s, machine::smooth_curve({0, 1, 3}, {0, 2, 1})},
-        machine::Signal{"l", si::m_per_s, machine::Curve{{0, 1}, {0, 2}, {}}}}) {
+       {machine::Signal{.name = "", .unit = si::m_per_s, .law = 0.3},
+        machine::Signal{
+            .name = "s", .unit = si::m_per_s, .law = machine::Sine{.mean = 1, .amplitude = 2, .omega = 3, .phase = 4}},
+        machine::Signal{.name = "c", .unit = si::m_per_s, .law = machine::smooth_curve({0, 1, 3}, {0, 2, 1})},
+        machine::Signal{
+            .name = "l", .unit = si::m_per_s, .law = machine::Curve{.t = {0, 1}, .value = {0, 2}, .slopes = {}}}}) {
     s.drum_drive[0].signal = signal;
     const auto back = state_from_json(to_json(s, m), m);
     ASSERT_TRUE(back) << back.error();

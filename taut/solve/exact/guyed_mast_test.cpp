@@ -15,8 +15,13 @@
 namespace taut::solve::guyed_mast_test {
 
 Guy guy_at(double angle, double height, double distance, GuyInstallation install, double anchor_height = 0) {
-  return {"g",     height, {distance * std::cos(angle), distance * std::sin(angle), anchor_height}, 15e6, 9.0,
-          install, 180e3};
+  return {.name = "g",
+          .height = height,
+          .anchor = {distance * std::cos(angle), distance * std::sin(angle), anchor_height},
+          .stiffness = 15e6,
+          .weight = 9.0,
+          .install = install,
+          .breaking_force = 180e3};
 }
 
 /// A tower yarder's mast with four guys away from the span, and the ropes of two blocks; lateral haulback force.
@@ -25,9 +30,10 @@ GuyedMast yarder() {
   m.height = 12;
   m.section = structure::tube_section(0.3239, 0.010);
   for (const double angle : {110.0, 160.0, 205.0, 250.0}) {
-    m.guys.push_back(guy_at(angle * degree, 12, 14, GuyTension{15e3, GuyEnd::top}, angle > 180 ? -1.5 : 0.8));
+    m.guys.push_back(
+        guy_at(angle * degree, 12, 14, GuyTension{.tension = 15e3, .at = GuyEnd::top}, angle > 180 ? -1.5 : 0.8));
   }
-  m.loads = {{12, {70e3, 0, -110e3}}, {10.8, {25e3, 6e3, -45e3}}};
+  m.loads = {{.height = 12, .force = {70e3, 0, -110e3}}, {.height = 10.8, .force = {25e3, 6e3, -45e3}}};
   return m;
 }
 
@@ -50,7 +56,7 @@ TEST(GuyedMast, AgreesWithTheHandModel) {
   GuyedMast slim = yarder();
   slim.section = structure::tube_section(0.1937, 0.008);
   slim.guys[1].height = 6;
-  slim.guys[2].install = GuyTension{4e3, GuyEnd::anchor};
+  slim.guys[2].install = GuyTension{.tension = 4e3, .at = GuyEnd::anchor};
   for (const GuyedMast& m : {yarder(), hinged, slim}) {
     const GuyedMastResult r = solved(m);
     expect_balance(r, 200e3, 12);
@@ -72,7 +78,7 @@ GuyedMast cantilever(double H, double N) {
   GuyedMast m;
   m.height = 8;
   m.section = structure::tube_section(0.508, 0.016);
-  m.loads = {{8, {H, 0, -N}}};
+  m.loads = {{.height = 8, .force = {H, 0, -N}}};
   return m;
 }
 
@@ -115,9 +121,9 @@ TEST(GuyedMast, HingedMastHeldAtItsTopBucklesAtEulersLoad) {
   }
   const double euler = std::pow(std::numbers::pi / 8, 2) * m.section.EI_x;
   GuyedMastResult r;
-  m.loads = {{8, {0, 0, -0.97 * euler}}};
+  m.loads = {{.height = 8, .force = {0, 0, -0.97 * euler}}};
   EXPECT_TRUE(solve(m, r).ok());
-  m.loads = {{8, {0, 0, -1.03 * euler}}};
+  m.loads = {{.height = 8, .force = {0, 0, -1.03 * euler}}};
   EXPECT_EQ(solve(m, r).status, Status::infeasible);
 }
 
@@ -150,7 +156,8 @@ TEST(GuyedMast, EqualGuysAroundAnUnloadedMastStayAsInstalled) {
   GuyedMast m = yarder();
   m.guys.clear();
   m.loads.clear();
-  for (int i = 0; i < 4; ++i) m.guys.push_back(guy_at(90 * degree * i, 12, 14, GuyTension{20e3, GuyEnd::anchor}));
+  for (int i = 0; i < 4; ++i)
+    m.guys.push_back(guy_at(90 * degree * i, 12, 14, GuyTension{.tension = 20e3, .at = GuyEnd::anchor}));
   m.section.EA = 1e15;  // else it shortens under them, and they lose a little
   const GuyedMastResult r = solved(m);
   EXPECT_LT(std::hypot(r.top.x(), r.top.y()), 1e-9);
@@ -163,13 +170,13 @@ TEST(GuyedMast, EqualGuysAroundAnUnloadedMastStayAsInstalled) {
 
 TEST(GuyedMast, GuyOnTheLeeSideGoesSlack) {
   GuyedMast m = yarder();
-  m.guys.push_back(guy_at(0, 12, 14, GuyTension{3e3, GuyEnd::top}));
+  m.guys.push_back(guy_at(0, 12, 14, GuyTension{.tension = 3e3, .at = GuyEnd::top}));
   const GuyedMastResult r = solved(m);
   EXPECT_TRUE(r.guys.back().slack);
   EXPECT_LT(r.guys.back().tension_top, 1e3);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_FALSE(r.guys[i].slack);
   m.guys.back().weight = 0;
-  m.guys.back().install = GuyTension{3e3, GuyEnd::top};
+  m.guys.back().install = GuyTension{.tension = 3e3, .at = GuyEnd::top};
   const GuyedMastResult s = solved(m);
   EXPECT_TRUE(s.guys.back().slack);
   EXPECT_EQ(s.guys.back().tension_top, 0);
@@ -180,10 +187,11 @@ TEST(GuyedMast, GuyOnTheLeeSideGoesSlack) {
 TEST(GuyedMast, InstalledTensionIsMetAndItsLengthGivesTheSame) {
   for (const GuyEnd end : {GuyEnd::top, GuyEnd::anchor}) {
     for (const double T : {1.5e3, 20e3, 150e3}) {
-      const Guy g = guy_at(1, 12, 14, GuyTension{T, end}, -3);
+      const Guy g = guy_at(1, 12, 14, GuyTension{.tension = T, .at = end}, -3);
       const auto L = installed_length(g);
       ASSERT_TRUE(L);
-      const auto span = rope::solve_span({*L, g.weight, g.stiffness}, Vector3(0, 0, 12) - g.anchor);
+      const auto span =
+          rope::solve_span({.length = *L, .weight = g.weight, .stiffness = g.stiffness}, Vector3(0, 0, 12) - g.anchor);
       ASSERT_TRUE(span);
       EXPECT_NEAR(end == GuyEnd::top ? tension_at_end(*span) : tension_at_start(*span), T, 1e-6 * T);
     }
@@ -197,7 +205,7 @@ TEST(GuyedMast, InstalledTensionIsMetAndItsLengthGivesTheSame) {
 TEST(GuyedMast, TensionBelowTheGuysOwnWeightIsRefused) {
   GuyedMast m = yarder();
   m.guys[2].weight = 60;
-  m.guys[2].install = GuyTension{300, GuyEnd::top};
+  m.guys[2].install = GuyTension{.tension = 300, .at = GuyEnd::top};
   GuyedMastResult r;
   const Outcome o = solve(m, r);
   EXPECT_EQ(o.status, Status::infeasible);
@@ -209,7 +217,7 @@ TEST(GuyedMast, GuysThatPressTooHardBuckleTheMastBeforeItIsLoaded) {
   m.section = structure::tube_section(0.06, 0.003);
   m.guys.clear();
   for (int i = 0; i < 4; ++i) {
-    m.guys.push_back(guy_at(90 * degree * i, 12, 14, GuyTension{150e3, GuyEnd::top}));
+    m.guys.push_back(guy_at(90 * degree * i, 12, 14, GuyTension{.tension = 150e3, .at = GuyEnd::top}));
     m.guys.back().stiffness = 1e6;  // soft: the mast's bow does not take the tension away
   }
   GuyedMastResult r;
@@ -222,8 +230,8 @@ TEST(GuyedMast, TighterGuysHoldTheTopBetter) {
   double before = 1e9;
   for (const double T : {5e3, 20e3, 40e3}) {
     GuyedMast m = yarder();
-    m.guys.push_back(guy_at(0, 12, 14, GuyTension{T, GuyEnd::top}));
-    for (Guy& g : m.guys) g.install = GuyTension{T, GuyEnd::top};
+    m.guys.push_back(guy_at(0, 12, 14, GuyTension{.tension = T, .at = GuyEnd::top}));
+    for (Guy& g : m.guys) g.install = GuyTension{.tension = T, .at = GuyEnd::top};
     const double top = solved(m).top.head<2>().norm();
     EXPECT_LT(top, before);
     before = top;
@@ -253,7 +261,8 @@ RC_GTEST_PROP(GuyedMast, BalancesOrSaysWhyNot, ()) {
   const int guys = *rc::gen::inRange(0, 7);
   for (int i = 0; i < guys; ++i) {
     const double height = m.height * *rc::gen::element(0.5, 0.9, 1.0), angle = between(0, 6.3), far = between(3, 60);
-    GuyInstallation install = GuyTension{between(10, 40e3), *rc::gen::element(GuyEnd::top, GuyEnd::anchor)};
+    GuyInstallation install =
+        GuyTension{.tension = between(10, 40e3), .at = *rc::gen::element(GuyEnd::top, GuyEnd::anchor)};
     const Vector3 anchor(far * std::cos(angle), far * std::sin(angle), between(-10, 10));
     if (*rc::gen::arbitrary<bool>()) {
       install = GuyLength{(Vector3(0, 0, height) - anchor).norm() * between(0.998, 1.05)};
@@ -261,8 +270,8 @@ RC_GTEST_PROP(GuyedMast, BalancesOrSaysWhyNot, ()) {
     m.guys.push_back({"g", height, anchor, between(1e6, 50e6), *rc::gen::element(0.0, 2.0, 20.0), install, {}});
   }
   const double force = between(0, 300e3);
-  m.loads = {{m.height, {force * between(0, 1), force * between(-0.2, 0.2), -force * between(0, 1)}},
-             {m.height * between(0.3, 1), {force * between(0, 0.3), 0, -force * between(0, 0.3)}}};
+  m.loads = {{.height = m.height, .force = {force * between(0, 1), force * between(-0.2, 0.2), -force * between(0, 1)}},
+             {.height = m.height * between(0.3, 1), .force = {force * between(0, 0.3), 0, -force * between(0, 0.3)}}};
   GuyedMastResult r;
   const Outcome o = solve(m, r);
   RC_CLASSIFY(o.ok());
@@ -306,7 +315,7 @@ machine::Model machine_of(const GuyedMast& m) {
     return -1;
   };
   for (const MastLoad& load : m.loads)
-    machine.loads.push_back({{section_at(load.height), Vector3::Zero()}, load.force});
+    machine.loads.push_back({{.body = section_at(load.height), .at = Vector3::Zero()}, load.force});
   for (const Guy& guy : m.guys) {
     machine::Reeving rope;
     rope.name = guy.name;
@@ -327,9 +336,10 @@ GuyedMast slewed(MastBase base) {
   m.base = base;
   m.guys.clear();
   for (const double angle : {40.0, 115.0, 200.0, 290.0}) {
-    m.guys.push_back(guy_at(angle * degree, 12, 13, GuyTension{6e3, GuyEnd::top}, angle > 180 ? -1.5 : 0.8));
+    m.guys.push_back(
+        guy_at(angle * degree, 12, 13, GuyTension{.tension = 6e3, .at = GuyEnd::top}, angle > 180 ? -1.5 : 0.8));
   }
-  m.loads = {{12, {45e3, 22e3, -90e3}}, {10.8, {15e3, -6e3, -45e3}}};
+  m.loads = {{.height = 12, .force = {45e3, 22e3, -90e3}}, {.height = 10.8, .force = {15e3, -6e3, -45e3}}};
   return m;
 }
 

@@ -41,7 +41,7 @@ machine::Model loop_machine(const RunningLoop& loop, const LoopState& s) {
     nodes.back().length_before = unstretched(s.between.rope.length, s.between.T_start);
     stretch = s.between.rope.length - nodes.back().length_before;
   }
-  m.loads.push_back({{hung, origin}, pull});
+  m.loads.push_back({{.body = hung, .at = origin}, pull});
   nodes.push_back(over("B", B));
   nodes.back().law.efficiency = loop.efficiency;
   if (c > 0) nodes.push_back(over("B above", B + up_there));
@@ -118,7 +118,7 @@ TEST(ClosedLoop, ThePublishedExampleByPlaceAlone) {
   machine::Model m = loop_machine(loop, s);
   m.reevings[0].value = 101;  // neither length is known: x and z are
   m.reevings[1].value = 303;
-  machine::Prescribed at{0, 100};
+  machine::Prescribed at{.carriage = 0, .x = 100};
   at.z = -10;
   const EquilibriumResult r = in_haul(m, at);
   EXPECT_NEAR(r.branches[0].T_from / g, 8587.9, 0.0005 * 8587.9);
@@ -148,7 +148,7 @@ TEST(ClosedLoop, ALinkBetweenTheBranches) {
 TEST(ClosedLoop, TwoSections) {
   // spec, section 6: exact P_b 1134.84 kgf, df 0.980 m at x_1 = 100 m, f_1 = 10 m
   RunningLoop loop = base_loop();
-  loop.second = SecondSection{3};
+  loop.second = SecondSection{.distance = 3};
   // three metres without any stretch would not tell their tension
   loop.return_rope.stiffness = loop.traction_rope.stiffness = 1e9;
   LoopState s;
@@ -167,7 +167,7 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
   for (const double rise : {0.0, 40.0, -40.0}) {
     RunningLoop loop = base_loop();
     loop.rise = rise;
-    loop.traction_rope = loop.return_rope = {12, 1.5e7};
+    loop.traction_rope = loop.return_rope = {.weight = 12, .stiffness = 1.5e7};
     LoopState s;
     ASSERT_TRUE(solve_loop(loop, {120, 12}, s).ok());
     machine::Model m = loop_machine(loop, s);
@@ -178,10 +178,18 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
     m.reevings = {reeve("loop", {drive, grip, m.reevings[1].nodes[1], roller}, s.loop_length(), 12, 1.5e7)};
     m.reevings[0].closed = true;
     m.reevings[0].haul = -1;
-    m.carriages = {{"car", 0, 0, 3, -1, 1, 0, 1, -1}};
+    m.carriages = {{.name = "car",
+                    .body = 0,
+                    .reeving = 0,
+                    .node = 3,
+                    .mainline = -1,
+                    .rollers = 1,
+                    .grip_reeving = 0,
+                    .grip_node = 1,
+                    .haulback = -1}};
     EquilibriumOptions options;
     options.motion = Motion::in;  // against the path: the lower branch runs to A
-    options.prescribed = machine::Prescribed{0, 120};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = 120};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     ASSERT_EQ(r.branches.size(), 4U);
@@ -205,7 +213,7 @@ TEST(ClosedLoop, TheGridOfSlopesAndSags) {
         loop.pull_x = 3000 * g * std::sin(gamma * M_PI / 180);
         loop.pull_z = -3000 * g * std::cos(gamma * M_PI / 180);
         LoopState s;
-        if (!solve_loop(loop, {100, 200 * f}, s).ok()) continue;
+        if (!solve_loop(loop, {.x = 100, .sag = 200 * f}, s).ok()) continue;
         ++cases;
         expect_same(in_haul(loop_machine(loop, s)), s, false, 1e-6);
       }

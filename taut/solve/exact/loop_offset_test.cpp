@@ -34,7 +34,8 @@ Case case_by_chance(unsigned seed, bool elastic) {
   loop.rise = loop.span * std::tan(chance.between(-30, 30) * degree);
   loop.branch_distance = chance.between(0.3, 3);
   loop.offset_is_vertical = true;
-  c.place = {loop.span * chance.between(0.1, 0.9), loop.span * std::exp(chance.between(std::log(0.01), std::log(0.2)))};
+  c.place = {.x = loop.span * chance.between(0.1, 0.9),
+             .sag = loop.span * std::exp(chance.between(std::log(0.01), std::log(0.2)))};
   const double S = chance.between(3e3, 80e3), gamma = chance.between(0, 55) * degree;
   loop.pull_x = S * std::sin(gamma);
   loop.pull_z = -S * std::cos(gamma);
@@ -85,7 +86,7 @@ TEST(LoopOffset, TheRollerForceGrowsFromNothing) {
   Case c = case_by_chance(4, false);
   c.loop.rise = -c.loop.span * std::tan(25 * degree);
   LoopState s;
-  const auto pressed = [&](double sag) { return solve_loop(c.loop, {c.place.x, sag}, s).ok(); };
+  const auto pressed = [&](double sag) { return solve_loop(c.loop, {.x = c.place.x, .sag = sag}, s).ok(); };
   double none = 1e-3 * c.loop.branch_distance, some = 0.1 * c.loop.span;
   ASSERT_FALSE(pressed(none));
   ASSERT_TRUE(pressed(some));
@@ -93,7 +94,7 @@ TEST(LoopOffset, TheRollerForceGrowsFromNothing) {
   while (some - none > 1e-9 * some) (pressed((none + some) / 2) ? some : none) = (none + some) / 2;
   ASSERT_TRUE(pressed(some));
   EXPECT_LT(s.roller_force(), 1e-5 * far);
-  const Outcome o = solve_loop(c.loop, {c.place.x, none}, s);
+  const Outcome o = solve_loop(c.loop, {.x = c.place.x, .sag = none}, s);
   EXPECT_NE(o.message.find("does not reach the upper branch"), std::string::npos) << o.message;
   EXPECT_NE(o.message.find("deepen the sag"), std::string::npos) << o.message;
 }
@@ -103,7 +104,7 @@ TEST(LoopOffset, ALinkWithoutForceIsNoAnswer) {
   const Case c = case_by_chance(10, false);
   for (const double part : {0.02, 0.2, 1.0}) {
     LoopState s;
-    if (!reach_loop(c.loop, {c.place.x, part * c.place.sag}, s, nullptr)) continue;
+    if (!reach_loop(c.loop, {.x = c.place.x, .sag = part * c.place.sag}, s, nullptr)) continue;
     EXPECT_GT(s.roller_force(), 1e-6 * s.lower_A.T_start) << part;
   }
 }

@@ -15,8 +15,8 @@ RunningLoop uphill() {
   loop.span = 240;
   loop.rise = 40;
   loop.branch_distance = 1;
-  loop.traction_rope = {14, 20e6};
-  loop.return_rope = {9, 12e6};
+  loop.traction_rope = {.weight = 14, .stiffness = 20e6};
+  loop.return_rope = {.weight = 9, .stiffness = 12e6};
   loop.efficiency = 0.93;
   loop.pull_x = 9e3;
   loop.pull_z = -20e3;
@@ -54,8 +54,8 @@ TEST(LoopSag, ATurnBesideTheEndOfTheFeasibleSagsIsFound) {
   loop.span = 751.3;
   loop.rise = -143.4;
   loop.branch_distance = 1.124;
-  loop.traction_rope = {13.02, 19.4e6};
-  loop.return_rope = {19.71, 7.857e6};
+  loop.traction_rope = {.weight = 13.02, .stiffness = 19.4e6};
+  loop.return_rope = {.weight = 19.71, .stiffness = 7.857e6};
   loop.efficiency = 0.888;
   loop.pull_x = 27.57e3 * std::sin(35.29 * std::numbers::pi / 180);
   loop.pull_z = -27.57e3 * std::cos(35.29 * std::numbers::pi / 180);
@@ -64,7 +64,7 @@ TEST(LoopSag, ATurnBesideTheEndOfTheFeasibleSagsIsFound) {
   int found_all = 0;
   for (double sag = 70; sag < 95; sag += 0.7) {
     LoopState s;
-    if (!solve_loop(loop, {79.4, sag}, s).ok()) break;
+    if (!solve_loop(loop, {.x = 79.4, .sag = sag}, s).ok()) break;
     LoopSag found;
     const Outcome o = find_loop_sag(loop, 79.4, LoopGiven::tension_at_A, s.lower_A.T_start, found);
     ASSERT_TRUE(o.ok()) << sag << ": " << o.message;
@@ -86,7 +86,7 @@ TEST(LoopSag, OutOfReachTellsTheRange) {
 
 TEST(LoopSystem, ConvergesToTheSameFromDifferentStarts) {
   const RunningLoop loop = uphill();
-  const LoopPlace place{120, 12};
+  const LoopPlace place{.x = 120, .sag = 12};
   LoopState s;
   ASSERT_TRUE(solve_loop(loop, place, s).ok());
   for (const double factor : {0.7, 1.0, 1.4}) {

@@ -12,11 +12,12 @@ struct Given {
   double weight, stiffness, H, x, z;
 };
 
-const std::vector<Given> cases = {{10, 1e7, 4e4, 100, 30},
-                                  {10, std::numeric_limits<double>::infinity(), 4e4, 100, -30},
-                                  {40, 2e6, 3e3, 150, 80},
-                                  {0, 1e6, 5e3, 60, -10},
-                                  {100, 5e5, 2e3, 90, 0}};
+const std::vector<Given> cases = {
+    {.weight = 10, .stiffness = 1e7, .H = 4e4, .x = 100, .z = 30},
+    {.weight = 10, .stiffness = std::numeric_limits<double>::infinity(), .H = 4e4, .x = 100, .z = -30},
+    {.weight = 40, .stiffness = 2e6, .H = 3e3, .x = 150, .z = 80},
+    {.weight = 0, .stiffness = 1e6, .H = 5e3, .x = 60, .z = -10},
+    {.weight = 100, .stiffness = 5e5, .H = 2e3, .x = 90, .z = 0}};
 
 TEST(LoopSpan, IsTheCatenaryOfItsLength) {
   for (const Given& g : cases) {

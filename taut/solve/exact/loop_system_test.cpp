@@ -16,8 +16,8 @@ RunningLoop skyline(bool two, double stiffness = 8e6) {
   loop.span = 180;
   loop.rise = 35;
   loop.branch_distance = 1.2;
-  loop.traction_rope = {14, stiffness};
-  loop.return_rope = {10, stiffness};
+  loop.traction_rope = {.weight = 14, .stiffness = stiffness};
+  loop.return_rope = {.weight = 10, .stiffness = stiffness};
   loop.efficiency = 0.92;
   loop.pull_x = 12e3;
   loop.pull_z = -20e3;
@@ -26,23 +26,23 @@ RunningLoop skyline(bool two, double stiffness = 8e6) {
   return loop;
 }
 
-constexpr LoopPlace place{75, 11};
+constexpr LoopPlace place{.x = 75, .sag = 11};
 
 /// Tensions and places near those of the loop, by factors and by metres.
 LoopUnknowns start(double H, double off) {
   const double m = 35.0 / 180;
-  return {{70e3 * H, 60e3 * H, 60e3 * H, 50e3 * H, 50e3 * H},
-          0.1 * off,
-          {75 + off, m * 75 - 11 - off},
-          {78 + 1.5 * off, m * 78 - 11.5}};
+  return {.H = {70e3 * H, 60e3 * H, 60e3 * H, 50e3 * H, 50e3 * H},
+          .lean = 0.1 * off,
+          .first = {.x = 75 + off, .z = m * 75 - 11 - off},
+          .second = {.x = 78 + 1.5 * off, .z = m * 78 - 11.5}};
 }
 
 LoopUnknowns at(const LoopState& s, double by = 0) {
-  return {{s.lower_A.force.H * (1 + by), s.between.force.H * (1 - by), s.lower_B.force.H * (1 - by),
-           s.upper_A.force.H * (1 + by), s.upper_B.force.H * (1 + by)},
-          s.lean + by,
-          {s.first.x + 20 * by, s.first.z - 10 * by},
-          {s.second.x + 15 * by, s.second.z + 10 * by}};
+  return {.H = {s.lower_A.force.H * (1 + by), s.between.force.H * (1 - by), s.lower_B.force.H * (1 - by),
+                s.upper_A.force.H * (1 + by), s.upper_B.force.H * (1 + by)},
+          .lean = s.lean + by,
+          .first = {.x = s.first.x + 20 * by, .z = s.first.z - 10 * by},
+          .second = {.x = s.second.x + 15 * by, .z = s.second.z + 10 * by}};
 }
 
 TEST(LoopSystem, PoorStartsComeToOneAnswer) {
@@ -86,7 +86,7 @@ Pulls pulls(const LoopSpan& span, const LoopNode& from, const LoopNode& to) {
   const auto solved = rope::solve_catenary(span.rope, to.x - from.x, to.z - from.z);
   EXPECT_TRUE(solved.has_value());
   const double half = span.rope.weight * span.rope.length / 2;
-  return {solved->force.H, solved->force.V - half, solved->force.V + half};
+  return {.H = solved->force.H, .start_V = solved->force.V - half, .end_V = solved->force.V + half};
 }
 
 TEST(LoopSystem, ItsNodesAreInBalanceBySpansOfTheirLengths) {
@@ -95,9 +95,10 @@ TEST(LoopSystem, ItsNodesAreInBalanceBySpansOfTheirLengths) {
     LoopState s;
     ASSERT_TRUE(newton(loop, place, start(1, 0), s));
     const double chord = std::hypot(loop.span, loop.rise), d = loop.branch_distance;
-    const LoopNode A{0, 0}, B{loop.span, loop.rise}, up{-d * loop.rise / chord, d * loop.span / chord};
+    const LoopNode A{.x = 0, .z = 0}, B{.x = loop.span, .z = loop.rise},
+        up{.x = -d * loop.rise / chord, .z = d * loop.span / chord};
     const Pulls a = pulls(s.lower_A, A, s.first), b = pulls(s.lower_B, s.second, B);
-    const Pulls u = pulls(s.upper_A, up, s.roller), w = pulls(s.upper_B, s.roller, {B.x + up.x, B.z + up.z});
+    const Pulls u = pulls(s.upper_A, up, s.roller), w = pulls(s.upper_B, s.roller, {.x = B.x + up.x, .z = B.z + up.z});
     double T = std::hypot(b.H, b.end_V);
     EXPECT_NEAR(std::hypot(w.H, w.end_V), loop.efficiency * T, 1e-7 * T);
     if (!two) {
@@ -131,7 +132,10 @@ TEST(LoopSystem, ARollerThatPullsIsStillAnAnswer) {
     loop.pull_z = -20;
     const double f = 3, all = 10 * 180 + 20, H = all * 180 / (4 * f * (1 + efficiency));
     LoopState s;
-    const LoopUnknowns near{{H, H, H, efficiency * H, efficiency * H}, 0, {90, -f}, {90, -f}};
+    const LoopUnknowns near{.H = {H, H, H, efficiency * H, efficiency * H},
+                            .lean = 0,
+                            .first = {.x = 90, .z = -f},
+                            .second = {.x = 90, .z = -f}};
     ASSERT_TRUE(newton(loop, {90, f}, near, s));
     EXPECT_NEAR(s.lower_B.force.H, H, 2e-3 * H);
     EXPECT_NEAR(s.R_z, efficiency / (1 + efficiency) * all - 900, 2e-3 * all);

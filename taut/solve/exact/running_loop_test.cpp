@@ -19,8 +19,8 @@ RunningLoop example(double slope = 0, double gamma = 30) {
   RunningLoop loop;
   loop.span = 200;
   loop.rise = 200 * std::tan(slope * degree);
-  loop.traction_rope = {1.5 * kgf};
-  loop.return_rope = {1 * kgf};
+  loop.traction_rope = {.weight = 1.5 * kgf};
+  loop.return_rope = {.weight = 1 * kgf};
   loop.efficiency = 0.9;
   loop.pull_x = 3000 * kgf * std::sin(gamma * degree);
   loop.pull_z = -3000 * kgf * std::cos(gamma * degree);
@@ -38,7 +38,7 @@ double P_b(const RunningLoop& loop, const LoopState& s) { return s.R_z - loop.ri
 
 TEST(RunningLoop, TheExampleByCatenaries) {
   const RunningLoop loop = example();
-  const LoopState s = solved(loop, {100, 10});
+  const LoopState s = solved(loop, {.x = 100, .sag = 10});
   EXPECT_NEAR(P_b(loop, s) / kgf, 1166.17, 0.005);
   EXPECT_NEAR(s.upper_B.T_end / kgf, 6370.0, 0.05);
   EXPECT_NEAR(s.lower_B.T_end / kgf, 7077.8, 0.05);
@@ -59,7 +59,10 @@ std::vector<RunningLoop> assorted() {
         loop.return_rope.stiffness = EA;
         loop.traction_rope.stiffness = 1.5 * EA;
         all.push_back(loop);
-        loop.second = SecondSection{4, slope < 0, roller == RollerLaw::free, slope == 0};
+        loop.second = SecondSection{.distance = 4,
+                                    .along_rope = slope < 0,
+                                    .sag_is_of_second = roller == RollerLaw::free,
+                                    .place_is_of_second = slope == 0};
         all.push_back(loop);
       }
     }
@@ -70,7 +73,7 @@ std::vector<RunningLoop> assorted() {
 TEST(RunningLoop, TheWholeSpanIsInBalance) {
   for (const RunningLoop& loop : assorted()) {
     for (const double x : {30.0, 100.0, 160.0}) {
-      const LoopState s = solved(loop, {x, 12});
+      const LoopState s = solved(loop, {.x = x, .sag = 12});
       const auto& [a, b, u, w] = std::tie(s.lower_A, s.lower_B, s.upper_A, s.upper_B);
       double weight = loop.carriage_weight - loop.pull_z;
       for (const LoopSpan* r : {&a, &b, &u, &w, &s.between}) weight += r->rope.weight * r->rope.length;
@@ -86,8 +89,8 @@ TEST(RunningLoop, TheWholeSpanIsInBalance) {
 
 TEST(RunningLoop, TheRollersLawHolds) {
   for (const RunningLoop& loop : assorted()) {
-    const LoopState s = solved(loop, {80, 12});
-    const LoopNode link{s.roller.x - s.first.x, s.roller.z - s.first.z};
+    const LoopState s = solved(loop, {.x = 80, .sag = 12});
+    const LoopNode link{.x = s.roller.x - s.first.x, .z = s.roller.z - s.first.z};
     EXPECT_NEAR(std::hypot(link.x, link.z), loop.branch_distance, 1e-9);
     if (loop.roller == RollerLaw::vertical) {
       EXPECT_NEAR(s.R_x, 0, 1e-6);
@@ -104,7 +107,7 @@ TEST(RunningLoop, FreeRollerAndStiffRopeTensionChangesByWeightTimesHeight) {
     for (const double x : {40.0, 150.0}) {
       RunningLoop loop = example(slope);
       loop.branch_distance = 2;
-      const LoopState s = solved(loop, {x, 15});
+      const LoopState s = solved(loop, {.x = x, .sag = 15});
       EXPECT_NEAR(s.upper_B.T_end - s.upper_A.T_start, loop.return_rope.weight * loop.rise, 1e-8 * s.upper_B.T_end);
     }
   }
@@ -114,7 +117,7 @@ TEST(RunningLoop, WithoutWeightStraightRopesShareTheLoad) {
   RunningLoop loop = example(12);
   loop.traction_rope.weight = loop.return_rope.weight = 0;
   loop.roller = RollerLaw::vertical;
-  const LoopPlace place{70, 9};
+  const LoopPlace place{.x = 70, .sag = 9};
   const LoopState s = solved(loop, place);
   // Horizontal tensions of the upper branch (one) and of the lower at B: sheave and vertical balance.
   const double m = loop.rise / loop.span;
@@ -130,12 +133,13 @@ TEST(RunningLoop, WithoutWeightStraightRopesShareTheLoad) {
 
 TEST(RunningLoop, TwoSectionsBecomeOne) {
   RunningLoop loop = example(-10);
-  const LoopState one = solved(loop, {80, 10});
+  const LoopState one = solved(loop, {.x = 80, .sag = 10});
   double before = 1e9;
   for (const double d : {1.0, 0.1, 0.01, 0.001}) {
     for (const bool second : {false, true}) {
-      loop.second = SecondSection{d, second, second, second};
-      const LoopState two = solved(loop, {80, 10});
+      loop.second =
+          SecondSection{.distance = d, .along_rope = second, .sag_is_of_second = second, .place_is_of_second = second};
+      const LoopState two = solved(loop, {.x = 80, .sag = 10});
       const double off = std::abs(P_b(loop, two) / P_b(loop, one) - 1);
       EXPECT_LT(off, 0.05 * d);
       if (second) continue;
@@ -150,8 +154,9 @@ TEST(RunningLoop, TheSecondSectionStandsWhereItIsAsked) {
     for (const bool sag : {false, true}) {
       for (const bool place : {false, true}) {
         RunningLoop loop = example(15);
-        loop.second = SecondSection{5, along, sag, place};
-        const LoopState s = solved(loop, {90, 14});
+        loop.second =
+            SecondSection{.distance = 5, .along_rope = along, .sag_is_of_second = sag, .place_is_of_second = place};
+        const LoopState s = solved(loop, {.x = 90, .sag = 14});
         const double m = loop.rise / loop.span;
         const LoopNode& hung = sag ? s.second : s.first;
         EXPECT_NEAR((place ? s.second : s.first).x, 90, 1e-9);
@@ -165,7 +170,7 @@ TEST(RunningLoop, TheSecondSectionStandsWhereItIsAsked) {
 
 /// Gravity and elastic energy of one rope, m g z by Simpson's rule.
 double energy(const LoopRope& rope, double length, LoopNode from, LoopNode to) {
-  const rope::CatenaryRope r{length, rope.weight, rope.stiffness};
+  const rope::CatenaryRope r{.length = length, .weight = rope.weight, .stiffness = rope.stiffness};
   const auto s = rope::solve_catenary(r, to.x - from.x, to.z - from.z);
   EXPECT_TRUE(s.has_value());
   constexpr int n = 400;
@@ -184,18 +189,20 @@ TEST(RunningLoop, WithoutFrictionTheEnergyIsStationary) {
   loop.carriage_weight = 3000;
   loop.traction_rope.stiffness = 2e7;
   loop.return_rope.stiffness = 1.2e7;
-  const LoopState s = solved(loop, {70, 11});
+  const LoopState s = solved(loop, {.x = 70, .sag = 11});
   // Coordinates: clamp x, z; lean of the link; rope run over the sheave; rope run over the roller.
   const auto total = [&](const std::array<double, 5>& q) {
-    const LoopNode L{s.first.x + q[0], s.first.z + q[1]};
+    const LoopNode L{.x = s.first.x + q[0], .z = s.first.z + q[1]};
     const double lean = s.lean + q[2];
-    const LoopNode U{L.x - loop.branch_distance * std::sin(lean), L.z + loop.branch_distance * std::cos(lean)};
+    const LoopNode U{.x = L.x - loop.branch_distance * std::sin(lean),
+                     .z = L.z + loop.branch_distance * std::cos(lean)};
     const double chord = std::hypot(loop.span, loop.rise);
-    const LoopNode A{-loop.branch_distance * loop.rise / chord, loop.branch_distance * loop.span / chord};
-    return energy(loop.traction_rope, s.lower_A.rope.length, {0, 0}, L) +
-           energy(loop.return_rope, s.lower_B.rope.length + q[3], L, {loop.span, loop.rise}) +
+    const LoopNode A{.x = -loop.branch_distance * loop.rise / chord, .z = loop.branch_distance * loop.span / chord};
+    return energy(loop.traction_rope, s.lower_A.rope.length, {.x = 0, .z = 0}, L) +
+           energy(loop.return_rope, s.lower_B.rope.length + q[3], L, {.x = loop.span, .z = loop.rise}) +
            energy(loop.return_rope, s.upper_A.rope.length + q[4], A, U) +
-           energy(loop.return_rope, s.upper_B.rope.length - q[3] - q[4], U, {loop.span + A.x, loop.rise + A.z}) +
+           energy(loop.return_rope, s.upper_B.rope.length - q[3] - q[4], U,
+                  {.x = loop.span + A.x, .z = loop.rise + A.z}) +
            loop.carriage_weight * L.z - loop.pull_x * L.x - loop.pull_z * L.z +
            loop.return_rope.weight * q[3] * A.z;  // the sheave's two sides differ in height; its rope has no weight
   };
@@ -240,7 +247,7 @@ TEST(RunningLoop, SagByTensionAndTheSecondRoot) {
   double least = 1e99;
   for (double f = 2; f < 100; f *= 1.05) {
     LoopState s;
-    if (solve_loop(up, {60, f}, s).ok()) least = std::min(least, s.lower_A.T_start);
+    if (solve_loop(up, {.x = 60, .sag = f}, s).ok()) least = std::min(least, s.lower_A.T_start);
   }
   const Outcome o = find_loop_sag(up, 60, LoopGiven::tension_at_A, 1.002 * least, two);
   ASSERT_TRUE(o.ok()) << o.message;
@@ -254,7 +261,7 @@ TEST(RunningLoop, SagByTensionAndTheSecondRoot) {
 
 TEST(RunningLoop, LiftOffIsNamed) {
   LoopState s;
-  const Outcome o = solve_loop(example(-30, 60), {100, 10}, s);
+  const Outcome o = solve_loop(example(-30, 60), {.x = 100, .sag = 10}, s);
   EXPECT_EQ(o.status, Status::infeasible);
   EXPECT_NE(o.message.find("lifts off"), std::string::npos) << o.message;
   LoopSag found;
@@ -264,8 +271,8 @@ TEST(RunningLoop, LiftOffIsNamed) {
 TEST(RunningLoop, AStartNearbyChangesNothing) {
   RunningLoop loop = example(8);
   loop.return_rope.stiffness = 9e6;
-  const LoopState near = solved(loop, {60, 8});
-  const LoopState cold = solved(loop, {90, 11});
+  const LoopState near = solved(loop, {.x = 60, .sag = 8});
+  const LoopState cold = solved(loop, {.x = 90, .sag = 11});
   LoopState warm;
   ASSERT_TRUE(solve_loop(loop, {90, 11}, warm, &near).ok());
   EXPECT_NEAR(warm.lower_A.T_start, cold.lower_A.T_start, 1e-11 * cold.lower_A.T_start);
@@ -276,14 +283,14 @@ TEST(RunningLoop, ASecondSectionPulledUnderTheFirstIsNamed) {
   loop.span = 121;
   loop.rise = -8;
   loop.branch_distance = 1;
-  loop.traction_rope = loop.return_rope = {12, std::numeric_limits<double>::infinity()};
+  loop.traction_rope = loop.return_rope = {.weight = 12, .stiffness = std::numeric_limits<double>::infinity()};
   loop.carriage_weight = 2700;
   loop.pull_x = -9300;
   loop.pull_z = -5300;
   loop.second = SecondSection{.distance = 2};
   LoopState state;
   EXPECT_TRUE(solve_loop(loop, {61, 10}, state).ok());
-  const Outcome deep = solve_loop(loop, {61, 60}, state);
+  const Outcome deep = solve_loop(loop, {.x = 61, .sag = 60}, state);
   EXPECT_EQ(deep.status, Status::infeasible);
   EXPECT_NE(deep.message.find("between the sections stands upright"), std::string::npos) << deep.message;
 }

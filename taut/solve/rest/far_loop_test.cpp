@@ -23,13 +23,13 @@ std::string reported(std::optional<machine::Prescribed> prescribed, double mainl
     e.branches[k].chord = {30.0, -40.0, 10.0 * static_cast<double>(k)};
     c.branches[k].length = (layout.branches[k].reeving == 1 ? mainline : skyline) * e.branches[k].chord.norm();
   }
-  const Outcome found = no_far_loop({m, layout, prescribed ? prescribed->x : 0}, c, e);
+  const Outcome found = no_far_loop({.model = m, .layout = layout, .coordinate = prescribed ? prescribed->x : 0}, c, e);
   EXPECT_EQ(found.status, found.message.empty() ? Status::ok : Status::infeasible);
   return found.message;
 }
 
 TEST(FarLoop, TheRopeThatPutsTheCarriageMayBeTenTimesItsWay) {
-  const machine::Prescribed at{0, 150};
+  const machine::Prescribed at{.carriage = 0, .x = 150};
   EXPECT_EQ(reported(at, 1, 1), "");
   EXPECT_EQ(reported(at, 9.999, 1), "");
   const std::string message = reported(at, 10.001, 1);

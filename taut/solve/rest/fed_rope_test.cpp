@@ -87,7 +87,7 @@ TEST(FedRope, ASpanHasOneRootFromAnyLength) {
 TEST(FedRope, MoreRopeMakesADeepLoopTighter) {
   const machine::Model m = span({30, 0, -40}, 5e3, false);
   const mechanics::Layout l = mechanics::layout(m, machine::initial_state(m), {}, no_flow(m));
-  const mechanics::System system{m, l, 0};
+  const mechanics::System system{.model = m, .layout = l, .coordinate = 0};
   ASSERT_EQ(fed_ends(system).size(), 1U);
   int deep = 0;
   for (double length = 49.9; length < 500; length *= 1.1) {
@@ -183,7 +183,7 @@ TEST(FedRope, ASweepEndsAtTheLeastPull) {
 EquilibriumResult put_at(double x, double times, double z) {
   machine::Model m = with_carriage(true);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, x};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
   machine::State guess = machine::initial_state(m);
   guess.bodies[0].position = {x, 2, z};
   guess.branches[1][0] = {};

@@ -19,7 +19,7 @@ TEST(FirstState, APrescribedCarriageIsOnTheLineBetweenItsNeighbours) {
   const machine::Model m = with_carriage(true);
   for (const double x : {95.0, 130.0, 195.0}) {
     EquilibriumOptions options;
-    options.prescribed = machine::Prescribed{0, x};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
     const machine::State s = first_state(m, options);
     const Vector3& place = s.bodies[0].position;
     EXPECT_NEAR(place.x(), x, 1e-12);
@@ -35,11 +35,11 @@ TEST(FirstState, APrescribedCarriageIsOnTheLineBetweenItsNeighbours) {
 TEST(FirstState, AlongAnotherDirectionItIsTheSameTurned) {
   const machine::Model m = with_carriage(true);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   const machine::State straight = first_state(m, options);
   const double angle = 2.2;
   const Vector3 by(4, -9, 1), along(std::cos(angle), std::sin(angle), 0);
-  options.prescribed = machine::Prescribed{0, 150 + by.dot(along), along};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150 + by.dot(along), .along = along};
   const machine::State other = first_state(turned(m, angle, by), options);
   EXPECT_NEAR(other.bodies[0].position.z(), straight.bodies[0].position.z() + 1, 1e-9);
   EXPECT_NEAR(other.branches[1][0].length, straight.branches[1][0].length, 1e-9);

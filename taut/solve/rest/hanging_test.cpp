@@ -18,7 +18,7 @@ struct Evaluated {
             const std::optional<machine::Prescribed>& prescribed = {})
       : model(m),
         laid_out(mechanics::layout(model, state, prescribed, no_flow(m))),
-        system{model, laid_out, 0},
+        system{.model = model, .layout = laid_out, .coordinate = 0},
         c(configuration_of(laid_out, state)) {
     for (int i = 0; i < 4; ++i) EXPECT_FALSE(mechanics::evaluate(system, c, e));
   }
@@ -62,7 +62,7 @@ TEST(Hanging, APullUpwardsLiftsItOff) {
 TEST(FarLoop, AMainlineOfTenTimesItsWayIsNone) {
   const machine::Model m = with_carriage(true);
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, 150};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   const EquilibriumResult r = equilibrium(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const Evaluated at(m, r.state, options.prescribed);

@@ -21,7 +21,7 @@ struct Solved {
 };
 
 Solved solved(const machine::Model& m) {
-  Solved s{m, equilibrium(m), {}, {}};
+  Solved s{.model = m, .at = equilibrium(m), .laid_out = {}, .c = {}};
   EXPECT_TRUE(s.at.outcome.ok()) << s.at.outcome.message;
   s.laid_out = mechanics::layout(m, s.at.state, {}, no_flow(m));
   s.c = configuration_of(s.laid_out, s.at.state);
@@ -42,7 +42,7 @@ double apart(const mechanics::Configuration& a, const mechanics::Configuration& 
 TEST(Newton, ComesBackFromBesideTheAnswer) {
   for (const machine::Model& m : {with_carriage(true), tackle(4, 1, 3000), rollers(2, 0.8, 0.3, 1000)}) {
     const Solved s = solved(m);
-    const mechanics::System system{s.model, s.laid_out, 0};
+    const mechanics::System system{.model = s.model, .layout = s.laid_out, .coordinate = 0};
     mechanics::Configuration c = s.c;
     for (machine::Pose& p : c.bodies) p.position += Vector3(0.02, 0, -0.05);
     mechanics::Evaluation e;
@@ -56,7 +56,7 @@ TEST(Newton, ComesBackFromBesideTheAnswer) {
 
 TEST(Newton, StandsStillAtTheAnswer) {
   const Solved s = solved(with_carriage(true));
-  const mechanics::System system{s.model, s.laid_out, 0};
+  const mechanics::System system{.model = s.model, .layout = s.laid_out, .coordinate = 0};
   mechanics::Configuration c = s.c;
   mechanics::Evaluation e;
   const Iteration i = newton(system, c, e, 1e-9, 60);
@@ -69,7 +69,7 @@ TEST(Newton, SaysWhatIsNotHeld) {
   m.bodies.push_back(body("loose", {3, 0, 0}, 10, "z"));
   const machine::State state = machine::initial_state(m);
   const mechanics::Layout l = mechanics::layout(m, state, {}, no_flow(m));
-  const mechanics::System system{m, l, 0};
+  const mechanics::System system{.model = m, .layout = l, .coordinate = 0};
   mechanics::Configuration c = configuration_of(l, state);
   mechanics::Evaluation e;
   const Iteration i = newton(system, c, e, 1e-10, 60);
@@ -79,7 +79,7 @@ TEST(Newton, SaysWhatIsNotHeld) {
 
 TEST(Relax, FallsToTheSameEquilibriumFromFarAway) {
   const Solved s = solved(tackle(4, 1, 3000));
-  const mechanics::System system{s.model, s.laid_out, 0};
+  const mechanics::System system{.model = s.model, .layout = s.laid_out, .coordinate = 0};
   machine::Model above = s.model;
   above.bodies[0].position.z() += 3;  // all falls slack
   mechanics::Configuration c = configuration_of(s.laid_out, machine::initial_state(above));

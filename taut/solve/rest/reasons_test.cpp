@@ -55,7 +55,7 @@ TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
   const machine::Model m = rollers(1, 0, 0, 500);
   for (const double x : {-40.0, 300.0}) {
     EquilibriumOptions options;
-    options.prescribed = machine::Prescribed{0, x};
+    options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
     const EquilibriumResult r = equilibrium(m, options);
     ASSERT_EQ(r.outcome.status, taut::Status::infeasible) << r.outcome.message;
     EXPECT_NE(r.outcome.message.find("but its rope runs from x = 0 m ('head') to 150 m ('tail') there"),

@@ -15,7 +15,7 @@ constexpr double g = taut::standard_gravity;
 
 EquilibriumOptions put_at(double x) {
   EquilibriumOptions options;
-  options.prescribed = machine::Prescribed{0, x};
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = x};
   options.band = false;
   return options;
 }

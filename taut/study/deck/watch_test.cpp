@@ -17,16 +17,31 @@ struct Asked {
 
 const std::vector<Asked>& asked() {
   static const std::vector<Asked> all = {
-      {"load_path: {carriage: car, from: 130 m, to: 220 m, steps: 9}", "load_path", "load path", 10},
-      {"payload: {carriage: car, from: 130 m, to: 220 m, steps: 9, limits: {skyline: {tension: 90 kN}}}", "payload",
-       "payload", 10},
-      {"cycle: {carriage: car, from: 130 m, to: 220 m, steps: 9, phases: [{name: a, motion: out}, {name: b, motion: "
-       "in}]}",
-       "cycle", "cycle", 20, false, 3},
-      {"sweep: {parameter: \"loads[0].mass\", from: 0 t, to: 1 t, steps: 9, carriage: car, x: 170 m}", "sweep", "sweep",
-       10},
-      {"envelope: {carriage: car, from: 130 m, to: 220 m, steps: 9, loads: [0 t, 1 t], motions: [in, out]}", "envelope",
-       "envelope", 40, false},
+      {.analysis = "load_path: {carriage: car, from: 130 m, to: 220 m, steps: 9}",
+       .table = "load_path",
+       .what = "load path",
+       .states = 10},
+      {.analysis = "payload: {carriage: car, from: 130 m, to: 220 m, steps: 9, limits: {skyline: {tension: 90 kN}}}",
+       .table = "payload",
+       .what = "payload",
+       .states = 10},
+      {.analysis = "cycle: {carriage: car, from: 130 m, to: 220 m, steps: 9, phases: [{name: a, motion: out}, {name: "
+                   "b, motion: "
+                   "in}]}",
+       .table = "cycle",
+       .what = "cycle",
+       .states = 20,
+       .sums = false,
+       .times = 3},
+      {.analysis = "sweep: {parameter: \"loads[0].mass\", from: 0 t, to: 1 t, steps: 9, carriage: car, x: 170 m}",
+       .table = "sweep",
+       .what = "sweep",
+       .states = 10},
+      {.analysis = "envelope: {carriage: car, from: 130 m, to: 220 m, steps: 9, loads: [0 t, 1 t], motions: [in, out]}",
+       .table = "envelope",
+       .what = "envelope",
+       .states = 40,
+       .sums = false},
   };
   return all;
 }

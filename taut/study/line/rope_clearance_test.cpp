@@ -30,9 +30,9 @@ Line line_over(std::vector<machine::GroundPoint> ground) {
 
 // A polyline of the same rope, against the exact search over its catenary: from above by the sag of its pieces alone.
 TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
-  for (const auto& ground : {std::vector<machine::GroundPoint>{{-10, 0}, {110, 0}},
-                             {{0, -5}, {100, 5}},
-                             {{0, -9}, {30, 12}, {31, -9}, {100, 3}}}) {
+  for (const auto& ground : {std::vector<machine::GroundPoint>{{.x = -10, .z = 0}, {.x = 110, .z = 0}},
+                             {{.x = 0, .z = -5}, {.x = 100, .z = 5}},
+                             {{.x = 0, .z = -9}, {.x = 30, .z = 12}, {.x = 31, .z = -9}, {.x = 100, .z = 3}}}) {
     const Line line = line_over(ground);
     const double exact = taut::study::rope_clearance(line.machine, line.rope).height;
     for (const int pieces : {16, 160}) {
@@ -47,7 +47,7 @@ TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
       EXPECT_LE(found, exact + 1.1 * sag / (pieces * pieces) + 1e-6);
     }
   }
-  const Line line = line_over({{-10, 15}, {110, 15}});
+  const Line line = line_over({{.x = -10, .z = 15}, {.x = 110, .z = 15}});
   const std::vector<Vector3> rising = {{0, 0, 15}, {50, 0, 18}, {100, 0, 14}};
   EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, true, false).height, 0);
   EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, true).height, -1);
@@ -59,14 +59,14 @@ TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
     const Line line = line_over(std::move(ground));
     return taut::study::rope_clearance(line.machine, line.rope);
   };
-  const auto flat = least({{-10, 0}, {110, 0}});
+  const auto flat = least({{.x = -10, .z = 0}, {.x = 110, .z = 0}});
   EXPECT_NEAR(flat.height, rope_height(50), 1e-6);
   EXPECT_NEAR(flat.place.x(), 50, 1e-4);
-  const auto slope = least({{0, -5}, {100, 5}});
+  const auto slope = least({{.x = 0, .z = -5}, {.x = 100, .z = 5}});
   const double x = 50 + a * std::asinh(0.1);  // where the catenary rises by 0.1
   EXPECT_NEAR(slope.place.x(), x, 1e-4);
   EXPECT_NEAR(slope.height, rope_height(x) - (0.1 * x - 5), 1e-6);
-  const auto hill = least({{0, 0}, {80, 13}, {100, 0}});
+  const auto hill = least({{.x = 0, .z = 0}, {.x = 80, .z = 13}, {.x = 100, .z = 0}});
   EXPECT_NEAR(hill.place.x(), 80, 1e-6);
   EXPECT_NEAR(hill.height, rope_height(80) - 13, 1e-6);
   EXPECT_LT(least({{0, 0}, {50, 15}, {100, 0}}).height, 0);
@@ -74,12 +74,12 @@ TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
 
 /// A rope may well begin at the ground where it is fixed; an end that moves with a body may not come down to it.
 TEST(RopeClearance, CountsEndsThatMove) {
-  Line line = line_over({{0, support}, {10, 0}, {100, 0}});
+  Line line = line_over({{.x = 0, .z = support}, {.x = 10, .z = 0}, {.x = 100, .z = 0}});
   EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, rope_height(50), 1e-6);
   line.machine.bodies.push_back(body("car", {0, 0, support}, 10, "z"));
   line.machine.reevings[0].nodes[0] = anchor_on("car", 0);
   EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, 0, 1e-9);
-  line.machine.terrain = {{-20, 0}, {-10, 0}};
+  line.machine.terrain = {{.x = -20, .z = 0}, {.x = -10, .z = 0}};
   EXPECT_TRUE(std::isnan(taut::study::rope_clearance(line.machine, line.rope).height));
 }
 

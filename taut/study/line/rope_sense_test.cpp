@@ -112,11 +112,13 @@ analyses:
 }
 
 TEST(RopeSense, NamesTheRopeWhereAllOfItIsWrongElseTheContact) {
-  const std::vector<RopeSense> one = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 2, 0}};
+  const std::vector<RopeSense> one = {{.rope = "line", .contact = "a", .declared = 1, .with = 0, .against = 3},
+                                      {.rope = "line", .contact = "b", .declared = 1, .with = 2, .against = 0}};
   EXPECT_NE(wrong_senses(one)->find("{a: -1}"), std::string::npos) << *wrong_senses(one);
-  const std::vector<RopeSense> both = {{"line", "a", 1, 0, 3}, {"line", "b", 1, 0, 2}};
+  const std::vector<RopeSense> both = {{.rope = "line", .contact = "a", .declared = 1, .with = 0, .against = 3},
+                                       {.rope = "line", .contact = "b", .declared = 1, .with = 0, .against = 2}};
   EXPECT_NE(wrong_senses(both)->find("{line: -1}"), std::string::npos) << *wrong_senses(both);
-  const std::vector<RopeSense> in_part = {{"line", "a", 1, 1, 3}};
+  const std::vector<RopeSense> in_part = {{.rope = "line", .contact = "a", .declared = 1, .with = 1, .against = 3}};
   EXPECT_FALSE(wrong_senses(in_part));
   EXPECT_FALSE(contrary_senses(in_part));
 }
