@@ -12,11 +12,7 @@
 /// Numbers that are free: each one that a designer names, found by the search and compared with the deck run by itself.
 namespace taut::app::design_unknowns_test {
 
-using taut_test::expect_mistake;
-using taut_test::run_text;
-using taut_test::table_of;
-using taut_test::text_cell;
-using taut_test::value_of;
+using namespace taut_test;
 using testing::HasSubstr;
 
 double worst_of(const Result& r) {

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "taut/app/job.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut::app::machine_carriages_test {
 
-Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  return run(Job{.text = text, .name = "deck.yaml", .set = set});
-}
-
-double value_of(const Result& r, const std::string& name) {
-  const Value* v = r.find_value(name);
-  EXPECT_NE(v, nullptr) << name << "; " << r.message << to_text(r.errors);
-  return v == nullptr ? std::nan("") : v->value;
-}
+using taut_test::run_text;
+using taut_test::value_of;
 
 /// The closed loop of the published example, by its place alone.
 const char* const closed_loop = R"(taut: 1

@@ -8,20 +8,14 @@
 #include "taut/app/job.hpp"
 #include "taut/results/machine_run.hpp"
 #include "test/paths.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut::app::machine_run_test {
 
 namespace fs = std::filesystem;
 
-Result run_text(const std::string& text, const std::vector<std::string>& set = {}) {
-  return run(Job{.text = text, .name = "deck.yaml", .set = set});
-}
-
-double value_of(const Result& r, const std::string& name) {
-  const Value* v = r.find_value(name);
-  EXPECT_NE(v, nullptr) << name << "; " << r.message << to_text(r.errors);
-  return v == nullptr ? std::nan("") : v->value;
-}
+using taut_test::run_text;
+using taut_test::value_of;
 
 double cell(const Table& t, std::size_t row, const std::string& column) {
   for (std::size_t i = 0; i < t.columns.size(); ++i) {

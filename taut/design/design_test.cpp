@@ -17,11 +17,7 @@
 
 namespace taut::design::design_test {
 
-using taut_test::expect_mistake;
-using taut_test::run_text;
-using taut_test::table_of;
-using taut_test::text_cell;
-using taut_test::value_of;
+using namespace taut_test;
 using testing::HasSubstr;
 
 /// A line of one span with a load, whose rope is chosen or given.

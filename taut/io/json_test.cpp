@@ -29,14 +29,13 @@ Result sample() {
   r.checks = {
       make_check("D/d", 22, si::one, {.sense = Sense::at_least, .limit = 20, .rule = "rule", .trust = "verified"}),
       make_check("q", 1, si::one, {.sense = Sense::at_most, .limit = 0, .rule = "rule", .trust = "user"})};
-  r.steps = {{.kind = Step::Kind::heading,
-              .eq = "",
-              .symbol = "",
-              .formula = {},
-              .value = 0,
-              .unit = si::one,
-              .source = "",
-              .words = "Forces"},
+  Step heading;
+  heading.kind = Step::Kind::heading;
+  heading.words = "Forces";
+  Step note = heading;
+  note.kind = Step::Kind::note;
+  note.words = "a note";
+  r.steps = {heading,
              {.kind = Step::Kind::given,
               .eq = "",
               .symbol = "m",
@@ -53,14 +52,7 @@ Result sample() {
               .unit = si::N,
               .source = "Paper, (4)",
               .words = ""},
-             {.kind = Step::Kind::note,
-              .eq = "",
-              .symbol = "",
-              .formula = {},
-              .value = 0,
-              .unit = si::one,
-              .source = "",
-              .words = "a note"}};
+             note};
   r.comparisons = {{.quantity = "force",
                     .symbol = "P_s",
                     .unit = si::N,

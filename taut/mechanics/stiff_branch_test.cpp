@@ -22,11 +22,7 @@ double worst_rate(const machine::Model& m) {
   flow.reserve(m.reevings.size());
   for (const auto& r : m.reevings) flow.emplace_back(r.nodes.size(), 1);
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
-  mechanics::Configuration c;
-  c.bodies = state.bodies;
-  for (const auto& k : by_length.branches) {
-    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
-  }
+  mechanics::Configuration c = configuration_of(by_length, state);
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e;
   const mechanics::System first{.model = m, .layout = by_length};
@@ -76,11 +72,7 @@ TEST(StiffBranch, EvaluatesToTheSameBalanceAsByLengths) {
   const machine::State state = machine::initial_state(m);
   const taut::Array<taut::Array<int>> flow{{0, 0, 0, 0, 0}, {0, 0}};
   const mechanics::Layout by_length = mechanics::layout(m, state, {}, flow);
-  mechanics::Configuration c;
-  c.bodies = state.bodies;
-  for (const auto& k : by_length.branches) {
-    c.branches.push_back(state.branches[static_cast<std::size_t>(k.reeving)][static_cast<std::size_t>(k.from)]);
-  }
+  mechanics::Configuration c = configuration_of(by_length, state);
   c.open_loads.assign(by_length.ropes.size(), 0);
   mechanics::Evaluation e, forces;
   const mechanics::System first{.model = m, .layout = by_length};

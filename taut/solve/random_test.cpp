@@ -8,6 +8,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "test/support/dice.hpp"
 #include "test/support/machines.hpp"
+#include "test/support/refused.hpp"
 
 namespace random_test {
 
@@ -63,11 +64,7 @@ Line random_line(unsigned seed) {
 RC_GTEST_PROP(RandomMachines, AResultCloses, (unsigned seed)) {
   const Line line = random_line(seed);
   const EquilibriumResult r = equilibrium(line.model, line.options);
-  if (!r.outcome.ok()) {
-    RC_ASSERT(!r.outcome.message.empty());
-    RC_ASSERT(r.branches.empty());
-    return;
-  }
+  if (!r.outcome.ok()) return refused(r);
   double largest = 0, total = 0, heaviest = 0;
   for (const BranchResult& s : r.branches) {
     largest = std::max({largest, s.T_from, s.T_to});

@@ -173,26 +173,6 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b, dou
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(b[i] / (factor * a[i]), 1, 1e-8) << i;
 }
 
-/// The machine in a frame turned, mirrored or scaled: `M` orthogonal times a scale.
-machine::Model transformed(machine::Model m, const taut::Matrix3& M) {
-  const double mirror = M.determinant() < 0 ? -1 : 1;
-  const double scale = std::cbrt(std::abs(M.determinant()));
-  for (machine::Body& b : m.bodies) {
-    b.position = M * b.position;
-    for (machine::Freedom& way : b.free) way.along = M / scale * way.along;
-  }
-  for (machine::Reeving& r : m.reevings) {
-    r.value *= scale;
-    r.weight /= scale;
-    for (machine::Node& n : r.nodes) {
-      n.at.at = M * n.at.at;
-      n.radius *= scale;
-      n.axis = mirror / scale * (M * n.axis);
-    }
-  }
-  return m;
-}
-
 TEST(Witness, SameAnswerMirroredTurnedAndInOtherUnits) {
   const taut::Matrix3 mirror = Vector3(-1, 1, 1).asDiagonal();
   const taut::Matrix3 turned = Eigen::AngleAxisd(0.7, Vector3::UnitZ()).toRotationMatrix();

@@ -10,6 +10,7 @@
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
+#include "test/support/solved.hpp"
 
 namespace boom_ropes_errata_test {
 
@@ -25,27 +26,6 @@ struct Pair {
 constexpr Pair table_2[] = {{.S1 = 95.5e3, .S2 = 181e3}, {.S1 = 178e3, .S2 = 9.8e3},  {.S1 = 162.5e3, .S2 = 43e3},
                             {.S1 = 105e3, .S2 = 168e3},  {.S1 = 114e3, .S2 = 156e3},  {.S1 = 104e3, .S2 = 174e3},
                             {.S1 = 113e3, .S2 = 159e3},  {.S1 = 82.5e3, .S2 = 208e3}, {.S1 = 100e3, .S2 = 186e3}};
-
-Input paper() {
-  Input in = printed_boom();
-  in.cases = {{.name = "static test",
-               .operation = Operation::lift,
-               .luffing_angle = 77 * degree,
-               .suspended_weight = 296.8e3,
-               .falls = 8},
-              {.name = "retract hook",
-               .operation = Operation::retract,
-               .luffing_angle = 5 * degree,
-               .suspended_weight = 2.94e3,
-               .falls = 6}};
-  return in;
-}
-
-Output solved(const Input& in) {
-  Output out;
-  EXPECT_TRUE(solve(in, out).ok());
-  return out;
-}
 
 TEST(BoomRopesErrata, StiffnessIsInMeganewtons) {
   // Elongation of the retraction rope and of half the extension rope by their own pretension, in metres.
@@ -78,12 +58,12 @@ TEST(BoomRopesErrata, PrintedC1ContradictsTable2) {
 }
 
 TEST(BoomRopesErrata, StiffnessExplainsThePretension) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(governing_boom());
   EXPECT_NEAR(out.lambda_2_corrected, 0.509, 0.0005);
   EXPECT_NEAR(out.S20_min_corrected, 166.5e3, 50);
   EXPECT_GT(out.S20_min_corrected, 2.2 * out.S20_min);
   // Jamming does not: rated lift, boom retracted.
-  Input in = paper();
+  Input in = governing_boom();
   Sliding q;
   q.operation = Operation::lift;
   q.luffing_angle = {77 * degree};
@@ -128,7 +108,7 @@ TEST(BoomRopesErrata, SumOfProjections) {
   const double literal =
       248.2e3 / (8 * 0.95) + 0.15 * weight * std::cos(lift.luffing_angle) + weight * std::sin(lift.luffing_angle);
   EXPECT_GT(literal, 0);
-  EXPECT_LT(force(paper(), lift), 0);
+  EXPECT_LT(force(governing_boom(), lift), 0);
 }
 
 TEST(BoomRopesErrata, SheaveMomentNeedsHalfTurn) {
@@ -146,11 +126,11 @@ TEST(BoomRopesErrata, SheaveMomentNeedsHalfTurn) {
 }
 
 TEST(BoomRopesErrata, PublishedPretensionSlides) {
-  Input in = paper();
+  Input in = governing_boom();
   in.extension_stiffness = printed_C2 / table_2_ratio;
   in.S10 = 95.5e3;
   in.S20 = 181e3;
-  const Output out = solved(in);
+  const Output out = taut_test::solved_as<Output>(in);
   EXPECT_NEAR(out.S10_set, 93.4e3, 50);
   EXPECT_NEAR(out.S20_set, 185.4e3, 50);
   EXPECT_NEAR(std::abs(out.S20_set - 2 * out.S10_set), 1.266e3, 0.5);
@@ -169,12 +149,12 @@ TEST(BoomRopesErrata, NoSlipAtTheHorizontal) {
   const double lead = 3.3 * tonne * 0.95 / 6;
   EXPECT_NEAR(lead, 5.1e3, 50);
   EXPECT_NEAR(0.155 * (8.44e3 + 3.3 * tonne), 6.3e3, 50);
-  EXPECT_NEAR(slip_angle(paper(), {}, {17, 3.3 * tonne, 0.3, 6}).angle / degree, 15.5, 0.5);
+  EXPECT_NEAR(slip_angle(governing_boom(), {}, {17, 3.3 * tonne, 0.3, 6}).angle / degree, 15.5, 0.5);
 }
 
 TEST(BoomRopesErrata, SlipAnglesNeedTheOverlap) {
-  EXPECT_NEAR(slip_angle(paper(), {}, {21, 0.3 * tonne, 0, 6}).angle / degree, 39, 0.5);
-  EXPECT_NEAR(slip_angle(paper(), {}, {21, 3.3 * tonne, 0, 6}).angle / degree, 50, 0.5);
+  EXPECT_NEAR(slip_angle(governing_boom(), {}, {21, 0.3 * tonne, 0, 6}).angle / degree, 39, 0.5);
+  EXPECT_NEAR(slip_angle(governing_boom(), {}, {21, 3.3 * tonne, 0, 6}).angle / degree, 50, 0.5);
 }
 
 TEST(BoomRopesErrata, StaticTestIsOnePointTwo) {
@@ -186,7 +166,7 @@ TEST(BoomRopesErrata, TwoStaticFrictions) {
   // 0.155 gives the slip angles, 0.15 the forces of (5).
   EXPECT_NEAR(free_slip_angle(8.44e3, 3.3 * tonne, 0.155, 0.95, 6) / degree, 1.67, 0.015);
   EXPECT_LT(free_slip_angle(8.44e3, 3.3 * tonne, 0.15, 0.95, 6) / degree, 1.45);
-  EXPECT_NEAR(solved(paper()).F[1], 0.243e3, 0.5);
+  EXPECT_NEAR(taut_test::solved_as<Output>(governing_boom()).F[1], 0.243e3, 0.5);
 }
 
 TEST(BoomRopesErrata, CylinderHoldsTwiceTheForce) {
@@ -197,7 +177,7 @@ TEST(BoomRopesErrata, CylinderHoldsTwiceTheForce) {
   q.suspended_weight = {30.25 * tonne};
   taut::Sheet<double> s;
   SlidingPoint p;
-  ASSERT_TRUE(slide(paper(), q, {}, s, p).ok());
+  ASSERT_TRUE(slide(governing_boom(), q, {}, s, p).ok());
   EXPECT_NEAR(p.Fh, 2 * 326.2e3, 0.02 * 2 * 326.2e3);
 }
 

@@ -9,6 +9,7 @@
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
+#include "test/support/solved.hpp"
 
 namespace boom_ropes_test {
 
@@ -17,39 +18,8 @@ using namespace taut::boom_ropes;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double tonne = 9.81e3;
 
-Input paper() {
-  Input in = printed_boom();
-  in.cases = {{.name = "rated lift",
-               .operation = Operation::lift,
-               .luffing_angle = 77 * degree,
-               .suspended_weight = 248.2e3,
-               .falls = 8},
-              {.name = "static test",
-               .operation = Operation::lift,
-               .luffing_angle = 77 * degree,
-               .suspended_weight = 296.8e3,
-               .falls = 8},
-              {.name = "retract 3 t",
-               .operation = Operation::retract,
-               .luffing_angle = 5 * degree,
-               .suspended_weight = 32.4e3,
-               .falls = 6},
-              {.name = "retract hook",
-               .operation = Operation::retract,
-               .luffing_angle = 5 * degree,
-               .suspended_weight = 2.94e3,
-               .falls = 6}};
-  return in;
-}
-
-Output solved(const Input& in) {
-  Output out;
-  EXPECT_TRUE(solve(in, out).ok());
-  return out;
-}
-
 TEST(BoomRopesPaper, ForcesOfTheCases) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(whole_boom());
   ASSERT_EQ(out.F.size(), 4u);
   EXPECT_NEAR(out.F[0], -274.06e3, 5);
   EXPECT_NEAR(out.F[1], -326.17e3, 5);
@@ -63,21 +33,21 @@ TEST(BoomRopesPaper, ForcesOfTheCases) {
 }
 
 TEST(BoomRopesPaper, ForceAfterTensioning) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(whole_boom());
   EXPECT_NEAR(out.F0_extension, -1.266e3, 0.5);
   EXPECT_NEAR(out.F0_retraction, 1.266e3, 0.5);
   EXPECT_NEAR(out.F0_retraction, 1.27e3, 5);
 }
 
 TEST(BoomRopesPaper, SharesOfTheRopes) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(whole_boom());
   EXPECT_NEAR(out.lambda_1, 0.3858, 0.00005);
   EXPECT_NEAR(out.lambda_2, 0.2284, 0.00005);
   EXPECT_NEAR(2 * out.lambda_1 + out.lambda_2, 1, 1e-15);
 }
 
 TEST(BoomRopesPaper, LeastPretensions) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(whole_boom());
   EXPECT_NEAR(out.S10_min, 0.582e3, 0.5);
   EXPECT_NEAR(out.S10_min, 0.58e3, 5);
   EXPECT_NEAR(out.S20_min, 74.8e3, 50);
@@ -87,7 +57,7 @@ TEST(BoomRopesPaper, LeastPretensions) {
 }
 
 TEST(BoomRopesPaper, BalancingPretension) {
-  const Output out = solved(paper());
+  const Output out = taut_test::solved_as<Output>(whole_boom());
   EXPECT_NEAR(out.S10_balance, (out.S20_min + 1.266e3) / 2, 0.5);
   EXPECT_NEAR((75e3 + 1.27e3) / 2, 38.1e3, 50);
   EXPECT_NEAR(out.S10_balance, 38.1e3, 100);  // from 74.8 instead of 75 kN
@@ -112,7 +82,7 @@ TEST(BoomRopesPaper, TensioningInTurn) {
 TEST(BoomRopesPaper, SlipAngleWithoutJamming) {
   EXPECT_NEAR(free_slip_angle(8.44e3, 0.3 * tonne, 0.155, 0.95, 6) / degree, 6.49, 0.005);
   EXPECT_NEAR(free_slip_angle(8.44e3, 3.3 * tonne, 0.155, 0.95, 6) / degree, 1.68, 0.005);
-  const Output out = solved(paper());  // 2.94 and 32.4 kN
+  const Output out = taut_test::solved_as<Output>(whole_boom());  // 2.94 and 32.4 kN
   EXPECT_NEAR(out.beta1_light / degree, 6.49, 0.01);
   EXPECT_NEAR(out.beta1_heavy / degree, 1.68, 0.01);
 }

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "taut/methods/closed_loop/closed_loop.hpp"
+#include "test/support/solved.hpp"
 
 namespace taut_test {
 
@@ -31,6 +32,23 @@ inline taut::closed_loop::Input two_section_example() {
   in.carriage = taut::closed_loop::Carriage::two_section;
   in.section_distance = 3;
   return in;
+}
+
+/// The same, its section points so near each other that they are one carriage, on a slope; and that carriage.
+struct NearSections {
+  taut::closed_loop::Input two, one;
+};
+
+inline NearSections near_sections(double slope) {
+  NearSections near{.two = two_section_example(), .one = example()};
+  near.two.slope = near.one.slope = slope;
+  near.two.section_distance = 1e-4;
+  return near;
+}
+
+/// Solved, as it must be.
+inline taut::closed_loop::Output solved(const taut::closed_loop::Input& in) {
+  return solved_as<taut::closed_loop::Output>(in);
 }
 
 }  // namespace taut_test

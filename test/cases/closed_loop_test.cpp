@@ -13,13 +13,6 @@ namespace taut::closed_loop::closed_loop_test {
 
 using namespace taut_test;
 
-Output solved(const Input& in) {
-  Output out;
-  const Outcome o = solve(in, out);
-  EXPECT_TRUE(o.ok()) << o.message;
-  return out;
-}
-
 TEST(ClosedLoop, ResolvesTheGatheringForce) {
   const Output out = solved(example());
   EXPECT_NEAR(out.P / kgf, 2598.08, 0.01);

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/math/degree.hpp"
 #include "taut/methods/friction_drive/saw_drive_test.hpp"
+#include "test/support/solved.hpp"
 
 // Ryabukhin et al. 2022 prints no worked example: the numbers are of an independent calculation; the witness here
 // integrates the paper's own differential equation.
 namespace taut::friction_drive::friction_drive_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Input case_a() {
   Input in;
@@ -26,12 +26,7 @@ Input case_a() {
   return in;
 }
 
-Output solved(const Input& in) {
-  Output out;
-  const Outcome outcome = solve(in, out);
-  EXPECT_TRUE(outcome.ok()) << outcome.message;
-  return out;
-}
+Output solved(const Input& in) { return taut_test::solved_as<Output>(in); }
 
 /// Tension after the arc, by the classical Runge-Kutta method on dP/d(alpha) = mu (P - c): (4)-(11).
 double integrate(double P, double mu, double c, double arc) {

@@ -5,17 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/math/degree.hpp"
+#include "taut/methods/mast_section/plain_mast_test.hpp"
+#include "test/support/solved.hpp"
+
 // Shoshin et al. 2022 prints no worked example: the numbers are of an independent calculation with plain vectors.
 namespace taut::mast_section::mast_section_test {
 
-constexpr double degree = std::numbers::pi / 180;
-
 Input case_a() {
-  Input in;
-  in.skyline_force = 100e3;
-  in.mainline_force = 40e3;
-  in.skyline_block_height = 8;
-  in.allowable_stress = 160e6;
+  Input in = plain_mast();
   in.block_friction = 0.12;
   in.wrap = Wrap::paper;
   in.branch_angle = 12 * degree;
@@ -23,12 +21,7 @@ Input case_a() {
   return in;
 }
 
-Output solved(const Input& in) {
-  Output out;
-  const Outcome outcome = solve(in, out);
-  EXPECT_TRUE(outcome.ok()) << outcome.message;
-  return out;
-}
+Output solved(const Input& in) { return taut_test::solved_as<Output>(in); }
 
 /// Second moment of area of a ring by strips: a witness that knows no formula for it.
 double ring_moment_of_area(double D, double d) {

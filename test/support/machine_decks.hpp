@@ -99,4 +99,18 @@ analyses:
          "\n";
 }
 
+/// A mast by its method: `input` are more lines of its input, `behind` more blocks.
+inline std::string mast_deck(const std::string& input, const std::string& behind) {
+  return R"(taut: 1
+method: mast_section
+input:
+  skyline_force: 100 kN
+  mainline_force: 40 kN
+  skyline_block_height: 8 m
+  branch_angle: 12 deg
+  allowable_stress: 160 MPa
+  )" + input +
+         "\n" + behind;
+}
+
 }  // namespace taut_test

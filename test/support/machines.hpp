@@ -230,4 +230,27 @@ inline machine::Model fed_skyline(double z, double efficiency) {
   return m;
 }
 
+/// The machine in a frame turned, mirrored or scaled: `M` orthogonal times a scale; forces kept.
+inline machine::Model transformed(machine::Model m, const taut::Matrix3& M) {
+  const double mirror = M.determinant() < 0 ? -1 : 1, scale = std::cbrt(std::abs(M.determinant()));
+  const taut::Matrix3 turn = M / scale;
+  for (machine::Body& b : m.bodies) {
+    b.position = M * b.position;
+    b.centre = M * b.centre;
+    for (machine::Freedom& way : b.free) way = {.along = turn * way.along, .about = mirror * (turn * way.about)};
+  }
+  for (machine::Load& load : m.loads)
+    load = {.at = {.body = load.at.body, .at = M * load.at.at}, .force = turn * load.force};
+  for (machine::Reeving& r : m.reevings) {
+    r.value *= scale;
+    r.weight /= scale;
+    for (machine::Node& n : r.nodes) {
+      n.at.at = M * n.at.at;
+      n.radius *= scale;
+      n.axis = mirror * (turn * n.axis);
+    }
+  }
+  return m;
+}
+
 }  // namespace taut_test

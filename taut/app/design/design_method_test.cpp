@@ -15,11 +15,7 @@
 /// `design:` beside the published methods.
 namespace taut::app::design_method_test {
 
-using taut_test::expect_mistake;
-using taut_test::run_text;
-using taut_test::table_of;
-using taut_test::text_cell;
-using taut_test::value_of;
+using namespace taut_test;
 using testing::HasSubstr;
 
 std::string loop(double span, double sag, double pull, const std::string& ropes, const std::string& more) {
@@ -124,19 +120,6 @@ TEST(DesignMethod, loop_with_cases_and_sag) {
 
 // The section of the method's own mast, each tube run alone.
 TEST(DesignMethod, mast_section_agrees_with_trying_all) {
-  const auto deck = [](const std::string& section, const std::string& more) {
-    return fmt::format(R"(taut: 1
-method: mast_section
-input:
-  skyline_force: 100 kN
-  mainline_force: 40 kN
-  skyline_block_height: 8 m
-  branch_angle: 12 deg
-  allowable_stress: 160 MPa
-  {}
-{})",
-                       section, more);
-  };
   catalogue::SectionFilter filter;
   filter.shape = catalogue::SectionShape::chs;
   filter.forming = catalogue::Forming::hot;
@@ -145,20 +128,21 @@ input:
   filter.max_height = 0.52;
   std::string lightest;
   for (const auto& row : catalogue::sections_by_mass(filter)) {
-    if (exit_code(run_text(deck("section: " + row.name, ""))) != 0) continue;
+    if (exit_code(run_text(mast_deck("section: " + row.name, ""))) != 0) continue;
     lightest = row.name;
     break;
   }
-  const Result r = run_text(deck("",
-                                 "design: {sections: {mast: {shape: chs, forming: hot, standard: EN 10210, "
-                                 "least_height: 450 mm, most_height: 520 mm}}}"));
+  const Result r = run_text(mast_deck("",
+                                      "design: {sections: {mast: {shape: chs, forming: hot, standard: EN 10210, "
+                                      "least_height: 450 mm, most_height: 520 mm}}}"));
   ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
   EXPECT_EQ(text_cell(table_of(r, "design_sections"), 0, "section"), lightest);
-  expect_mistake(run_text(deck("choose_section: {shape: CHS}", "design: {sections: {mast: {}}}")), "choose_section");
+  expect_mistake(run_text(mast_deck("choose_section: {shape: CHS}", "design: {sections: {mast: {}}}")),
+                 "choose_section");
   // its ropes are chosen by their checks, under the deck's forces
-  const Result rope = run_text(deck("section: " + lightest,
-                                    "checks: {ropes: {skyline: {safety_factor: 3}}}\ndesign: {ropes: {skyline: "
-                                    "{construction: 6x36, core: IWRC, grade: 1960 MPa}}}"));
+  const Result rope = run_text(mast_deck("section: " + lightest,
+                                         "checks: {ropes: {skyline: {safety_factor: 3}}}\ndesign: {ropes: {skyline: "
+                                         "{construction: 6x36, core: IWRC, grade: 1960 MPa}}}"));
   ASSERT_EQ(exit_code(rope), 0) << rope.message << to_text(rope.errors);
   const Table& chosen = table_of(rope, "design");
   EXPECT_GE(taut_test::cell(chosen, 0, "breaking_force"), 300e3);

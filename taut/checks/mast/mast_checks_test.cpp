@@ -11,19 +11,7 @@ namespace taut::checks::mast_checks_test {
 using namespace taut_test;
 
 std::string case_a(const std::string& mast) {
-  return R"(taut: 1
-method: mast_section
-input:
-  skyline_force: 100 kN
-  mainline_force: 40 kN
-  skyline_block_height: 8 m
-  branch_angle: 12 deg
-  wrap: paper
-  allowable_stress: 160 MPa
-checks:
-  masts:
-    mast: {)" +
-         mast + "}\n";
+  return mast_deck("wrap: paper", "checks: {masts: {mast: {" + mast + "}}}\n");
 }
 
 // Numbers by hand: test/cases/ec3_mast_test.cpp.

@@ -95,31 +95,16 @@ RC_GTEST_PROP(BoomRopes, ForcesScale, ()) {
   RC_ASSERT(std::abs(doubled.S10_balance - 2 * out.S10_balance) <= 1e-12 * std::abs(out.S10_balance) + 1e-9);
 }
 
-Input paper() {
-  Input in = printed_boom();
-  in.cases = {{.name = "static test",
-               .operation = Operation::lift,
-               .luffing_angle = 77 * degree,
-               .suspended_weight = 296.8e3,
-               .falls = 8},
-              {.name = "retract hook",
-               .operation = Operation::retract,
-               .luffing_angle = 5 * degree,
-               .suspended_weight = 2.94e3,
-               .falls = 6}};
-  return in;
-}
-
 TEST(BoomRopes, ExtendingIsLiftingWithThePadsPullingBack) {
   const Case lift{.name = "", .operation = Operation::lift, .luffing_angle = 0.7, .suspended_weight = 30e3, .falls = 6};
   const Case extend{
       .name = "", .operation = Operation::extend, .luffing_angle = 0.7, .suspended_weight = 30e3, .falls = 6};
   const double friction = 0.15 * (30e3 + 8.44e3) * std::cos(0.7);
-  EXPECT_NEAR(force(paper(), lift) - force(paper(), extend), 2 * friction, 1e-9);
+  EXPECT_NEAR(force(governing_boom(), lift) - force(governing_boom(), extend), 2 * friction, 1e-9);
 }
 
 TEST(BoomRopes, RetractionLastBalancesAtTheOtherForce) {
-  Input in = paper();
+  Input in = governing_boom();
   in.tensioned_last = Rope::retraction;
   Output out;
   ASSERT_TRUE(solve(in, out).ok());
@@ -127,7 +112,7 @@ TEST(BoomRopes, RetractionLastBalancesAtTheOtherForce) {
 }
 
 TEST(BoomRopes, PretensionSetIsKeptWhenThePadsHoldIt) {
-  Input in = paper();
+  Input in = governing_boom();
   in.S10 = 40e3;
   in.S20 = 80.5e3;
   Output out;
@@ -137,7 +122,7 @@ TEST(BoomRopes, PretensionSetIsKeptWhenThePadsHoldIt) {
 }
 
 TEST(BoomRopes, PretensionTooLowFailsItsCheckAndGoesSlack) {
-  Input in = paper();
+  Input in = governing_boom();
   in.S10 = 20e3;
   in.S20 = 40e3;
   const Result r = run(in);
@@ -152,7 +137,7 @@ TEST(BoomRopes, PretensionTooLowFailsItsCheckAndGoesSlack) {
 }
 
 TEST(BoomRopes, NoCaseNoLimit) {
-  Input in = paper();
+  Input in = governing_boom();
   in.cases.clear();
   Output out;
   ASSERT_TRUE(solve(in, out).ok());

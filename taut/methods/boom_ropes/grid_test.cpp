@@ -9,23 +9,9 @@
 
 namespace taut::boom_ropes::grid_test {
 
-Input crane() {
-  Input in = printed_boom();
-  return in;
-}
-
-Sliding at(Operation operation, double angle, double length, double weight) {
-  Sliding q;
-  q.operation = operation;
-  q.luffing_angle = {angle * degree};
-  q.boom_length = {length};
-  q.suspended_weight = {weight};
-  return q;
-}
-
 TEST(BoomGrid, GapsStayInTheGridWithAWarning) {
-  Input in = crane();
-  in.sliding = at(Operation::extend, 30, 9, 3e3);
+  Input in = printed_boom();
+  in.sliding = sliding_at(Operation::extend, 30, 9, 3e3);
   in.sliding->boom_length = {9, 30, 21};
   Output out;
   Sheet<Num> s("Reutov 2021", Input::describe(), &in);
@@ -38,8 +24,8 @@ TEST(BoomGrid, GapsStayInTheGridWithAWarning) {
 }
 
 TEST(BoomGrid, NothingButGapsIsInfeasible) {
-  Input in = crane();
-  in.sliding = at(Operation::extend, 30, 30, 3e3);
+  Input in = printed_boom();
+  in.sliding = sliding_at(Operation::extend, 30, 30, 3e3);
   Output out;
   const Outcome o = solve(in, out);
   EXPECT_EQ(o.status, Status::infeasible);
@@ -47,8 +33,8 @@ TEST(BoomGrid, NothingButGapsIsInfeasible) {
 }
 
 TEST(BoomGrid, EveryPositionStandsAtItsPlace) {
-  Input in = crane();
-  in.sliding = at(Operation::extend, 30, 9, 3e3);
+  Input in = printed_boom();
+  in.sliding = sliding_at(Operation::extend, 30, 9, 3e3);
   in.sliding->boom_length = {9, 12, 21};
   in.sliding->luffing_angle = {0.3, 0.9};
   in.sliding->suspended_weight = {3e3, 30e3, 10e3, 20e3};
@@ -64,8 +50,8 @@ TEST(BoomGrid, EveryPositionStandsAtItsPlace) {
 }
 
 TEST(BoomGrid, ExtremesAreThoseOfTheGrid) {
-  Input in = crane();
-  in.sliding = at(Operation::retract, 10, 9, 3e3);
+  Input in = printed_boom();
+  in.sliding = sliding_at(Operation::retract, 10, 9, 3e3);
   in.sliding->boom_length = {21, 9, 16};
   in.sliding->suspended_weight = {30e3, 3e3};
   Output out;

@@ -12,17 +12,7 @@
 namespace taut::boom_ropes::result_test {
 
 Input crane() {
-  Input in = printed_boom();
-  in.cases = {{.name = "static test",
-               .operation = Operation::lift,
-               .luffing_angle = 77 * degree,
-               .suspended_weight = 296.8e3,
-               .falls = 8},
-              {.name = "retract hook",
-               .operation = Operation::retract,
-               .luffing_angle = 5 * degree,
-               .suspended_weight = 2.94e3,
-               .falls = 6}};
+  Input in = governing_boom();
   in.sliding.emplace();
   in.sliding->boom_length = {9, 15, 21};
   in.sliding->luffing_angle = {19 * degree, 52 * degree};

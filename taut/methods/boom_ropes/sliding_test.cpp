@@ -10,24 +10,10 @@
 
 namespace taut::boom_ropes::sliding_test {
 
-Input crane() {
-  Input in = printed_boom();
-  return in;
-}
-
-Sliding at(Operation operation, double angle, double length, double weight) {
-  Sliding q;
-  q.operation = operation;
-  q.luffing_angle = {angle * degree};
-  q.boom_length = {length};
-  q.suspended_weight = {weight};
-  return q;
-}
-
 SlidingPoint slid(const Sliding& q) {
   Sheet<double> s;
   SlidingPoint p;
-  slide(crane(), q, {}, s, p);
+  slide(printed_boom(), q, {}, s, p);
   return p;
 }
 
@@ -35,7 +21,7 @@ double number(int low, int high) { return *rc::gen::inRange(low, high); }
 
 Sliding anything() {
   const auto o = *rc::gen::element(Operation::lift, Operation::retract, Operation::extend);
-  Sliding q = at(o, number(-10, 91), number(90, 211) / 10, number(0, 60000));
+  Sliding q = sliding_at(o, number(-10, 91), number(90, 211) / 10, number(0, 60000));
   if (*rc::gen::arbitrary<bool>()) {  // else the ropes pull through the axis, a path of its own
     q.offset_extension = number(-5, 6) / 100;
     q.offset_retraction = number(-5, 6) / 100;
@@ -114,7 +100,7 @@ RC_GTEST_PROP(BoomSliding, WithoutLossesTheCylinderHoldsTwiceTheForce, ()) {
 RC_GTEST_PROP(BoomSliding, ForcesScale, ()) {
   Sliding q = anything();
   const SlidingPoint p = slid(q);
-  Input in = crane();
+  Input in = printed_boom();
   in.section_weight *= 3;
   for (double* x : {q.suspended_weight.data(), &q.section2_weight, &q.S10, &q.S20, &q.extension_stiffness,
                     &q.retraction_stiffness}) {
@@ -130,7 +116,7 @@ RC_GTEST_PROP(BoomSliding, ForcesScale, ()) {
 }
 
 RC_GTEST_PROP(BoomSliding, WrittenOutIsBitIdentical, ()) {
-  Input in = crane();
+  Input in = printed_boom();
   in.sliding = anything();
   SlidingPoint plain;
   SlidingPoint written;
@@ -145,7 +131,7 @@ RC_GTEST_PROP(BoomSliding, WrittenOutIsBitIdentical, ()) {
 }
 
 TEST(BoomSliding, RopesOnTheAxisAreTheLimitOfRopesOffIt) {
-  Sliding q = at(Operation::extend, 19, 21, 32373);
+  Sliding q = sliding_at(Operation::extend, 19, 21, 32373);
   const SlidingPoint on = slid(q);
   q.offset_extension = 1e-9;
   q.offset_retraction = -1e-9;
@@ -156,7 +142,7 @@ TEST(BoomSliding, RopesOnTheAxisAreTheLimitOfRopesOffIt) {
 }
 
 TEST(BoomSliding, SlackRetractionRopeLeavesTheRestToTheExtensionRope) {
-  Sliding q = at(Operation::lift, 77, 9, 400e3);
+  Sliding q = sliding_at(Operation::lift, 77, 9, 400e3);
   const SlidingPoint p = slid(q);
   ASSERT_TRUE(p.ok());
   EXPECT_EQ(p.S2, 0);
@@ -165,7 +151,7 @@ TEST(BoomSliding, SlackRetractionRopeLeavesTheRestToTheExtensionRope) {
 }
 
 TEST(BoomSliding, SlackExtensionRopeLeavesTheRestToTheRetractionRope) {
-  Sliding q = at(Operation::retract, 0, 21, 60e3);
+  Sliding q = sliding_at(Operation::retract, 0, 21, 60e3);
   q.S10 = 0.5e3;
   q.S20 = 1e3;
   const SlidingPoint p = slid(q);
@@ -176,7 +162,7 @@ TEST(BoomSliding, SlackExtensionRopeLeavesTheRestToTheRetractionRope) {
 
 TEST(BoomSliding, OutsideTheStrokeHasAReason) {
   for (const double length : {8.9, 21.1}) {
-    const SlidingPoint p = slid(at(Operation::extend, 30, length, 3e3));
+    const SlidingPoint p = slid(sliding_at(Operation::extend, 30, length, 3e3));
     EXPECT_FALSE(p.ok());
     EXPECT_TRUE(std::isnan(p.Fh));
     EXPECT_NE(p.reason.find("9 ... 21 m"), std::string::npos);
@@ -184,7 +170,7 @@ TEST(BoomSliding, OutsideTheStrokeHasAReason) {
 }
 
 TEST(BoomSliding, RopesFarOffTheAxisJamSection3) {
-  Sliding q = at(Operation::extend, 30, 21, 3e3);
+  Sliding q = sliding_at(Operation::extend, 30, 21, 3e3);
   q.offset_extension = 6;  // 2 f z_1 > a
   const SlidingPoint p = slid(q);
   EXPECT_FALSE(p.ok());
@@ -192,7 +178,7 @@ TEST(BoomSliding, RopesFarOffTheAxisJamSection3) {
 }
 
 TEST(BoomSliding, CylinderFarOffTheAxisJamsSection2) {
-  Sliding q = at(Operation::extend, 30, 21, 3e3);
+  Sliding q = sliding_at(Operation::extend, 30, 21, 3e3);
   q.offset_cylinder = 9;  // 2 f z_c > A
   const SlidingPoint p = slid(q);
   EXPECT_FALSE(p.ok());
@@ -202,9 +188,9 @@ TEST(BoomSliding, CylinderFarOffTheAxisJamsSection2) {
 }
 
 TEST(BoomSliding, EightFallsWhenLiftingElseSix) {
-  EXPECT_EQ(falls_of(at(Operation::lift, 0, 9, 0)), 8);
-  EXPECT_EQ(falls_of(at(Operation::extend, 0, 9, 0)), 6);
-  Sliding q = at(Operation::lift, 0, 9, 0);
+  EXPECT_EQ(falls_of(sliding_at(Operation::lift, 0, 9, 0)), 8);
+  EXPECT_EQ(falls_of(sliding_at(Operation::extend, 0, 9, 0)), 6);
+  Sliding q = sliding_at(Operation::lift, 0, 9, 0);
   q.falls = 4;
   EXPECT_EQ(falls_of(q), 4);
 }

@@ -11,22 +11,10 @@ namespace taut::closed_loop::two_section_test {
 
 using namespace taut_test;
 
-Output solved(const Input& in) {
-  Output out;
-  const Outcome o = solve(in, out);
-  EXPECT_TRUE(o.ok()) << o.message;
-  return out;
-}
-
 TEST(ClosedLoopTwoSection, NearSectionsAreOneCarriage) {
   for (double alpha : {-20.0, 0.0, 15.0}) {
-    Input two = two_section_example();
-    two.slope = alpha * degree;
-    two.section_distance = 1e-4;
-    Input one = example();
-    one.slope = two.slope;
-    const Output a = solved(two);
-    const Output b = solved(one);
+    const auto [two, one] = near_sections(alpha * degree);
+    const Output a = solved(two), b = solved(one);
     EXPECT_NEAR(a.P_b, b.P_b, 1e-4 * b.P_b);
     EXPECT_NEAR(a.T_lA_paper, b.T_lA_paper, 1e-4 * b.T_lA_paper);
     EXPECT_NEAR(a.delta_f, 0, 1e-4);

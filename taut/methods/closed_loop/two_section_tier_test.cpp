@@ -24,15 +24,8 @@ Input drawn() {
 
 TEST(ClosedLoopTwoSectionTier, NearSectionsAreOneCarriage) {
   for (double alpha : {-20.0, 0.0, 15.0}) {
-    Input two = two_section_example();
-    two.slope = alpha * degree;
-    two.section_distance = 1e-4;
-    Input one = example();
-    one.slope = two.slope;
-    Output a;
-    Output b;
-    ASSERT_TRUE(solve(two, a).ok());
-    ASSERT_TRUE(solve(one, b).ok());
+    const auto [two, one] = near_sections(alpha * degree);
+    const Output a = solved(two), b = solved(one);
     EXPECT_NEAR(a.N, b.N, 1e-4 * b.N);
     EXPECT_NEAR(a.T_uA, b.T_uA, 1e-4 * b.T_uA);
     EXPECT_NEAR(a.T_uB, b.T_uB, 1e-4 * b.T_uB);

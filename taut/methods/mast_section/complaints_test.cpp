@@ -1,18 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "taut/methods/mast_section/mast_section.hpp"
+#include "taut/methods/mast_section/plain_mast_test.hpp"
 
 namespace taut::mast_section::complaints_test {
-
-Input good() {
-  Input in;
-  in.skyline_force = 100e3;
-  in.mainline_force = 40e3;
-  in.skyline_block_height = 8;
-  in.allowable_stress = 160e6;
-  in.branch_angle = 0.2;
-  return in;
-}
 
 Span span_of(std::vector<double> positions) {
   Span span;
@@ -36,15 +27,15 @@ std::vector<std::string> paths(const Input& in) {
 using Paths = std::vector<std::string>;
 
 TEST(MastSectionComplaints, NoneForAGoodDeck) {
-  EXPECT_EQ(paths(good()), Paths{});
-  Input in = good();
+  EXPECT_EQ(paths(plain_mast()), Paths{});
+  Input in = plain_mast();
   in.branch_angle.reset();
   in.span = span_of({10, 300});
   EXPECT_EQ(paths(in), Paths{}) << "the far end itself is allowed";
 }
 
 TEST(MastSectionComplaints, AngleOrSpan) {
-  Input in = good();
+  Input in = plain_mast();
   in.span = span_of({10});
   EXPECT_EQ(paths(in), Paths{"branch_angle"});
   in.span.reset();
@@ -53,7 +44,7 @@ TEST(MastSectionComplaints, AngleOrSpan) {
 }
 
 TEST(MastSectionComplaints, CarriageBeyondTheSpan) {
-  Input in = good();
+  Input in = plain_mast();
   in.branch_angle.reset();
   in.span = span_of({10, 301, 5, 400});
   EXPECT_EQ(paths(in), (Paths{"span.carriage_position[1]", "span.carriage_position[3]"}));
@@ -64,7 +55,7 @@ TEST(MastSectionComplaints, CarriageBeyondTheSpan) {
 }
 
 TEST(MastSectionComplaints, StressOrSteelWithSafety) {
-  Input in = good();
+  Input in = plain_mast();
   in.steel = "S355";
   in.safety = 1.5;
   EXPECT_EQ(paths(in), (Paths{"steel", "safety"}));
@@ -82,7 +73,7 @@ TEST(MastSectionComplaints, StressOrSteelWithSafety) {
 }
 
 TEST(MastSectionComplaints, SectionsThatAreNotThere) {
-  Input in = good();
+  Input in = plain_mast();
   in.section = "CHS 509x16";
   EXPECT_EQ(paths(in), Paths{"section"});
   in.section = "CHS 508x16";

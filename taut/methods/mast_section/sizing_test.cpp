@@ -3,25 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "taut/catalogue/steel.hpp"
+#include "taut/methods/mast_section/plain_mast_test.hpp"
 
 namespace taut::mast_section::sizing_test {
 
 using catalogue::SectionShape;
 
-Input mast() {
-  Input in;
-  in.skyline_force = 100e3;
-  in.mainline_force = 40e3;
-  in.skyline_block_height = 8;
-  in.allowable_stress = 160e6;
-  in.branch_angle = 0.2;
-  return in;
-}
-
 const std::vector<ClampForces> loads{{.N = 160e3, .M = 850e3, .index = 0}, {.N = 190e3, .M = 700e3, .index = 1}};
 
 TEST(MastSectionSizing, LightestPassesAndNoLighterOneDoes) {
-  Input in = mast();
+  Input in = plain_mast();
   in.allowable_stress = 300e6;
   for (const SectionShape shape : shapes_of(in)) {
     const auto best = lightest(in, shape, loads);
@@ -38,15 +29,15 @@ TEST(MastSectionSizing, LightestPassesAndNoLighterOneDoes) {
 TEST(MastSectionSizing, WorstLoadDecides) {
   const auto row = catalogue::find_section("CHS 508x16");
   ASSERT_TRUE(row.has_value());
-  const auto a = assess(limit_of(mast()), *row, loads);
+  const auto a = assess(limit_of(plain_mast()), *row, loads);
   EXPECT_EQ(a->worst.index, 0u);
   EXPECT_DOUBLE_EQ(a->stress, 160e3 / row->area + 850e3 / row->W_el_y);
-  const auto swapped = assess(limit_of(mast()), *row, {loads[1], loads[0]});
+  const auto swapped = assess(limit_of(plain_mast()), *row, {loads[1], loads[0]});
   EXPECT_EQ(swapped->stress, a->stress);
 }
 
 TEST(MastSectionSizing, YieldIsThatOfTheWall) {
-  Input in = mast();
+  Input in = plain_mast();
   in.allowable_stress.reset();
   in.steel = "S355 product";
   in.safety = 2;
@@ -58,7 +49,7 @@ TEST(MastSectionSizing, YieldIsThatOfTheWall) {
 }
 
 TEST(MastSectionSizing, ChoiceIsKept) {
-  Input in = mast();
+  Input in = plain_mast();
   in.allowable_stress = 300e6;
   in.choose_section = ChooseSection{.shape = SectionKind::rhs,
                                     .forming = FormingChoice::hot,
@@ -75,7 +66,7 @@ TEST(MastSectionSizing, ChoiceIsKept) {
 }
 
 TEST(MastSectionSizing, ThinWallsOnlyWhenAllowed) {
-  Input in = mast();
+  Input in = plain_mast();
   const auto stout = lightest(in, SectionShape::chs, loads);
   in.choose_section = ChooseSection{};
   in.choose_section->largest_slenderness = 200;
@@ -88,14 +79,14 @@ TEST(MastSectionSizing, ThinWallsOnlyWhenAllowed) {
 
 TEST(MastSectionSizing, NoneWhenNonePasses) {
   const std::vector<ClampForces> huge{{.N = 1e9, .M = 1e9, .index = 0}};
-  EXPECT_FALSE(lightest(mast(), SectionShape::chs, huge).has_value());
-  const auto best = strongest(mast(), SectionShape::chs, huge);
+  EXPECT_FALSE(lightest(plain_mast(), SectionShape::chs, huge).has_value());
+  const auto best = strongest(plain_mast(), SectionShape::chs, huge);
   ASSERT_TRUE(best.has_value());
   EXPECT_GT(best->utilisation(), 1);
 }
 
 TEST(MastSectionSizing, TrustOfTheLimit) {
-  Input in = mast();
+  Input in = plain_mast();
   EXPECT_EQ(trust_of(limit_of(in)), "user");
   in.allowable_stress.reset();
   in.safety = 2;
