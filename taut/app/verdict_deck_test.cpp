@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -154,6 +156,27 @@ machine:
     EXPECT_EQ(exit_code(dips), 4) << verdict_of(dips)->reason;
     EXPECT_NE(verdict_of(dips)->reason.find("below the ground"), std::string::npos) << verdict_of(dips)->reason;
   }
+}
+
+TEST(VerdictDeck, ARopeThatMaySlackIsNoNewsInAMotion) {
+  // a winch that lets the rope out faster than its load falls; the rope has two branches
+  const auto with = [](const std::string& slack) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {haul: {sequence: [{at: 0.1 s, to: -3 m/s, over: 0.1 s}]}}
+  ropes: {line: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN}}
+  bodies: {load: {mass: 100 kg, at: [1 m, 0 m, 0 m], free: [z]}}
+  sheaves: {top: {at: [0.9 m, 0 m, 10 m], diameter: 200 mm}}
+  drums: {winch: {at: [-3 m, 0 m, 0 m], core_diameter: 200 mm, drive: {speed: haul}}}
+  reevings: [{rope: line, path: [{drum: winch}, {over: top}, {anchor: load}], length: 20.5 m)" +
+                    slack + "}]\nanalyses: [transient: {duration: 0.3 s}]\n");
+  };
+  const auto of_slack = [](const Result& r) {
+    return std::count_if(r.warnings.begin(), r.warnings.end(),
+                         [](const std::string& w) { return w.find("goes slack") != std::string::npos; });
+  };
+  EXPECT_EQ(of_slack(with("")), 2);
+  EXPECT_EQ(of_slack(with(", may_slack: true")), 0);
 }
 
 TEST(VerdictDeck, TerrainCoversWhatAClearanceIsAskedOf) {

@@ -24,7 +24,7 @@ struct RuleRow {
   std::string source;
   Trust trust = Trust::unverified;
   std::string trust_text;
-  std::optional<double> up_to;  ///< of a table by a count: the largest one for which the row holds
+  std::optional<double> up_to;  ///< of a table by a count or a temperature, K: the largest for which the row holds
 };
 
 /// Reads a table of rules. Columns: id, field, item, class, low, high, unit (1, deg, m, GPa, MPa, s/m), text, source,

@@ -257,8 +257,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   for (const solve::TransientEvent& event : motion.events) {
     const bool slack = event.what == "slack";
     if ((!slack && event.what != "lift_off") || event.t >= broken) continue;
-    const std::string rope = event.where.substr(0, event.where.find(' '));
-    if (slack && may_slack(rope)) continue;
+    if (slack && event.reeving && may_slack(m.reevings[*event.reeving].name)) continue;
     warn(event.what + " " + event.where,
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
          true);

@@ -20,13 +20,10 @@ namespace {
 using catalogue::RuleRow;
 using rope::Limit;
 
-constexpr double freezing = 273.15;  // K
-
-/// The number that ends the row's id: "temperature.steel.200".
-double degrees_of(const RuleRow& row) {
-  const auto degrees = parse_double(std::string_view(row.id).substr(row.id.rfind('.') + 1));
-  expects(degrees.has_value(), "a rule of temperatures whose id does not end in degrees");
-  return *degrees;
+/// The highest temperature for which a row holds, K.
+double hottest_of(const RuleRow& row) {
+  expects(row.up_to.has_value(), "a rule of temperatures without its highest one");
+  return *row.up_to;
 }
 
 std::string trust_of(const RuleRow& row) {
@@ -223,7 +220,7 @@ class RequestReader {
     if (!request_.termination) return;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != *request_.termination) continue;
-      const double upto = degrees_of(row) + freezing;
+      const double upto = hottest_of(row);
       rules_.hottest_end = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
     }
   }
@@ -329,7 +326,7 @@ class RopeLimits {
     if (!request_.temperature) return;
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
-      const double upto = degrees_of(row) + freezing;
+      const double upto = hottest_of(row);
       rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);

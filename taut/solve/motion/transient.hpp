@@ -189,6 +189,7 @@ struct TransientEvent {
   std::string what;
   std::string where;                             ///< the rope, sheave, contact by name
   Array<std::pair<std::string, double>> values;  ///< with their symbols, SI
+  std::optional<int> reeving = {};               ///< of "slack" and "taut": the rope
 };
 
 struct Extreme {

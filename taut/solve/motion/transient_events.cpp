@@ -124,15 +124,17 @@ int layer_of(const Run& run, const Contact& contact, double content) {
 
 }  // namespace
 
-void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values) {
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values,
+          std::optional<int> reeving) {
   if (run.result.events.size() >= most_notes && what != "break" && what != "stop") return;
-  run.result.events.push_back({t, std::move(what), std::move(where), std::move(values)});
+  run.result.events.push_back({t, std::move(what), std::move(where), std::move(values), reeving});
 }
 
 void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h) {
   if ((e_before > 0) == (e_now > 0)) return;
   const double share = e_before / (e_before - e_now);
-  note(run, t + share * h, e_now > 0 ? "taut" : "slack", line_name(run, run.m.lines[line]));
+  const Line& of = run.m.lines[line];
+  note(run, t + share * h, e_now > 0 ? "taut" : "slack", line_name(run, of), {}, of.reeving);
 }
 
 namespace {

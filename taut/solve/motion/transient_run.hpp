@@ -88,7 +88,8 @@ TransientFrame frame_of(const Mechanism& m, const Values& v);
 void note_changes(Run& run);
 /// A line that became slack or taut in the step of h from t.
 void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h);
-void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values = {});
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values = {},
+          std::optional<int> reeving = {});
 
 /// Events of the model: those due at t happen. Whether any did (a restart is needed); `stop`: the run is over.
 bool happen(Run& run, Values& v, bool& stop);

@@ -190,13 +190,32 @@ struct Trial {
   mechanics::Evaluation e;
 };
 
+/// Room for the derivatives of an iteration.
+struct Rates {
+  Eigen::MatrixXd J;
+  Array<mechanics::BranchColumns> columns;
+};
+
 /// A Newton step: from where, what it changes, the linear system that gave it and its size as that scales it.
 struct NewtonStep {
   const mechanics::Configuration& from;
-  const mechanics::Change& change;
+  mechanics::Change change;
   Linear& linear;
   double size;
 };
+
+/// Empty where the linear system gives no numbers.
+std::optional<NewtonStep> newton_step(const mechanics::System& s, const mechanics::Configuration& c,
+                                      const mechanics::Evaluation& e, Rates& rates, Linear& linear) {
+  mechanics::jacobian(s, c, e, rates.J, rates.columns);
+  linear.factor(rates.J);
+  const Eigen::VectorXd step = linear.solve(e.residual);
+  if (!step.allFinite()) return std::nullopt;
+  return NewtonStep{.from = c,
+                    .change = mechanics::change_of(s, c, e, rates.columns, linear.unscaled(step)),
+                    .linear = linear,
+                    .size = step.norm()};
+}
 
 /// Halves a Newton step until a part of it brings the next step nearer and `fits`. False where no part does.
 template <class Fits>
@@ -222,27 +241,22 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
   const Array<FedEnd> fed = fed_ends(s);
-  Eigen::MatrixXd J;
-  Array<mechanics::BranchColumns> columns;
+  Rates rates;
   Trial tried{.c = c, .e = {}};
   for (; it.steps < most_steps; ++it.steps) {
     if (settled(s, e, tolerance)) {
       it.converged = true;
       return it;
     }
-    mechanics::jacobian(s, c, e, J, columns);
-    linear.factor(J);
+    const auto step = newton_step(s, c, e, rates, linear);
     it.singular = linear.singular();
-    const Eigen::VectorXd step = linear.solve(e.residual);
-    if (!step.allFinite()) return it;
-    const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(step));
+    if (!step) return it;
     it.deep = -1;
     const auto taut = [&] {
       it.deep = deep_link(s, fed, tried.c, tried.e);
       return it.deep < 0;
     };
-    if (!gains(s, {.from = c, .change = change, .linear = linear, .size = step.norm()}, tolerance, tried, it.stopped,
-               taut)) {
+    if (!gains(s, *step, tolerance, tried, it.stopped, taut)) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
       it.converged = settled(s, e, 8 * tolerance, 5);
       return it;
@@ -260,19 +274,15 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
   Linear linear(s, s.layout.size);
-  Eigen::MatrixXd J;
-  Array<mechanics::BranchColumns> columns;
+  Rates rates;
   Trial tried{.c = c, .e = {}};
   double before = HUGE_VAL;
   for (; it.steps < most_steps; ++it.steps) {
     linear.scale_forces(s, c);
-    mechanics::jacobian(s, c, e, J, columns);
-    linear.factor(J);
+    const auto step = newton_step(s, c, e, rates, linear);
     it.singular = linear.singular();
-    const Eigen::VectorXd step = linear.solve(e.residual);
-    if (!step.allFinite()) return it;
-    const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(step));
-    const double open = force_change(s, e, change.step);
+    if (!step) return it;
+    const double open = force_change(s, e, step->change.step);
     const bool closed = settled(s, e, tolerance);
     const bool known = open <= tolerance || (open > before / 2 && open <= forces_settled);
     if (closed && known) {
@@ -281,8 +291,7 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
       return it;
     }
     before = closed ? open : HUGE_VAL;
-    if (!gains(s, {.from = c, .change = change, .linear = linear, .size = step.norm()}, tolerance, tried, it.stopped,
-               [] { return true; })) {
+    if (!gains(s, *step, tolerance, tried, it.stopped, [] { return true; })) {
       it.converged = settled(s, e, 8 * tolerance, 5) && open <= forces_settled;
       it.undetermined = undetermined_branch(s, linear);
       return it;
