@@ -185,7 +185,7 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
       use.rope = checks::with_request(std::move(use.rope), one);
-      checks::add_checks_of(one, use, checks::rope_rules(one, asked.ropes.at(k), use.rope), r);
+      checks::add_checks_of(one, asked.ropes.at(k), use, r);
     }
   }
   checks::add_method_masts(request.masts, r);

@@ -49,6 +49,23 @@ std::vector<catalogue::RopeRow> by_mass(const catalogue::RopeFilter& filter) {
   return rows;
 }
 
+// The tables have no groove pressure of a rope of class 8x36, which would be the lightest.
+TEST(Design, a_rope_without_a_limit_that_is_asked_for_is_not_chosen) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {pin: [-0.2 m, 0 m, 0 m]}
+  ropes: {line: {}}
+  bodies: {load: {mass: 900 kg, at: [0.2 m, 0 m, 0 m], free: [z]}}
+  sheaves: {top: {at: [0 m, 0 m, 10 m], diameter: 400 mm}}
+  reevings: [{rope: line, path: [{anchor: pin}, {over: top}, {anchor: load}], length: 18 m}]
+analyses: [equilibrium: {}]
+checks: {ropes: {line: {safety_factor: 5, groove: wood}}}
+design: {ropes: {line: {least_diameter: 6 mm, most_diameter: 30 mm}}}
+)");
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  EXPECT_TRUE(check_of(r, "line.groove_pressure").passes) << text_cell(table_of(r, "design"), 0, "designation");
+}
+
 // Every rope of the filter run alone, the lightest that passes: the same as the search finds, and it passes when it is
 // run alone.
 TEST(Design, agrees_with_brute_force_on_200_random_cases) {

@@ -78,8 +78,13 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
   return all;
 }
 
-void add_checks_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r) {
+  const rope::RopeRules rules = rope_rules(request, asked, use.rope);
   rope::RopeChecks found = rope::check_rope(use, rules);
+  // the rope of the deck has them; a candidate of a design need not
+  for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules)) {
+    found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
+  }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
@@ -109,7 +114,7 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
-      add_checks_of(one, use, rope_rules(one, deck.asked.ropes.at(k), use.rope), r);
+      add_checks_of(one, deck.asked.ropes.at(k), use, r);
     }
   }
 }

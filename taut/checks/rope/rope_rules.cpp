@@ -418,19 +418,28 @@ rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& as
   return RopeLimits(request, asked, rope).read();
 }
 
-void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
-                        const std::string& path, std::vector<Complaint>& complaints) {
-  const rope::RopeRules rules = rope_rules(request, asked, rope);
+std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const AskedRules& asked,
+                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules) {
+  std::vector<MissingLimit> missing;
   if (!asked.termination.empty() && !rules.termination) {
-    complaints.push_back(
-        {path + ".termination",
-         fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'", asked.termination)});
+    missing.push_back({.key = "termination",
+                       .words = fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'",
+                                            asked.termination)});
   }
   if (request.groove != Groove::none && !rules.groove_pressure) {
-    complaints.push_back(
-        {path + ".groove", fmt::format("the tables have no groove pressure for {}; give 'groove_pressure'",
-                                       rope.construction.empty() ? "a rope whose 'construction' is not known"
-                                                                 : "the construction '" + rope.construction + "'")});
+    missing.push_back(
+        {.key = "groove",
+         .words = fmt::format("the tables have no groove pressure for {}; give 'groove_pressure'",
+                              rope.construction.empty() ? "a rope whose 'construction' is not known"
+                                                        : "the construction '" + rope.construction + "'")});
+  }
+  return missing;
+}
+
+void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+                        const std::string& path, std::vector<Complaint>& complaints) {
+  for (const MissingLimit& one : missing_limits(request, asked, rope, rope_rules(request, asked, rope))) {
+    complaints.push_back({fmt::format("{}.{}", path, one.key), one.words});
   }
 }
 

@@ -25,7 +25,15 @@ AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path,
 /// counts.
 rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope);
 
-/// Complaints of rules that the tables have for other ropes only.
+/// A limit that the deck asks for by name, and the tables do not have for this rope.
+struct MissingLimit {
+  const char* key;    ///< of the deck
+  std::string words;  ///< why, and what to give instead
+};
+std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const AskedRules& asked,
+                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules);
+
+/// Complaints of them, for the rope of the deck.
 void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
                         const std::string& path, std::vector<Complaint>& complaints);
 
