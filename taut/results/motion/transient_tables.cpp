@@ -90,7 +90,7 @@ void add_energy(const study::TransientRun& run, Result& r) {
     if (std::abs(last.*part) > of_turnover * last.turnover) add(form, part);
   };
   add_if_any("weight of slack ropes", &solve::EnergyLedger::slack, 1e-5);
-  add_if_any("flanges, where ropes leave rounds out of their plane", &solve::EnergyLedger::askew, 1e-5);
+  add_if_any("flanges, where ropes leave rounds out of their plane", &solve::EnergyLedger::flanges, 1e-5);
   add_if_any("numerical, where ropes go taut at once", &solve::EnergyLedger::numerical, 0);
   add("residual", &solve::EnergyLedger::residual);
   r.tables.push_back(std::move(t));

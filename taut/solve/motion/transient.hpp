@@ -118,14 +118,14 @@ struct EnergyLedger {
   double broken = 0;     ///< elastic energy of branches at their break
   double contacts = 0;   ///< dashpots and friction of faces
   double slack = 0;      ///< by the weight of rope that runs into slack branches (lost) and out of them (< 0)
-  double askew = 0;      ///< by the flanges of rounds that ropes leave askew: T (1 - cos d) R d(phi); a gain is < 0
+  double flanges = 0;    ///< of rounds that ropes leave out of their plane: T (1 - cos d) R d(phi); a gain is < 0
   double numerical = 0;  ///< by the Euler steps over kinks: impacts of ropes without mass; else part of the residual
   double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
   double residual = 0;
   double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual
 
   /// All that is neither stored nor supplied and has a name.
-  double dissipated() const { return damped + slipped + bearings + broken + contacts + slack + askew + numerical; }
+  double dissipated() const { return damped + slipped + bearings + broken + contacts + slack + flanges + numerical; }
 };
 
 /// The machine at one output step.

@@ -377,7 +377,7 @@ EnergyLedger told(const Ledger& l) {
   e.broken = l.broken;
   e.contacts = l.faces;
   e.slack = l.hung;
-  e.askew = l.askew;
+  e.flanges = l.askew;
   e.numerical = l.numerical;
   e.supplied = l.supplied;
   e.turnover = l.turnover;

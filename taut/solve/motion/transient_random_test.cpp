@@ -119,7 +119,7 @@ TEST(TransientRandom, BlocksThatTumble) {
     const TransientResult r = run(seed, 20'000);
     double askew = 0, open = 0;
     for (const TransientFrame& frame : r.frames) {
-      askew = std::max(askew, std::abs(frame.energy.askew) / (frame.energy.turnover + 1e-4));
+      askew = std::max(askew, std::abs(frame.energy.flanges) / (frame.energy.turnover + 1e-4));
       open = std::max(open, std::abs(frame.energy.residual) / (frame.energy.turnover + 1e-4));
     }
     EXPECT_GT(askew, 0.01);
