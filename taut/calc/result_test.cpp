@@ -86,12 +86,6 @@ TEST(Result, FindsByName) {
   EXPECT_EQ(r.find_table("x"), nullptr);
 }
 
-TEST(Result, ComparisonsBecomeATable) {
-  const Table t = comparison_table({{"take-up", "P_M", si::N, 1, 2, std::nan(""), "corrected", true}});
-  ASSERT_EQ(t.rows.size(), 1U);
-  EXPECT_EQ(t.rows[0].size(), t.columns.size());
-}
-
 struct Pin {
   std::string name;
   Triple at{1, 2, 3};

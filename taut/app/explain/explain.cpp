@@ -123,6 +123,10 @@ std::string results_table(const std::string& head, const std::vector<QuantityWor
   return text;
 }
 
+std::string table_text(const TableWords& t) {
+  return fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
+}
+
 std::string exact_values(const Description& d) {
   std::string text;
   for (const Field& f : d.fields) text += fmt::format("  {:<24}{:<8}{}\n", f.key, f.unit.symbol, f.words);
@@ -199,9 +203,7 @@ std::string reference_guide() {
       "Words in capitals stand for names of the deck: `ROPE.T_max` is `skyline.T_max`. The second and every further "
       "analysis of a kind\n"
       "adds an ending to its tables and values, its `name` or its number: `spans_hoist`, `skyline.T_start_2`.\n\n";
-  for (const results::TableWords& t : results::table_words()) {
-    text += fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
-  }
+  for (const TableWords& t : results::table_words()) text += table_text(t);
   text += "### Values\n\nOf the first equilibrium or of each state; those of checks stand with the checks.\n\n";
   text += results_table("value", results::value_words());
   text +=
