@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "taut/app/explain/described.hpp"
 #include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/io/deck/read.hpp"
@@ -209,7 +210,13 @@ std::string reference_guide() {
   text +=
       "\n### What `observe`, conditions and measures take\n\nOf a moving machine; each is a column of `time.csv`, and "
       "`NAME_min`, `NAME_max`, `NAME_end` are values.\n\n";
-  return text + results_table("path", machine::observable_words());
+  text += results_table("path", machine::observable_words());
+  for (const TableGroup& group : table_groups()) {
+    text += fmt::format("\n## {}\n\n{}\n\n", group.title, group.words);
+    for (const TableWords& t : group.tables) text += table_text(t);
+    text.pop_back();
+  }
+  return text;
 }
 
 }  // namespace taut::app
