@@ -184,22 +184,37 @@ std::string deviation_text(const Display& display, double x, double of, double b
   return std::isnan(by) ? share : fmt::format("{} (may {})", share, percent_text(by / std::abs(of), false));
 }
 
+/// A row as it is shown.
+struct ShownRow {
+  const ComparedRow& row;
+  const Display& display;
+  std::string value(double x) const { return shown_value(display, x, row.unit); }
+  std::string deviation(double of, double by) const { return deviation_text(display, row.value, of, by, row.unit); }
+};
+
+const Quantities<ShownRow>& compared_quantities() {
+  using Row = ShownRow;
+  static const Quantities<Row> all = {
+      {"what", "", si::one, "what is compared", [](const Row& r) { return r.row.what; }},
+      {"published", "", si::one, "the published value, with its unit",
+       [](const Row& r) { return r.value(r.row.published); }},
+      {"reference", "", si::one, "the value of another calculation with the same data",
+       [](const Row& r) { return r.value(r.row.reference); }},
+      {"taut", "", si::one, "the result of the deck", [](const Row& r) { return r.value(r.row.value); }},
+      {"to_published", "", si::one, "deviation of the result from the published value, and what it may be",
+       [](const Row& r) { return r.deviation(r.row.published, r.row.tolerance); }},
+      {"to_reference", "", si::one, "deviation of the result from the reference, and what it may be",
+       [](const Row& r) { return r.deviation(r.row.reference, r.row.reference_tolerance); }},
+      {"verdict", "", si::one, "agrees, shown only, or what it is off; why there is no result",
+       [](const Row& r) { return verdict_of_row(r.row); }},
+      {"note", "", si::one, "the remark of the set", [](const Row& r) { return r.row.note; }}};
+  return all;
+}
+
 void add_compared_table(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
-  Table t;
-  t.name = "compared";
-  t.title = "Published, reference, and what taut gives";
-  t.columns = {{.name = "what", .unit = si::one},         {.name = "published", .unit = si::one},
-               {.name = "reference", .unit = si::one},    {.name = "taut", .unit = si::one},
-               {.name = "to_published", .unit = si::one}, {.name = "to_reference", .unit = si::one},
-               {.name = "verdict", .unit = si::one},      {.name = "note", .unit = si::one}};
-  for (const ComparedRow& row : rows) {
-    t.rows.push_back({row.what, shown_value(display, row.published, row.unit),
-                      shown_value(display, row.reference, row.unit), shown_value(display, row.value, row.unit),
-                      deviation_text(display, row.value, row.published, row.tolerance, row.unit),
-                      deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit),
-                      verdict_of_row(row), row.note});
-  }
-  r.tables.push_back(std::move(t));
+  std::vector<ShownRow> shown;
+  for (const ComparedRow& row : rows) shown.push_back({.row = row, .display = display});
+  r.tables.push_back(make_table("compared", "Published, reference, and what taut gives", compared_quantities(), shown));
 }
 
 /// "row 1, 0 deg: S1" belongs to "row 1, 0 deg".
@@ -283,6 +298,12 @@ ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Res
 }
 
 }  // namespace
+
+TableWords compared_words() {
+  return {.name = "compared",
+          .rows = "every value of the set that is compared",
+          .columns = words_of(compared_quantities())};
+}
 
 Result compare(const Job& job) {
   Result r;

@@ -6,6 +6,7 @@
 
 #include "taut/app/job.hpp"
 #include "taut/calc/field.hpp"
+#include "taut/calc/quantity.hpp"
 
 namespace taut::app {
 
@@ -36,6 +37,9 @@ struct ComparedSet {
 /// source's errata. A deck that gives no such value counts as a failed check. Mistakes of the set or of a deck: status
 /// bad_deck with their places.
 Result compare(const Job& job);
+
+/// The table `compared` as described.
+TableWords compared_words();
 
 /// The set at a path: a file, or a folder with compare.part.yaml.
 tl::expected<Job, FileError> read_set(const std::string& path);

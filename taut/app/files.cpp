@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "taut/app/job.hpp"
+#include "taut/calc/comparison.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/folder.hpp"
 #include "taut/io/hdf5.hpp"

@@ -10,6 +10,10 @@
 #include "taut/app/method_checks.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/tables.hpp"
+#include "taut/methods/closed_loop/tables.hpp"
+#include "taut/methods/friction_drive/tables.hpp"
+#include "taut/methods/mast_section/tables.hpp"
 
 namespace taut::app {
 namespace {
@@ -22,6 +26,12 @@ std::string_view example_of(const std::string& method) {
   return {};
 }
 
+std::vector<TableWords> tables_of_mast() {
+  std::vector<TableWords> all = mast_section::table_words();
+  for (TableWords& one : mast_section_exact_words()) all.push_back(std::move(one));
+  return all;
+}
+
 }  // namespace
 
 const std::vector<MethodEntry>& methods() {
@@ -32,6 +42,7 @@ const std::vector<MethodEntry>& methods() {
           .input = &mast_section::Input::describe(),
           .output = &mast_section::Output::describe(),
           .exact = &MastSectionExact::describe(),
+          .tables = tables_of_mast(),
           .example = example_of("mast_section"),
           .complaints = on(mast_section::complaints),
           .run = on(run_mast_section),
@@ -43,6 +54,7 @@ const std::vector<MethodEntry>& methods() {
           .input_of_defaults = MethodInput::of<closed_loop::Input>,
           .input = &closed_loop::Input::describe(),
           .output = &closed_loop::Output::describe(),
+          .tables = closed_loop::table_words(),
           .example = example_of("closed_loop"),
           .complaints = on(closed_loop::complaints),
           .run = on(run_closed_loop),
@@ -55,6 +67,7 @@ const std::vector<MethodEntry>& methods() {
           .input = &friction_drive::Input::describe(),
           .output = &friction_drive::Output::describe(),
           .exact = &FrictionDriveExact::describe(),
+          .tables = friction_drive::table_words(),
           .example = example_of("friction_drive"),
           .complaints = on(friction_drive::complaints),
           .run = on(run_friction_drive),
@@ -66,6 +79,7 @@ const std::vector<MethodEntry>& methods() {
           .input_of_defaults = MethodInput::of<boom_ropes::Input>,
           .input = &boom_ropes::Input::describe(),
           .output = &boom_ropes::Output::describe(),
+          .tables = boom_ropes::table_words(),
           .example = example_of("boom_ropes"),
           .complaints = on(boom_ropes::complaints),
           .run = on(boom_ropes::run),

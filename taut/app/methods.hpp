@@ -7,6 +7,7 @@
 #include "taut/app/method_input.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/calc/method.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/rope/rope_use.hpp"
 
@@ -32,6 +33,7 @@ struct MethodEntry {
   const Description* input = nullptr;
   const Description* output = nullptr;
   const Description* exact = nullptr;  ///< values that the engine adds; none where it does not
+  std::vector<TableWords> tables;      ///< of its result, those of the engine too
   std::string_view example;            ///< the text of examples/<name>.yaml
   /// Rules between fields and names that the catalogue lacks; paths below `input`.
   std::function<std::vector<Complaint>(const MethodInput&)> complaints;

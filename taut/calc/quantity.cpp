@@ -10,6 +10,10 @@ std::vector<QuantityWords> prefixed(const std::string& prefix, std::vector<Quant
   return all;
 }
 
+void add_columns(std::vector<Column>& columns, const std::vector<QuantityWords>& words) {
+  for (const QuantityWords& one : words) columns.push_back({.name = one.name, .unit = one.unit});
+}
+
 void no_such_quantity(std::string_view name) {
   throw std::logic_error("no quantity '" + std::string(name) + "' is described");
 }

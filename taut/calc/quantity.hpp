@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -43,6 +44,13 @@ std::vector<QuantityWords> words_of(const Quantities<Row>& quantities) {
   return all;
 }
 
+/// A table of a result as a reader looks it up: its name without an analysis' ending, what its rows are, its columns.
+struct TableWords {
+  std::string name;  ///< "life_ROPE"
+  std::string rows;  ///< "every bend in every duty"
+  std::vector<QuantityWords> columns;
+};
+
 /// The same with something before each name: "ROPE.".
 std::vector<QuantityWords> prefixed(const std::string& prefix, std::vector<QuantityWords> all);
 
@@ -77,6 +85,9 @@ void add_columns(std::vector<Column>& columns, const Quantities<Row>& quantities
   for (const Quantity<Row>& q : quantities) columns.push_back({prefix + q.about.name, q.about.unit});
 }
 
+/// Columns for what is described without a getter.
+void add_columns(std::vector<Column>& columns, const std::vector<QuantityWords>& words);
+
 /// Their cells behind those that are there.
 template <class Row>
 void add_cells(std::vector<Cell>& cells, const Quantities<Row>& quantities, const Row& row) {
@@ -90,6 +101,17 @@ Table make_table(std::string name, std::string title, const Quantities<Row>& qua
   add_columns(t.columns, quantities);
   for (const Row& row : rows) add_cells(t.rows.emplace_back(), quantities, row);
   return t;
+}
+
+/// A line behind those of the result's table of that name; the first line begins the table.
+template <class Row>
+void add_line(Result& r, const std::string& name, const std::string& title, const Quantities<Row>& quantities,
+              const Row& row) {
+  auto table = std::find_if(r.tables.begin(), r.tables.end(), [&](const Table& t) { return t.name == name; });
+  if (table == r.tables.end()) {
+    table = r.tables.insert(table, make_table(name, title, quantities, std::vector<Row>{}));
+  }
+  add_cells(table->rows.emplace_back(), quantities, row);
 }
 
 /// The value of one row, a number: "skyline.T_max_2", and in words "largest tension of skyline (hoist)". `ending`: of

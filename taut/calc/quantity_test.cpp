@@ -30,6 +30,16 @@ TEST(Quantity, MakesATable) {
   EXPECT_EQ(std::get<double>(t.rows[1][2]), 1200);
 }
 
+TEST(Quantity, AddsLinesToOneTable) {
+  Result r;
+  for (const Tackle& one : two) add_line(r, "tackles", "Tackles", described(), one);
+  ASSERT_EQ(r.tables.size(), 1U);
+  EXPECT_EQ(r.tables[0].title, "Tackles");
+  EXPECT_EQ(r.tables[0].columns.size(), 3U);
+  ASSERT_EQ(r.tables[0].rows.size(), 2U);
+  EXPECT_EQ(std::get<double>(r.tables[0].rows[1][1]), 3);
+}
+
 TEST(Quantity, MakesAValue) {
   const Value v = make_value(named(described(), "pull"), two[0], "luff", "_2", "hoist");
   EXPECT_EQ(v.name, "luff.pull_2");

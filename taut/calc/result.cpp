@@ -189,21 +189,4 @@ Result result_of(const Method& method, const Description& input, const void* val
   return r;
 }
 
-Table comparison_table(const std::vector<Comparison>& all) {
-  Table t{.name = "comparison",
-          .title = "Printed, corrected and exact",
-          .columns = {{.name = "quantity", .unit = si::one},
-                      {.name = "symbol", .unit = si::one},
-                      {.name = "unit", .unit = si::one},
-                      {.name = "printed", .unit = si::one},
-                      {.name = "corrected", .unit = si::one},
-                      {.name = "exact", .unit = si::one},
-                      {.name = "build_by", .unit = si::one}},
-          .rows = {}};
-  for (const Comparison& c : all) {
-    t.rows.push_back({c.quantity, c.symbol, std::string(c.unit.symbol), c.printed, c.corrected, c.exact, c.build_by});
-  }
-  return t;
-}
-
 }  // namespace taut

@@ -204,7 +204,4 @@ std::vector<Value> values_of(const Description& d, const void* output);
 /// set are left out.
 std::vector<Given> given_of(const Description& d, const void* input);
 
-/// The comparisons as a table `comparison` (SI, unit as text), empty when there are none.
-Table comparison_table(const std::vector<Comparison>& all);
-
 }  // namespace taut

@@ -87,19 +87,6 @@ TEST(Result, FindsByName) {
   EXPECT_EQ(r.find_table("x"), nullptr);
 }
 
-TEST(Result, ComparisonsBecomeATable) {
-  const Table t = comparison_table({{.quantity = "take-up",
-                                     .symbol = "P_M",
-                                     .unit = si::N,
-                                     .printed = 1,
-                                     .corrected = 2,
-                                     .exact = std::nan(""),
-                                     .build_by = "corrected",
-                                     .printed_unsafe = true}});
-  ASSERT_EQ(t.rows.size(), 1U);
-  EXPECT_EQ(t.rows[0].size(), t.columns.size());
-}
-
 struct Pin {
   std::string name;
   Triple at{1, 2, 3};

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "taut/calc/none.hpp"
 #include "taut/design/design_checks.hpp"
 
 namespace taut::design {
@@ -50,56 +51,139 @@ std::string cost_words(const DesignRequest& request) {
   return {};
 }
 
+/// A rope that was free, and the one chosen for it.
+struct ChosenRope {
+  const RopeCandidates& of;
+  const RopeRow& rope;
+};
+
+const Quantities<ChosenRope>& chosen_ropes() {
+  using Row = ChosenRope;
+  static const Quantities<Row> all = {
+      {"rope", "", si::one, "the rope", [](const Row& r) { return r.of.name; }},
+      {"designation", "", si::one, "the rope of the catalogue that is chosen, by its id",
+       [](const Row& r) { return r.rope.id; }},
+      {"diameter", "d", si::m.in("mm"), "its nominal diameter", [](const Row& r) { return r.rope.diameter; }},
+      {"area", "A", si::m2, "its metallic cross-sectional area", [](const Row& r) { return r.rope.area; }},
+      {"mass_per_metre", "m", si::kg_per_m, "its mass per metre", [](const Row& r) { return r.rope.mass_per_length; }},
+      {"grade", "R_0", si::Pa, "its rope grade: nominal tensile strength of the wires",
+       [](const Row& r) { return r.rope.grade.value_or(none); }},
+      {"breaking_force", "F_min", si::N, "its minimum breaking force",
+       [](const Row& r) { return r.rope.breaking_force; }},
+      {"stiffness", "EA", si::N, "modulus on the metallic area times that area",
+       [](const Row& r) { return r.of.modulus * r.rope.area; }},
+      {"trust", "", si::one, "trust in its row of the catalogue",
+       [](const Row& r) { return std::string(catalogue::to_text(r.rope.trust)); }}};
+  return all;
+}
+
 Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
-  Table t{.name = "design", .title = "The ropes chosen", .columns = {}, .rows = {}};
-  t.columns = {{.name = "rope", .unit = si::one},
-               {.name = "designation", .unit = si::one},
-               {.name = "diameter", .unit = si::m.in("mm")},
-               {.name = "area", .unit = si::m2},
-               {.name = "mass_per_metre", .unit = si::kg_per_m},
-               {.name = "grade", .unit = si::Pa},
-               {.name = "breaking_force", .unit = si::N},
-               {.name = "stiffness", .unit = si::N},
-               {.name = "trust", .unit = si::one}};
+  std::vector<ChosenRope> rows;
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    const RopeRow& row = space.ropes[k].rows[best.choice[k]];
-    t.rows.push_back({space.ropes[k].name, row.id, row.diameter, row.area, row.mass_per_length,
-                      row.grade.value_or(std::nan("")), row.breaking_force, space.ropes[k].modulus * row.area,
-                      std::string(catalogue::to_text(row.trust))});
+    rows.push_back({.of = space.ropes[k], .rope = space.ropes[k].rows[best.choice[k]]});
   }
-  return t;
+  return make_table("design", "The ropes chosen", chosen_ropes(), rows);
+}
+
+/// A beam or mast whose section was free, and the one chosen for it.
+struct ChosenSection {
+  const SectionCandidates& of;
+  const catalogue::SectionRow& section;
+};
+
+const Quantities<ChosenSection>& chosen_sections() {
+  using Row = ChosenSection;
+  static const Quantities<Row> all = {{"beam", "", si::one, "the beam or mast", [](const Row& r) { return r.of.name; }},
+                                      {"section", "", si::one, "the section of the catalogue that is chosen",
+                                       [](const Row& r) { return r.section.name; }},
+                                      {"mass_per_metre", "m", si::kg_per_m, "its mass per metre",
+                                       [](const Row& r) { return r.section.mass_per_length; }},
+                                      {"trust", "", si::one, "trust in its row of the catalogue",
+                                       [](const Row& r) { return std::string(catalogue::to_text(r.section.trust)); }}};
+  return all;
 }
 
 Table section_table(const DesignSpace& space, const SizingCandidate& best) {
-  Table t{.name = "design_sections", .title = "The sections chosen", .columns = {}, .rows = {}};
-  t.columns = {{.name = "beam", .unit = si::one},
-               {.name = "section", .unit = si::one},
-               {.name = "mass_per_metre", .unit = si::kg_per_m},
-               {.name = "trust", .unit = si::one}};
+  std::vector<ChosenSection> rows;
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
-    const catalogue::SectionRow& row = space.sections[k].rows[best.choice[space.ropes.size() + k]];
-    t.rows.push_back(
-        {space.sections[k].name, row.name, row.mass_per_length, std::string(catalogue::to_text(row.trust))});
+    rows.push_back({.of = space.sections[k], .section = space.sections[k].rows[best.choice[space.ropes.size() + k]]});
   }
-  return t;
+  return make_table("design_sections", "The sections chosen", chosen_sections(), rows);
+}
+
+const Quantities<Check>& active_quantities() {
+  static const Quantities<Check> all = {
+      {"part", "", si::one, "part of the machine that the check belongs to", &Check::part},
+      {"check", "", si::one, "the check", &Check::name},
+      {"utilisation", "", si::one, "its utilisation: the largest of all, and those above 0.9", &Check::utilisation},
+      {"rule", "", si::one, "the rule and its source", &Check::rule},
+      {"trust", "", si::one, "trust in its limit", &Check::trust}};
+  return all;
 }
 
 Table active_checks(const Result& r) {
-  Table t{
-      .name = "design_active", .title = "Checks near their limits: what holds the design", .columns = {}, .rows = {}};
-  t.columns = {{.name = "part", .unit = si::one},
-               {.name = "check", .unit = si::one},
-               {.name = "utilisation", .unit = si::one},
-               {.name = "rule", .unit = si::one},
-               {.name = "trust", .unit = si::one}};
   std::vector<Check> all = r.checks;
   std::stable_sort(all.begin(), all.end(),
                    [](const Check& a, const Check& b) { return a.utilisation > b.utilisation; });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0 && all[i].utilisation < nearly_active) break;
-    t.rows.push_back({all[i].part, all[i].name, all[i].utilisation, all[i].rule, all[i].trust});
+  const auto idle = std::find_if(all.begin() + (all.empty() ? 0 : 1), all.end(),
+                                 [](const Check& c) { return c.utilisation < nearly_active; });
+  all.erase(idle, all.end());
+  return make_table("design_active", "Checks near their limits: what holds the design", active_quantities(), all);
+}
+
+/// A choice near the one that is chosen.
+struct RunnerUp {
+  std::string choice;
+  double cost = 0;
+  std::string outcome;
+  const SizingTrial& trial;
+};
+
+/// `cost`: the unit of what is sought.
+Quantities<RunnerUp> runner_up_quantities(const Unit& cost) {
+  using Row = RunnerUp;
+  return {
+      {"choice", "", si::one, "rope or section chosen for each that is free", &Row::choice},
+      {"cost", "", cost,
+       "what is sought: kg of lightest, m of smallest, N of least_tension, a price, or the utilisation", &Row::cost},
+      {"outcome", "", si::one, "fails, chosen, or passes", &Row::outcome},
+      {"governs", "", si::one, "the check that governs", [](const Row& r) { return r.trial.governs; }},
+      {"utilisation", "", si::one, "its utilisation", [](const Row& r) { return r.trial.utilisation; }}};
+}
+
+/// Values of the unknowns, and the least choice there.
+struct TradeOff {
+  const DesignSpace& space;
+  const DesignPoint& point;
+  bool found() const { return point.answer.outcome.ok(); }
+  /// Where none passes: the last that fails, if any was tried.
+  const SizingTrial* trial() const {
+    const SizingAnswer& answer = point.answer;
+    if (found()) return &answer.best.trial;
+    return answer.below.empty() ? nullptr : &answer.below.back().trial;
   }
-  return t;
+  std::string choice() const {
+    const std::string words = found() ? names_of(space, point.answer.best.choice) : point.answer.outcome.message;
+    return words.empty() ? "passes" : words;
+  }
+};
+
+/// The unknown of that index, by its name and in its unit.
+Quantity<TradeOff> unknown_quantity(std::size_t index, const std::string& name, const Unit& unit) {
+  return {name, "", unit, "value of that unknown, in its own unit",
+          [index](const TradeOff& r) { return r.point.values[index]; }};
+}
+
+/// Behind the unknowns. `cost`: the unit of what is sought.
+Quantities<TradeOff> trade_off_quantities(const Unit& cost) {
+  using Row = TradeOff;
+  return {{"cost", "", cost, "what is sought by the least choice that passes there; empty: none passes",
+           [](const Row& r) { return r.found() ? r.point.answer.best.cost : none; }},
+          {"governs", "", si::one, "the check that governs it",
+           [](const Row& r) { return r.trial() != nullptr ? r.trial()->governs : std::string(); }},
+          {"utilisation", "", si::one, "its utilisation",
+           [](const Row& r) { return r.trial() != nullptr ? r.trial()->utilisation : none; }},
+          {"choice", "", si::one, "that choice, or why there is none", &Row::choice}};
 }
 
 /// The cost over the one unknown; where it is the same everywhere, the utilisation.
@@ -151,17 +235,9 @@ void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, 
                     Result& r) {
   const DesignSpace& space = task.space;
   if (space.ropes.empty() && space.sections.empty()) return;
-  Table t{.name = "design_runner_ups",
-          .title = "The choice between its neighbours, and what governs each",
-          .columns = {},
-          .rows = {}};
-  t.columns = {{.name = "choice", .unit = si::one},
-               {.name = "cost", .unit = cost_unit(task.request.seek)},
-               {.name = "outcome", .unit = si::one},
-               {.name = "governs", .unit = si::one},
-               {.name = "utilisation", .unit = si::one}};
+  std::vector<RunnerUp> rows;
   const auto add = [&](const SizingCandidate& c, const char* outcome) {
-    t.rows.push_back({names_of(space, c.choice), c.cost, std::string(outcome), c.trial.governs, c.trial.utilisation});
+    rows.push_back({.choice = names_of(space, c.choice), .cost = c.cost, .outcome = outcome, .trial = c.trial});
   };
   for (const SizingCandidate& c : answer.below) {
     if (c.choice != chosen.choice) add(c, "fails");
@@ -170,36 +246,20 @@ void add_runner_ups(const DesignTask& task, const design::SizingAnswer& answer, 
   for (const SizingCandidate& c : answer.above) {
     if (c.choice != chosen.choice) add(c, "passes");
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(make_table("design_runner_ups", "The choice between its neighbours, and what governs each",
+                                runner_up_quantities(cost_unit(task.request.seek)), rows));
 }
 
 void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& points, Result& r) {
-  const DesignSpace& space = task.space;
-  Table t{.name = "design_trade_off",
-          .title = "The least choice over what is free besides, and what holds it",
-          .columns = {},
-          .rows = {}};
-  for (const UnknownValues& one : space.unknowns) t.columns.push_back({one.name, one.unit});
-  const std::vector<Column> rest = {{.name = "cost", .unit = cost_unit(task.request.seek)},
-                                    {.name = "governs", .unit = si::one},
-                                    {.name = "utilisation", .unit = si::one},
-                                    {.name = "choice", .unit = si::one}};
-  t.columns.insert(t.columns.end(), rest.begin(), rest.end());
-  for (const DesignPoint& point : points) {
-    std::vector<Cell> row(point.values.begin(), point.values.end());
-    const auto& answer = point.answer;
-    const bool found = answer.outcome.ok();
-    const bool failed = !found && !answer.below.empty();
-    const design::SizingTrial last =
-        found    ? answer.best.trial
-        : failed ? answer.below.back().trial
-                 : design::SizingTrial{.passes = false, .utilisation = std::nan(""), .governs = {}};
-    std::string words = found ? names_of(space, answer.best.choice) : answer.outcome.message;
-    if (words.empty()) words = "passes";
-    row.insert(row.end(), {found ? answer.best.cost : std::nan(""), last.governs, last.utilisation, std::move(words)});
-    t.rows.push_back(std::move(row));
+  Quantities<TradeOff> columns;
+  for (const UnknownValues& one : task.space.unknowns) {
+    columns.push_back(unknown_quantity(columns.size(), one.name, one.unit));
   }
-  r.tables.push_back(std::move(t));
+  columns = joined(columns, trade_off_quantities(cost_unit(task.request.seek)));
+  std::vector<TradeOff> rows;
+  for (const DesignPoint& point : points) rows.push_back({.space = task.space, .point = point});
+  r.tables.push_back(
+      make_table("design_trade_off", "The least choice over what is free besides, and what holds it", columns, rows));
 }
 
 void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
@@ -229,6 +289,20 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
   if (space.unknowns.size() != 1) return;
   Plot plot = trade_off_plot(task, found);
   if (!plot.curves.empty()) r.figures.emplace_back(std::move(plot));
+}
+
+std::vector<TableWords> table_words() {
+  Quantities<TradeOff> trade_off = {unknown_quantity(0, "UNKNOWN", si::one)};
+  trade_off = joined(trade_off, trade_off_quantities(si::one));
+  return {{.name = "design", .rows = "every rope that was free", .columns = words_of(chosen_ropes())},
+          {.name = "design_sections", .rows = "every section that was free", .columns = words_of(chosen_sections())},
+          {.name = "design_active",
+           .rows = "every check near its limit, the nearest first",
+           .columns = words_of(active_quantities())},
+          {.name = "design_runner_ups",
+           .rows = "cheaper choices, which fail, the one chosen, and the next that pass",
+           .columns = words_of(runner_up_quantities(si::one))},
+          {.name = "design_trade_off", .rows = "every place of the grid of unknowns", .columns = words_of(trade_off)}};
 }
 
 }  // namespace taut::design

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/calc/quantity.hpp"
 #include "taut/design/design_search.hpp"
 
 namespace taut::design {
@@ -20,5 +21,8 @@ void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& point
 /// All of a design that was found: values, and the tables `design`, `design_sections`, `design_active`,
 /// `design_runner_ups`, `design_trade_off` before those of the result.
 void add_design(const DesignTask& task, const DesignFound& found, Result& r);
+
+/// Those tables as described.
+std::vector<TableWords> table_words();
 
 }  // namespace taut::design

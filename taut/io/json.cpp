@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "taut/base/version.hpp"
+#include "taut/calc/comparison.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/io/table.hpp"
 

@@ -2,6 +2,8 @@
 
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/load_path_table.hpp"
+#include "taut/results/machine_tables.hpp"
+#include "taut/results/motion/transient_tables.hpp"
 #include "taut/solve/quantities.hpp"
 #include "taut/study/analyses.hpp"
 #include "taut/study/put_up.hpp"
@@ -14,10 +16,6 @@ using Words = std::vector<QuantityWords>;
 Words both(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
-}
-
-QuantityWords one(const char* name, const char* symbol, const Unit& unit, const char* words) {
-  return {.name = name, .symbol = symbol, .unit = unit, .words = words};
 }
 
 /// `payload` and `governing` stand behind the carriage's place.
@@ -33,9 +31,8 @@ std::vector<TableWords> of_states() {
   return {
       {.name = "spans",
        .rows = "every branch of free rope",
-       .columns =
-           both(both(words_of(solve::branch_quantities()), words_of(solve::branch_band_quantities())),
-                {one("clearance", "", si::m, "least height of the branch over the ground, where there is terrain")})},
+       .columns = both(both(words_of(solve::branch_quantities()), words_of(solve::branch_band_quantities())),
+                       words_of(branch_terrain_quantities()))},
       {.name = "sheaves",
        .rows = "every contact: sheaves, supports and carriages on their ropes",
        .columns = both(words_of(solve::contact_quantities()), words_of(solve::contact_band_quantities()))},
@@ -56,33 +53,23 @@ std::vector<TableWords> of_states() {
 }
 
 std::vector<TableWords> of_analyses() {
-  const Words tensions = prefixed("ROPE.", words_of(solve::rope_end_tensions()));
-  return {{.name = "load_path", .rows = "every place with an equilibrium", .columns = load_path_words()},
-          {.name = "payload", .rows = "every place", .columns = payload_words()},
-          {.name = "installation",
-           .rows = "every temperature",
-           .columns = both(words_of(study::installation_quantities()),
-                           {one("sag_N", "f", si::m, "sag of span N at its half")})},
-          {.name = "lengths", .rows = "every rope at the first temperature", .columns = lengths_words()},
-          {.name = "cycle",
-           .rows = "every place of every phase",
-           .columns = both(words_of(study::cycle_quantities()), {one("WINCH.pull", "F", si::N, "pull of that winch")})},
-          {.name = "cycle_work", .rows = "every winch in every phase", .columns = words_of(study::winch_quantities())},
-          {.name = "envelope",
-           .rows = "forces; `envelope_lengths` and `envelope_angles` the same for lengths and angles",
-           .columns = words_of(study::envelope_quantities(si::N))},
-          {.name = "sweep", .rows = "every value of the parameter", .columns = sweep_words()},
-          {.name = "modes", .rows = "every mode", .columns = words_of(study::mode_quantities())},
-          {.name = "mode_shapes",
-           .rows = "every free body in every mode",
-           .columns = words_of(study::mode_shape_quantities())},
-          {.name = "tensioning",
-           .rows = "every pull; what the deck observes stands behind",
-           .columns = both(words_of(study::pull_quantities()), tensions)},
-          {.name = "least_tension",
-           .rows = "every rope whose length follows",
-           .columns = both(words_of(study::least_tension_quantities()),
-                           {one("T_min, CASE", "", si::N, "its least tension in that case")})}};
+  return {
+      {.name = "load_path", .rows = "every place with an equilibrium", .columns = load_path_words()},
+      {.name = "payload", .rows = "every place", .columns = payload_words()},
+      {.name = "installation", .rows = "every temperature", .columns = installation_words()},
+      {.name = "lengths", .rows = "every rope at the first temperature", .columns = lengths_words()},
+      {.name = "cycle", .rows = "every place of every phase", .columns = cycle_words()},
+      {.name = "cycle_work", .rows = "every winch in every phase", .columns = words_of(study::winch_quantities())},
+      {.name = "envelope",
+       .rows = "forces; `envelope_lengths` and `envelope_angles` the same for lengths and angles",
+       .columns = words_of(study::envelope_quantities(si::N))},
+      {.name = "sweep", .rows = "every value of the parameter", .columns = sweep_words()},
+      {.name = "modes", .rows = "every mode", .columns = words_of(study::mode_quantities())},
+      {.name = "mode_shapes",
+       .rows = "every free body in every mode",
+       .columns = words_of(study::mode_shape_quantities())},
+      {.name = "tensioning", .rows = "every pull; what the deck observes stands behind", .columns = tensioning_words()},
+      {.name = "least_tension", .rows = "every rope whose length follows", .columns = least_tension_words()}};
 }
 
 std::vector<TableWords> of_motions() {
@@ -91,10 +78,8 @@ std::vector<TableWords> of_motions() {
            .rows = "everything that is observed",
            .columns = words_of(study::observed_quantities())},
           {.name = "dynamic", .rows = "every rope in a motion", .columns = words_of(study::dynamic_quantities())},
-          {.name = "energy",
-           .rows = "every form of energy in a motion",
-           .columns = {one("form", "", si::one, "the form"), one("at_start", "", si::J, "at the start of the motion"),
-                       one("at_end", "", si::J, "at its end")}}};
+          {.name = "energy", .rows = "every form of energy in a motion", .columns = energy_words()},
+          {.name = "time", .rows = "every step that is written down, in `time.csv`", .columns = time_words()}};
 }
 
 }  // namespace

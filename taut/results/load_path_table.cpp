@@ -48,6 +48,13 @@ const Quantities<LoadPathRow>& terrain_columns() {
   return all;
 }
 
+QuantityWords tension_at_end(const std::string& rope, const std::string& end) {
+  return {.name = fmt::format("{}.T_{}", rope, end),
+          .symbol = "",
+          .unit = si::N,
+          .words = "tension at each end of its path"};
+}
+
 /// One contact of a rope by its name and, as a tackle's block has several, the number of its turn.
 struct Turn {
   std::string name;
@@ -95,7 +102,7 @@ std::vector<Column> load_path_columns(const machine::Model& all) {
   add_columns(columns, place_columns());
   for (const machine::Reeving& r : all.reevings) {
     for (const machine::Node& end : {r.nodes.front(), r.nodes.back()}) {
-      columns.push_back({fmt::format("{}.T_{}", r.name, end.name), si::N});
+      add_columns(columns, {tension_at_end(r.name, end.name)});
     }
     add_columns(columns, rope_columns(), r.name + ".");
   }
@@ -159,7 +166,7 @@ std::vector<QuantityWords> load_path_words() {
   std::vector<QuantityWords> all;
   const auto add = [&](const std::vector<QuantityWords>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(words_of(place_columns()));
-  all.push_back({"ROPE.T_ANCHOR", "", si::N, "tension at each end of its path"});
+  all.push_back(tension_at_end("ROPE", "ANCHOR"));
   add(prefixed("ROPE.", words_of(rope_columns())));
   add(prefixed("ROPE.NAME.", words_of(contact_columns())));
   add(prefixed("NAME.", words_of(drum_columns())));

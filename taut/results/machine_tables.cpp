@@ -12,18 +12,10 @@ namespace {
 
 using solve::EquilibriumResult;
 
-/// A line for each branch over the terrain.
-const Quantities<solve::BranchRow>& terrain_quantities() {
-  static const Quantities<solve::BranchRow> all = {
-      {"clearance", "", si::m, "least height of the branch over the ground",
-       [](const solve::BranchRow& r) { return study::rope_clearance(r.model, r.part).height; }}};
-  return all;
-}
-
 Table spans(const machine::Model& m, const EquilibriumResult& e) {
   Quantities<solve::BranchRow> columns = solve::branch_quantities();
   if (e.band) columns = joined(columns, solve::branch_band_quantities());
-  if (!m.terrain.empty()) columns = joined(columns, terrain_quantities());
+  if (!m.terrain.empty()) columns = joined(columns, branch_terrain_quantities());
   std::vector<solve::BranchRow> rows;
   for (const auto& branch : e.branches) rows.push_back({m, e, branch});
   return make_table("spans", "Spans", columns, rows);
@@ -71,6 +63,13 @@ Table closure(const EquilibriumResult& e) {
 }
 
 }  // namespace
+
+const Quantities<solve::BranchRow>& branch_terrain_quantities() {
+  static const Quantities<solve::BranchRow> all = {
+      {"clearance", "", si::m, "least height of the branch over the ground, where there is terrain",
+       [](const solve::BranchRow& r) { return study::rope_clearance(r.model, r.part).height; }}};
+  return all;
+}
 
 void add_tables(const MachineRun& run, Result& r) {
   const auto add = [&](Table t, const std::string& ending, const std::string& words) {

@@ -5,6 +5,7 @@
 
 #include "taut/machine/description/machine.hpp"
 #include "taut/results/machine_run.hpp"
+#include "taut/solve/quantities.hpp"
 
 namespace taut::results {
 
@@ -15,6 +16,9 @@ void add_tables(const MachineRun& run, Result& r);
 /// Of the first equilibrium the places of free bodies and the unstretched lengths; of each one the tensions at the
 /// ropes' ends; drives. The worst cases over all states are the judge's.
 void add_values(const MachineRun& run, Result& r);
+
+/// What `spans` has besides, where there is terrain.
+const Quantities<solve::BranchRow>& branch_terrain_quantities();
 
 /// Of one equilibrium, where the machine has them: rope_loads, drives, drums.
 void add_drive_tables(const study::EquilibriumRun& one, const std::function<void(Table)>& add);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "taut/calc/comparison.hpp"
 #include "taut/calc/num.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"

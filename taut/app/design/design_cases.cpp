@@ -18,14 +18,21 @@ void take_checks(const std::string& name, const std::vector<Check>& checks, std:
   }
 }
 
-Table cases_table() {
-  return {.name = "design_cases",
-          .title = "Load cases of the design, and what governs each",
-          .columns = {{.name = "case", .unit = si::one},
-                      {.name = "governs", .unit = si::one},
-                      {.name = "utilisation", .unit = si::one},
-                      {.name = "passes", .unit = si::one}},
-          .rows = {}};
+/// One load case, and how the design fares in it.
+struct CaseRow {
+  const std::string& name;
+  const design::SizingTrial& trial;
+};
+
+const Quantities<CaseRow>& case_quantities() {
+  using Row = CaseRow;
+  static const Quantities<Row> all = {
+      {"case", "", si::one, "the load case", [](const Row& r) { return r.name; }},
+      {"governs", "", si::one, "the check that governs it", [](const Row& r) { return r.trial.governs; }},
+      {"utilisation", "", si::one, "its utilisation", [](const Row& r) { return r.trial.utilisation; }},
+      {"passes", "", si::one, "yes: all checks of the case pass; else no",
+       [](const Row& r) { return std::string(r.trial.passes ? "yes" : "no"); }}};
+  return all;
 }
 
 double severity(const design::SizingTrial& trial) {
@@ -33,6 +40,10 @@ double severity(const design::SizingTrial& trial) {
 }
 
 }  // namespace
+
+TableWords cases_words() {
+  return {.name = "design_cases", .rows = "every load case of the design", .columns = words_of(case_quantities())};
+}
 
 design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design::Depth depth, std::size_t& first,
                             const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one) {
@@ -43,13 +54,14 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
   double tension = std::nan("");
   std::vector<Check> checks;
   std::vector<std::string> warnings;
-  Table table = cases_table();
+  Table table = make_table("design_cases", "Load cases of the design, and what governs each", case_quantities(),
+                           std::vector<CaseRow>{});
   table.rows.resize(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t k = (first + i) % cases.size();
     design::DesignRun run = one(&cases[k], depth == design::Depth::report ? design::Depth::checks : depth);
     const design::SizingTrial trial = design::trial_of(run.result);
-    table.rows[k] = {cases[k].name, trial.governs, trial.utilisation, std::string(trial.passes ? "yes" : "no")};
+    add_cells(table.rows[k], case_quantities(), CaseRow{.name = cases[k].name, .trial = trial});
     tension = std::fmax(tension, run.tension);
     take_checks(cases[k].name, run.result.checks, checks);
     for (const std::string& warning : run.result.warnings) {

@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/calc/quantity.hpp"
 #include "taut/checks/mast/mast_checks_deck.hpp"
 #include "taut/design/design.hpp"
 #include "taut/io/deck/node.hpp"
@@ -61,5 +62,8 @@ design::DesignLengths by_the_metre(const design::DesignRequest& request, const d
 /// [full]". `first`: the case that is tried first, the one that failed last. Without cases one run without any.
 design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design::Depth depth, std::size_t& first,
                             const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one);
+
+/// The table `design_cases` as described.
+TableWords cases_words();
 
 }  // namespace taut::app

@@ -152,56 +152,67 @@ void take_worst(const solve::GuyedMastResult& m, MastSectionExact& out) {
   }
 }
 
+/// A guy at the governing carriage position.
+struct GuyRow {
+  const std::string& name;
+  const solve::GuyState& state;
+};
+
+const Quantities<GuyRow>& guy_quantities() {
+  using Row = GuyRow;
+  static const Quantities<Row> all = {
+      {"guy", "", si::one, "number of the guy in the deck, from 1", [](const Row& g) { return g.name; }},
+      {"unstretched", "L_0", si::m, "its unstretched length", [](const Row& g) { return g.state.length; }},
+      {"T_installed", "T_0", si::N, "tension at its upper end while the mast is vertical and unloaded",
+       [](const Row& g) { return g.state.tension_installed; }},
+      {"T_top", "", si::N, "tension at its upper end", [](const Row& g) { return g.state.tension_top; }},
+      {"T_anchor", "", si::N, "tension at its anchor", [](const Row& g) { return g.state.tension_anchor; }},
+      {"Fx", "F_x", si::N, "force on the anchor, towards the span",
+       [](const Row& g) { return g.state.force_on_anchor.x(); }},
+      {"Fy", "F_y", si::N, "force on the anchor normal to the span, to its left",
+       [](const Row& g) { return g.state.force_on_anchor.y(); }},
+      {"Fz", "F_z", si::N, "force on the anchor, upwards", [](const Row& g) { return g.state.force_on_anchor.z(); }},
+      {"safety_factor", "", si::one, "minimum breaking force over its largest tension",
+       [](const Row& g) { return g.state.safety; }},
+      {"state", "", si::one, "taut; or slack: it is not shorter than its chord",
+       [](const Row& g) { return std::string(g.state.slack ? "slack" : "taut"); }}};
+  return all;
+}
+
 Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
-  Table t{.name = "guys",
-          .title = "Guylines at the governing carriage position, force on the anchor",
-          .columns = {{.name = "guy", .unit = si::one},
-                      {.name = "unstretched", .unit = si::m},
-                      {.name = "T_installed", .unit = si::N},
-                      {.name = "T_top", .unit = si::N},
-                      {.name = "T_anchor", .unit = si::N},
-                      {.name = "Fx", .unit = si::N},
-                      {.name = "Fy", .unit = si::N},
-                      {.name = "Fz", .unit = si::N},
-                      {.name = "safety_factor", .unit = si::one},
-                      {.name = "state", .unit = si::one}},
-          .rows = {}};
-  for (std::size_t i = 0; i < m.guys.size(); ++i) {
-    const solve::GuyState& g = m.guys[i];
-    t.rows.push_back({mast.guys[i].name, g.length, g.tension_installed, g.tension_top, g.tension_anchor,
-                      g.force_on_anchor.x(), g.force_on_anchor.y(), g.force_on_anchor.z(), g.safety,
-                      std::string(g.slack ? "slack" : "taut")});
-  }
-  return t;
+  std::vector<GuyRow> rows;
+  for (std::size_t i = 0; i < m.guys.size(); ++i) rows.push_back({.name = mast.guys[i].name, .state = m.guys[i]});
+  return make_table("guys", "Guylines at the governing carriage position, force on the anchor", guy_quantities(), rows);
 }
 
-Table positions_table() {
-  return {.name = "positions_exact",
-          .title = "Carriage positions, exact",
-          .columns = {{.name = "x", .unit = si::m},
-                      {.name = "N_exact", .unit = si::N},
-                      {.name = "Q_exact", .unit = si::N},
-                      {.name = "M_exact", .unit = si::N_m},
-                      {.name = "M_max_exact", .unit = si::N_m},
-                      {.name = "top_displacement_exact", .unit = si::m.in("mm")},
-                      {.name = "sigma_exact", .unit = si::Pa},
-                      {.name = "guy_tension_max_exact", .unit = si::N},
-                      {.name = "reason", .unit = si::one}},
-          .rows = {}};
+/// The engine's values at one carriage position; NaN where there is no equilibrium, with the reason.
+struct ExactPosition {
+  double x = not_computed;  ///< m
+  MastSectionExact exact;
+  std::string reason;
+};
+
+ExactPosition exact_position(double x, const solve::GuyedMastResult& m, const Outcome& outcome) {
+  ExactPosition p{.x = x, .exact = {}, .reason = outcome.message};
+  if (outcome.ok()) take_position(m, p.exact), take_worst(m, p.exact);
+  return p;
 }
 
-std::vector<Cell> position_row(double x, const solve::GuyedMastResult& m, const Outcome& outcome) {
-  MastSectionExact e;
-  if (outcome.ok()) take_position(m, e), take_worst(m, e);
-  return {x,
-          e.N_exact,
-          e.Q_exact,
-          e.M_exact,
-          e.M_max_exact,
-          e.top_displacement_exact,
-          e.sigma_exact,
-          e.guy_tension_max_exact,
-          outcome.message};
+const Quantities<ExactPosition>& exact_quantities() {
+  using Row = ExactPosition;
+  const auto of = [](double MastSectionExact::*part) { return [part](const Row& p) { return p.exact.*part; }; };
+  static const Quantities<Row> all = {
+      {"x", "x", si::m, "position of the carriage", &Row::x},
+      {"N_exact", "N", si::N, "axial force at the foot with guys and second order", of(&MastSectionExact::N_exact)},
+      {"Q_exact", "Q", si::N, "horizontal force at the foot", of(&MastSectionExact::Q_exact)},
+      {"M_exact", "M", si::N_m, "bending moment at the foot", of(&MastSectionExact::M_exact)},
+      {"M_max_exact", "M_max", si::N_m, "largest bending moment along the mast", of(&MastSectionExact::M_max_exact)},
+      {"top_displacement_exact", "", si::m.in("mm"), "horizontal displacement of the top",
+       of(&MastSectionExact::top_displacement_exact)},
+      {"sigma_exact", "sigma", si::Pa, "largest stress along the mast", of(&MastSectionExact::sigma_exact)},
+      {"guy_tension_max_exact", "", si::N, "largest tension of any guy", of(&MastSectionExact::guy_tension_max_exact)},
+      {"reason", "", si::one, "why there is no equilibrium; empty: there is one", &Row::reason}};
+  return all;
 }
 
 void add_comparisons(const Input& in, const Output& o, const Section& section, const MastSectionExact& e, Result& r) {
@@ -317,11 +328,11 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   }
   const Section section = section_of(in, method);
   MastSectionExact e;
-  Table positions = positions_table();
+  std::vector<ExactPosition> positions;
   for (const Position& p : method.positions) {
     if (!p.outcome.ok()) continue;
     const LoadedMast& at = masts.under(hauled_in_at(method, p.index), section.full_name, section.beam);
-    positions.rows.push_back(position_row(p.out.x, at.found, at.outcome));
+    positions.push_back(exact_position(p.out.x, at.found, at.outcome));
     if (!at.outcome.ok()) {
       refuse(in, p, at.outcome, r);
       continue;
@@ -333,7 +344,9 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     add_mast_figures(at.mast, at.found, section.allowable, r);
   }
   take_other_cases(in, method, section, masts, e, r);
-  if (positions.rows.size() > 1) r.tables.push_back(std::move(positions));
+  if (positions.size() > 1) {
+    r.tables.push_back(make_table("positions_exact", "Carriage positions, exact", exact_quantities(), positions));
+  }
   add_words(in, section, e, r);
   if (!std::isnan(e.N_exact)) add_comparisons(in, governing_output(method), section, e, r);
   if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, section, e, r);
@@ -342,6 +355,14 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
 }
 
 }  // namespace
+
+std::vector<TableWords> mast_section_exact_words() {
+  return {
+      {.name = "guys", .rows = "every guy, at the governing carriage position", .columns = words_of(guy_quantities())},
+      {.name = "positions_exact",
+       .rows = "every carriage position, solved by the engine",
+       .columns = words_of(exact_quantities())}};
+}
 
 SecondOrder second_order_of(const Input& in) { return second_order_of(std::make_shared<EngineMasts>(in)); }
 

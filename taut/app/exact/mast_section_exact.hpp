@@ -1,4 +1,5 @@
 #pragma once
+#include "taut/calc/quantity.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
 #include "taut/solve/exact/guyed_mast.hpp"
 
@@ -41,5 +42,8 @@ mast_section::SecondOrder second_order_of(const mast_section::Input& in);
 /// deck with guys, a lateral force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever
 /// is warned of.
 Result run_mast_section(const mast_section::Input& in);
+
+/// The tables `guys` and `positions_exact` as described.
+std::vector<TableWords> mast_section_exact_words();
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "taut/app/explain/described.hpp"
 #include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/io/deck/read.hpp"
@@ -123,6 +124,10 @@ std::string results_table(const std::string& head, const std::vector<QuantityWor
   return text;
 }
 
+std::string table_text(const TableWords& t) {
+  return fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
+}
+
 std::string exact_values(const Description& d) {
   std::string text;
   for (const Field& f : d.fields) text += fmt::format("  {:<24}{:<8}{}\n", f.key, f.unit.symbol, f.words);
@@ -199,15 +204,19 @@ std::string reference_guide() {
       "Words in capitals stand for names of the deck: `ROPE.T_max` is `skyline.T_max`. The second and every further "
       "analysis of a kind\n"
       "adds an ending to its tables and values, its `name` or its number: `spans_hoist`, `skyline.T_start_2`.\n\n";
-  for (const results::TableWords& t : results::table_words()) {
-    text += fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
-  }
+  for (const TableWords& t : results::table_words()) text += table_text(t);
   text += "### Values\n\nOf the first equilibrium or of each state; those of checks stand with the checks.\n\n";
   text += results_table("value", results::value_words());
   text +=
       "\n### What `observe`, conditions and measures take\n\nOf a moving machine; each is a column of `time.csv`, and "
       "`NAME_min`, `NAME_max`, `NAME_end` are values.\n\n";
-  return text + results_table("path", machine::observable_words());
+  text += results_table("path", machine::observable_words());
+  for (const TableGroup& group : table_groups()) {
+    text += fmt::format("\n## {}\n\n{}\n\n", group.title, group.words);
+    for (const TableWords& t : group.tables) text += table_text(t);
+    text.pop_back();
+  }
+  return text;
 }
 
 }  // namespace taut::app

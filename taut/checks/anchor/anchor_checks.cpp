@@ -41,26 +41,31 @@ constexpr double rule_diameter = 0.5;  // m, of the tree that the rule of thumb 
 
 double elevation(const Vector3& F) { return std::atan2(F.z(), std::hypot(F.x(), F.y())); }
 
+const Quantities<AnchorStates>& anchor_quantities() {
+  using Row = AnchorStates;
+  static const Quantities<Row> all = {
+      {"name", "", si::one, "the anchor, or the point where ropes end", [](const Row& s) { return s.request->name; }},
+      {"force", "F", si::N, "largest pull of all ropes that end there together, without factors",
+       [](const Row& s) { return s.pull.norm(); }},
+      {"horizontal", "", si::N, "its horizontal part", [](const Row& s) { return std::hypot(s.pull.x(), s.pull.y()); }},
+      {"upwards", "", si::N, "its vertical part, uplift positive", [](const Row& s) { return s.pull.z(); }},
+      {"angle", "", si::rad, "its angle above the horizontal", [](const Row& s) { return elevation(s.pull); }},
+      {"where", "", si::one, "state in which that is", &Row::where}};
+  return all;
+}
+
 void add_anchor_row(const AnchorStates& s, Result& r) {
-  auto table = std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "anchor_forces"; });
-  if (table == r.tables.end()) {
-    r.tables.push_back(
-        {"anchor_forces",
-         "Largest pull of all ropes together on what holds them, without factors (angle: above the horizontal)",
-         {{.name = "name", .unit = si::one},
-          {.name = "force", .unit = si::N},
-          {.name = "horizontal", .unit = si::N},
-          {.name = "upwards", .unit = si::N},
-          {.name = "angle", .unit = si::rad},
-          {.name = "where", .unit = si::one}},
-         {}});
-    table = std::prev(r.tables.end());
-  }
-  table->rows.push_back(
-      {s.request->name, s.pull.norm(), std::hypot(s.pull.x(), s.pull.y()), s.pull.z(), elevation(s.pull), s.where});
+  add_line(r, "anchor_forces",
+           "Largest pull of all ropes together on what holds them, without factors (angle: above the horizontal)",
+           anchor_quantities(), s);
 }
 
 }  // namespace
+
+TableWords anchor_words() {
+  return {
+      .name = "anchor_forces", .rows = "every anchor of `checks: anchors:`", .columns = words_of(anchor_quantities())};
+}
 
 void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
                          std::vector<Complaint>& complaints) {

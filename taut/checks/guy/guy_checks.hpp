@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/calc/result.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/guy/guy_checks_deck.hpp"
@@ -80,6 +80,8 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
 void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
                          std::vector<Complaint>& complaints);
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r);
+/// The table `anchor_forces` as described.
+TableWords anchor_words();
 
 void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine::Model& model,
                        std::vector<Complaint>& complaints);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
@@ -111,38 +112,52 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
                  r);
 }
 
+/// A mast at its worst section.
+struct MastRow {
+  const MastReport& report;
+  const MastUse& use;
+  const MastStation& station() const { return station_at(report.loaded, use.section.at); }
+  const structure::Member& member() const { return report.loaded.mast.parts[use.section.at.part].member; }
+};
+
+double class_of(const MastRow& row) {
+  const auto& steel = row.member().steel;
+  return static_cast<double>(structure::section_class(steel.section, steel.yield, row.station().design).value);
+}
+
+const Quantities<MastRow>& mast_quantities() {
+  using Row = MastRow;
+  const auto force = [](double structure::CrossForces::*part) {
+    return [part](const Row& r) { return r.station().design.*part; };
+  };
+  static const Quantities<Row> all = {
+      {"name", "", si::one, "the mast", [](const Row& r) { return r.report.name; }},
+      {"section", "", si::one, "its cross-section there", [](const Row& r) { return r.member().steel.section.name; }},
+      {"class", "", si::one, "class of that cross-section, EN 1993-1-1, table 5.2", class_of},
+      {"f_y", "f_y", si::Pa, "yield strength of its wall", [](const Row& r) { return r.member().steel.yield; }},
+      {"height", "", si::m, "height of that cross-section above the base",
+       [](const Row& r) { return r.station().height; }},
+      {"N", "N", si::N, "axial design force there, compression positive", force(&structure::CrossForces::N)},
+      {"M_y", "M_y", si::N_m, "design moment about the strong axis", force(&structure::CrossForces::M_y)},
+      {"M_z", "M_z", si::N_m, "design moment about the weak axis", force(&structure::CrossForces::M_z)},
+      {"V", "V", si::N, "design shear force, resultant of both axes",
+       [](const Row& r) { return std::hypot(r.station().design.V_y, r.station().design.V_z); }},
+      {"section_use", "", si::one, "utilisation of the cross-section by N, M and V, EN 1993-1-1, 6.2",
+       [](const Row& r) { return r.use.section.value; }},
+      {"buckling", "", si::one, "utilisation by flexural buckling, (6.46); empty: not pressed",
+       [](const Row& r) { return r.use.pressed ? r.use.flexural.value : none; }},
+      {"member", "", si::one, "utilisation of the member by N and M, (6.61), (6.62); empty: not pressed",
+       [](const Row& r) { return r.use.pressed && r.report.loaded.mast.members ? r.use.member.value : none; }},
+      {"stress", "sigma", si::Pa, "largest |N|/A + M/W anywhere, without factors",
+       [](const Row& r) { return r.use.stress.value; }},
+      {"case", "", si::one, "load case of the worst cross-section",
+       [](const Row& r) { return case_at(r.report.loaded, r.use.section.at).words; }}};
+  return all;
+}
+
 void add_row(const MastReport& report, const MastUse& u, Result& r) {
-  auto table = std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "masts"; });
-  if (table == r.tables.end()) {
-    r.tables.push_back({"masts",
-                        "Masts at their worst section (design forces, N: compression positive) and as members",
-                        {{.name = "name", .unit = si::one},
-                         {.name = "section", .unit = si::one},
-                         {.name = "class", .unit = si::one},
-                         {.name = "f_y", .unit = si::Pa},
-                         {.name = "height", .unit = si::m},
-                         {.name = "N", .unit = si::N},
-                         {.name = "M_y", .unit = si::N_m},
-                         {.name = "M_z", .unit = si::N_m},
-                         {.name = "V", .unit = si::N},
-                         {.name = "section_use", .unit = si::one},
-                         {.name = "buckling", .unit = si::one},
-                         {.name = "member", .unit = si::one},
-                         {.name = "stress", .unit = si::Pa},
-                         {.name = "case", .unit = si::one}},
-                        {}});
-    table = std::prev(r.tables.end());
-  }
-  const LoadedMast& m = report.loaded;
-  const MastStation& s = station_at(m, u.section.at);
-  const auto& steel = m.mast.parts[u.section.at.part].member.steel;
-  const double none = std::nan("");
-  table->rows.push_back({report.name, steel.section.name,
-                         static_cast<double>(structure::section_class(steel.section, steel.yield, s.design).value),
-                         steel.yield, s.height, s.design.N, s.design.M_y, s.design.M_z,
-                         std::hypot(s.design.V_y, s.design.V_z), u.section.value, u.pressed ? u.flexural.value : none,
-                         u.pressed && m.mast.members ? u.member.value : none, u.stress.value,
-                         case_at(m, u.section.at).words});
+  add_line(r, "masts", "Masts at their worst section (design forces, N: compression positive) and as members",
+           mast_quantities(), MastRow{.report = report, .use = u});
 }
 
 /// Along the height, of all cases: how far the sections are used by both routes.
@@ -265,6 +280,10 @@ std::string factor_words(const MastCheckRequest& request, const MastReport& repo
         *first.allowable_stress / 1e6, first.yield / *first.allowable_stress);
   }
   return words + ".";
+}
+
+TableWords mast_words() {
+  return {.name = "masts", .rows = "every mast of `checks: masts:`", .columns = words_of(mast_quantities())};
 }
 
 void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r) {

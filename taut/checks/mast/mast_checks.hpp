@@ -4,7 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "taut/calc/result.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/calc/sheet.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/mast/mast_checks_deck.hpp"
@@ -45,6 +45,10 @@ struct MastReport {
 
 /// Adds checks (part: the mast), values, a table row, lines and a plot.
 void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r);
+
+/// The tables `masts` and `mast_sections` as described.
+TableWords mast_words();
+TableWords mast_choice_words();
 
 /// Which factors each route contains.
 std::string factor_words(const MastCheckRequest& request, const MastReport& report);

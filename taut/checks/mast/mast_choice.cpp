@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
@@ -28,14 +29,29 @@ const char* mast_governing(const structure::MastUse& u) {
   return "shear";
 }
 
-std::vector<Cell> sized_row(const std::string& mast, const structure::SizedMast& one, double height) {
-  return {mast,
-          one.section.name,
-          one.section.mass_per_length,
-          one.section.mass_per_length * height,
-          one.use.refused.empty() ? one.use.utilisation() : std::nan(""),
-          std::string(mast_governing(one.use)),
-          std::string(to_text(one.section.trust))};
+/// A section that passes, of a mast of that height.
+struct SizedRow {
+  const std::string& mast;
+  const structure::SizedMast& one;
+  double height;  ///< m
+};
+
+const Quantities<SizedRow>& sized_quantities() {
+  using Row = SizedRow;
+  static const Quantities<Row> all = {
+      {"mast", "", si::one, "the mast", [](const Row& r) { return r.mast; }},
+      {"section", "", si::one, "section of the catalogue that passes", [](const Row& r) { return r.one.section.name; }},
+      {"mass_per_length", "m", si::kg_per_m, "its mass per metre",
+       [](const Row& r) { return r.one.section.mass_per_length; }},
+      {"mass", "", si::kg, "mass of the mast in it",
+       [](const Row& r) { return r.one.section.mass_per_length * r.height; }},
+      {"utilisation", "", si::one, "largest utilisation by the routes asked for",
+       [](const Row& r) { return r.one.use.refused.empty() ? r.one.use.utilisation() : none; }},
+      {"governs", "", si::one, "the check of that utilisation",
+       [](const Row& r) { return std::string(mast_governing(r.one.use)); }},
+      {"trust", "", si::one, "trust in the section's row of the catalogue",
+       [](const Row& r) { return std::string(to_text(r.one.section.trust)); }}};
+  return all;
 }
 
 double height_of(const MastReport& report) {
@@ -46,24 +62,13 @@ double height_of(const MastReport& report) {
   return h > 0 ? h : std::nan("");
 }
 
-Table& table_in(Result& r) {
-  const auto known =
-      std::find_if(r.tables.begin(), r.tables.end(), [](const Table& t) { return t.name == "mast_sections"; });
-  if (known != r.tables.end()) return *known;
-  r.tables.push_back({"mast_sections",
-                      "Lightest sections of the catalogue that pass by every route asked for",
-                      {{.name = "mast", .unit = si::one},
-                       {.name = "section", .unit = si::one},
-                       {.name = "mass_per_length", .unit = si::kg_per_m},
-                       {.name = "mass", .unit = si::kg},
-                       {.name = "utilisation", .unit = si::one},
-                       {.name = "governs", .unit = si::one},
-                       {.name = "trust", .unit = si::one}},
-                      {}});
-  return r.tables.back();
-}
-
 }  // namespace
+
+TableWords mast_choice_words() {
+  return {.name = "mast_sections",
+          .rows = "the lightest sections of each shape that pass (`choose`)",
+          .columns = words_of(sized_quantities())};
+}
 
 void add_mast_choice(const MastCheckRequest& request, const MastReport& report, Result& r) {
   if (!request.choose) return;
@@ -77,7 +82,10 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
     catalogue::SectionFilter filter = filter_of(*request.choose);
     filter.shape = shape;
     const auto found = structure::size_mast(catalogue::sections_by_mass(filter), report.in_section, said_of_each_shape);
-    for (const auto& one : found.passing) table_in(r).rows.push_back(sized_row(report.name, one, height));
+    for (const auto& one : found.passing) {
+      add_line(r, "mast_sections", "Lightest sections of the catalogue that pass by every route asked for",
+               sized_quantities(), SizedRow{.mast = report.name, .one = one, .height = height});
+    }
     if (!found.passing.empty() && (!best || found.passing[0].section.mass_per_length < best->section.mass_per_length)) {
       best = found.passing[0];
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "taut/calc/none.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/checks/rope/rope_life.hpp"
@@ -14,7 +15,28 @@ namespace {
 
 using catalogue::RuleRow;
 
-const double not_given = std::nan("");
+/// One criterion of discard. NaN: it has no such number.
+struct DiscardRow {
+  std::string criterion;
+  double on_length = none;       ///< m
+  double broken_wires = none;    ///< how many
+  double least_diameter = none;  ///< m
+  std::string limit, trust;
+};
+
+const Quantities<DiscardRow>& discard_quantities() {
+  using Row = DiscardRow;
+  static const Quantities<Row> all = {
+      {"criterion", "", si::one, "the criterion of discard, ISO 4309", &Row::criterion},
+      {"on_length", "", si::m.in("mm"), "length of rope on which visible broken wires are counted: 6 d, 30 d",
+       &Row::on_length},
+      {"broken_wires", "", si::one, "number of visible broken wires on it at which the rope is discarded",
+       &Row::broken_wires},
+      {"least_diameter", "d", si::m.in("mm"), "measured diameter below which it is discarded", &Row::least_diameter},
+      {"limit", "", si::one, "the limit in words, and what it rests on", &Row::limit},
+      {"trust", "", si::one, "trust in the limit", &Row::trust}};
+  return all;
+}
 
 std::string trust_words(const RuleRow& row) {
   return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
@@ -35,7 +57,7 @@ std::optional<RuleRow> row_for(const std::string& topic, int wires) {
 }
 
 /// Broken wires that one sees, on 6 and on 30 diameters.
-void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table& t) {
+void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   const auto construction = catalogue::parse_construction(use.rope.construction);
   if (!construction) return;
   const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
@@ -52,52 +74,56 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, Table&
       const double most = twice ? 2 * count : count;
       std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
       if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
-      t.rows.push_back({row->item, length * (use.rope.diameter > 0 ? use.rope.diameter : not_given), most, not_given,
-                        fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
-                                    turns ? "" : " in the outer strands", why),
-                        trust_words(*row)});
+      rows.push_back({.criterion = row->item,
+                      .on_length = length * (use.rope.diameter > 0 ? use.rope.diameter : none),
+                      .broken_wires = most,
+                      .limit = fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
+                                           turns ? "" : " in the outer strands", why),
+                      .trust = trust_words(*row)});
     }
   }
 }
 
-void add_diameter(const rope::RopeUse& use, Table& t) {
+void add_diameter(const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   const auto construction = catalogue::parse_construction(use.rope.construction);
   const bool turns = construction && construction->strands >= 10;
   const std::string core = turns ? "WSC" : use.rope.core;
   // of a core that nobody knows the one that allows least
   const auto row = catalogue::find_rule("discard.diameter." + (core.empty() ? std::string("IWRC") : core));
   if (!row || !row->low) return;
-  const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : not_given;
+  const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : none;
   std::string words = row->text;
   if (!std::isnan(least)) words += fmt::format(": {:.4g} mm", least * 1e3);
   if (core.empty()) words += "; core not known";
-  t.rows.push_back({row->item, not_given, not_given, least, std::move(words), trust_words(*row)});
+  rows.push_back(
+      {.criterion = row->item, .least_diameter = least, .limit = std::move(words), .trust = trust_words(*row)});
 }
 
 }  // namespace
 
+TableWords discard_words() {
+  return {.name = "discard_ROPE",
+          .rows = "every criterion of a rope with `discard`",
+          .columns = words_of(discard_quantities())};
+}
+
 void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r) {
-  Table t{.name = "discard_" + use.name,
-          .title = fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
-          .columns = {{.name = "criterion", .unit = si::one},
-                      {.name = "on_length", .unit = si::m.in("mm")},
-                      {.name = "broken_wires", .unit = si::one},
-                      {.name = "least_diameter", .unit = si::m.in("mm")},
-                      {.name = "limit", .unit = si::one},
-                      {.name = "trust", .unit = si::one}},
-          .rows = {}};
-  add_wires(request, use, t);
-  add_diameter(use, t);
+  std::vector<DiscardRow> rows;
+  add_wires(request, use, rows);
+  add_diameter(use, rows);
   for (const RuleRow& row : catalogue::rules_of("discard")) {
     if (row.low) continue;  // reported above
-    t.rows.push_back({row.item, not_given, not_given, not_given, row.text, trust_words(row)});
+    rows.push_back({.criterion = row.item, .limit = row.text, .trust = trust_words(row)});
   }
   if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
     r.warnings.push_back(fmt::format(
         "{}: broken wires and lost diameter are reported in numbers where 'construction' and 'diameter' are known",
         use.name));
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(
+      make_table("discard_" + use.name,
+                 fmt::format("When {} is put away (ISO 4309 as recalled: compare with the standard)", use.name),
+                 discard_quantities(), rows));
 }
 
 }  // namespace taut::checks

@@ -74,25 +74,38 @@ rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& u
   return all;
 }
 
+/// A bend in a duty, by one count of cycles.
+struct LifeRow {
+  const rope::Life& life;
+  const rope::LifeLine& line;
+};
+
+const Quantities<LifeRow>& life_quantities() {
+  using Row = LifeRow;
+  const auto of = [](auto rope::LifeLine::*part) { return [part](const Row& r) -> Cell { return r.line.*part; }; };
+  static const Quantities<Row> all = {
+      {"count", "", si::one, "which number of cycles N is: mean to break or to discard, or the one that 90 % reach",
+       [](const Row& r) { return r.life.constants->count; }},
+      {"duty", "", si::one, "name of the duty", of(&rope::LifeLine::duty)},
+      {"bent_on", "", si::one, "sheave or drum that bends the rope", of(&rope::LifeLine::bend)},
+      {"D_over_d", "D/d", si::one, "pitch diameter of the sheave or drum over rope diameter",
+       of(&rope::LifeLine::ratio)},
+      {"pull", "S", si::N, "rope tensile force there, with the dynamic factor", of(&rope::LifeLine::pull)},
+      {"n", "n", si::one, "bending cycles in the wanted life; a drum counts half", of(&rope::LifeLine::cycles)},
+      {"N", "N", si::one, "bending cycles that the rope endures there (Feyrer)", of(&rope::LifeLine::endures)},
+      {"damage", "n/N", si::one, "share of the life that they use (Palmgren-Miner)", of(&rope::LifeLine::damage)}};
+  return all;
+}
+
 void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, Result& r) {
-  Table t{.name = "life_" + use.name,
-          .title = fmt::format("Life of {}: bendings n in the wanted life, endured N (Feyrer), damage n/N", use.name),
-          .columns = {{.name = "count", .unit = si::one},
-                      {.name = "duty", .unit = si::one},
-                      {.name = "bent_on", .unit = si::one},
-                      {.name = "D_over_d", .unit = si::one},
-                      {.name = "pull", .unit = si::N},
-                      {.name = "n", .unit = si::one},
-                      {.name = "N", .unit = si::one},
-                      {.name = "damage", .unit = si::one}},
-          .rows = {}};
+  std::vector<LifeRow> rows;
   for (const rope::Life& life : lives) {
-    for (const rope::LifeLine& line : life.lines) {
-      t.rows.push_back(
-          {life.constants->count, line.duty, line.bend, line.ratio, line.pull, line.cycles, line.endures, line.damage});
-    }
+    for (const rope::LifeLine& line : life.lines) rows.push_back({.life = life, .line = line});
   }
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(
+      make_table("life_" + use.name,
+                 fmt::format("Life of {}: bendings n in the wanted life, endured N (Feyrer), damage n/N", use.name),
+                 life_quantities(), rows));
 }
 
 /// Of the number that is doubted most: constants, the weight of reverse bending, the dynamic factor.
@@ -149,6 +162,12 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
 }
 
 }  // namespace
+
+TableWords life_words() {
+  return {.name = "life_ROPE",
+          .rows = "every bend of a rope in every duty, for every count of cycles",
+          .columns = words_of(life_quantities())};
+}
 
 void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
                       const std::vector<std::string>& rounds, const std::string& path,

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/calc/result.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/checks/rope/rope_checks_deck.hpp"
 #include "taut/rope/life.hpp"
 #include "taut/rope/rope_check.hpp"
@@ -18,6 +18,10 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 /// Checks NAME.life (the most damaging of its counts) and NAME.donandt, values NAME.life_damage and
 /// NAME.life_repeats, the table `life_NAME` of a rope with a duty, and the table `discard_NAME`.
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r);
+
+/// The tables `life_ROPE` and `discard_ROPE` as described.
+TableWords life_words();
+TableWords discard_words();
 
 /// The table `discard_NAME`: when the rope is to be put away, with its own numbers where its data are known.
 /// rope_discard.cpp.

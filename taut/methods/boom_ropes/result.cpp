@@ -8,118 +8,12 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/boom_ropes/drawing.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
-#include "taut/methods/boom_ropes/slip.hpp"
+#include "taut/methods/boom_ropes/tables.hpp"
 
 namespace taut::boom_ropes {
 namespace {
 
 constexpr std::size_t largest_grid = 200'000;
-
-std::string name_of(Operation o) {
-  switch (o) {
-    case Operation::lift:
-      return "lift";
-    case Operation::retract:
-      return "retract";
-    case Operation::extend:
-      return "extend";
-  }
-  return {};
-}
-
-std::string governs(const Output& out, std::size_t i) {
-  const bool high = i == out.highest_case;
-  const bool low = i == out.lowest_case;
-  if (high && low) return "S10 and S20";
-  if (high) return "S10";
-  return low ? "S20" : "";
-}
-
-Table cases_table(const Input& in, const Output& out) {
-  Table t{
-      .name = "cases",
-      .title = fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
-      .columns = {{.name = "name", .unit = si::one},
-                  {.name = "operation", .unit = si::one},
-                  {.name = "luffing_angle", .unit = si::rad},
-                  {.name = "suspended_weight", .unit = si::N},
-                  {.name = "F", .unit = si::N},
-                  {.name = "S1", .unit = si::N},
-                  {.name = "S2", .unit = si::N},
-                  {.name = "slack", .unit = si::one},
-                  {.name = "governs", .unit = si::one}},
-      .rows = {}};
-  for (std::size_t i = 0; i < in.cases.size(); ++i) {
-    const Case& c = in.cases[i];
-    const RopeTensions r = tensions(out, out.F[i]);
-    const std::string slack = r.extension_slack ? "extension" : r.retraction_slack ? "retraction" : "";
-    t.rows.push_back({c.name, name_of(c.operation), c.luffing_angle, c.suspended_weight, out.F[i], r.S1, r.S2, slack,
-                      governs(out, i)});
-  }
-  return t;
-}
-
-Table tensioning_table(std::string name, std::string title, double friction, int steps) {
-  Table t{.name = std::move(name),
-          .title = std::move(title),
-          .columns = {{.name = "step", .unit = si::one},
-                      {.name = "S10_extension_first", .unit = si::N},
-                      {.name = "S20_extension_first", .unit = si::N},
-                      {.name = "S10_retraction_first", .unit = si::N},
-                      {.name = "S20_retraction_first", .unit = si::N}},
-          .rows = {}};
-  double step = 0;
-  for (const TensioningStep& s : tensioning(friction, steps)) {
-    t.rows.push_back(
-        {step += 1, s.S10_extension_first, s.S20_extension_first, s.S10_retraction_first, s.S20_retraction_first});
-  }
-  return t;
-}
-
-Table extension_table(const Output& out) {
-  Table t{.name = "extension",
-          .title = "Sections sliding, by weight, luffing angle and boom length",
-          .columns = {{.name = "luffing_angle", .unit = si::rad},
-                      {.name = "boom_length", .unit = si::m},
-                      {.name = "suspended_weight", .unit = si::N},
-                      {.name = "Fh", .unit = si::N},
-                      {.name = "S1", .unit = si::N},
-                      {.name = "S2", .unit = si::N},
-                      {.name = "Nf", .unit = si::N},
-                      {.name = "Nr", .unit = si::N},
-                      {.name = "Mf", .unit = si::N},
-                      {.name = "Mr", .unit = si::N},
-                      {.name = "jamming", .unit = si::one}},
-          .rows = {}};
-  for (const SlidingPoint& p : out.grid) {
-    const double jamming = std::isnan(p.Nf) ? unset : p.jamming() ? 1.0 : 0.0;
-    t.rows.push_back(
-        {p.luffing_angle, p.boom_length, p.suspended_weight, p.Fh, p.S1, p.S2, p.Nf, p.Nr, p.Mf, p.Mr, jamming});
-  }
-  return t;
-}
-
-Table slip_table(const Input& in) {
-  Table t{.name = "slip_angles",
-          .title = "Luffing angle above which section 3 slides without its rope",
-          .columns = {{.name = "boom_length", .unit = si::m},
-                      {.name = "suspended_weight", .unit = si::N},
-                      {.name = "overlap_change", .unit = si::m},
-                      {.name = "slip_angle", .unit = si::rad},
-                      {.name = "slip_angle_free", .unit = si::rad},
-                      {.name = "jamming", .unit = si::one},
-                      {.name = "reason", .unit = si::one}},
-          .rows = {}};
-  for (const Slip& s : in.sliding->slip_angles) {
-    const SlipAngle a = slip_angle(in, *in.sliding, s);
-    t.rows.push_back({s.boom_length, s.suspended_weight, s.overlap_change, a.angle, a.free_angle,
-                      std::isnan(a.angle) ? unset
-                      : a.jamming         ? 1.0
-                                          : 0.0,
-                      a.reason});
-  }
-  return t;
-}
 
 /// F_1, F_2, ... have no place of their own in the struct.
 void add_case_values(const Input& in, const Output& out, Result& r) {

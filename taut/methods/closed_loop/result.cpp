@@ -8,79 +8,12 @@
 #include "taut/methods/closed_loop/drawing.hpp"
 #include "taut/methods/closed_loop/paper_choice.hpp"
 #include "taut/methods/closed_loop/position.hpp"
+#include "taut/methods/closed_loop/tables.hpp"
 
 namespace taut::closed_loop {
 namespace {
 
 constexpr double none = Output::none;
-
-bool has_exact(const std::vector<Row>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return std::isfinite(row.out.T_lA_exact); });
-}
-
-/// Before the last column, the reason.
-void add_exact_columns(const std::vector<Row>& rows, Table& t) {
-  t.title = "Tensions over the carriage positions (closed-form tier; _exact: catenaries)";
-  const std::vector<Column> columns = {
-      {.name = "P_b_exact", .unit = si::N},  {.name = "T_uA_exact", .unit = si::N},
-      {.name = "T_uB_exact", .unit = si::N}, {.name = "T_lA_exact", .unit = si::N},
-      {.name = "T_lB_exact", .unit = si::N}, {.name = "loop_length_exact", .unit = si::m}};
-  t.columns.insert(t.columns.end() - 1, columns.begin(), columns.end());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Output& o = rows[i].out;
-    const std::vector<Cell> cells = {o.P_b_exact,  o.T_uA_exact, o.T_uB_exact,
-                                     o.T_lA_exact, o.T_lB_exact, o.loop_length_exact};
-    t.rows[i].insert(t.rows[i].end() - 1, cells.begin(), cells.end());
-  }
-}
-
-Table positions_table(const std::vector<Row>& rows) {
-  Table t{.name = "positions",
-          .title = "Tensions over the carriage positions (closed-form tier)",
-          .columns = {},
-          .rows = {}};
-  t.columns = {{.name = "x", .unit = si::m},       {.name = "f", .unit = si::m},    {.name = "P_b", .unit = si::N},
-               {.name = "P_v", .unit = si::N},     {.name = "T_uA", .unit = si::N}, {.name = "T_uB", .unit = si::N},
-               {.name = "T_lA", .unit = si::N},    {.name = "T_lB", .unit = si::N}, {.name = "T_max", .unit = si::N},
-               {.name = "reason", .unit = si::one}};
-  for (const Row& row : rows) {
-    const Output& o = row.out;
-    t.rows.push_back(
-        {o.x, o.f, o.P_b, o.P_v, o.T_uA, o.T_uB, o.T_lA, o.T_lB, o.T_max, std::string(row.outcome.message)});
-  }
-  if (has_exact(rows)) add_exact_columns(rows, t);
-  return t;
-}
-
-std::vector<Cell> rope_row(const char* role, const catalogue::RopeRow& rope, const Peak& peak) {
-  return {std::string(role),
-          rope.id,
-          rope.diameter,
-          rope.area,
-          rope.mass_per_length,
-          rope.breaking_force,
-          peak.tension,
-          fmt::format("{}, carriage at {:.4g} m", peak.where, peak.x),
-          rope.breaking_force / peak.tension,
-          std::string(catalogue::to_text(rope.trust))};
-}
-
-Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
-  Table t{.name = "ropes", .title = "Ropes with their own weight", .columns = {}, .rows = {}};
-  t.columns = {{.name = "role", .unit = si::one},
-               {.name = "designation", .unit = si::one},
-               {.name = "diameter", .unit = si::m.in("mm")},
-               {.name = "area", .unit = si::m2},
-               {.name = "mass_per_metre", .unit = si::kg_per_m},
-               {.name = "breaking_force", .unit = si::N},
-               {.name = "largest_tension", .unit = si::N},
-               {.name = "where", .unit = si::one},
-               {.name = "safety_factor", .unit = si::one},
-               {.name = "trust", .unit = si::one}};
-  if (ropes.return_rope) t.rows.push_back(rope_row("return", *ropes.return_rope, peaks.return_rope));
-  if (ropes.traction_rope) t.rows.push_back(rope_row("traction", *ropes.traction_rope, peaks.traction_rope));
-  return t;
-}
 
 Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
   Check c = make_check(

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 #include "taut/methods/friction_drive/friction_drive.hpp"
 #include "taut/methods/friction_drive/grip.hpp"
 #include "taut/methods/friction_drive/rope_strength.hpp"
+#include "taut/methods/friction_drive/tables.hpp"
 
 namespace taut::friction_drive {
 namespace {
@@ -26,36 +26,6 @@ void add_comparisons(const Output& o, Result& r) {
       "without slip; at least that, and the idler loss on top");
   add("pull on the idler: (15), (16) and without slip", "W", o.takeup_15_16, o.takeup_no_slip,
       "without slip; (15), (16) contain the idler loss and put the reserve on the centrifugal tension too");
-}
-
-/// The two readings of k that are found, none, and the one at hand, which `as_given` is of.
-Table readings(const Input& in, const Output& as_given) {
-  Table t{"readings",
-          "Readings of Andreev's k",
-          {{"reading", si::one},
-           {"k", si::one},
-           {"phi", si::rad},
-           {"e", si::one},
-           {"P_M", si::N},
-           {"takeup_no_slip", si::N}},
-          {}};
-  constexpr double nu = 0.3;
-  const std::array<std::pair<const char*, double>, 4> all{
-      {{"as given", in.section_factor},
-       {"none: the whole arc works", 0},
-       {"half the section about a diameter, 0.180 (1 - nu)", 0.180 * (1 - nu)},
-       {"whole section about the contact, 0.8 (1 - nu)", 0.8 * (1 - nu)}}};
-  for (const auto& [words, k] : all) {
-    Output out = as_given;
-    if (k != in.section_factor) {
-      Input at = in;
-      at.section_factor = k;
-      out = {};
-      solve(at, out);
-    }
-    t.rows.push_back({std::string(words), k, out.phi, out.e, out.P_M, out.takeup_no_slip});
-  }
-  return t;
 }
 
 std::string build_by(const Input& in, const Output& o) {
@@ -124,7 +94,7 @@ Result run(const Input& in, Output& out) {
   r.status = outcome.status;
   r.message = outcome.message;
   add_assumptions(r);
-  if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings(in, out));
+  if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings_table(in, out));
   if (outcome.ok()) {
     add_warnings(in, out, r);
     add_comparisons(out, r);

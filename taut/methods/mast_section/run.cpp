@@ -10,78 +10,10 @@
 #include "taut/calc/shown.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
+#include "taut/methods/mast_section/tables.hpp"
 
 namespace taut::mast_section {
 namespace {
-
-Table positions_table(const std::vector<Position>& positions, const Output& governing) {
-  Table t{.name = "positions", .title = "Carriage positions", .columns = {}, .rows = {}};
-  const Unit mm = si::m.in("mm");
-  t.columns = {{.name = "x", .unit = si::m},           {.name = "f_x", .unit = si::m},
-               {.name = "alpha", .unit = si::rad},     {.name = "wrap", .unit = si::rad},
-               {.name = "R_sky", .unit = si::N},       {.name = "R_main", .unit = si::N},
-               {.name = "N", .unit = si::N},           {.name = "M", .unit = si::N_m},
-               {.name = "Q", .unit = si::N},           {.name = "b_square", .unit = mm},
-               {.name = "B_hollow", .unit = mm},       {.name = "D_tube", .unit = mm},
-               {.name = "D_tube_printed", .unit = mm}, {.name = "D_tube_payout", .unit = mm},
-               {.name = "governs", .unit = si::one},   {.name = "reason", .unit = si::one}};
-  for (const Position& p : positions) {
-    const Output& o = p.out;
-    const bool governs = p.outcome.ok() && o.x == governing.x;
-    t.rows.push_back({o.x, o.f_x, o.alpha, o.wrap, o.R_sky, o.R_main, o.N, o.M, o.Q, o.b_square, o.B_hollow, o.D_tube,
-                      o.D_tube_printed, o.D_tube_payout, std::string(governs ? "governs" : ""), p.outcome.message});
-  }
-  return t;
-}
-
-std::vector<Cell> section_row(const Input& in, const Assessment& a, std::string use) {
-  const double height = std::max(in.skyline_block_height, in.mainline_block_height.value_or(0));
-  const catalogue::SectionRow& s = a.section;
-  const double second = a.second_order.value_or(not_computed);
-  return {std::string(to_text(s.shape)),
-          s.name,
-          s.standard,
-          std::string(to_text(s.forming)),
-          s.height,
-          s.width,
-          s.thickness,
-          s.height / s.thickness,
-          s.area,
-          s.W_el_y,
-          s.mass_per_length,
-          s.mass_per_length * height,
-          a.stress,
-          second,
-          a.allowable,
-          a.utilisation(),
-          std::string(to_text(s.trust)),
-          std::move(use)};
-}
-
-Table sections_table() {
-  const Unit mm = si::m.in("mm");
-  return {.name = "sections",
-          .title = "Catalogue sections, RHS about the strong axis",
-          .columns = {{.name = "shape", .unit = si::one},
-                      {.name = "name", .unit = si::one},
-                      {.name = "standard", .unit = si::one},
-                      {.name = "forming", .unit = si::one},
-                      {.name = "height", .unit = mm},
-                      {.name = "width", .unit = mm},
-                      {.name = "wall", .unit = mm},
-                      {.name = "height/wall", .unit = si::one},
-                      {.name = "area", .unit = si::m2},
-                      {.name = "W", .unit = si::m3},
-                      {.name = "mass", .unit = si::kg_per_m},
-                      {.name = "mass of the mast", .unit = si::kg},
-                      {.name = "stress", .unit = si::Pa},
-                      {.name = "stress by second order", .unit = si::Pa},
-                      {.name = "allowable", .unit = si::Pa},
-                      {.name = "utilisation", .unit = si::one},
-                      {.name = "trust", .unit = si::one},
-                      {.name = "use", .unit = si::one}},
-          .rows = {}};
-}
 
 std::string position_words(const Input& in, const ClampForces& f) {
   return in.span ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
@@ -161,24 +93,27 @@ std::string none_passes(const Input& in, catalogue::SectionShape shape, const st
 /// else the one that comes nearest to passing, which fails its check. Nothing: none may be chosen.
 std::optional<Assessment> find_sections(const Input& in, const std::vector<ClampForces>& forces,
                                         const SecondOrder& second, Result& r) {
-  Table t = sections_table();
+  std::vector<SectionLine> lines;
+  const auto add = [&](const Assessment& a, std::string use) {
+    lines.push_back({.of = a, .height = height_of(in), .use = std::move(use)});
+  };
   std::optional<Assessment> chosen = section_in_use(in, forces, second);
-  if (chosen && in.section) t.rows.push_back(section_row(in, *chosen, "given"));
+  if (chosen && in.section) add(*chosen, "given");
   for (const catalogue::SectionShape shape : shapes_of(in)) {
     if (const auto a = lightest(in, shape, forces, second)) {
-      t.rows.push_back(section_row(in, *a, fmt::format("lightest {} that passes", to_text(shape))));
+      add(*a, fmt::format("lightest {} that passes", to_text(shape)));
     } else {
       r.warnings.push_back(none_passes(in, shape, forces, second));
     }
   }
   if (chosen && !in.section && !chosen->passes()) {
-    t.rows.push_back(section_row(in, *chosen, "nearest, does not pass"));
+    add(*chosen, "nearest, does not pass");
     r.warnings.push_back(fmt::format(
         "no section that may be chosen carries the mast; {} comes nearest and is shown: allow more kinds of "
         "section, a larger slenderness or a stronger steel, or lower the blocks or the rope forces",
         chosen->section.name));
   }
-  if (!t.rows.empty()) r.tables.push_back(std::move(t));
+  if (!lines.empty()) r.tables.push_back(sections_table(lines));
   return chosen;
 }
 

@@ -18,8 +18,13 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
 void add_answer(const study::LeastTensionRun& asked, MachineRun& machine, Result& r);
 void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r);
 
-/// The columns of `lengths` and of `sweep`, as described: several kinds of things are in one table.
+/// The columns of these tables, as described: several kinds of things are in one of them, or columns by names of the
+/// deck.
+std::vector<QuantityWords> installation_words();
 std::vector<QuantityWords> lengths_words();
+std::vector<QuantityWords> cycle_words();
+std::vector<QuantityWords> tensioning_words();
+std::vector<QuantityWords> least_tension_words();
 std::vector<QuantityWords> sweep_words();
 
 }  // namespace taut::results

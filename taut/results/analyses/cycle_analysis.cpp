@@ -11,15 +11,22 @@
 namespace taut::results {
 namespace {
 
+/// Of one winch at one place.
+const Quantities<study::WinchPull>& pull_of_winch() {
+  static const Quantities<study::WinchPull> all = {
+      {"pull", "F", si::N, "pull of that winch", &study::WinchPull::tension}};
+  return all;
+}
+
 Table positions_table(const study::CycleRun& run) {
   Table t{.name = "cycle" + run.ending, .title = "Pulls over the cycle", .columns = {}, .rows = {}};
   add_columns(t.columns, study::cycle_quantities());
-  for (const study::Winch& w : run.winches) t.columns.push_back({w.name + ".pull", si::N});
+  for (const study::Winch& w : run.winches) add_columns(t.columns, pull_of_winch(), w.name + ".");
   for (std::size_t i = 0; i < run.answers.size(); ++i) {
     for (const study::CyclePosition& p : run.answers[i].positions) {
       std::vector<Cell>& row = t.rows.emplace_back();
       add_cells(row, study::cycle_quantities(), study::CycleRow{.phase = run.phases[i], .position = p});
-      for (const study::WinchPull& pull : p.pulls) row.emplace_back(pull.tension);
+      for (const study::WinchPull& pull : p.pulls) add_cells(row, pull_of_winch(), pull);
       row.resize(t.columns.size(), none);
     }
   }
@@ -116,6 +123,12 @@ bool refuse_given_energy(const study::CycleRun& run, Result& r) {
 }
 
 }  // namespace
+
+std::vector<QuantityWords> cycle_words() {
+  std::vector<QuantityWords> all = words_of(study::cycle_quantities());
+  for (QuantityWords& one : prefixed("WINCH.", words_of(pull_of_winch()))) all.push_back(std::move(one));
+  return all;
+}
 
 void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   study::CycleRun run = asked;

@@ -21,6 +21,10 @@ std::string words_of(const Row& row, const InstallationRun& run) {
              : fmt::format("installation of {} at {}", run.words, study::celsius(row.temperature));
 }
 
+QuantityWords sag_of_span(const std::string& number) {
+  return {.name = "sag_" + number, .symbol = "f", .unit = si::m, .words = "sag of span N at its half"};
+}
+
 /// "sag_1" and so on, with the span's ends in the title.
 Table installation_table(const InstallationRun& run, const study::Installation& any) {
   const machine::Model& m = any.at.model;
@@ -33,7 +37,7 @@ Table installation_table(const InstallationRun& run, const study::Installation& 
   int n = 0;
   for (const auto& s : any.at.result.branches) {
     if (s.reeving != index) continue;
-    t.columns.push_back({fmt::format("sag_{}", ++n), si::m});
+    add_columns(t.columns, {sag_of_span(std::to_string(++n))});
     spans +=
         fmt::format("{}{}: {} to {}", n == 1 ? "" : ", ", n, reeving->nodes[s.from].name, reeving->nodes[s.to].name);
   }
@@ -175,6 +179,12 @@ void add_results(const InstallationRun& run, bool judged, Result& r) {
 }
 
 }  // namespace
+
+std::vector<QuantityWords> installation_words() {
+  std::vector<QuantityWords> all = words_of(study::installation_quantities());
+  all.push_back(sag_of_span("N"));
+  return all;
+}
 
 std::vector<QuantityWords> lengths_words() { return words_of(lengths_of_ropes()); }
 

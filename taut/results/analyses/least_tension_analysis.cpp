@@ -7,6 +7,10 @@
 namespace taut::results {
 namespace {
 
+QuantityWords least_in_case(const std::string& name) {
+  return {.name = "T_min, " + name, .symbol = "", .unit = si::N, .words = "its least tension in that case"};
+}
+
 Table least_tension_table(const study::LeastTensionRun& run) {
   std::vector<study::LeastTensionRow> rows;
   for (const study::LeastTension& one : run.answer.ropes) rows.push_back({run, one});
@@ -15,7 +19,7 @@ Table least_tension_table(const study::LeastTensionRun& run) {
       fmt::format("Lengths for which each of these ropes keeps its least tension; least tensions by case ({})",
                   run.words),
       study::least_tension_quantities(), rows);
-  for (const std::string& name : run.cases) t.columns.push_back({"T_min, " + name, si::N});
+  for (const std::string& name : run.cases) add_columns(t.columns, {least_in_case(name)});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const double T : rows[i].rope.T_min) t.rows[i].emplace_back(T);
   }
@@ -43,6 +47,12 @@ void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, R
 }
 
 }  // namespace
+
+std::vector<QuantityWords> least_tension_words() {
+  std::vector<QuantityWords> all = words_of(study::least_tension_quantities());
+  all.push_back(least_in_case("CASE"));
+  return all;
+}
 
 void add_answer(const study::LeastTensionRun& asked, MachineRun& machine, Result& r) {
   if (r.interrupted) return;

@@ -7,6 +7,7 @@
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/motion/transient_figures.hpp"
 #include "taut/results/motion/transient_scene.hpp"
+#include "taut/results/motion/transient_tables.hpp"
 #include "taut/solve/quantities.hpp"
 #include "taut/study/deck/missing.hpp"
 
@@ -36,12 +37,9 @@ Table tensioning_table(const study::PretensionRun& run, const machine::Model& m)
       make_table("tensioning" + run.ending,
                  "Ropes pulled tight in turn: what each pull has taken out of its rope, and all tensions as it ends",
                  study::pull_quantities(), rows);
-  for (const machine::Reeving& rope : m.reevings) {
-    for (const auto& q : solve::rope_end_tensions())
-      t.columns.push_back({rope.name + "." + q.about.name, q.about.unit});
-  }
+  for (const machine::Reeving& rope : m.reevings) add_columns(t.columns, solve::rope_end_tensions(), rope.name + ".");
   const std::vector<std::size_t> observed = reported_beside(run, m, t.columns);
-  for (const std::size_t k : observed) t.columns.push_back({m.observed[k].name, m.observed[k].unit});
+  for (const std::size_t k : observed) add_columns(t.columns, {observed_words(m.observed[k].name, m.observed[k].unit)});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const study::PullEnd& end = rows[i].end;
     for (std::size_t k = 0; k < end.T_start.size(); ++k) {
@@ -130,6 +128,13 @@ std::string how_words(const study::PretensionRun& run) {
 }
 
 }  // namespace
+
+std::vector<QuantityWords> tensioning_words() {
+  std::vector<QuantityWords> all = words_of(study::pull_quantities());
+  for (QuantityWords& one : prefixed("ROPE.", words_of(solve::rope_end_tensions()))) all.push_back(std::move(one));
+  all.push_back(observed_words("OBSERVED", si::one));
+  return all;
+}
 
 void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& r) {
   if (r.interrupted) return;

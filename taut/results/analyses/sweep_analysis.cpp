@@ -24,11 +24,17 @@ const Quantities<solve::RopeRow>& swept_rope() {
   return all;
 }
 
+/// Of the parameter, in its unit.
+Quantities<solve::SweepPoint> swept_value(const Unit& unit) {
+  return {{"value", "", unit, "of the parameter, in its own unit", &solve::SweepPoint::value}};
+}
+
 bool is_shown(const machine::Body& body) { return !body.free.empty() && body.beam < 0; }
 
 /// Columns of a point: places of free bodies, and of each rope its tensions and its length.
 std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model& m) {
-  std::vector<Column> columns = {{.name = "value", .unit = run.unit}};
+  std::vector<Column> columns;
+  add_columns(columns, swept_value(run.unit));
   for (const machine::Body& body : m.bodies) {
     if (is_shown(body)) add_columns(columns, swept_body(), body.name + ".");
   }
@@ -37,7 +43,8 @@ std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model&
 }
 
 std::vector<Cell> row_of(const solve::SweepPoint& point) {
-  std::vector<Cell> row = {point.value};
+  std::vector<Cell> row;
+  add_cells(row, swept_value(si::one), point);
   for (int b = 0; b < static_cast<int>(point.model.bodies.size()); ++b) {
     if (is_shown(point.model.bodies[b]))
       add_cells(row, swept_body(), {.model = point.model, .at = point.at, .body = b});
@@ -165,8 +172,7 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
 }  // namespace
 
 std::vector<QuantityWords> sweep_words() {
-  std::vector<QuantityWords> all = {
-      {.name = "value", .symbol = "", .unit = si::one, .words = "of the parameter, in its own unit"}};
+  std::vector<QuantityWords> all = words_of(swept_value(si::one));
   for (const auto& q : swept_body()) all.push_back({"BODY." + q.about.name, "", q.about.unit, q.about.words});
   for (const auto& q : swept_rope()) all.push_back({"ROPE." + q.about.name, "", q.about.unit, q.about.words});
   return all;

@@ -13,12 +13,30 @@ namespace {
 
 using solve::EnergyLedger;
 
+/// One form of energy.
+struct EnergyRow {
+  std::string form;
+  double at_start = 0, at_end = 0;  ///< J
+};
+
+const Quantities<EnergyRow>& energy_quantities() {
+  using Row = EnergyRow;
+  static const Quantities<Row> all = {{"form", "", si::one, "the form", &Row::form},
+                                      {"at_start", "", si::J, "at the start of the motion", &Row::at_start},
+                                      {"at_end", "", si::J, "at its end", &Row::at_end}};
+  return all;
+}
+
+QuantityWords time_itself() {
+  return {.name = "t", .symbol = "t", .unit = si::s, .words = "time since the start of the motion"};
+}
+
 void add_series(const study::TransientRun& run, Result& r) {
   Table t;
   t.name = "time" + run.ending;
   t.title = "Observed quantities over time";
-  t.columns.push_back({"t", si::s});
-  for (const machine::Observable& o : run.model.observed) t.columns.push_back({o.name, o.unit});
+  add_columns(t.columns, {time_itself()});
+  for (const machine::Observable& o : run.model.observed) add_columns(t.columns, {observed_words(o.name, o.unit)});
   t.long_rows = run.record.lines();
   r.series.push_back(std::move(t));
 }
@@ -66,13 +84,9 @@ void add_envelope(const study::TransientRun& run, Result& r) {
 
 void add_energy(const study::TransientRun& run, Result& r) {
   const solve::EnergyLedger &first = run.result.frames.front().energy, &last = run.result.frames.back().energy;
-  Table t;
-  t.name = "energy" + run.ending;
-  t.title = "Energy: what the machine holds, what was supplied and lost since the start";
-  t.columns = {
-      {.name = "form", .unit = si::one}, {.name = "at_start", .unit = si::J}, {.name = "at_end", .unit = si::J}};
+  std::vector<EnergyRow> rows;
   const auto add = [&](const char* form, double solve::EnergyLedger::*part) {
-    t.rows.push_back({std::string(form), first.*part, last.*part});
+    rows.push_back({.form = form, .at_start = first.*part, .at_end = last.*part});
   };
   add("kinetic", &solve::EnergyLedger::kinetic);
   add("elastic", &solve::EnergyLedger::elastic);
@@ -93,7 +107,9 @@ void add_energy(const study::TransientRun& run, Result& r) {
   add_if_any("flanges, where ropes leave rounds out of their plane", &solve::EnergyLedger::flanges, 1e-5);
   add_if_any("numerical, where ropes go taut at once", &solve::EnergyLedger::numerical, 0);
   add("residual", &solve::EnergyLedger::residual);
-  r.tables.push_back(std::move(t));
+  r.tables.push_back(make_table("energy" + run.ending,
+                                "Energy: what the machine holds, what was supplied and lost since the start",
+                                energy_quantities(), rows));
   const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
     r.values.push_back({share,
@@ -303,6 +319,14 @@ void add_words(const study::TransientRun& run, Result& r) {
 }
 
 }  // namespace
+
+QuantityWords observed_words(const std::string& name, const Unit& unit) {
+  return {.name = name, .symbol = "", .unit = unit, .words = "what is observed, by its name, in its own unit"};
+}
+
+std::vector<QuantityWords> time_words() { return {time_itself(), observed_words("OBSERVED", si::one)}; }
+
+std::vector<QuantityWords> energy_words() { return words_of(energy_quantities()); }
 
 std::vector<double> times_of(const study::TransientRun& run) {
   std::vector<double> t;

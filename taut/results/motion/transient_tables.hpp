@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "taut/calc/result.hpp"
+#include "taut/calc/quantity.hpp"
 #include "taut/study/transient.hpp"
 
 namespace taut::results {
@@ -12,6 +12,13 @@ namespace taut::results {
 /// breaking force, what the numbers rest on, and warnings. All names end as the run does. `strength_trust`, by reeving:
 /// of its breaking force.
 void add_transient_tables(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r);
+
+/// A column of what is observed.
+QuantityWords observed_words(const std::string& name, const Unit& unit);
+
+/// The columns of the series `time` as described, and those of the table `energy`.
+std::vector<QuantityWords> time_words();
+std::vector<QuantityWords> energy_words();
 
 /// Frames' times.
 std::vector<double> times_of(const study::TransientRun& run);

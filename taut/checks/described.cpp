@@ -1,0 +1,13 @@
+#include "taut/checks/described.hpp"
+
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/checks/mast/mast_checks.hpp"
+#include "taut/checks/rope/rope_life.hpp"
+
+namespace taut::checks {
+
+std::vector<TableWords> table_words() {
+  return {life_words(), discard_words(), mast_words(), mast_choice_words(), anchor_words()};
+}
+
+}  // namespace taut::checks

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "taut/calc/quantity.hpp"
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+
+/// The tables of the result, each of one list of quantities.
+namespace taut::boom_ropes {
+
+/// "lift", "retract", "extend".
+std::string name_of(Operation operation);
+
+Table cases_table(const Input& in, const Output& out);
+/// Tensioning in turn until section 3, held by `friction` (N), begins to slip.
+Table tensioning_table(std::string name, std::string title, double friction, int steps);
+Table extension_table(const Output& out);
+Table slip_table(const Input& in);
+
+/// These tables as described.
+std::vector<TableWords> table_words();
+
+}  // namespace taut::boom_ropes
