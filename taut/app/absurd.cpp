@@ -162,13 +162,20 @@ struct Stops {
 
 void note(DeepSag& worst, double sag, double span, const Stops& stops, const std::string& state) {
   if (!(span > 0) || !(sag > worst.share * span)) return;
-  worst = {sag / span, sag, span, stops.rope.name, stops.from.name, stops.to.name, state};
+  worst = {.share = sag / span,
+           .sag = sag,
+           .span = span,
+           .rope = stops.rope.name,
+           .from = stops.from.name,
+           .to = stops.to.name,
+           .state = state};
 }
 
 void note_spans(const results::Answer& answer, DeepSag& worst) {
   for (const solve::BranchResult& branch : answer.result->branches) {
     const machine::Reeving& rope = answer.model->reevings[branch.reeving];
-    note(worst, branch.sag, branch.chord, {rope, rope.nodes[branch.from], rope.nodes[branch.to]}, answer.words);
+    note(worst, branch.sag, branch.chord, {.rope = rope, .from = rope.nodes[branch.from], .to = rope.nodes[branch.to]},
+         answer.words);
   }
 }
 
@@ -194,7 +201,8 @@ void note_carriages(const results::Answer& answer, DeepSag& worst) {
     const double level = chord.head<2>().norm();
     if (!(level > 0)) continue;
     const double part = place.head<2>().dot(chord.head<2>()) / (level * level);
-    note(worst, part * chord.z() - place.z(), chord.norm(), {rope, *before, *after}, answer.words);
+    note(worst, part * chord.z() - place.z(), chord.norm(), {.rope = rope, .from = *before, .to = *after},
+         answer.words);
   }
 }
 

@@ -43,8 +43,8 @@ std::optional<machine::BranchState> next_branch(const LastStates& s, std::size_t
   next.length = s.next(a.length, b.length, c.length);
   if (next.length < a.length / 4) return std::nullopt;
   if (!a.force || !b.force || !c.force) return next;
-  next.force =
-      rope::CatenaryForce{s.next(a.force->H, b.force->H, c.force->H), s.next(a.force->V, b.force->V, c.force->V)};
+  next.force = rope::CatenaryForce{.H = s.next(a.force->H, b.force->H, c.force->H),
+                                   .V = s.next(a.force->V, b.force->V, c.force->V)};
   if (next.force->H <= 0) next.force = a.force;
   return next;
 }
@@ -57,7 +57,10 @@ std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
   const machine::State& last = points[n - 1].at.state;
   if (n < 2 || !points[n - 2].at.outcome.ok()) return last;
   const bool curved = n >= 3 && points[n - 3].at.outcome.ok();
-  const LastStates s{last, points[n - 2].at.state, points[curved ? n - 3 : n - 2].at.state, curved};
+  const LastStates s{.last = last,
+                     .before = points[n - 2].at.state,
+                     .first = points[curved ? n - 3 : n - 2].at.state,
+                     .curved = curved};
   if (s.last.touched != s.before.touched || s.last.touched != s.first.touched) return last;
   machine::State next = last;
   for (std::size_t b = 0; b < next.bodies.size(); ++b) {

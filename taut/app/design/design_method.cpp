@@ -75,7 +75,8 @@ design::DesignSpace method_space(const io::Node& block, const MethodDeck& deck, 
   if (method.put_section) parts.sections.push_back({the_mast, {}, refused});
   if (deck.blocks.checks) add_masts(deck.blocks.checks->masts, parts.sections);
   parts.parameter = parameters_of(own);
-  if (!design.ropes.empty() && !refused.empty()) io::place(block, {{"design.ropes", refused}}, mistakes);
+  if (!design.ropes.empty() && !refused.empty())
+    io::place(block, {{.path = "design.ropes", .message = refused}}, mistakes);
   return design_space(block, design, parts, mistakes);
 }
 
@@ -117,12 +118,12 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
     design::DesignSpace space;
     std::size_t first_case = 0;
   };
-  const auto own = std::make_shared<Shared>(Shared{std::move(deck), task.space});
+  const auto own = std::make_shared<Shared>(Shared{.deck = std::move(deck), .space = task.space});
   task.lengths = [own](const std::vector<double>& values) { return lengths_of(own->deck, own->space, values); };
   task.run = [own](const design::DesignPlace& place, design::Depth depth, const std::function<bool(const Progress&)>&) {
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const MethodDeck changed = with_design(own->deck, own->space, place, load_case);
-      design::DesignRun done{calculate_changed(changed), 0};
+      design::DesignRun done{.result = calculate_changed(changed), .tension = 0};
       if (depth != design::Depth::report) design::disregard(changed.blocks.design->disregard, done.result);
       done.tension = tension_of(changed, done.result);
       return done;

@@ -105,13 +105,20 @@ const Output& governing_output(const Solved& method) { return method.positions[m
 Section section_of(const Input& in, const Solved& method) {
   const std::string trust = trust_of(limit_of(in));
   if (const auto& a = method.section) {
-    return {a->section.name, EngineMasts::name_of(a->section), structure::beam_section(a->section), a->allowable,
-            trust};
+    return {.name = a->section.name,
+            .full_name = EngineMasts::name_of(a->section),
+            .beam = structure::beam_section(a->section),
+            .allowable = a->allowable,
+            .trust = trust};
   }
   const Output& o = governing_output(method);
   const double wall = std::min(o.t_tube, o.D_tube / 2);
   const std::string name = fmt::format("ideal tube {:.1f} x {:.1f} mm", o.D_tube * 1e3, wall * 1e3);
-  return {name, name, structure::tube_section(o.D_tube, wall), o.sigma_allow, trust};
+  return {.name = name,
+          .full_name = name,
+          .beam = structure::tube_section(o.D_tube, wall),
+          .allowable = o.sigma_allow,
+          .trust = trust};
 }
 
 Vector3 block_force(const BlockForce& f) { return {f.across, 0, -f.down}; }

@@ -252,11 +252,11 @@ std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const
 tl::expected<MastMaterial, Complaint> mast_material(const MastCheckRequest& request, const std::string& section,
                                                     const std::string& steel, const std::string& path) {
   const auto row = catalogue::find_section(section);
-  if (!row) return tl::unexpected(Complaint{path + ".section", to_text(row.error())});
+  if (!row) return tl::unexpected(Complaint{.path = path + ".section", .message = to_text(row.error())});
   const auto found = catalogue::find_steel(steel);
-  if (!found) return tl::unexpected(Complaint{path + ".steel", to_text(found.error())});
+  if (!found) return tl::unexpected(Complaint{.path = path + ".steel", .message = to_text(found.error())});
   const auto yield = catalogue::yield(*found, row->thickness);
-  if (!yield) return tl::unexpected(Complaint{path + ".steel", to_text(yield.error())});
+  if (!yield) return tl::unexpected(Complaint{.path = path + ".steel", .message = to_text(yield.error())});
   return *mast_material(request, *row, steel);
 }
 

@@ -97,13 +97,19 @@ tl::expected<FoundPiece, Complaint> piece_of(const MastCheckRequest& request, co
   const std::string steel = request.steel.value_or("");
   const auto low = mast_material(request, given.section, steel, path);
   if (!low) return tl::unexpected(low.error());
-  FoundPiece found{{given.length, low->section, {}, low->yield, low->allowable_stress}, *low};
+  FoundPiece found{.piece = {.length = given.length,
+                             .section = low->section,
+                             .top = {},
+                             .yield = low->yield,
+                             .allowable_stress = low->allowable_stress},
+                   .material = *low};
   if (!given.top) return found;
   const auto high = mast_material(request, *given.top, steel, path);
-  if (!high) return tl::unexpected(Complaint{path + ".top", high.error().message});
+  if (!high) return tl::unexpected(Complaint{.path = path + ".top", .message = high.error().message});
   if (high->section.shape != low->section.shape || high->section.forming != low->section.forming) {
     return tl::unexpected(
-        Complaint{path + ".top", "a taper keeps shape and making: a tube ends as a tube, hot-finished as such"});
+        Complaint{.path = path + ".top",
+                  .message = "a taper keeps shape and making: a tube ends as a tube, hot-finished as such"});
   }
   found.piece.top = high->section;
   found.piece.yield = std::min(found.piece.yield, high->yield);

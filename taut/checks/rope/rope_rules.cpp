@@ -265,7 +265,7 @@ class RequestReader {
     rules_.rated_pull = request_.rated_pull;
     const bool grooved = request_.drum == DrumFace::grooved;
     if (request_.fleet_angle) {
-      rules_.fleet_angle = Limit{*request_.fleet_angle, "fleet angle of the deck", "user"};
+      rules_.fleet_angle = Limit{.value = *request_.fleet_angle, .rule = "fleet angle of the deck", .trust = "user"};
     } else if (request_.drum != DrumFace::unsaid) {
       const auto row = rule_named(grooved ? "layout.fleet_angle_grooved" : "layout.fleet_angle_smooth");
       if (row) rules_.fleet_angle = limit_of(*row, SafeEnd::low);
@@ -327,7 +327,7 @@ class RopeLimits {
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
       const double upto = hottest_of(row);
-      rules_.hottest = Limit{upto, words_of(row), trust_of(row)};
+      rules_.hottest = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }

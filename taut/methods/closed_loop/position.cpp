@@ -374,7 +374,7 @@ Engine known_answers(const Row& row, const Engine& engine) {
   Engine known;
   if (engine.sag) {
     known.sag = [&row](const Input&, const Case<double>&, ExactSag& found) {
-      found = {row.out.f, row.out.f_second};
+      found = {.sag = row.out.f, .second = row.out.f_second};
       return Outcome{};
     };
   }

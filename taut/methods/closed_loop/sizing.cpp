@@ -192,7 +192,7 @@ Outcome none_strong_enough(const char* role, double n, const Candidates& all) {
 Outcome least_peaks(const Candidates& all, const Verify& verify, Peaks& least) {
   const auto lightest = std::min_element(
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.mass_per_length < b.mass_per_length; });
-  Solved solved{pair_of(*lightest, *lightest), {}, {}};
+  Solved solved{.ropes = pair_of(*lightest, *lightest), .rows = {}, .peaks = {}};
   Outcome o = verify(solved);
   least = solved.peaks.value_or(Peaks{});
   return o;

@@ -234,7 +234,7 @@ void add_figures(const Input& in, const Output& out, const std::vector<Position>
 Outcome solve_positions(const Input& in, Sheet<Num>& s, Solved& found, Output& out) {
   if (position_count(in) == 1) {
     Outcome outcome = compute_at(in, 0, s, out);
-    found.positions = {{0, out, outcome}};
+    found.positions = {{.index = 0, .out = out, .outcome = outcome}};
     found.governing = governing_of(found.positions);
     return outcome;
   }
