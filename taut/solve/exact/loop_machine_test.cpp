@@ -178,7 +178,7 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
     m.reevings = {reeve("loop", {drive, grip, m.reevings[1].nodes[1], roller}, s.loop_length(), 12, 1.5e7)};
     m.reevings[0].closed = true;
     m.reevings[0].haul = -1;
-    m.carriages = {{"car", 0, 0, 3, -1, 1, 0, 1, -1}};
+    m.carriages = {{"car", 0, 0, 3, {}, 1, machine::Grip{.reeving = 0, .node = 1}}};
     EquilibriumOptions options;
     options.motion = Motion::in;  // against the path: the lower branch runs to A
     options.prescribed = machine::Prescribed{0, 120};
