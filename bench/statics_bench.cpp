@@ -52,7 +52,7 @@ machine::Model line(int loaded) {
     sky.nodes.push_back(wheel);
   }
   m.reevings.push_back(sky);
-  m.carriages.push_back({"car", 0, 0, loaded + 1, -1});
+  m.carriages.push_back({"car", 0, 0, loaded + 1, {}});
   return m;
 }
 

@@ -38,7 +38,7 @@ std::optional<int> descriptor_of(std::string_view path) {
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(folder)) continue;
     const std::string_view digits = path.substr(folder.size());
-    int number = -1;
+    int number = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (code == std::errc{} && end == digits.data() + digits.size() && number >= 0) return number;
   }

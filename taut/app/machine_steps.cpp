@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "taut/calc/sheet.hpp"
@@ -19,10 +20,10 @@ using solve::EquilibriumResult;
 /// The answer with the largest tension.
 results::Answer governing(const results::MachineRun& run) {
   results::Answer worst;
-  double T_max = -1;
+  std::optional<double> T_max;
   for (const results::Answer& one : results::answers_of(run)) {
     for (const auto& rope : one.result->ropes) {
-      if (rope.T_max <= T_max) continue;
+      if (T_max && rope.T_max <= *T_max) continue;
       T_max = rope.T_max;
       worst = one;
     }

@@ -48,7 +48,7 @@ double si_value_of(std::string_view column, double value) {
 }
 
 CsvReader::CsvReader(std::string_view text, std::string file, std::vector<CsvColumn> columns)
-    : text_(text), file_(std::move(file)), columns_(std::move(columns)), index_(columns_.size(), -1) {
+    : text_(text), file_(std::move(file)), columns_(std::move(columns)), index_(columns_.size()) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
   check_encoding();
@@ -90,13 +90,12 @@ void CsvReader::read_header() {
            width_of(head.text));
       continue;
     }
-    std::ptrdiff_t& index = index_[static_cast<std::size_t>(found - names.begin())];
-    if (index >= 0)
-      note(head.place, fmt::format("column {} is there twice", in_quotes(head.text)), width_of(head.text));
-    index = static_cast<std::ptrdiff_t>(i);
+    std::optional<std::size_t>& index = index_[static_cast<std::size_t>(found - names.begin())];
+    if (index) note(head.place, fmt::format("column {} is there twice", in_quotes(head.text)), width_of(head.text));
+    index = i;
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].required && index_[i] < 0)
+    if (columns_[i].required && !index_[i])
       note({.line = 1, .column = 1}, fmt::format("column '{}' is missing", columns_[i].name));
   }
   // Cells of a table with a broken header would only repeat its mistakes.
@@ -211,8 +210,8 @@ const CsvReader::Cell* CsvReader::cell(std::string_view column) const {
   const auto found =
       std::find_if(columns_.begin(), columns_.end(), [&](const CsvColumn& c) { return c.name == column; });
   expects(found != columns_.end(), "the column was declared when the reader was made");
-  const std::ptrdiff_t index = index_[static_cast<std::size_t>(found - columns_.begin())];
-  return index < 0 ? nullptr : &record_[static_cast<std::size_t>(index)];
+  const auto index = index_[static_cast<std::size_t>(found - columns_.begin())];
+  return index ? &record_[*index] : nullptr;
 }
 
 const std::string& CsvReader::text(std::string_view column) const {

@@ -82,7 +82,7 @@ class CsvReader {
   std::string_view text_;
   std::string file_;
   std::vector<CsvColumn> columns_;
-  std::vector<std::ptrdiff_t> index_;  // of each column in a record; -1 when the table lacks it
+  std::vector<std::optional<std::size_t>> index_;  // of each column in a record; empty when the table lacks it
   std::vector<Cell> record_;
   std::size_t cells_ = 0;  // of record_ in use; the rest keeps its memory for later records
   std::size_t header_cells_ = 0;

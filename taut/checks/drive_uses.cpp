@@ -16,8 +16,8 @@ constexpr double least_slip = 0.01;
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
 /// A signal is no limit: it changes.
 bool is_limit(const machine::Model& m, const machine::Reeving& r) {
-  const int motor = r.nodes.front().motor;
-  if (motor < 0 || !m.motors[motor].drive.signal.name.empty()) return false;
+  const auto motor = r.nodes.front().motor;
+  if (!motor || !m.motors[*motor].drive.signal.name.empty()) return false;
   const bool open = std::any_of(r.nodes.begin(), r.nodes.end(), [](const machine::Node& n) {
     return n.kind == machine::NodeKind::load && n.load.open;
   });
@@ -89,7 +89,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
-    if (node.motor < 0 || share < least_slip || share <= slips_[node.name].share) continue;
+    if (!node.motor || share < least_slip || share <= slips_[node.name].share) continue;
     slips_[node.name] = {.share = share,
                          .words = fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
                                               node.name, 100 * share)};

@@ -89,7 +89,7 @@ std::vector<std::string> anchors_in_ground(const machine::Model& m) {
   for (const machine::Reeving& rope : m.reevings) {
     if (rope.closed) continue;
     for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
-      const bool held = end->kind == machine::NodeKind::anchor && end->drum < 0 && end->at.body == machine::ground;
+      const bool held = end->kind == machine::NodeKind::anchor && !end->drum && end->at.body == machine::ground;
       if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
     }
   }
@@ -190,7 +190,7 @@ void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& 
 void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     // A tower whose guys do not hold it lies down, which is an equilibrium too.
-    if (m.bodies[b].beam >= 0) continue;
+    if (m.bodies[b].beam) continue;
     const double angle = turned_by(m, e, b);
     if (angle <= fallen_angle) continue;
     warn(m.bodies[b].name + " fallen",

@@ -132,7 +132,7 @@ class Compiler {
       if (held || otherwise || model_.bodies[i].free.empty()) continue;
       const std::string& name = machine_.bodies[i].name;
       complain(fmt::format("bodies.{}", name),
-               index_of(machine_.points, name) < 0
+               !index_of(machine_.points, name)
                    ? "may move, but no rope runs to it"
                    : fmt::format("may move, but no rope runs to it: '{}' in a path is the point of that name", name));
     }
@@ -150,8 +150,7 @@ class Compiler {
   }
 
   const RopeData* rope(const std::string& name, const std::string& path) {
-    const int i = index_of(ropes_, name);
-    if (i >= 0) return &ropes_[i];
+    if (const auto i = index_of(ropes_, name)) return &ropes_[*i];
     complain(path, fmt::format("there is no rope '{}'{}", name, hint_for(ropes_, name)));
     return nullptr;
   }
@@ -210,8 +209,7 @@ class Compiler {
 
   void check_names() {
     for (std::size_t i = 0; i < model_.reevings.size(); ++i) {
-      const int first = index_of(model_.reevings, model_.reevings[i].name);
-      if (static_cast<std::size_t>(first) == i) continue;
+      if (index_of(model_.reevings, model_.reevings[i].name) == static_cast<int>(i)) continue;
       const bool is_guy = i >= machine_.reevings.size();
       complain(is_guy ? fmt::format("guys.{}", model_.reevings[i].name) : fmt::format("reevings[{}]", i),
                fmt::format("another rope is called '{}' too; give this one a 'name'", model_.reevings[i].name));
@@ -288,7 +286,7 @@ class Compiler {
     const auto earlier = machine_.loads.begin() + static_cast<std::ptrdiff_t>(i);
     const bool twice =
         std::any_of(machine_.loads.begin(), earlier, [&](const auto& one) { return one.name == load.name; });
-    const bool other = index_of(machine_.bodies, *load.name) >= 0 || index_of(machine_.carriages, *load.name) >= 0;
+    const bool other = index_of(machine_.bodies, *load.name) || index_of(machine_.carriages, *load.name);
     if (!twice && !other) return;
     complain(fmt::format("loads[{}].name", i),
              fmt::format("another {} is called '{}'", twice ? "load" : "body or carriage", *load.name));

@@ -38,7 +38,7 @@ struct Body {
   Array<DrivenWay> driven;  ///< motions given by signals; `position` and `orientation` are those at t = 0
   /// Mass of take-up weights, kg: inertia along its only degree of freedom. Their weight is one of the loads.
   double counterweight = 0;
-  int beam = -1;  ///< index of the beam of which this body is a section; -1: none
+  std::optional<int> beam;  ///< index of the beam of which this body is a section
 };
 
 /// A force on a body, constant in direction in the ground frame.
@@ -100,10 +100,10 @@ struct Node {
   /// Of a clamp: unstretched length from the start of the rope to the clamp, at the reference temperature, m. Of a
   /// closed rope the length starts where the rope arrives at its drive.
   double length_before = 0;
-  double inertia = 0;  ///< of a sheave that turns, kg m2
-  int drum = -1;       ///< of an anchor: index of its drum; -1: a pin
-  int motor = -1;      ///< of a sheave: index of the motor that drives it; -1: none
-  RopeLoad load;       ///< of a load
+  double inertia = 0;        ///< of a sheave that turns, kg m2
+  std::optional<int> drum;   ///< of an anchor: index of its drum; empty: a pin
+  std::optional<int> motor;  ///< of a sheave: index of the motor that drives it
+  RopeLoad load;             ///< of a load
   /// Of a drive: T_in - T_out by its given torque, of one copy, N; empty: the torque follows. A closed rope with a
   /// given length and a given torque needs an open load.
   std::optional<double> tension_drop;
@@ -156,16 +156,22 @@ struct Reeving {
   std::optional<PutUp> put_up = std::nullopt;
 };
 
+/// A clamp on a running rope.
+struct Grip {
+  int reeving = 0, node = 0;
+};
+
 /// A carriage that a load path moves along its line.
 struct Carriage {
   std::string name;
   int body = 0;
   int reeving = 0, node = 0;  ///< the rope on which it rides, and its node: a contact (rolling) or a clamp
-  int mainline = -1;  ///< the reeving whose length determines its position; -1: none. Without one a force along the
-                      ///< track holds a rolling carriage, and its clamp a clamped one
-  int rollers = 1;    ///< number of its nodes: node ... node + rollers - 1
-  int grip_reeving = -1, grip_node = -1;  ///< a running rope to which it is also fixed, and the clamp there; -1: none
-  int haulback = -1;                      ///< the reeving that pulls it against the mainline; -1: none
+  /// The reeving whose length determines its position. Without one a force along the track holds a rolling carriage,
+  /// and its clamp a clamped one.
+  std::optional<int> mainline;
+  int rollers = 1;                             ///< number of its nodes: node ... node + rollers - 1
+  std::optional<Grip> grip = std::nullopt;     ///< where it is also fixed to a running rope
+  std::optional<int> haulback = std::nullopt;  ///< the reeving that pulls it against the mainline
 };
 
 /// A point of the terrain, a polyline with x increasing. x is the distance from `Model::terrain_from` along

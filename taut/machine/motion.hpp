@@ -6,6 +6,7 @@
 
 #include "taut/machine/description/measure_keys.hpp"
 #include "taut/machine/description/motion_keys.hpp"
+#include "taut/machine/place.hpp"
 #include "taut/machine/signal.hpp"
 #include "taut/math/vector.hpp"
 
@@ -61,7 +62,7 @@ struct Motor {
 /// A strip of a plane on a body, or of the ground.
 struct Face {
   std::string name;
-  int body = -1;
+  int body = ground;
   Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< ends, in the body's frame, m
   Vector3 normal = Vector3::UnitZ();                     ///< unit, square to from -> to, out of the body
 };
@@ -70,7 +71,7 @@ struct Face {
 /// true sticking.
 struct FaceContact {
   std::string name;
-  int body = -1;                 ///< of the point
+  int body = ground;             ///< of the point
   Vector3 at = Vector3::Zero();  ///< in the body's frame, m
   int face = 0;
   double stiffness = 0;                                     ///< N/m
@@ -88,7 +89,7 @@ enum class ActuatorKind { force, law, speed };
 /// A cylinder between two points.
 struct Actuator {
   std::string name;
-  int from_body = -1, to_body = -1;
+  int from_body = ground, to_body = ground;
   Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< in the bodies' frames, m
   ActuatorKind kind = ActuatorKind::force;
   Signal signal;    ///< force, N; speed, m/s; of a law the reference speed, m/s
@@ -160,19 +161,19 @@ struct Observable {
   std::string name;  ///< as the deck writes it: "car.z"
   Observed quantity = Observed::x;
   Unit unit;
-  int index = -1;  ///< body (-1: ground), reeving, drum, contact, actuator or signal, as the quantity needs it
-  int part = -1;   ///< of a rope: its branch, from 0; of a sheave: its node
-  Vector3 at = Vector3::Zero();  ///< of a place: in its body's frame, m
+  int index = ground;  ///< body or ground, reeving, drum, contact, actuator or signal, as the quantity needs it
+  std::optional<int> part = std::nullopt;  ///< of a rope: its branch, from 0; of a sheave: its node
+  Vector3 at = Vector3::Zero();            ///< of a place: in its body's frame, m
   // of a measure
-  int seen_from = -1;  ///< body in whose axes a place or a rotation is seen; -1: the ground
+  int seen_from = ground;  ///< body in whose axes a place or a rotation is seen
   double factor = 1, offset = 0;
   double since = 0;  ///< s
   description::Relative relative = description::Relative::none;
   description::Taken taken = description::Taken::automatic;  ///< automatic: no result value of its own
-  int slot = -1;                                             ///< of a measure: its index in `observed`
+  std::optional<int> slot = std::nullopt;                    ///< of a measure: its index in `observed`
   bool has_mean = false;  ///< mean while the quantity `mean_of` lies between mean_from and mean_to
   double mean_from = 0, mean_to = 0;
-  int mean_of = -1;  ///< index in Model::mean_windows; -1: the time
+  std::optional<int> mean_of = std::nullopt;  ///< index in Model::mean_windows; empty: the time
 };
 
 struct Condition {
@@ -189,8 +190,8 @@ struct Event {
   std::optional<double> at;       ///< s
   std::optional<Condition> when;  ///< happens once, as soon as this holds
   double over = 0;                ///< s, of a break
-  int index = -1;                 ///< reeving, actuator, drum
-  int part = -1;                  ///< branch that breaks, from 0; -1: the one with the largest tension at that time
+  int index = 0;                  ///< reeving, actuator, drum
+  std::optional<int> part;        ///< branch that breaks, from 0; empty: the one with the largest tension at that time
   bool brake_set = true;
   bool of_motor = false;  ///< a drive: `index` is a motor, not a drum
   ActuatorMode mode = ActuatorMode::lock;

@@ -8,13 +8,20 @@
 namespace taut::machine {
 
 std::optional<Model> without_rope(Model model, int reeving) {
-  const auto needs = [&](const Carriage& car) { return car.reeving == reeving || car.grip_reeving == reeving; };
+  const auto needs = [&](const Carriage& car) {
+    return car.reeving == reeving || (car.grip && car.grip->reeving == reeving);
+  };
   if (std::any_of(model.carriages.begin(), model.carriages.end(), needs)) return std::nullopt;
   model.reevings.erase(model.reevings.begin() + reeving);
+  const auto renumber = [&](int& rope) {
+    if (rope > reeving) --rope;
+  };
   for (Carriage& car : model.carriages) {
-    for (int* rope : {&car.reeving, &car.grip_reeving, &car.mainline, &car.haulback}) {
-      if (*rope == reeving) *rope = -1;
-      if (*rope > reeving) --*rope;
+    renumber(car.reeving);
+    if (car.grip) renumber(car.grip->reeving);
+    for (std::optional<int>* rope : {&car.mainline, &car.haulback}) {
+      if (*rope == reeving) rope->reset();
+      if (*rope) renumber(**rope);
     }
   }
   model.tensioners.clear();

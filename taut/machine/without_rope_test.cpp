@@ -16,8 +16,8 @@ Model machine() {
   m.reevings = {named("main"), named("back"), named("track"), named("haul")};
   Carriage first{.name = "first", .body = 0, .reeving = 2, .node = 1, .mainline = 0};
   first.haulback = 1;
-  Carriage second{.name = "second", .body = 1, .reeving = 2, .node = 2, .mainline = -1};
-  second.grip_reeving = 3;
+  Carriage second{.name = "second", .body = 1, .reeving = 2, .node = 2, .mainline = {}};
+  second.grip = Grip{.reeving = 3};
   m.carriages = {first, second};
   m.tensioners = {{.reeving = 0, .at_start = true, .change = {}}};
   return m;
@@ -28,10 +28,10 @@ TEST(WithoutRope, TheIndicesOfTheOthersFollow) {
   ASSERT_TRUE(m);
   ASSERT_EQ(m->reevings.size(), 3U);
   const auto name = [&](int rope) { return m->reevings.at(static_cast<std::size_t>(rope)).name; };
-  EXPECT_EQ(m->carriages[0].mainline, -1);
-  EXPECT_EQ(name(m->carriages[0].haulback), "back");
+  EXPECT_FALSE(m->carriages[0].mainline);
+  EXPECT_EQ(name(m->carriages[0].haulback.value()), "back");
   for (const Carriage& car : m->carriages) EXPECT_EQ(name(car.reeving), "track") << car.name;
-  EXPECT_EQ(name(m->carriages[1].grip_reeving), "haul");
+  EXPECT_EQ(name(m->carriages[1].grip.value().reeving), "haul");
   EXPECT_TRUE(m->tensioners.empty());
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -50,14 +51,15 @@ StaticLu::StaticLu(int size, const Array<Array<int>>& cliques) : size_(size) {
 /// no operation waits for the one before. Elimination joins the neighbours.
 void StaticLu::order(Array<Array<int>>& neighbours) {
   Array<bool> gone(as_size(size_), false);
-  Array<int> touched(as_size(size_), -1);
+  Array<std::optional<int>> touched(as_size(size_));
   const auto rank = [&](int i) { return std::pair{neighbours[i].size(), touched[i]}; };
   for (int k = 0; k < size_; ++k) {
-    int best = -1;
+    std::optional<int> found;
     for (int i = 0; i < size_; ++i) {
       if (gone[i]) continue;
-      if (best < 0 || rank(i) < rank(best)) best = i;
+      if (!found || rank(i) < rank(*found)) found = i;
     }
+    const int best = *found;
     gone[best] = true;
     order_.push_back(best);
     upper_.push_back(neighbours[best]);

@@ -55,7 +55,7 @@ void fill_columns(const Assembly& a, int branch_index, Columns& columns) {
   const BranchEnd start = end_at(from, a.c.bodies), end = end_at(to, a.c.bodies);
   const Branch& b = a.e.branches[branch_index];
   const BranchAt at{.system = a.system, .c = a.c, .index = branch_index, .branch = b};
-  const bool stiff = laid.force >= 0;
+  const bool stiff = laid.force.has_value();
   const BranchRates r =
       stiff ? stiff_rates(at) : rates(rope_of(rope, a.c.branches[branch_index].length), start, end, b);
   BranchWays ends;
@@ -178,7 +178,7 @@ void add_contact(Assembly& a, int turn) {
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;
   const double T_in = a.e.branches[t.before].T_to, T_out = a.e.branches[t.after].T_from;
-  add_turn(a, turn, t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_wrap);
+  add_turn(a, turn, *t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_wrap);
 }
 
 /// The free length of a branch in a row.
@@ -210,7 +210,7 @@ void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int 
       add_tension(a, rope.first + rope.count - 1, false, row);
       break;
     case machine::Given::torque:
-      add_turn(a, rope.drive, row, 1, -1, 0);
+      add_turn(a, *rope.drive, row, 1, -1, 0);
       break;
   }
 }
@@ -218,8 +218,8 @@ void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int 
 /// A clamp keeps the length of rope before it.
 void add_clamp(Assembly& a, const Layout::Rope& rope, int turn) {
   const Layout::Turn& t = a.system.layout.turns[turn];
-  for (int k = rope.first; k < t.after; ++k) add_length(a, k, t.row);
-  for (int before = rope.first_turn; before < turn; ++before) add_arc(a, before, t.row);
+  for (int k = rope.first; k < t.after; ++k) add_length(a, k, *t.row);
+  for (int before = rope.first_turn; before < turn; ++before) add_arc(a, before, *t.row);
 }
 
 void add_laws(Assembly& a) {
@@ -230,7 +230,7 @@ void add_laws(Assembly& a) {
     const int last = rope.first_turn + rope.turn_count;
     for (int t = rope.first_turn; t < last; ++t) {
       const Layout::Turn& turn = layout.turns[t];
-      if (turn.row < 0 || turn.row == layout.coordinate_row) continue;
+      if (!turn.row || turn.row == layout.coordinate_row) continue;
       const machine::NodeKind kind = reeving.nodes[turn.node].kind;
       if (kind == machine::NodeKind::contact) add_contact(a, t);
       if (kind == machine::NodeKind::clamp) add_clamp(a, rope, t);
@@ -238,24 +238,24 @@ void add_laws(Assembly& a) {
     if (rope.row != layout.coordinate_row && rope.row != layout.height_row) {
       add_given(a, rope, reeving.given, rope.row);
     }
-    if (rope.drive < 0 || layout.turns[rope.drive].row < 0) continue;
-    add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, layout.turns[rope.drive].row);
+    const auto row = rope.drive ? layout.turns[*rope.drive].row : std::nullopt;
+    if (row) add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, *row);
   }
 }
 
 void add_coordinate(Assembly& a) {
   const Layout& layout = a.system.layout;
-  if (layout.coordinate_row < 0) return;
+  if (!layout.coordinate_row) return;
   const int body = layout.coordinate_body;
   const int first = layout.first_dof[body], last = layout.first_dof[as_size(body) + 1];
   for (int i = first; i < last; ++i)
-    a.J(layout.coordinate_row, i) = layout.dofs[i].way.along.dot(layout.coordinate_along);
-  if (layout.height_row >= 0) {
-    for (int i = first; i < last; ++i) a.J(layout.height_row, i) = layout.dofs[i].way.along.z();
+    a.J(*layout.coordinate_row, i) = layout.dofs[i].way.along.dot(layout.coordinate_along);
+  if (layout.height_row) {
+    for (int i = first; i < last; ++i) a.J(*layout.height_row, i) = layout.dofs[i].way.along.z();
   }
-  if (layout.hold < 0) return;
-  const std::size_t before = as_size(layout.turns[layout.hold_turn].before);
-  const std::size_t after = as_size(layout.turns[layout.hold_last].after);
+  if (!layout.hold) return;
+  const std::size_t before = as_size(layout.turns[layout.hold->first_turn].before);
+  const std::size_t after = as_size(layout.turns[layout.hold->last_turn].after);
   const Columns &in = a.columns[before], &out = a.columns[after];
   const Vector3 along = track(a.system, a.e);
   const double size = (a.e.branches[before].arrives + a.e.branches[after].leaves).norm();
@@ -272,7 +272,7 @@ void add_coordinate(Assembly& a) {
   for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[j].way.about.cross(arm));
   for (int i = first; i < last; ++i) {
     const machine::Freedom& way = layout.dofs[i].way;
-    a.J(i, layout.hold) = along.dot(way.along) + way.about.dot(arm.cross(along));
+    a.J(i, layout.hold->unknown) = along.dot(way.along) + way.about.dot(arm.cross(along));
   }
 }
 

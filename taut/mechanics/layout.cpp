@@ -28,7 +28,7 @@ int sense_of(const machine::Reeving& rope, const machine::RopeLoad& load, int fl
 }
 
 /// Whether a drive has an equation of its own: of a rope with ends, or where an open load follows from its torque.
-bool has_row(const machine::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load >= 0; }
+bool has_row(const machine::Reeving& rope, const Layout::Rope& r) { return !rope.closed || r.open_load; }
 
 /// The nodes of a path that its rope touches, in their order.
 Array<int> touched_nodes(const machine::Reeving& rope, const Array<bool>& touched) {
@@ -63,12 +63,12 @@ void add_rope(Layout& l, const machine::Reeving& rope, int index, const Array<bo
     int runs = flow.empty() || drives ? 0 : flow[node];
     if (kind == NodeKind::load) runs = sense_of(rope, rope.nodes[node].load, runs);
     if (drives) r.drive = count(l.turns.size());
-    l.turns.push_back({index, node, before, r.first + k, drives && !has_row(rope, r) ? -1 : row++, runs,
-                       flow.empty() ? 0 : flow[node]});
+    const auto own = drives && !has_row(rope, r) ? std::nullopt : std::optional(row++);
+    l.turns.push_back({index, node, before, r.first + k, own, runs, flow.empty() ? 0 : flow[node]});
   }
   r.turn_count = count(l.turns.size()) - r.first_turn;
   r.row = row;
-  l.size += branches + (r.open_load >= 0 ? 1 : 0);
+  l.size += branches + (r.open_load ? 1 : 0);
   l.ropes.push_back(r);
 }
 
@@ -79,18 +79,18 @@ int turn_at(const Layout& l, int reeving, int node) {
   return count(static_cast<std::size_t>(turn - l.turns.begin()));
 }
 
-/// The rope whose length or tension follows from a carriage's place; -1: none.
-int gives_way(const machine::Model& model, const machine::Carriage& carriage) {
+/// The rope whose length or tension follows from a carriage's place.
+std::optional<int> gives_way(const machine::Model& model, const machine::Carriage& carriage) {
   const auto by_length = [&](int rope) { return model.reevings.at(as_size(rope)).given == machine::Given::length; };
-  const bool both = carriage.mainline >= 0 && carriage.haulback >= 0;
-  if (both && !by_length(carriage.mainline) && by_length(carriage.haulback)) return carriage.haulback;
-  return carriage.mainline >= 0 ? carriage.mainline : carriage.haulback;
+  const bool both = carriage.mainline && carriage.haulback;
+  if (both && !by_length(*carriage.mainline) && by_length(*carriage.haulback)) return carriage.haulback;
+  return carriage.mainline ? carriage.mainline : carriage.haulback;
 }
 
 void prescribe(Layout& l, const machine::Model& model, const machine::Prescribed& prescribed) {
   const machine::Carriage& carriage = model.carriages.at(as_size(prescribed.carriage));
   const int turn = turn_at(l, carriage.reeving, carriage.node);
-  const int rope = gives_way(model, carriage);
+  const auto rope = gives_way(model, carriage);
   l.coordinate_body = carriage.body;
   l.coordinate_along = prescribed.along;
   if (prescribed.z) {
@@ -99,14 +99,14 @@ void prescribe(Layout& l, const machine::Model& model, const machine::Prescribed
   }
   if (model.reevings[carriage.reeving].nodes[carriage.node].kind == NodeKind::clamp) {
     l.coordinate_row = l.turns[turn].row;
-  } else if (carriage.grip_reeving >= 0) {
-    l.coordinate_row = l.turns[turn_at(l, carriage.grip_reeving, carriage.grip_node)].row;
-  } else if (rope >= 0) {
-    l.coordinate_row = l.ropes.at(as_size(rope)).row;
+  } else if (carriage.grip) {
+    l.coordinate_row = l.turns[turn_at(l, carriage.grip->reeving, carriage.grip->node)].row;
+  } else if (rope) {
+    l.coordinate_row = l.ropes.at(as_size(*rope)).row;
   } else {
-    l.hold_turn = turn;
-    l.hold_last = turn_at(l, carriage.reeving, carriage.node + carriage.rollers - 1);
-    l.hold = l.coordinate_row = l.size++;
+    const int last = turn_at(l, carriage.reeving, carriage.node + carriage.rollers - 1);
+    l.coordinate_row = l.size++;
+    l.hold = Layout::Hold{.unknown = *l.coordinate_row, .first_turn = turn, .last_turn = last};
   }
 }
 

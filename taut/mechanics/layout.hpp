@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -18,23 +19,25 @@ struct Layout {
     machine::Freedom way;
   };
   /// A branch between two touched nodes; its length is unknown `unknown`. Of a rope that hardly stretches its force is
-  /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); -1: the force follows from the
+  /// one too, from `force` on, and so are the rows that close it (stiff_branch.hpp); empty: the force follows from the
   /// length.
   struct Branch {
     int reeving = 0, from = 0, to = 0, unknown = 0;
-    int force = -1;
+    std::optional<int> force = std::nullopt;
   };
-  /// A touched node between two branches. `row` < 0: a drive, which takes what comes. `flow`: of a contact's loss, and
+  /// A touched node between two branches. No `row`: a drive, which takes what comes. `flow`: of a contact's loss, and
   /// the sense along the path of a load's force.
   struct Turn {
-    int reeving = 0, node = 0, before = 0, after = 0, row = 0, flow = 0;
+    int reeving = 0, node = 0, before = 0, after = 0;
+    std::optional<int> row;
+    int flow = 0;
     int runs = 0;  ///< the sense in which the rope runs here, of a drive too: +1 along the path, 0 at rest
   };
   /// A whole rope: branches first .. first + count - 1, turns first_turn .. + turn_count - 1; its given quantity.
   struct Rope {
     int first = 0, count = 0, first_turn = 0, turn_count = 0, row = 0;
-    int drive = -1;      ///< turn of its drive; -1: none
-    int open_load = -1;  ///< unknown force of its open load; -1: none
+    std::optional<int> drive;      ///< turn of its drive
+    std::optional<int> open_load;  ///< unknown force of its open load
   };
 
   /// A piece of a beam. Unknowns: the force at its start, then the moment there; at a hinged start the torque and a
@@ -44,6 +47,10 @@ struct Layout {
     bool hinged = false;  ///< at its start
     int count() const { return hinged ? 7 : 6; }
   };
+  /// The force that holds a prescribed carriage: its unknown, the first and last turn along whose track it pulls.
+  struct Hold {
+    int unknown = 0, first_turn = 0, last_turn = 0;
+  };
 
   Array<Dof> dofs;       ///< unknown and row i
   Array<int> first_dof;  ///< of body b: first_dof[b] .. first_dof[b + 1] - 1
@@ -52,16 +59,16 @@ struct Layout {
   Array<Rope> ropes;
   Array<Piece> pieces;  ///< the last unknowns and rows
   int size = 0;
-  int coordinate_row = -1;  ///< where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own
+  /// Where x of the carriage is prescribed: a rope's or a clamp's row, or one of its own.
+  std::optional<int> coordinate_row;
   int coordinate_body = machine::ground;
   Vector3 coordinate_along = Vector3::UnitX();  ///< along which the coordinate is measured
-  int height_row = -1;                          ///< where its height is prescribed: its rope's row; -1: nowhere
+  std::optional<int> height_row;                ///< where its height is prescribed: its rope's row
   double height = 0;                            ///< m
-  int hold = -1;                                ///< unknown; -1: none
-  int hold_turn = -1, hold_last = -1;           ///< the first and last turn along whose track it pulls
-  double heaviest = 0;                          ///< largest weight or load, N: a scale
-  double length = 0;                            ///< longest span, m: a scale
-  double stiffest = 0;                          ///< largest finite EA of a rope, N
+  std::optional<Hold> hold;
+  double heaviest = 0;         ///< largest weight or load, N: a scale
+  double length = 0;           ///< longest span, m: a scale
+  double stiffest = 0;         ///< largest finite EA of a rope, N
   double slack_stiffness = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
 };
 

@@ -29,11 +29,11 @@ void expect_complete(const Layout& l) {
   }
   for (const Layout::Branch& k : l.branches) take(unknowns, k.unknown, "unknown");
   for (const Layout::Turn& t : l.turns) {
-    if (t.row >= 0) take(rows, t.row, "row");
+    if (t.row) take(rows, *t.row, "row");
   }
   for (const Layout::Rope& r : l.ropes) {
     take(rows, r.row, "row");
-    if (r.open_load >= 0) take(unknowns, r.open_load, "unknown");
+    if (r.open_load) take(unknowns, *r.open_load, "unknown");
   }
   for (const Layout::Piece& p : l.pieces) {
     for (int i = 0; i < p.count(); ++i) {
@@ -41,9 +41,9 @@ void expect_complete(const Layout& l) {
       take(rows, p.unknown + i, "row");
     }
   }
-  if (l.hold >= 0) {
-    take(unknowns, l.hold, "unknown");
-    take(rows, l.coordinate_row, "row");
+  if (l.hold) {
+    take(unknowns, l.hold->unknown, "unknown");
+    take(rows, *l.coordinate_row, "row");
   }
   EXPECT_EQ(static_cast<int>(unknowns.size()), l.size);
   EXPECT_EQ(static_cast<int>(rows.size()), l.size);
@@ -61,14 +61,14 @@ TEST(Layout, EveryUnknownHasItsEquation) {
 
 TEST(Layout, WhatFollowsFromAPrescribedPlace) {
   const Layout free = layout_of(with_carriage(true));
-  EXPECT_EQ(free.coordinate_row, -1);
+  EXPECT_FALSE(free.coordinate_row);
   const Layout by_rope = layout_of(with_carriage(true), machine::Prescribed{.carriage = 0, .x = 150});
   EXPECT_EQ(by_rope.size, free.size) << "the mainline's length gives way";
   EXPECT_EQ(by_rope.coordinate_row, by_rope.ropes[1].row);
-  EXPECT_EQ(by_rope.hold, -1);
+  EXPECT_FALSE(by_rope.hold);
   const Layout by_force = layout_of(with_carriage(false), machine::Prescribed{.carriage = 0, .x = 150});
   EXPECT_EQ(by_force.size, layout_of(with_carriage(false)).size + 1) << "a force along the track";
-  EXPECT_GE(by_force.hold, 0);
+  EXPECT_TRUE(by_force.hold);
 }
 
 TEST(Layout, ALiftedSupportIsNoTurn) {

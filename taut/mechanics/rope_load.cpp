@@ -74,7 +74,7 @@ void add_rope_loads(const System& s, const Configuration& c, Evaluation& e) {
     }
     e.largest_force = std::max(e.largest_force, std::abs(force));
     const auto [first, last] = span_of(s, i);
-    e.residual[t.row] = length_between(c, first, t.before) - node_of(s, t).load.share * length_between(c, first, last);
+    e.residual[*t.row] = length_between(c, first, t.before) - node_of(s, t).load.share * length_between(c, first, last);
   }
 }
 
@@ -87,7 +87,7 @@ void add_share_row(const System& s, const Layout::Turn& t, const LoadedSpan& spa
   for (int k = span.first; k <= span.last; ++k) {
     const BranchColumns& free = columns[k];
     for (std::size_t i = 0; i < as_size(free.count); ++i) {
-      J(t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - share) * free.length[i];
+      J(*t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - share) * free.length[i];
     }
   }
 }
@@ -123,7 +123,7 @@ void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e
         add(free.unknown[i], copies * t.flow * load.rate * load.part * free.length[i] * way.d);
       }
     }
-    if (load.open) add(s.layout.ropes[t.reeving].open_load, copies * t.flow * way.d);
+    if (load.open) add(*s.layout.ropes[t.reeving].open_load, copies * t.flow * way.d);
   }
 }
 

@@ -97,7 +97,7 @@ int force_count(const machine::Reeving& rope) { return rope.weight > 0 ? 3 : 1; 
 std::optional<Branch> stiff_branch(const System& s, int index, const Configuration& c, Eigen::VectorXd& residual) {
   const machine::Reeving& reeving = rope_at(s, index);
   const BranchEnds ends = ends_of(s, index, c);
-  const int row = s.layout.branches[index].force;
+  const int row = *s.layout.branches[index].force;
   const Vector3& F = c.forces[index];
   const rope::CatenaryRope rope = rope_of(reeving, c.branches[index].length);
   if (!(rope.length > 0) || !F.allFinite()) return std::nullopt;
@@ -140,7 +140,7 @@ namespace {
 
 void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
   const Branch& b = at.branch;
-  const int row = at.system.layout.branches[at.index].force;
+  const int row = *at.system.layout.branches[at.index].force;
   const BranchEnds l = ends_of(at.system, at.index, at.c);
   const rope::CatenaryRope& rope = b.span.rope;
   const rope::EndPosition p = rope::end_position(rope, b.span.force);
@@ -175,7 +175,7 @@ void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& column
 void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
   const System& s = at.system;
   const Branch& b = at.branch;
-  const int row = s.layout.branches[at.index].force;
+  const int row = *s.layout.branches[at.index].force;
   const BranchEnds l = ends_of(s, at.index, at.c);
   const BranchRates strain = rates(unit_line(b.length), l.from, l.to, b);
   const double scale = s.layout.length;
@@ -216,7 +216,7 @@ Layout with_forces(Layout layout, const machine::Model& model, double limit, dou
 Configuration with_forces(const System& s, Configuration c, const Evaluation& e) {
   c.forces.assign(c.branches.size(), Vector3::Zero());
   for (std::size_t k = 0; k < c.branches.size(); ++k) {
-    if (s.layout.branches[k].force < 0) continue;
+    if (!s.layout.branches[k].force) continue;
     const Branch& b = e.branches[k];
     const bool heavy = rope_at(s, static_cast<int>(k)).weight > 0;
     c.forces[k] = heavy ? Vector3((b.pull_from + b.pull_to) / 2) : Vector3(b.T_from, 0, 0);

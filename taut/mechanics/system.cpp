@@ -80,10 +80,10 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       const machine::Node& node = node_of(s, turn);
       const double T_in = e.branches[turn.before].T_to, T_out = e.branches[turn.after].T_from;
       if (node.kind == machine::NodeKind::clamp) {
-        e.residual[turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
+        e.residual[*turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
       } else if (node.kind == machine::NodeKind::contact) {
         const double g = s.losses * turn.flow * loss(node.law, e.bends[t].wrap).log;
-        e.residual[turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
+        e.residual[*turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t).length;
     }
@@ -99,22 +99,22 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
         case machine::Given::torque:
           break;
       }
-      return drop_misfit(s, e, rope.drive);
+      return drop_misfit(s, e, *rope.drive);
     };
     e.residual[rope.row] = open(reeving.given, reeving.value);
-    if (rope.drive < 0 || s.layout.turns[rope.drive].row < 0) continue;
-    e.residual[s.layout.turns[rope.drive].row] =
-        reeving.also ? open(reeving.also->first, reeving.also->second) : drop_misfit(s, e, rope.drive);
+    const auto row = rope.drive ? s.layout.turns[*rope.drive].row : std::nullopt;
+    if (!row) continue;
+    e.residual[*row] = reeving.also ? open(reeving.also->first, reeving.also->second) : drop_misfit(s, e, *rope.drive);
   }
 }
 
 /// The prescribed coordinate, and the force that holds the carriage there.
 void add_coordinate(const System& s, const Configuration& c, Evaluation& e) {
-  if (s.layout.coordinate_row < 0) return;
+  if (!s.layout.coordinate_row) return;
   const int body = s.layout.coordinate_body;
-  e.residual[s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[body].position) - s.coordinate;
-  if (s.layout.height_row >= 0) e.residual[s.layout.height_row] = c.bodies[body].position.z() - s.layout.height;
-  if (s.layout.hold < 0) return;
+  e.residual[*s.layout.coordinate_row] = s.layout.coordinate_along.dot(c.bodies[body].position) - s.coordinate;
+  if (s.layout.height_row) e.residual[*s.layout.height_row] = c.bodies[body].position.z() - s.layout.height;
+  if (!s.layout.hold) return;
   add_force(s, c, body, hold_place(s, c), c.hold * track(s, e), e.residual);
 }
 
@@ -159,14 +159,14 @@ ArcLength arc(const System& s, const Evaluation& e, int turn) {
 }
 
 Vector3 track(const System& s, const Evaluation& e) {
-  const int before = s.layout.turns[s.layout.hold_turn].before;
-  const int after = s.layout.turns[s.layout.hold_last].after;
+  const int before = s.layout.turns[s.layout.hold->first_turn].before;
+  const int after = s.layout.turns[s.layout.hold->last_turn].after;
   return (e.branches[before].arrives + e.branches[after].leaves).normalized();
 }
 
 Vector3 hold_place(const System& s, const Configuration& c) {
   const auto place = [&](int turn) { return end_at(node_of(s, s.layout.turns[turn]), c.bodies).centre; };
-  return (place(s.layout.hold_turn) + place(s.layout.hold_last)) / 2;
+  return (place(s.layout.hold->first_turn) + place(s.layout.hold->last_turn)) / 2;
 }
 
 std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& e) {
@@ -177,7 +177,7 @@ std::optional<NoBranch> evaluate(const System& s, Configuration& c, Evaluation& 
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     const Layout::Branch& laid = s.layout.branches[k];
     const machine::Reeving& rope = reeving_of(s, laid.reeving);
-    if (laid.force >= 0) {
+    if (laid.force) {
       const auto stiff = stiff_branch(s, static_cast<int>(k), c, e.residual);
       if (!stiff) return NoBranch{.branch = static_cast<int>(k), .why = rope::NoCatenary::not_converged};
       e.branches[k] = *stiff;
@@ -209,7 +209,7 @@ Change change_of(const System& system, const Configuration& c, const Evaluation&
                  const Eigen::VectorXd& step) {
   Change change{.step = step, .force = Array<rope::CatenaryForce>(columns.size())};
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (!c.branches[k].force || system.layout.branches[k].force >= 0) continue;
+    if (!c.branches[k].force || system.layout.branches[k].force) continue;
     Vector3 pull = Vector3::Zero();
     double length = 0;
     for (int i = 0; i < columns[k].count; ++i) {
@@ -236,9 +236,9 @@ void move(const System& s, const Configuration& c, const Change& change, double 
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     machine::BranchState& state = moved.branches[k];
     state.length += part * change.step[s.layout.branches[k].unknown];
-    if (const int force = s.layout.branches[k].force; force >= 0) {
+    if (const auto force = s.layout.branches[k].force) {
       const int count = force_count(reeving_of(s, s.layout.branches[k].reeving));
-      moved.forces[k].head(count) += part * change.step.segment(force, count);
+      moved.forces[k].head(count) += part * change.step.segment(*force, count);
       continue;
     }
     if (!state.force) continue;
@@ -250,10 +250,9 @@ void move(const System& s, const Configuration& c, const Change& change, double 
     }
   }
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
-    const int open = s.layout.ropes[r].open_load;
-    if (open >= 0) moved.open_loads[r] += part * change.step[open];
+    if (const auto open = s.layout.ropes[r].open_load) moved.open_loads[r] += part * change.step[*open];
   }
-  if (s.layout.hold >= 0) moved.hold += part * change.step[s.layout.hold];
+  if (s.layout.hold) moved.hold += part * change.step[s.layout.hold->unknown];
   move_beams(s, change.step, part, moved);
 }
 
@@ -266,19 +265,19 @@ Misfit misfit(const System& s, const Evaluation& e) {
   const auto length = [&](int row) { m.length = std::max(m.length, std::abs(e.residual[row])); };
   const auto force = [&](int row) { m.force = std::max(m.force, std::abs(e.residual[row])); };
   for (const Layout::Turn& turn : s.layout.turns) {
-    if (turn.row < 0) continue;
-    is_length(s, turn) ? length(turn.row) : force(turn.row);
+    if (!turn.row) continue;
+    is_length(s, turn) ? length(*turn.row) : force(*turn.row);
   }
   for (std::size_t r = 0; r < s.layout.ropes.size(); ++r) {
     const int row = s.layout.ropes[r].row;
     const bool place = row == s.layout.coordinate_row || row == s.layout.height_row;
     s.model.reevings[r].given == machine::Given::length || place ? length(row) : force(row);
   }
-  if (s.layout.hold >= 0) length(s.layout.coordinate_row);
+  if (s.layout.hold) length(*s.layout.coordinate_row);
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     m.span = std::max(m.span, e.branches[k].closure);
     const Layout::Branch& laid = s.layout.branches[k];
-    for (int i = 0; laid.force >= 0 && i < force_count(reeving_of(s, laid.reeving)); ++i) length(laid.force + i);
+    for (int i = 0; laid.force && i < force_count(reeving_of(s, laid.reeving)); ++i) length(*laid.force + i);
   }
   add_beam_misfit(s, e, m.force, m.length);
   return m;

@@ -115,12 +115,12 @@ TEST(System, LawsOfContactsAreEulersAndTheBearings) {
       const Eigen::VectorXd& r = laid.residual(0, losses);
       const Vector3 a = (places[1] - places[0]).normalized(), b = (places[2] - places[1]).normalized();
       const double euler = std::exp(losses * flow * mu * std::acos(a.dot(b))), bearing = std::pow(eta, -losses * flow);
-      EXPECT_NEAR(r[laid.layout.turns[0].row], T[1] / std::sqrt(euler) - T[0] * std::sqrt(euler), 1e-6);
-      EXPECT_NEAR(r[laid.layout.turns[1].row], T[2] / std::sqrt(bearing) - T[1] * std::sqrt(bearing), 1e-6);
+      EXPECT_NEAR(r[*laid.layout.turns[0].row], T[1] / std::sqrt(euler) - T[0] * std::sqrt(euler), 1e-6);
+      EXPECT_NEAR(r[*laid.layout.turns[1].row], T[2] / std::sqrt(bearing) - T[1] * std::sqrt(bearing), 1e-6);
       EXPECT_NEAR(r[laid.layout.ropes[0].row], 0.25, 1e-9);
       const Misfit all = misfit(laid.system(), laid.e);
       EXPECT_NEAR(all.length, 0.25, 1e-9);
-      EXPECT_NEAR(all.force, std::max(std::abs(r[laid.layout.turns[0].row]), std::abs(r[laid.layout.turns[1].row])),
+      EXPECT_NEAR(all.force, std::max(std::abs(r[*laid.layout.turns[0].row]), std::abs(r[*laid.layout.turns[1].row])),
                   1e-9);
     }
     laid.m.reevings[0].given = machine::Given::tension_at_start;
@@ -137,15 +137,15 @@ TEST(System, AHeldCarriageIsPulledAlongItsTrack) {
   m.bodies.push_back(body("car", {60, 0, 10}, 0, "xyz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 20}), over("car", origin, 0), anchor("tail", {150, 30, 50})}, 165, 0, 1e6));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({.name = "car", .body = 0, .reeving = 0, .node = 1, .mainline = {}});
   Laid laid(m, 0, machine::Prescribed{.carriage = 0, .x = 55});
-  ASSERT_GE(laid.layout.hold, 0);
+  ASSERT_TRUE(laid.layout.hold);
   laid.residual(55);
   const Vector3 in = Vector3(60, 0, -10).normalized(), out = Vector3(90, 30, 40).normalized();
   const Vector3 along = (in + out).normalized();
   EXPECT_LT((track(laid.system(), laid.e) - along).norm(), 1e-12);
   EXPECT_LT((hold_place(laid.system(), laid.c) - Vector3(60, 0, 10)).norm(), 1e-12);
-  EXPECT_NEAR(laid.e.residual[laid.layout.coordinate_row], 5, 1e-9);
+  EXPECT_NEAR(laid.e.residual[*laid.layout.coordinate_row], 5, 1e-9);
   const Eigen::VectorXd without = laid.e.residual;
   laid.c.hold = 1200;
   EXPECT_LT((laid.residual(55).head<3>() - without.head<3>() - 1200 * along).norm(), 1e-9);

@@ -114,7 +114,7 @@ std::vector<Column> load_path_columns(const machine::Model& all) {
   }
   for (const machine::Reeving& r : all.reevings) {
     for (const machine::Node& end : {r.nodes.front(), r.nodes.back()}) {
-      if (end.drum >= 0 && all.drums[end.drum].length_on_drum) add_columns(columns, drum_columns(), end.name + ".");
+      if (end.drum && all.drums[*end.drum].length_on_drum) add_columns(columns, drum_columns(), end.name + ".");
     }
   }
   add_columns(columns, closure_columns());

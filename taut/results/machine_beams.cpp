@@ -154,7 +154,7 @@ void warn_of_sense(const machine::description::Beam& given, const MachineRun& ru
 
 }  // namespace
 
-bool is_listed(const machine::Body& body) { return body.beam < 0 || body.name.ends_with(".top"); }
+bool is_listed(const machine::Body& body) { return !body.beam || body.name.ends_with(".top"); }
 
 void add_beam_tables(const MachineRun& run, Result& r) {
   for (const study::EquilibriumRun& one : run.equilibria) {

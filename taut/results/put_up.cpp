@@ -33,7 +33,7 @@ bool has_take_up(const machine::Machine& machine, const std::string& body) {
 
 /// Whether something at this end of a rope can hold a tension: a drum, a take-up, or a body that may move.
 bool can_hold(const machine::Machine& machine, const machine::Model& model, const machine::Node& end) {
-  if (end.drum >= 0) return true;
+  if (end.drum) return true;
   if (end.at.body == machine::ground) return false;
   const machine::Body& body = model.bodies[end.at.body];
   return !body.free.empty() || has_take_up(machine, body.name);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
@@ -22,7 +23,7 @@ constexpr int elements = 16;  ///< of a whole beam at least
 constexpr double largest_factor = 1000;
 constexpr double factor_precision = 1e-5;
 constexpr double hardly_any = 1e-9;  ///< a factor
-constexpr int every = -1;            ///< beam
+constexpr std::optional<int> every;  ///< beam
 
 /// How a cross-section moves: its displacement and turn by each coordinate that moves it.
 using SectionMotion = Array<std::pair<int, Vector6>>;
@@ -98,18 +99,18 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
 class StiffnessAssembly {
  public:
   StiffnessAssembly(const mechanics::System& s, const mechanics::Configuration& c, const Eigen::MatrixXd& rest,
-                    Array<int> coordinates)
+                    Array<std::optional<int>> coordinates)
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
     collect();
   }
 
-  /// With the forces of one beam, or of every one, multiplied.
-  bool definite(int beam, double factor) const {
+  /// With the forces of one beam, or of `every` one, multiplied.
+  bool definite(std::optional<int> beam, double factor) const {
     SkylineMatrix K(inner_ + static_cast<int>(rest_.rows()));
     for (const Term& t : terms_) {
-      const bool scaled = t.beam >= 0 && (beam == every || beam == t.beam);
+      const bool scaled = t.beam && (!beam || beam == t.beam);
       K.add(t.row, t.column, t.elastic + (scaled ? factor : 1) * t.geometric);
     }
     return K.definite();
@@ -118,7 +119,8 @@ class StiffnessAssembly {
  private:
   /// What an entry of the stiffness is made of.
   struct Term {
-    int row = 0, column = 0, beam = -1;
+    int row = 0, column = 0;
+    std::optional<int> beam;
     double elastic = 0, geometric = 0;
   };
 
@@ -126,7 +128,8 @@ class StiffnessAssembly {
 
   void collect() {
     for (int i = 0; i < rest_.rows(); ++i) {
-      for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, -1, (rest_(i, j) + rest_(j, i)) / 2, 0});
+      for (int j = 0; j <= i; ++j)
+        terms_.push_back({inner_ + i, inner_ + j, std::nullopt, (rest_(i, j) + rest_(j, i)) / 2, 0});
     }
     for (const Element& e : elements_) add_terms(e);
     for (const Arm& arm : arms_) add_terms(arm);
@@ -160,11 +163,11 @@ class StiffnessAssembly {
     SectionMotion m;
     if (body == machine::ground) return m;
     for (int i = s_.layout.first_dof[body]; i < s_.layout.first_dof[as_size(body) + 1]; ++i) {
-      if (coordinates_[i] < 0) continue;
+      if (!coordinates_[i]) continue;
       const machine::Freedom& way = s_.layout.dofs[i].way;
       Vector6 v;
       v << way.along + way.about.cross(arm), way.about;
-      m.emplace_back(-1 - coordinates_[i], v);
+      m.emplace_back(-1 - *coordinates_[i], v);
     }
     return m;
   }
@@ -235,14 +238,14 @@ class StiffnessAssembly {
   const mechanics::System& s_;
   const mechanics::Configuration& c_;
   const Eigen::MatrixXd& rest_;
-  Array<int> coordinates_;  ///< by freedom: its index among those left, -1: prescribed
+  Array<std::optional<int>> coordinates_;  ///< by freedom: its index among those left, empty: prescribed
   Array<Element> elements_;
   Array<Arm> arms_;
   Array<Term> terms_;
   int inner_ = 0;
 };
 
-double critical_factor(const StiffnessAssembly& machine, int beam, bool stable) {
+double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam, bool stable) {
   double low = 0, high = 1;
   if (stable) {
     low = 1;
@@ -261,14 +264,14 @@ double critical_factor(const StiffnessAssembly& machine, int beam, bool stable) 
 }
 
 /// The machine without its beams, and without what prescribes a place: its ropes as long as they are. `kept`: the
-/// freedom along which a force held a carriage; -1: none.
-mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
+/// freedom along which a force held a carriage.
+mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<int>& kept) {
   mechanics::Layout bare = layout;
   bare.pieces.clear();
   if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
-  for (mechanics::Layout::Branch& laid : bare.branches) laid.force = -1;  // these unknowns stand behind the beams'
-  kept = -1;
-  if (bare.hold >= 0) {
+  for (mechanics::Layout::Branch& laid : bare.branches) laid.force.reset();  // these unknowns stand behind the beams'
+  kept.reset();
+  if (bare.hold) {
     --bare.size;  // the last one before the beams
     double most = 0;
     for (int i = bare.first_dof[bare.coordinate_body]; i < bare.first_dof[as_size(bare.coordinate_body) + 1]; ++i) {
@@ -276,7 +279,9 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
       if (along > most) most = along, kept = i;
     }
   }
-  bare.hold = bare.coordinate_row = bare.height_row = -1;
+  bare.hold.reset();
+  bare.coordinate_row.reset();
+  bare.height_row.reset();
   return bare;
 }
 
@@ -284,7 +289,7 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, int& kept) {
 
 std::optional<BeamStability> beam_stability(const mechanics::System& s, const mechanics::Configuration& c,
                                             bool factors) {
-  int kept = -1;
+  std::optional<int> kept;
   const mechanics::Layout bare = without_beams(s.layout, kept);
   const mechanics::System rest{.model = s.model, .layout = bare, .coordinate = s.coordinate, .losses = s.losses};
   mechanics::Configuration now = c;
@@ -293,7 +298,8 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   Eigen::MatrixXd J;
   Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(rest, now, e, J, columns);
-  Array<int> coordinates(s.layout.dofs.size(), -1), order, left;
+  Array<std::optional<int>> coordinates(s.layout.dofs.size());
+  Array<int> order, left;
   for (int i = 0; i < bare.size; ++i) {
     if (i >= static_cast<int>(coordinates.size())) {
       order.push_back(i);

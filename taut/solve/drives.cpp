@@ -86,7 +86,7 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
       d.wrap = c->wrap;
       d.centrifugal = centrifugal(rope, result.flow[r]);
       d.torque = rope.copies * node.radius * (d.T_in - d.T_out);
-      fill_grip(node, rope, node.motor < 0 ? std::nullopt : model.motors[node.motor].working_arc, d);
+      fill_grip(node, rope, node.motor ? model.motors[*node.motor].working_arc : std::nullopt, d);
       const int sense = sense_of(result.flow[r]);
       if (rope.speed > 0 && sense != 0) {
         d.speed = sense * rope.speed;
@@ -134,10 +134,10 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
     const auto last = std::find_if(result.branches.rbegin(), result.branches.rend(), own);
     for (const bool at_end : {false, true}) {
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
-      if (node.drum < 0) continue;
-      const machine::Drum& drum = model.drums[node.drum];
+      if (!node.drum) continue;
+      const machine::Drum& drum = model.drums[*node.drum];
       DrumResult d;
-      d.drum = node.drum;
+      d.drum = *node.drum;
       d.reeving = r;
       d.pull = at_end ? last->T_to : first->T_from;
       d.layer = drum.layer;

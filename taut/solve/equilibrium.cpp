@@ -173,7 +173,7 @@ void leave_deep_loops(const mechanics::System& system, mechanics::Configuration&
   if (fed.empty()) return;
   mechanics::Configuration now = c;
   mechanics::Evaluation e;
-  if (!mechanics::evaluate(system, now, e) && deep_link(system, fed, now, e) >= 0) draw_fed_taut(system, fed, c);
+  if (!mechanics::evaluate(system, now, e) && deep_link(system, fed, now, e)) draw_fed_taut(system, fed, c);
 }
 
 /// From `start`, with every means but a change of the losses. An answer that is no stable one is given only where there
@@ -310,8 +310,9 @@ Solved solve_by_lengths(const machine::Model& model, const machine::State& state
   if (fed && bring_on_weight(model, state, options, other)) return other;
   if (it.converged) return s;
   s.outcome = reason(system, s.c, s.e, it);
-  const int heavy = too_heavy(system, s.e, it);
-  if (heavy >= 0) s.outcome = too_heavy_outcome(system, heavy, least_pull(model, state, options, s, heavy));
+  if (const auto heavy = too_heavy(system, s.e, it)) {
+    s.outcome = too_heavy_outcome(system, *heavy, least_pull(model, state, options, s, *heavy));
+  }
   return s;
 }
 
@@ -416,17 +417,18 @@ struct WithoutMainline {
 WithoutMainline without_mainline(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow) {
   if (!options.prescribed) return {};
   const machine::Carriage carriage = model.carriages.at(as_size(options.prescribed->carriage));
-  if (carriage.mainline < 0 || carriage.grip_reeving >= 0) return {};
-  const machine::Reeving& mainline = model.reevings[carriage.mainline];
-  auto rest = machine::without_rope(model, carriage.mainline);
+  if (!carriage.mainline || carriage.grip) return {};
+  const int index = *carriage.mainline;
+  const machine::Reeving& mainline = model.reevings[index];
+  auto rest = machine::without_rope(model, index);
   if (!rest) return {};
   machine::Model& without = *rest;
   Flow flow_without = flow;
-  flow_without.erase(flow_without.begin() + carriage.mainline);
-  without.carriages[options.prescribed->carriage].haulback = -1;
+  flow_without.erase(flow_without.begin() + index);
+  without.carriages[options.prescribed->carriage].haulback.reset();
   const machine::State start = machine::initial_state(without);
   const Solved s = solve(without, start, options, flow_without);
-  if (!s.outcome.ok() || s.layout.hold < 0) return {};
+  if (!s.outcome.ok() || !s.layout.hold) return {};
   const mechanics::System system{.model = without, .layout = s.layout, .coordinate = 0};
   if (std::string past = past_stop(system, s.c); !past.empty()) return {.why = past};
   machine::State held = start;
@@ -444,11 +446,11 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
                   "there: choose another x",
                   carriage.name, options.prescribed->x, mainline.name)};
     }
-    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, carriage.mainline, 0), .no_force = true};
+    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, index, 0), .no_force = true};
   }
   if (hold.dot(pull) > 0) {
     const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
-    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, carriage.mainline, tension)};
+    return {.why = {}, .near = machine::with_rope(std::move(held), mainline, index, tension)};
   }
   return {.why =
               fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
@@ -458,7 +460,8 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
 
 /// Whether a mainline hangs deep: see deep_mainline_link.
 bool hangs_deep(const machine::Model& model, const Solved& s) {
-  return s.outcome.ok() && deep_mainline_link({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e) >= 0;
+  return s.outcome.ok() &&
+         deep_mainline_link({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e).has_value();
 }
 
 /// A machine without an answer, or with a mainline that hangs deep: the taut answer by way of the machine without its

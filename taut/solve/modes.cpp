@@ -241,7 +241,7 @@ void fill_shape(Run& run, const VibrationMatrices& a, const Values& rest, Eigen:
       mode.largest = body.model;
     }
   }
-  if (of_ropes > most) mode.largest = -1;
+  if (of_ropes > most) mode.largest.reset();
   if (unit > 0) mode.shape = frame_of(m, drawn_by(run, x * (drawn_share * machine * unit / size), rest));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,8 @@ struct Mode {
   };
   Array<Motion> bodies;  ///< [body]; scaled so that the largest displacement, nodes of ropes included, is 1 m, or,
                          ///< where nothing is displaced, the largest rotation 1 rad
-  int largest = -1;      ///< body with the most kinetic energy; -1: the ropes have more
-  TransientFrame shape;  ///< the machine displaced by 1/12 of its size, for drawings; its forces have no meaning
+  std::optional<int> largest;  ///< body with the most kinetic energy; empty: the ropes have more
+  TransientFrame shape;        ///< the machine displaced by 1/12 of its size, for drawings; its forces have no meaning
 };
 
 struct ModeSet {

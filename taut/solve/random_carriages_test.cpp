@@ -38,8 +38,7 @@ void add_haul_rope(machine::Model& m, const std::vector<Vector3>& p, std::size_t
       nodes.push_back(anchor_on("car", 0));
       nodes.back().kind = machine::NodeKind::clamp;
       nodes.back().length_before = (p[i] - p[0]).norm();
-      m.carriages[0].grip_reeving = 1;
-      m.carriages[0].grip_node = static_cast<int>(nodes.size()) - 1;
+      m.carriages[0].grip = machine::Grip{.reeving = 1, .node = static_cast<int>(nodes.size()) - 1};
     }
     nodes.push_back(over(i + 1 < p.size() ? "guide" : "wheel", p[i] + below));
   }
@@ -70,7 +69,7 @@ Line random_line(unsigned seed) {
   if (count > 1 || height > 0) car.free.push_back({Vector3::Zero(), Vector3::UnitY()});
   machine::turn_along(car, p[loaded + 1] - p[loaded], count);
   m.bodies.push_back(car);
-  m.carriages.push_back({"car", 0, 0, static_cast<int>(loaded) + 1, -1, count});
+  m.carriages.push_back({"car", 0, 0, static_cast<int>(loaded) + 1, {}, count});
   std::vector<machine::Node> nodes{anchor("a", p[0])};
   const double mu = dice.in(0, 0.2);
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {

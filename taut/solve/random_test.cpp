@@ -40,7 +40,8 @@ Line random_line(unsigned seed) {
       nodes.push_back(over("car", origin, 0));
       line.model.bodies.push_back(
           body("car", (p[at] + p[at + 1]) / 2 - Vector3(0, 0, 3), std::pow(10, dice.in(1, 4)), "xyz"));
-      line.model.carriages.push_back({"car", 0, 0, static_cast<int>(nodes.size()) - 1, kind == 3 ? 1 : -1});
+      line.model.carriages.push_back(
+          {"car", 0, 0, static_cast<int>(nodes.size()) - 1, kind == 3 ? std::optional(1) : std::nullopt});
       if (kind >= 2) {
         line.options.prescribed =
             machine::Prescribed{.carriage = 0, .x = p[at].x() + dice.in(0.05, 0.95) * (p[at + 1].x() - p[at].x())};
@@ -112,7 +113,7 @@ TEST(RandomMachines, UnloadedAndHeldLinesAreSolved) {
   int lines = 0, solved = 0;
   for (unsigned seed = 0; lines < 2000; ++seed) {
     const Line line = random_line(seed);
-    const bool held = line.options.prescribed && line.model.carriages[0].mainline < 0;
+    const bool held = line.options.prescribed && !line.model.carriages[0].mainline;
     if (!line.model.bodies.empty() && !held) continue;
     ++lines;
     const EquilibriumResult r = equilibrium(line.model, line.options);

@@ -23,7 +23,7 @@ constexpr double pushed = 0.01;  ///< of the longest span
 bool has_followers(const mechanics::System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
     const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
-    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row >= 0)) return true;
+    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row)) return true;
     return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
   });
 }
@@ -39,8 +39,8 @@ bool loses(const mechanics::System& s) {
 struct Coordinates {
   Array<EnergyCurvature::Row> rows;
   Array<int> residual;
-  Array<double> factor;                ///< of the residual's row
-  Array<std::pair<int, int>> unknown;  ///< + the first, - the second (-1: none)
+  Array<double> factor;                               ///< of the residual's row
+  Array<std::pair<int, std::optional<int>>> unknown;  ///< + the first, - the second
 };
 
 void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const Array<FedEnd>& fed, int r,
@@ -54,18 +54,18 @@ void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const 
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
     const mechanics::Layout::Turn& turn = s.layout.turns[t];
     if (reeving.nodes[turn.node].kind != machine::NodeKind::contact) continue;
-    all.rows.push_back({-1, t, -1});
-    all.residual.push_back(turn.row);
+    all.rows.push_back({EnergyCurvature::Of::contact, t});
+    all.residual.push_back(*turn.row);
     all.factor.push_back(stretch(e.branches[turn.after].T_from));
     all.unknown.emplace_back(s.layout.branches[turn.after].unknown, s.layout.branches[turn.before].unknown);
   }
   for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
     const FedEnd& end = fed[i];
     if (end.rope != r) continue;
-    all.rows.push_back({-1, -1, i});
+    all.rows.push_back({EnergyCurvature::Of::fed_end, i});
     all.residual.push_back(end.row);
     all.factor.push_back(stretch(end.tension));
-    all.unknown.emplace_back(s.layout.branches[end.own()].unknown, -1);
+    all.unknown.emplace_back(s.layout.branches[end.own()].unknown, std::nullopt);
   }
 }
 
@@ -75,12 +75,12 @@ Coordinates coordinates_of(const mechanics::System& s, const mechanics::Evaluati
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const mechanics::Layout::Dof& dof = s.layout.dofs[i];
     const bool kept =
-        s.layout.hold >= 0 && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
+        s.layout.hold && dof.body == s.layout.coordinate_body && dof.way.along.dot(s.layout.coordinate_along) != 0;
     if (kept) continue;
-    all.rows.push_back({i, -1, -1});
+    all.rows.push_back({EnergyCurvature::Of::freedom, i});
     all.residual.push_back(i);
     all.factor.push_back(1);
-    all.unknown.emplace_back(i, -1);
+    all.unknown.emplace_back(i, std::nullopt);
   }
   return all;
 }
@@ -147,7 +147,7 @@ Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configu
   for (Eigen::Index j = 0; j < n; ++j) {
     const auto [plus, minus] = all.unknown[j];
     Z(plus, j) = 1;
-    if (minus >= 0) Z(minus, j) = -1;
+    if (minus) Z(*minus, j) = -1;
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const int own = s.layout.branches[k].unknown;
@@ -166,8 +166,8 @@ std::string_view axis_name(const Vector3& d) {
 }
 
 std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
-  if (row.freedom >= 0) {
-    const mechanics::Layout::Dof& dof = s.layout.dofs[row.freedom];
+  if (row.of == EnergyCurvature::Of::freedom) {
+    const mechanics::Layout::Dof& dof = s.layout.dofs[row.index];
     const bool turns = dof.way.about != Vector3::Zero();
     const Vector3& d = turns ? dof.way.about : dof.way.along;
     const std::string_view name = axis_name(d);
@@ -176,13 +176,13 @@ std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
     return fmt::format("body '{}' {} {} {}", s.model.bodies[dof.body].name, turns ? "turns over" : "moves away",
                        turns ? "about" : "along", where);
   }
-  if (row.fed >= 0) {
-    const FedEnd end = fed_ends(s)[row.fed];
+  if (row.of == EnergyCurvature::Of::fed_end) {
+    const FedEnd end = fed_ends(s)[row.index];
     const machine::Reeving& rope = s.model.reevings[end.rope];
     return fmt::format("rope '{}' runs in or out at '{}'", rope.name,
                        (end.at_end ? rope.nodes.back() : rope.nodes.front()).name);
   }
-  const mechanics::Layout::Turn& t = s.layout.turns[row.turn];
+  const mechanics::Layout::Turn& t = s.layout.turns[row.index];
   const machine::Reeving& rope = s.model.reevings[t.reeving];
   return fmt::format("rope '{}' runs over '{}'", rope.name, rope.nodes[t.node].name);
 }
@@ -253,15 +253,15 @@ std::string of_given_tension(const mechanics::System& s) {
 /// A fed rope that is a deep loop, with its name; ok without one.
 Outcome no_deep_loop(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   const Array<FedEnd> fed = fed_ends(s);
-  const int deep = deep_link(s, fed, c, e);
-  if (deep < 0) return {};
-  const mechanics::Layout::Branch& laid = s.layout.branches[deep];
+  const auto deep = deep_link(s, fed, c, e);
+  if (!deep) return {};
+  const mechanics::Layout::Branch& laid = s.layout.branches[*deep];
   const machine::Reeving& rope = s.model.reevings[laid.reeving];
   return infeasible(fmt::format(
       "rope '{}' has its given tension only as a loop of {:.4g} m between '{}' and '{}', {:.4g} m apart, in which more "
       "rope pulls harder: it runs out at the least push; give it more tension, or a length",
-      rope.name, c.branches[deep].length, rope.nodes[laid.from].name, rope.nodes[laid.to].name,
-      e.branches[deep].chord.norm()));
+      rope.name, c.branches[*deep].length, rope.nodes[laid.from].name, rope.nodes[laid.to].name,
+      e.branches[*deep].chord.norm()));
 }
 
 }  // namespace
@@ -280,18 +280,19 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   if (!direction) return result;
   // a body that moves tells more than the ropes that follow it
   Eigen::Index most = 0;
-  double size = -1;
+  double size = 0;
   for (Eigen::Index i = 0; i < direction->size(); ++i) {
-    const int freedom = curvature->rows[i].freedom;
-    const bool turns = freedom >= 0 && s.layout.dofs[freedom].way.about != Vector3::Zero();
-    const double unit = freedom < 0 ? 1 : weight_of_bodies * (turns ? s.layout.length : 1);
+    const EnergyCurvature::Row& row = curvature->rows[i];
+    const bool moves = row.of == EnergyCurvature::Of::freedom;
+    const bool turns = moves && s.layout.dofs[row.index].way.about != Vector3::Zero();
+    const double unit = moves ? weight_of_bodies * (turns ? s.layout.length : 1) : 1;
     const double weight = unit * std::abs((*direction)[i]);
     if (weight <= size) continue;
     size = weight;
     most = i;
   }
   const EnergyCurvature::Row& row = curvature->rows[most];
-  result.rope = row.freedom < 0;
+  result.rope = row.of != EnergyCurvature::Of::freedom;
   result.push = curvature->unknowns * *direction;
   result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
   result.outcome = infeasible(

@@ -15,10 +15,11 @@ namespace taut::solve {
 /// System::lengths_kept). Symmetric but for the weight of rope on rounds, which the machine leaves out, and for losses:
 /// with these it is the stiffness of the machine as it runs.
 struct EnergyCurvature {
+  /// What a coordinate is of.
+  enum class Of { freedom, contact, fed_end };
   struct Row {
-    int freedom = -1;  ///< index in the layout's dofs, or
-    int turn = -1;     ///< in its turns, or
-    int fed = -1;      ///< in its fed_ends
+    Of of = Of::freedom;
+    int index = 0;  ///< in the layout's dofs, its turns, its fed_ends
   };
   Array<Row> rows;
   Eigen::MatrixXd matrix;    ///< N/m, N, N m

@@ -23,12 +23,12 @@ std::string branch_of(const mechanics::System& s, int index) {
   return fmt::format("rope '{}' between '{}' and '{}'", rope.name, rope.nodes[l.from].name, rope.nodes[l.to].name);
 }
 
-/// The branch with the largest force of those that do not stretch, -1: none.
-int hardest(const mechanics::System& s, const mechanics::Evaluation& e) {
-  int worst = -1;
+/// The branch with the largest force of those that do not stretch.
+std::optional<int> hardest(const mechanics::System& s, const mechanics::Evaluation& e) {
+  std::optional<int> worst;
   for (int k = 0; k < static_cast<int>(e.branches.size()); ++k) {
     if (!std::isinf(s.model.reevings[s.layout.branches[k].reeving].stiffness)) continue;
-    if (worst < 0 || e.branches[k].T_to > e.branches[worst].T_to) worst = k;
+    if (!worst || e.branches[k].T_to > e.branches[*worst].T_to) worst = k;
   }
   return worst;
 }
@@ -74,15 +74,15 @@ std::string short_rope(const mechanics::System& s, const mechanics::Evaluation& 
 
 Outcome why_unsettled(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& it) {
   if (const std::string why = short_rope(s, e, it.converged); !why.empty()) return infeasible(why);
-  if (it.undetermined >= 0) {
+  if (it.undetermined) {
     return infeasible(
         fmt::format("the tension of {} is not determined: ropes that do not stretch, or hardly, share their load in "
                     "more than one way here; give the ropes the stiffness that they have, or leave out what holds "
                     "the same twice",
-                    branch_of(s, it.undetermined)));
+                    branch_of(s, *it.undetermined)));
   }
   const mechanics::Misfit m = mechanics::misfit(s, e);
-  const int worst = std::max(0, hardest(s, e));
+  const int worst = hardest(s, e).value_or(0);
   return not_converged(
       fmt::format("the tensions of ropes that hardly stretch did not settle ({:.3g} N and {:.3g} m are open; largest: "
                   "{:.6g} N in {}); give the ropes the stiffness that they have",
@@ -151,11 +151,11 @@ StiffAnswer with_stiff_ropes(const machine::Model& model, const StiffAnswer& nea
     const double is = model.reevings[s.layout.branches[k].reeving].stiffness, was = std::min(softest, is);
     const double T = std::max(0.0, s.c.forces[k].norm());
     const bool pulls = near.e.branches[k].T_to > 0;
-    if (s.layout.branches[k].force >= 0 && pulls) s.c.branches[k].length *= (1 + T / was) / (1 + T / is);
+    if (s.layout.branches[k].force && pulls) s.c.branches[k].length *= (1 + T / was) / (1 + T / is);
   }
   const Iteration it = newton_with_forces(system, s.c, s.e, options.tolerance, options.iterations);
   s.steps = it.steps;
-  if (!it.converged || it.undetermined >= 0) s.outcome = why_unsettled(system, s.e, it);
+  if (!it.converged || it.undetermined) s.outcome = why_unsettled(system, s.e, it);
   return s;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "taut/calc/outcome.hpp"
+#include "taut/solve/equilibrium.hpp"
 #include "taut/solve/rest/newton.hpp"
 
 namespace taut::solve {

@@ -196,7 +196,7 @@ TEST(StiffRopes, CarriageThatOnlyAForceHoldsHasNoEquilibriumUnlessItIsHeld) {
   m.bodies.push_back(body("car", {30, 0, -1}, 200, "xz"));
   m.reevings.push_back(
       reeve("line", {anchor("a", {0, 0, 0}), over("car", Vector3::Zero(), 0), anchor("b", {100, 0, 0})}, 101, 5, 1e7));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   EquilibriumOptions options;
   options.prescribed = machine::Prescribed{.carriage = 0, .x = 30};
   const EquilibriumResult held = equilibrium(m, options);

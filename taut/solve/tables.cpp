@@ -31,7 +31,7 @@ BranchResult branch_result(const mechanics::System& s, const mechanics::Configur
   r.start = mechanics::end_at(rope.nodes[laid.from], c.bodies).centre + b.offset_from;
   r.end = mechanics::end_at(rope.nodes[laid.to], c.bodies).centre + b.offset_to;
   r.shape = b.span;
-  if (rope.weight == 0 && laid.force < 0) {
+  if (rope.weight == 0 && !laid.force) {
     if (const auto straight = rope::solve_span(mechanics::rope_of(rope, length), b.chord)) r.shape = *straight;
   }
   r.stretched = b.slack ? length : rope::stretched_length(r.shape);
@@ -195,7 +195,7 @@ void fill_balance(const mechanics::System& s, const mechanics::Configuration& c,
     const machine::Reeving& rope = s.model.reevings[load.reeving];
     dead(rope.nodes[load.node].at.body, rope.copies * load.force);
   }
-  if (s.layout.hold >= 0) {
+  if (s.layout.hold) {
     result.hold = c.hold * track(s, e);
     dead(s.layout.coordinate_body, result.hold);
   }

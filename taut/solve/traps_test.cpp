@@ -21,7 +21,7 @@ machine::Model line(double start, double middle, double end) {
                               anchor("b", {220, 0, end})},
                              0, 25, 2e7));
   m.reevings[0].value = 1.01 * (std::hypot(120, middle - start) + std::hypot(100, end - middle));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   return m;
 }
 

@@ -87,7 +87,7 @@ TEST(Witness, RollingCarriageHeldOnItsTrackOnALumpedChain) {
   m.bodies.push_back(body("car", {100, 0, 30}, 1500, "xz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 0}), over("car", origin, 0), anchor("tail", {240, 0, 102})}, 262, 21, 26.6e6));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   EquilibriumOptions options;
   options.prescribed = machine::Prescribed{.carriage = 0, .x = 90};
   const EquilibriumResult r = equilibrium(m, options);

@@ -85,7 +85,7 @@ TEST(Rollers, AWeightlessRopeBendsAboutTheLoadAsATriangle) {
       "sky",
       {anchor("a", {0, 0, 0}), over("car", {-1, 0, 0.3}, 0), over("car", {1, 0, 0.3}, 0), anchor("b", {100, 0, 0})},
       101, 0, 2e7));
-  m.carriages.push_back({"car", 0, 0, 1, -1, 2});
+  m.carriages.push_back({"car", 0, 0, 1, {}, 2});
   const solve::EquilibriumResult r = placed(m, 50);
   const double T = r.branches[1].T_from, depth = -r.state.bodies[0].position.z() - 0.3;
   const double leg = std::hypot(49, depth);
@@ -161,7 +161,7 @@ machine::Model hauled(double rise, double friction) {
                              2 * std::hypot(200, rise) + 8, 7, 8e6));
   m.reevings.back().closed = true;
   m.reevings.back().haul = 1;
-  m.carriages.push_back({"car", 0, 0, 1, -1, 1, 1, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}, 1, machine::Grip{.reeving = 1, .node = 1}});
   return m;
 }
 

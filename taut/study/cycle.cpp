@@ -267,7 +267,8 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
   CycleRun run;
   run.ending = ending_of(names, "cycle", request.name, path);
   run.held = request.held;
-  Way way = way_of(request.carriage, request.along, path, names);
+  const auto carriage = carriage_of(names, request.carriage, path + ".carriage");
+  Way way = way_of(carriage, request.along, path, names);
   run.carriage = way.carriage;
   way.from = request.from;
   way.to = request.to;
@@ -289,7 +290,7 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
     way.to = phase.way.from;
     run.phases.push_back(std::move(phase));
   }
-  run.winches = winches_of(names.model, names.machine, run.carriage);
+  run.winches = winches_of(names.model, names.machine, carriage);
   if (run.winches.empty()) {
     names.complaints.push_back({path, "nothing pulls: no rope ends on a drum, has a tension given, or is a mainline"});
   }

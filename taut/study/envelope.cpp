@@ -103,7 +103,7 @@ void add_contacts(Envelope& envelope, const machine::Model& m, const solve::Equi
 void add_bodies(Envelope& envelope, const machine::Model& m, const solve::EquilibriumResult& e,
                 const EnvelopeState& where) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    if (m.bodies[b].beam >= 0) continue;  // a section of a beam
+    if (m.bodies[b].beam) continue;  // a section of a beam
     const std::string& name = m.bodies[b].name;
     if (m.bodies[b].free.size() < 3) {
       const Vector3& hold = e.reactions[b];
@@ -124,8 +124,8 @@ class Combination {
   void solve(const RopeMotion& motion, const EnvelopeState& where) {
     machine::Model model = model_;
     if (!std::isnan(where.temperature)) set_temperature(model, *run_.machine, where.temperature);
-    if (!std::isnan(where.load)) model.bodies[run_.load_body].mass += where.load;
-    if (run_.carriage < 0) {
+    if (!std::isnan(where.load)) model.bodies[*run_.load_body].mass += where.load;
+    if (!run_.carriage) {
       if (!watch_.go_on(motion.words)) return;
       const auto result = solve::equilibrium(model, options_for(motion, model));
       take(model, result, where, fmt::format("envelope, {}", motion.words));
@@ -151,7 +151,7 @@ class Combination {
         take(part.model, point.at, there, words);
         if (point.at.outcome.ok()) {
           keep("carriage in the ground", -point.clearance, whole_words(words, there), part.model, point.at);
-          envelope_.add(model_.carriages[run_.carriage].name, "clearance", si::m, point.clearance, there);
+          envelope_.add(model_.carriages[*run_.carriage].name, "clearance", si::m, point.clearance, there);
         }
       }
     }
@@ -240,12 +240,12 @@ void resolve_loads(const EnvelopeRequest& request, const std::string& path, Name
       if (p.model.bodies[b].name == *request.load_at) run.load_body = static_cast<int>(b);
       names.push_back(p.model.bodies[b].name);
     }
-    if (run.load_body < 0) {
+    if (!run.load_body) {
       p.complaints.push_back({path + ".load_at", fmt::format("there is no body or carriage '{}'{}", *request.load_at,
                                                              did_you_mean(*request.load_at, names))});
     }
-  } else if (run.carriage >= 0) {
-    run.load_body = p.model.carriages[run.carriage].body;
+  } else if (run.carriage) {
+    run.load_body = p.model.carriages[*run.carriage].body;
   } else if (!request.loads.empty()) {
     p.complaints.push_back({path + ".loads", "say where: 'load_at' a body, or a 'carriage'"});
   }
@@ -301,7 +301,7 @@ EnvelopeRun resolve(const EnvelopeRequest& request, const std::string& path, Nam
   } else if (all && *request.from == *request.to) {
     names.complaints.push_back({path + ".to", "is the same place as 'from'"});
   }
-  run.way = {.carriage = run.carriage,
+  run.way = {.carriage = run.carriage.value_or(0),
              .from = request.from.value_or(0),
              .to = request.to.value_or(0),
              .steps = request.steps,
@@ -319,7 +319,7 @@ EnvelopeRun resolve(const EnvelopeRequest& request, const std::string& path, Nam
 
 int states_of(const EnvelopeRun& run) {
   const std::size_t combinations = or_none(run.temperatures).size() * or_none(run.loads).size() * run.motions.size();
-  return static_cast<int>(combinations) * (run.carriage < 0 ? 1 : run.way.steps + 1);
+  return static_cast<int>(combinations) * (run.carriage ? run.way.steps + 1 : 1);
 }
 
 void solve(const machine::Model& model, EnvelopeRun& run, Watch& watch, const EnvelopeStates& seen) {

@@ -61,9 +61,9 @@ struct WorstState {
 /// What a deck asks, and the answer.
 struct EnvelopeRun {
   std::string ending;
-  int carriage = -1;  ///< -1: the machine as it stands
+  std::optional<int> carriage;  ///< empty: the machine as it stands
   Way way;
-  int load_body = -1;  ///< -1: there are no loads
+  std::optional<int> load_body;  ///< empty: there are no loads
   bool held = false;
   std::vector<double> loads;             ///< kg
   std::vector<std::string> motions;      ///< as the deck has them

@@ -49,7 +49,7 @@ void spread(const machine::Model& model, int kept, const PutUpWith& with, Array<
     }
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       if (gone[b] || model.bodies[b].free.empty() || is_in(with.bodies, b)) continue;
-      if (model.bodies[b].beam >= 0) continue;  // its beam holds a section
+      if (model.bodies[b].beam) continue;  // its beam holds a section
       if (has_lost_its_ropes(model, static_cast<int>(b), ropes_gone)) changed = gone[b] = true;
     }
   }
@@ -81,20 +81,29 @@ template <class Taken>
 void keep_carriages(machine::Model& model, int reeving, const Array<bool>& gone, const Array<bool>& ropes_gone,
                     const Taken& taken) {
   const auto rope = [&](int r) {
-    if (r < 0 || ropes_gone[r]) return -1;
-    return static_cast<int>(std::count(ropes_gone.begin(), ropes_gone.begin() + r, false));
+    return ropes_gone[r]
+               ? std::nullopt
+               : std::optional(static_cast<int>(std::count(ropes_gone.begin(), ropes_gone.begin() + r, false)));
   };
   const auto node = [&](int r, int k) {
     if (r != reeving) return k;
     const auto& nodes = model.reevings[r].nodes;
     return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k, taken));
   };
-  std::erase_if(model.carriages, [&](const machine::Carriage& car) { return gone[car.body] || rope(car.reeving) < 0; });
+  std::erase_if(model.carriages,
+                [&](const machine::Carriage& car) { return gone[car.body] || ropes_gone[car.reeving]; });
   for (machine::Carriage& car : model.carriages) {
     car.node = node(car.reeving, car.node);
-    if (car.grip_reeving >= 0) car.grip_node = node(car.grip_reeving, car.grip_node);
-    for (int* r : {&car.reeving, &car.mainline, &car.grip_reeving, &car.haulback}) *r = rope(*r);
-    if (car.grip_reeving < 0) car.grip_node = -1;
+    car.reeving = *rope(car.reeving);
+    for (std::optional<int>* r : {&car.mainline, &car.haulback}) {
+      if (*r) *r = rope(**r);
+    }
+    const auto running = car.grip ? rope(car.grip->reeving) : std::nullopt;
+    if (running) {
+      car.grip = machine::Grip{.reeving = *running, .node = node(car.grip->reeving, car.grip->node)};
+    } else {
+      car.grip.reset();
+    }
   }
 }
 
@@ -291,11 +300,12 @@ InstallationRun resolve(const InstallationRequest& request, const std::string& p
   InstallationRun run;
   run.ending = ending_of(names, "installation", request.name, path);
   run.words = request.reeving;
-  run.reeving = reeving_of(names, request.reeving, path + ".reeving");
+  const auto reeving = reeving_of(names, request.reeving, path + ".reeving");
+  run.reeving = reeving.value_or(0);
   run.given = request.given;
   run.machine = &names.machine;
   resolve_temperatures(request, path, names, run);
-  if (run.reeving < 0) return run;
+  if (!reeving) return run;
   const EmptyLine line = empty_line(names.model, run.reeving);
   if (!line.outcome.ok()) names.complaints.push_back({path + ".reeving", line.outcome.message});
   if (names.model.reevings[run.reeving].closed && request.given && !request.given->length) {

@@ -29,8 +29,8 @@ struct CaseSet {
   Array<solve::EquilibriumResult> results;
 };
 
-/// Solves the cases; the number of the first that fails, -1: none does.
-int solve_cases(CaseSet& set) {
+/// Solves the cases; the number of the first that fails.
+std::optional<int> solve_cases(CaseSet& set) {
   solve::EquilibriumOptions at_rest;
   at_rest.band = false;
   for (std::size_t c = 0; c < set.models.size(); ++c) {
@@ -40,7 +40,7 @@ int solve_cases(CaseSet& set) {
     if (!set.results[c].outcome.ok() && near) set.results[c] = solve::equilibrium(set.models[c], at_rest);
     if (!set.results[c].outcome.ok()) return static_cast<int>(c);
   }
-  return -1;
+  return std::nullopt;
 }
 
 void set_length(CaseSet& set, int reeving, double length) {
@@ -144,7 +144,7 @@ bool go_nearer(CaseSet& set, const Array<int>& chosen, double least, double miss
       const double length = before.models.front().reevings[chosen[k]].value;
       set_length(set, chosen[k], length + share * change[k]);
     }
-    if (solve_cases(set) < 0 && largest_miss(governing_cases(set, chosen), least) < miss) return true;
+    if (!solve_cases(set) && largest_miss(governing_cases(set, chosen), least) < miss) return true;
     set.results = before.results;
   }
   set = before;
@@ -207,9 +207,8 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
     begun.push_back(frozen.reevings[rope].value);
     set_length(set, rope, begun.back());
   }
-  const int failed = solve_cases(set);
-  if (failed >= 0) {
-    r.outcome = set.results[failed].outcome;
+  if (const auto failed = solve_cases(set)) {
+    r.outcome = set.results[*failed].outcome;
     return r;
   }
   double miss = largest_miss(governing_cases(set, chosen), least);
@@ -274,16 +273,18 @@ LeastTensionRun resolve(const LeastTensionRequest& request, const std::string& p
   run.tension = request.tension;
   run.guys_from = names.machine.reevings.size();
   if (request.ropes.empty()) names.complaints.push_back({path + ".ropes", "names no rope"});
+  Array<std::optional<int>> named;
   for (std::size_t i = 0; i < request.ropes.size(); ++i) {
     const std::string its = fmt::format("{}.ropes[{}]", path, i);
-    const int rope = reeving_of(names, request.ropes[i], its);
-    if (rope >= 0 && names.model.reevings[rope].closed) {
+    const auto rope = reeving_of(names, request.ropes[i], its);
+    if (rope && names.model.reevings[*rope].closed) {
       names.complaints.push_back({its, "an endless rope is tightened by its 'take_up'"});
     }
-    if (std::find(run.chosen.begin(), run.chosen.end(), rope) != run.chosen.end()) {
+    if (std::find(named.begin(), named.end(), rope) != named.end()) {
       names.complaints.push_back({its, "is named twice"});
     }
-    run.chosen.push_back(rope);
+    named.push_back(rope);
+    if (rope) run.chosen.push_back(*rope);
   }
   if (!names.model.contacts.empty() || !names.model.actuators.empty()) {
     names.complaints.push_back(

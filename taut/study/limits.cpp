@@ -59,26 +59,34 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
                             const solve::EquilibriumResult& r) {
   Array<LimitState> all;
   if (!r.outcome.ok()) {
-    all.push_back({LimitKind::none, -1, -1, 0, 0, -1, true});
+    all.push_back({.kind = LimitKind::none, .margin = -1, .fails = true});
     return all;
   }
   for (std::size_t k = 0; k < limits.tension.size(); ++k) {
     if (!std::isfinite(limits.tension[k])) continue;
     const double T = r.ropes[k].T_max;
-    all.push_back({LimitKind::tension, static_cast<int>(k), -1, T, limits.tension[k], 1 - T / limits.tension[k]});
+    all.push_back({LimitKind::tension, static_cast<int>(k), {}, T, limits.tension[k], 1 - T / limits.tension[k]});
   }
   for (const EndLimit& end : limits.ends) all.push_back(pull_at(r, end));
   const Vector3& place = r.state.bodies[body].position;
   const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
   if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {
-    all.push_back({LimitKind::clearance, -1, -1, clearance, limits.clearance,
+    all.push_back({LimitKind::clearance,
+                   {},
+                   {},
+                   clearance,
+                   limits.clearance,
                    length_margin(clearance - limits.clearance, place.z())});
   }
   for (std::size_t k = 0; k < limits.rope_clearance.size(); ++k) {
     if (!std::isfinite(limits.rope_clearance[k])) continue;
     const double height = rope_clearance(model, r.branches, static_cast<int>(k), limits.rope_between).height;
     if (!std::isfinite(height)) continue;
-    all.push_back({LimitKind::rope_clearance, static_cast<int>(k), -1, height, limits.rope_clearance[k],
+    all.push_back({LimitKind::rope_clearance,
+                   static_cast<int>(k),
+                   {},
+                   height,
+                   limits.rope_clearance[k],
                    length_margin(height - limits.rope_clearance[k], place.z())});
   }
   add_supports(model, limits, r, all);
@@ -87,8 +95,8 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
 
 std::string limit_words(const machine::Model& model, int body, const LimitState& l) {
   if (l.fails) return "no equilibrium with more";
-  const auto rope = [&] { return model.reevings[l.reeving].name; };
-  const auto node = [&] { return model.reevings[l.reeving].nodes[l.node].name; };
+  const auto rope = [&] { return model.reevings[*l.reeving].name; };
+  const auto node = [&] { return model.reevings[*l.reeving].nodes[*l.node].name; };
   switch (l.kind) {
     case LimitKind::none:
       return "no limit";

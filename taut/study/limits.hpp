@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,8 @@ enum class LimitKind { none, tension, pull, clearance, rope_clearance, break_ang
 /// One limit and the value compared with it, N, m or rad.
 struct LimitState {
   LimitKind kind = LimitKind::none;
-  int reeving = -1;  ///< the rope to which it refers; -1: none
-  int node = -1;     ///< the node of a pull, break angle or lift-off; -1: none
+  std::optional<int> reeving = std::nullopt;  ///< the rope to which it refers
+  std::optional<int> node = std::nullopt;     ///< the node of a pull, break angle or lift-off
   double value = 0;  ///< of lift_off: the angle by which the rope bends over the support, 0 where it has lifted off
   double limit = 0;
   double margin = 1;   ///< < 0: exceeded. Relative to the limit; lengths relative to the height of the body (at least 1

@@ -163,7 +163,7 @@ TEST(Limits, LiftOffEndsThePayload) {
                              15, 500e6));
   m.bodies.push_back(body("car", {60, 0, 3}, 10, "xyz"));
   m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, over("car", origin, 0));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   solve::EquilibriumOptions options;
   options.prescribed = machine::Prescribed{.carriage = 0, .x = 60};
   PayloadLimits limits;

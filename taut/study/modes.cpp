@@ -99,7 +99,7 @@ const Quantities<ModeRow>& mode_quantities() {
       {"kind", "", si::one, "swings, creeps back, nothing brings it back, or unstable",
        [](const Row& r) { return mode_kind_words(mode_of(r).kind); }},
       {"moves_most", "", si::one, "body with most of the kinetic energy, or the ropes", [](const Row& r) {
-         return mode_of(r).largest >= 0 ? r.run.model.bodies[mode_of(r).largest].name : std::string("ropes");
+         return mode_of(r).largest ? r.run.model.bodies[*mode_of(r).largest].name : std::string("ropes");
        }}};
   return all;
 }

@@ -41,7 +41,7 @@ class PayloadSearch {
       if (one.margin < nearest.margin) nearest = one;
     }
     if (mass == 0 && r.outcome.ok()) unloaded = r.state;
-    if (nearest.margin >= 0 && mass >= holds) {
+    if (nearest.margin >= 0 && (!holds || mass >= *holds)) {
       // From states that hold only: under too much a rope of given tension runs out, and what is found from there may
       // hang far below the line even without payload.
       near_ = r.state;
@@ -56,7 +56,7 @@ class PayloadSearch {
     return nearest.margin;
   }
 
-  double holds = -1;
+  std::optional<double> holds;
   double stops = std::numeric_limits<double>::infinity();
   LimitState held, stopped;
   solve::EquilibriumResult result;
@@ -178,7 +178,8 @@ class NamedLimit {
   PayloadRun& run_;
 };
 
-void resolve_limits(const LimitsRequest& request, const std::string& path, Names& p, PayloadRun& run) {
+void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, const std::string& path, Names& p,
+                    PayloadRun& run) {
   PayloadLimits& l = run.limits;
   l.tension.assign(p.model.reevings.size(), std::numeric_limits<double>::infinity());
   l.rope_clearance.assign(p.model.reevings.size(), -std::numeric_limits<double>::infinity());
@@ -187,8 +188,8 @@ void resolve_limits(const LimitsRequest& request, const std::string& path, Names
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
   l.rope_between = {.along = run.way.along, .from = run.way.from, .to = run.way.to};
-  if (request.rope_clearance && run.way.carriage >= 0) {
-    l.rope_clearance[p.model.carriages[run.way.carriage].reeving] = *request.rope_clearance;
+  if (request.rope_clearance && carriage) {
+    l.rope_clearance[p.model.carriages[*carriage].reeving] = *request.rope_clearance;
   }
   for (const RopeLimitRequest& one : request.named) {
     NamedLimit(one, fmt::format("{}.{}", path, one.name), p, run).resolve();
@@ -221,7 +222,7 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
     answer.limit = search.stopped;
     answer.at = std::move(search.result);
     answer.governing = limit_words(model, body, search.stopped);
-    answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : -1;
+    answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : std::nullopt;
     answer.outcome = search.stopped.fails
                          ? answer.at.outcome
                          : infeasible(fmt::format("without any payload it is too much already: {}; raise the line, "
@@ -239,12 +240,12 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
     answer.at = std::move(search.result);
     return answer;
   }
-  static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, search.holds, search.stops));
-  answer.mass = search.holds;
+  static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, *search.holds, search.stops));
+  answer.mass = *search.holds;
   answer.at = std::move(search.result);
   answer.limit = governing_of(search, limits_at(model, body, limits, answer.at));
   answer.governing = limit_words(model, body, search.stopped);
-  answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : -1;
+  answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : std::nullopt;
   return answer;
 }
 
@@ -358,13 +359,14 @@ PayloadRun resolve(const PayloadRequest& request, const std::string& path, Names
   run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
   run.words = run.motion.words;
   run.one_place = request.from == request.to;
-  run.way = way_of(request.carriage, request.along, path, names);
+  const auto carriage = carriage_of(names, request.carriage, path + ".carriage");
+  run.way = way_of(carriage, request.along, path, names);
   run.way.from = request.from;
   run.way.to = request.to;
   run.way.steps = run.one_place ? 1 : request.steps;
   run.limits.most = request.most;
   run.held = request.held;
-  resolve_limits(request.limits, path + ".limits", names, run);
+  resolve_limits(request.limits, carriage, path + ".limits", names, run);
   return run;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,7 @@ struct Payload {
   Outcome outcome;              ///< infeasible: a limit is exceeded even without payload, or there is no equilibrium
   double mass = 0;              ///< kg, in addition to the mass of the body
   std::string governing;        ///< the limit that governs, in words
-  int reeving = -1;             ///< the rope whose tension governs; -1: another limit governs
+  std::optional<int> reeving;   ///< the rope whose tension governs; empty: another limit governs
   LimitState limit;             ///< the governing limit, with that payload
   solve::EquilibriumResult at;  ///< with that payload; without payload where a limit is exceeded even so
   std::optional<machine::State> unloaded;  ///< without payload; empty where there is no equilibrium

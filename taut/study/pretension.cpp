@@ -299,16 +299,17 @@ void resolve_until(const PullRequest& request, const std::string& path, Names& p
 
 Pull resolved_pull(const PullRequest& request, const std::string& path, Names& p) {
   Pull pull;
-  pull.reeving = reeving_of(p, request.rope, path + ".rope");
+  const auto reeving = reeving_of(p, request.rope, path + ".rope");
+  pull.reeving = reeving.value_or(0);
   pull.at_end = request.end == RopeEnd::end;
   pull.force = request.force;
   pull.take_up = request.take_up;
   resolve_until(request, path, p, pull);
-  if (pull.reeving < 0) return pull;
+  if (!reeving) return pull;
   const machine::Reeving& rope = p.model.reevings[pull.reeving];
   if (rope.closed) {
     p.complaints.push_back({path + ".rope", "an endless rope has no end to be pulled at: tighten it by 'take_up'"});
-  } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum >= 0) {
+  } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum) {
     p.complaints.push_back({path + ".rope", "is on a drum at that end, which pulls it: name the other end"});
   }
   return pull;

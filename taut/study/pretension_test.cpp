@@ -20,7 +20,7 @@ using taut::study::Pull;
 
 constexpr int extension = 0, retraction = 1;
 
-machine::Observable place_of(int body, int seen_from = -1) {
+machine::Observable place_of(int body, int seen_from = machine::ground) {
   machine::Observable o;
   o.name = "x";
   o.quantity = machine::Observed::x;

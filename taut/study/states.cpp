@@ -50,7 +50,7 @@ EquilibriumRun resolve(const EquilibriumRequest& request, const std::string& pat
     names.complaints.push_back(
         {path + ".given", "'z' is in place of what the rope has given already; give one of the two"});
   }
-  const int placed = run.prescribed ? run.prescribed->carriage : -1;
+  const auto placed = run.prescribed ? std::optional(run.prescribed->carriage) : std::nullopt;
   if (request.given) run.given = condition_of(*request.given, placed, path + ".given", names);
   return run;
 }
@@ -105,12 +105,13 @@ LoadPathRun resolve(const LoadPathRequest& request, const std::string& path, Nam
   run.ending = ending_of(names, "load_path", request.name, path);
   run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
   run.words = run.motion.words;
-  run.way = way_of(request.carriage, request.along, path, names);
+  const auto carriage = carriage_of(names, request.carriage, path + ".carriage");
+  run.way = way_of(carriage, request.along, path, names);
   run.way.from = request.from;
   run.way.to = request.to;
   run.way.steps = request.steps;
   run.held = request.held;
-  if (request.given) run.given = condition_of(*request.given, run.way.carriage, path + ".given", names);
+  if (request.given) run.given = condition_of(*request.given, carriage, path + ".given", names);
   if (request.from == request.to && !request.one_place)
     names.complaints.push_back({path + ".to", "is the same place as 'from'"});
   return run;

@@ -87,14 +87,14 @@ void check_rope_loads(const Names& p, std::vector<Complaint>& complaints) {
   }
 }
 
-/// The place of a name among `things`; -1 with a complaint.
+/// The place of a name among `things`; a complaint where there is none.
 template <class Things>
-int slid_index(const Things& things, const char* kind, const std::string& name, const std::string& path,
-               std::vector<Complaint>& complaints) {
+std::optional<int> slid_index(const Things& things, const char* kind, const std::string& name, const std::string& path,
+                              std::vector<Complaint>& complaints) {
   const auto found = std::find_if(things.begin(), things.end(), [&](const auto& one) { return one.name == name; });
   if (found != things.end()) return static_cast<int>(found - things.begin());
   complaints.push_back({path, fmt::format("there is no {} '{}'", kind, name)});
-  return -1;
+  return std::nullopt;
 }
 
 /// What has moved slowly before a sliding start, with all names resolved.
@@ -113,9 +113,11 @@ std::vector<solve::Slid> slid_of(const TransientRequest& request, const std::str
     solve::Slid slid;
     slid.by = one.by;
     slid.drum = one.drum.has_value();
-    slid.index = slid.drum ? slid_index(p.model.drums, "drum", *one.drum, at + ".drum", p.complaints)
+    const auto found = slid.drum
+                           ? slid_index(p.model.drums, "drum", *one.drum, at + ".drum", p.complaints)
                            : slid_index(p.model.actuators, "actuator", *one.actuator, at + ".actuator", p.complaints);
-    if (slid.index < 0) continue;
+    if (!found) continue;
+    slid.index = *found;
     if (one.by == 0) p.complaints.push_back({at + ".by", "is no way"});
     const auto index = static_cast<std::size_t>(slid.index);
     if (slid.drum) {

@@ -75,7 +75,7 @@ void TransientRecord::add_slips(const machine::Model& model, const solve::Transi
 
 void TransientRecord::follow_peak(const solve::TransientResult& so_far) {
   const double t = time_of_peak(so_far);
-  if (count_ > 0 && t == t_peak_) return;
+  if (t_peak_ == t) return;
   t_peak_ = t;
   // it was after the output step before, or it is that of another rope
   std::size_t nearest = so_far.frames.size() - 1;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -47,7 +48,7 @@ class TransientRecord {
   std::shared_ptr<LongRows> lines_, energy_;
   Array<Shown> shown_;
   Shown peak_;  ///< nearest to the largest tension so far
-  double t_peak_ = -1;
+  std::optional<double> t_peak_;
   Array<Slip> slips_;
 };
 

@@ -39,7 +39,7 @@ const std::vector<Unit>& display_kinds() {
   return kinds;
 }
 
-tl::expected<void, UnitError> check_display(std::string_view kind, std::string_view unit) {
+tl::expected<void, DisplayError> check_display(std::string_view kind, std::string_view unit) {
   const auto& kinds = display_kinds();
   const auto at = std::find_if(kinds.begin(), kinds.end(), [&](const Unit& u) { return u.kind == kind; });
   if (at == kinds.end()) {
@@ -49,12 +49,13 @@ tl::expected<void, UnitError> check_display(std::string_view kind, std::string_v
     std::string hint = did_you_mean(kind, names);
     if (hint.empty()) hint = fmt::format("; the kinds are {}", fmt::join(names, ", "));
     return tl::unexpected(
-        UnitError{.message = fmt::format("'{}' is not a kind of quantity{}", kind, hint), .offset = -1, .width = 1});
+        DisplayError{.message = fmt::format("'{}' is not a kind of quantity{}", kind, hint), .of_kind = true});
   }
   if (is_celsius(*at, unit)) return {};
   const auto factor = unit_factor(unit, *at);
-  if (!factor) return tl::unexpected(factor.error());
-  return {};
+  if (factor) return {};
+  const UnitError& error = factor.error();
+  return tl::unexpected(DisplayError{.message = error.message, .offset = error.offset, .width = error.width});
 }
 
 Display::Display() : Display(std::map<std::string, std::string>{}) {}

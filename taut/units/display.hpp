@@ -14,9 +14,16 @@ namespace taut {
 /// One unit for each kind of quantity that `display:` of a deck may name, in the order of print.
 const std::vector<Unit>& display_kinds();
 
+/// Why a unit may not show quantities of a kind.
+struct DisplayError {
+  std::string message;
+  bool of_kind = false;  ///< the kind is wrong; else the unit, there:
+  int offset = 0, width = 1;
+};
+
 /// Empty when `unit` may show quantities of `kind` ("force", "kN"); otherwise why not, with the kinds or units that
-/// can. `offset` and `width` of the error point into `unit`; -1 as offset: it is the kind that is wrong.
-tl::expected<void, UnitError> check_display(std::string_view kind, std::string_view unit);
+/// can. `offset` and `width` of the error point into `unit`.
+tl::expected<void, DisplayError> check_display(std::string_view kind, std::string_view unit);
 
 /// How a person likes to read SI numbers: each unit's own unit of print, or the one chosen for its kind.
 /// Conversion factors are asked for once and kept; copies share them. Safe to use from several threads.

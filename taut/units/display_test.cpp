@@ -63,13 +63,14 @@ TEST(Display, EveryKindPrintsInItsOwnUnit) {
 TEST(Display, RefusesWrongKindsAndUnits) {
   const auto kind = check_display("forse", "kN");
   ASSERT_FALSE(kind);
-  EXPECT_EQ(kind.error().offset, -1);
+  EXPECT_TRUE(kind.error().of_kind);
   EXPECT_NE(kind.error().message.find("did you mean 'force'?"), std::string::npos);
   const auto strange = check_display("colour", "red");
   ASSERT_FALSE(strange);
   EXPECT_NE(strange.error().message.find("length"), std::string::npos);
   const auto unit = check_display("force", "mm");
   ASSERT_FALSE(unit);
+  EXPECT_FALSE(unit.error().of_kind);
   EXPECT_EQ(unit.error().offset, 0);
   EXPECT_NE(unit.error().message.find("force"), std::string::npos);
   EXPECT_FALSE(check_display("force", "ton"));

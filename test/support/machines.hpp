@@ -89,7 +89,7 @@ inline machine::Model with_carriage(bool mainline, double friction = 0.1, double
   machine::Model m = three_spans(318, friction);
   m.bodies.push_back(body("car", {145, 2, 45}, mass, "xyz"));
   m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 2, over("car", Vector3::Zero(), 0));
-  m.carriages.push_back({"car", 0, 0, 2, mainline ? 1 : -1});
+  m.carriages.push_back({"car", 0, 0, 2, mainline ? std::optional(1) : std::nullopt});
   if (mainline)
     m.reevings.push_back(reeve("mainline", {anchor("winch", {300, 0, 82}), anchor_on("car", 0)}, 158, 5, 5e6));
   return m;
@@ -110,7 +110,7 @@ inline machine::Model rollers(int count, double wheelbase, double height, double
   }
   nodes.push_back(anchor("tail", {150, 0, 20 + rise}));
   m.reevings.push_back(reeve("skyline", nodes, 160 + rise * rise / 300, 18, 26e6));
-  m.carriages.push_back({"car", 0, 0, 1, -1, count});
+  m.carriages.push_back({"car", 0, 0, 1, {}, count});
   return m;
 }
 
@@ -211,7 +211,7 @@ inline machine::Model downhill(double z, int side, double diameter = 1) {
   nodes[1].support = -Vector3::UnitZ();
   nodes[2].side_open = nodes[3].side_open = true;
   m.reevings.push_back(reeve("sky", nodes, 440.3, 0.362 * taut::standard_gravity, 3.1e6));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   return m;
 }
 
@@ -226,7 +226,7 @@ inline machine::Model fed_skyline(double z, double efficiency) {
   m.reevings.push_back(reeve("sky", nodes, 0, 8.5, 11.4e6));
   m.reevings[0].given = machine::Given::tension_at_start;
   m.reevings[0].value = 15e3;
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   return m;
 }
 

@@ -124,7 +124,7 @@ class RandomMachine {
       brake.words = "brake";
       brake.kind = machine::EventKind::brake;
       brake.at = between(0.2, 1.8);
-      brake.index = node.drum;
+      brake.index = *node.drum;
       m_.events.push_back(brake);
     }
     m_.drums.push_back(drum);
@@ -188,7 +188,7 @@ class RandomMachine {
   /// `carries`: what it would in equilibrium, about, N.
   void finish(const std::string& name, std::vector<machine::Node> path, double carries) {
     const int index = static_cast<int>(m_.reevings.size());
-    const bool drum = path.front().drum >= 0;
+    const bool drum = path.front().drum.has_value();
     machine::Reeving rope = reeve(name, std::move(path), 0, pick(2) == 0 ? 0 : between(1, 40), between(1e5, 2e7));
     rope.given = machine::Given::tension_at_start;
     rope.value = pick(4) == 0 ? 0 : between(0.3, 2) * carries;

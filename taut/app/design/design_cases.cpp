@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "taut/app/design/design_space.hpp"
@@ -49,7 +50,7 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
                             const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one) {
   if (cases.empty()) return one(nullptr, depth);
   design::DesignRun worst;
-  double most = -1;
+  std::optional<double> most;
   std::size_t governs = 0;
   double tension = std::nan("");
   std::vector<Check> checks;
@@ -70,7 +71,7 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
     const bool over = run.result.interrupted || run.result.status != Status::ok;
     if (over && !run.result.interrupted)
       run.result.message = fmt::format("case {}: {}", cases[k].name, run.result.message);
-    if (severity(trial) > most || over) {
+    if (!most || severity(trial) > *most || over) {
       most = severity(trial);
       worst = std::move(run);
       governs = k;

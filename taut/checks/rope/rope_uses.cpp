@@ -78,12 +78,12 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
     for (const machine::Node& node : model.reevings[i].nodes) {
-      if (!(node.radius > 0) || node.drum >= 0 || node.kind == machine::NodeKind::anchor) continue;
+      if (!(node.radius > 0) || node.drum || node.kind == machine::NodeKind::anchor) continue;
       bend_at(i, node, met[node.name]++);
     }
     if (model.reevings[i].closed) continue;
     for (const machine::Node& node : {model.reevings[i].nodes.front(), model.reevings[i].nodes.back()}) {
-      if (node.drum < 0) uses_[i].ends.push_back({node.name, 0});
+      if (!node.drum) uses_[i].ends.push_back({node.name, 0});
     }
   }
 }
@@ -160,7 +160,7 @@ void RopeUses::take_drum(const machine::Model& model, const solve::EquilibriumRe
   const machine::Reeving& rope = model.reevings[reeving];
   const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
-  const machine::Drum& drum = model.drums[node.drum];
+  const machine::Drum& drum = model.drums[*node.drum];
   auto& bends = bends_[reeving];
   const double first = drum.core_radius + rope.diameter / 2;
   const int order = at_end ? std::numeric_limits<int>::max() : -1;
@@ -206,7 +206,7 @@ void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumRe
     for (const bool at_end : {false, true}) {
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       const double T = at_end ? std::max(last->T_to, last->T_to_max) : std::max(first->T_from, first->T_from_max);
-      if (node.drum >= 0) {
+      if (node.drum) {
         take_drum(model, state, static_cast<int>(i), at_end, T);
         continue;
       }

@@ -76,10 +76,10 @@ Display read_display(const Node& root, Diagnostics& mistakes) {
       units[e.key] = e.value.text;
       continue;
     }
-    const UnitError& error = checked.error();
-    const Spot spot = error.offset < 0 ? e.key_spot
-                                       : e.value.inside(static_cast<std::size_t>(error.offset),
-                                                        static_cast<std::size_t>(error.width));
+    const DisplayError& error = checked.error();
+    const Spot spot =
+        error.of_kind ? e.key_spot
+                      : e.value.inside(static_cast<std::size_t>(error.offset), static_cast<std::size_t>(error.width));
     add(mistakes, spot, fmt::format("display: {}", error.message));
   }
   return Display(units);

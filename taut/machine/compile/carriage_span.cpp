@@ -67,8 +67,8 @@ void find_nodes(Model& model, int reeving) {
     }
   };
   for (Carriage& car : model.carriages) {
-    const bool same = car.grip_reeving == car.reeving;
-    if (car.grip_reeving == reeving) find(car.body, true, car.grip_node);
+    const bool same = car.grip && car.grip->reeving == car.reeving;
+    if (car.grip && car.grip->reeving == reeving) find(car.body, true, car.grip->node);
     if (car.reeving != reeving) continue;
     if (!same) {
       find(car.body, false, car.node);
@@ -127,8 +127,8 @@ Model with_carriage_at(Model model, int carriage, double x, const Vector3& along
   const Vector3& above = model.reevings[car.reeving].nodes[car.node].at.at;
   body.position = moved.place - above.z() * body.orientation.col(2);
   if (moved.passes) share_out(model, car.reeving, car.node);
-  if (car.grip_reeving >= 0 && move_nodes(model, car.grip_reeving, car.grip_node, 1, x, along).passes)
-    share_out(model, car.grip_reeving, car.grip_node);
+  if (car.grip && move_nodes(model, car.grip->reeving, car.grip->node, 1, x, along).passes)
+    share_out(model, car.grip->reeving, car.grip->node);
   return model;
 }
 

@@ -26,7 +26,7 @@ Model line(NodeKind hold, bool backwards) {
   if (backwards) std::reverse(r.nodes.begin(), r.nodes.end());
   r.value = 330;
   m.reevings = {r};
-  m.carriages = {{.name = "car", .body = 0, .reeving = 0, .node = 2, .mainline = -1}};
+  m.carriages = {{.name = "car", .body = 0, .reeving = 0, .node = 2, .mainline = {}}};
   return m;
 }
 
@@ -64,17 +64,16 @@ TEST(CarriageSpan, TheGripAndAllRollersPassTheSupportsToo) {
   haul.closed = true;
   haul.value = 620;
   m.reevings.push_back(haul);
-  m.carriages[0].grip_reeving = 1;
-  m.carriages[0].grip_node = 2;
+  m.carriages[0].grip = Grip{.reeving = 1, .node = 2};
   const Model moved = with_carriage_at(m, 0, 50);
   EXPECT_EQ(order(moved), "head car car jack1 jack2 tail ");
   EXPECT_EQ(moved.carriages[0].node, 1);
-  EXPECT_EQ(moved.carriages[0].grip_node, 1);
+  EXPECT_EQ(moved.carriages[0].grip.value().node, 1);
   EXPECT_EQ(moved.reevings[1].nodes[1].name, "car");
   EXPECT_NEAR(moved.reevings[1].nodes[1].length_before, 620 * 50.0 / 600, 1e-9);
   const Model back = with_carriage_at(moved, 0, 150);
   EXPECT_EQ(order(back), "head jack1 car car jack2 tail ");
-  EXPECT_EQ(back.carriages[0].grip_node, 2);
+  EXPECT_EQ(back.carriages[0].grip.value().node, 2);
 }
 
 TEST(CarriageSpan, AlongAnyDirection) {

@@ -56,9 +56,9 @@ Chord chord_of(const Model& model, const Array<Stop>& stops, const Carriage& car
   const auto node = static_cast<std::size_t>(car.node);
   const std::size_t size = stops.size();
   std::size_t before = node, after = node;
-  while (before > 0 && stops[before].carriage >= 0) --before;
+  while (before > 0 && stops[before].carriage) --before;
   // an endless rope comes back to its beginning
-  while (after < size && stops[after].carriage >= 0) ++after;
+  while (after < size && stops[after].carriage) ++after;
   const double middle = static_cast<double>(node - before) + (car.rollers - 1) / 2.0;
   return {.from = start_of(model, stops[before].node.at),
           .to = start_of(model, stops[after % size].node.at),
@@ -147,17 +147,19 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reev
   car.name = given.name;
   car.body = static_cast<int>(machine.bodies.size() + index);
   car.rollers = given.rollers;
-  car.reeving = reeving(given.rides, ".rides");
-  if (given.fixed_to) car.grip_reeving = reeving(*given.fixed_to, ".fixed_to");
+  const auto own = reeving(given.rides, ".rides");
+  car.reeving = own.value_or(0);
+  const auto fixed_to = given.fixed_to ? reeving(*given.fixed_to, ".fixed_to") : std::nullopt;
+  if (fixed_to) car.grip = Grip{.reeving = *fixed_to};
   if (given.mainline) car.mainline = reeving(*given.mainline, ".mainline");
   if (given.haulback) car.haulback = reeving(*given.haulback, ".haulback");
   check(given, path, complaints);
   for (std::size_t r = 0; r < stops.size(); ++r) {
     const Passes passes = passes_of(stops[r], static_cast<int>(index));
-    const bool rides = static_cast<int>(r) == car.reeving, grips = static_cast<int>(r) == car.grip_reeving;
+    const bool rides = own == static_cast<int>(r), grips = fixed_to == static_cast<int>(r);
     if (rides) car.node = passes.roller;
-    if (grips) car.grip_node = passes.grip;
-    if (!rides && !grips && car.reeving >= 0 && passes.rolls + passes.grips > 0) {
+    if (grips) car.grip->node = passes.grip;
+    if (!rides && !grips && own && passes.rolls + passes.grips > 0) {
       complain(complaints, path,
                fmt::format("rides on '{}', but the path of '{}' goes through it", given.rides, reevings[r].name));
     }
@@ -172,14 +174,14 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reev
                            how_often(passes.grips), given.name, rides ? ", grip: true" : ""));
     }
   }
-  const auto check_end = [&](int rope, const char* key) {
-    if (rope < 0 || pulls(stops[rope], car.body)) return;
+  const auto check_end = [&](std::optional<int> rope, const char* key) {
+    if (!rope || pulls(stops[*rope], car.body)) return;
     complain(complaints, path + key,
-             fmt::format("the path of '{}' does not end at '{}'", reevings[rope].name, given.name));
+             fmt::format("the path of '{}' does not end at '{}'", reevings[*rope].name, given.name));
   };
   check_end(car.mainline, ".mainline");
   check_end(car.haulback, ".haulback");
-  if (car.haulback >= 0 && car.haulback == car.mainline)
+  if (car.haulback && car.haulback == car.mainline)
     complain(complaints, path + ".haulback", "is its mainline already; name the rope that pulls the other way");
   return car;
 }

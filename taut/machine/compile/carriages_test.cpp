@@ -100,8 +100,9 @@ TEST(Carriages, FixedToARunningRope) {
   m.reevings[1].path = {over("drive"), through("car"), over("wheel")};
   const auto model = compile(m);
   ASSERT_TRUE(model) << model.error().front().message;
-  EXPECT_EQ(model->carriages[0].grip_reeving, 1);
-  EXPECT_EQ(model->carriages[0].grip_node, 1);
+  ASSERT_TRUE(model->carriages[0].grip);
+  EXPECT_EQ(model->carriages[0].grip->reeving, 1);
+  EXPECT_EQ(model->carriages[0].grip->node, 1);
   EXPECT_EQ(model->reevings[1].nodes[1].kind, NodeKind::clamp);
   EXPECT_EQ(model->reevings[0].nodes[1].kind, NodeKind::contact);
   // without a length at its share of the way all round, whichever node the path names first
@@ -127,7 +128,7 @@ TEST(Carriages, AnEndlessRopeThatPassesTwice) {
   const auto model = compile(m);
   ASSERT_TRUE(model) << model.error().front().message;
   EXPECT_EQ(model->carriages[0].node, 3);
-  EXPECT_EQ(model->carriages[0].grip_node, 1);
+  EXPECT_EQ(model->carriages[0].grip.value().node, 1);
   m.reevings[0].path[1].grip = false;
   const auto wrong = compile(m);
   ASSERT_FALSE(wrong);

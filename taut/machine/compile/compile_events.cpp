@@ -33,11 +33,16 @@ class EventReader {
  private:
   void complain(const char* key, std::string message) { complaints_.push_back({path_ + key, std::move(message)}); }
 
+  /// False where there is none.
+  bool set_index(std::optional<int> index) {
+    event_.index = index.value_or(0);
+    return index.has_value();
+  }
+
   void breaks() {
     event_.kind = EventKind::breaks;
     event_.words = fmt::format("break {}", *given_.breaks);
-    event_.index = index_of(model_.reevings, *given_.breaks);
-    if (event_.index >= 0) return;
+    if (set_index(index_of(model_.reevings, *given_.breaks))) return;
     // a branch of it is what observers call REEVING[k].T
     if (given_.breaks->back() == ']') {
       if (const auto branch = observable(*given_.breaks + ".T", model_, links_, path_ + ".break", complaints_)) {
@@ -46,7 +51,7 @@ class EventReader {
       }
       return;
     }
-    event_.index = named(model_.reevings, *given_.breaks, "reeving", path_ + ".break", complaints_);
+    set_index(named(model_.reevings, *given_.breaks, "reeving", path_ + ".break", complaints_));
   }
   void actuator() {
     static const std::map<std::string, ActuatorMode> modes = {{"extend", ActuatorMode::extend},
@@ -54,7 +59,7 @@ class EventReader {
                                                               {"lock", ActuatorMode::lock},
                                                               {"free", ActuatorMode::free}};
     event_.kind = EventKind::actuator;
-    event_.index = named(model_.actuators, *given_.actuator, "actuator", path_ + ".actuator", complaints_);
+    set_index(named(model_.actuators, *given_.actuator, "actuator", path_ + ".actuator", complaints_));
     const auto mode = modes.find(given_.mode.value_or(""));
     if (mode == modes.end()) return complain(given_.mode ? ".mode" : "", "'mode' is extend, retract, lock or free");
     event_.mode = mode->second;
@@ -62,7 +67,7 @@ class EventReader {
   }
   void brake() {
     event_.kind = EventKind::brake;
-    event_.index = named(model_.drums, *given_.brake, "drum", path_ + ".brake", complaints_);
+    set_index(named(model_.drums, *given_.brake, "drum", path_ + ".brake", complaints_));
     const std::string mode = given_.mode.value_or("set");
     if (mode != "set" && mode != "open") complain(".mode", "of a brake is set or open");
     event_.brake_set = mode == "set";
@@ -71,10 +76,9 @@ class EventReader {
   void drive() {
     event_.kind = EventKind::drive;
     event_.words = fmt::format("drive of {}", *given_.drive);
-    event_.index = index_of(model_.motors, *given_.drive);
-    event_.of_motor = event_.index >= 0;
+    event_.of_motor = set_index(index_of(model_.motors, *given_.drive));
     if (!event_.of_motor) {
-      event_.index = named(model_.drums, *given_.drive, "drum or driven sheave", path_ + ".drive", complaints_);
+      set_index(named(model_.drums, *given_.drive, "drum or driven sheave", path_ + ".drive", complaints_));
     }
     if (event_.of_motor && given_.pull) complain(".pull", "belongs to a drum; a sheave has a speed or a torque");
     const auto found = drive_of(given_.speed, given_.torque, given_.pull, model_.signals, path_, complaints_);

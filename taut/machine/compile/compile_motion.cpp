@@ -100,7 +100,7 @@ void add_faces(const Machine& machine, Model& model, Complaints& complaints) {
     face.name = given.name;
     face.from = vector_of(given.from);
     face.to = vector_of(given.to);
-    if (given.body) face.body = named(model.bodies, *given.body, "body", path + ".body", complaints);
+    if (given.body) face.body = named(model.bodies, *given.body, "body", path + ".body", complaints).value_or(ground);
     const Vector3 along = face.to - face.from;
     const Vector3 normal = vector_of(given.normal);
     if (along.norm() == 0) {
@@ -122,17 +122,18 @@ void add_contacts(const Machine& machine, const Links& links, Model& model, Comp
     const std::string path = fmt::format("contacts[{}]", i);
     FaceContact contact;
     contact.name = given.name.value_or(given.point);
-    if (index_of(model.contacts, contact.name) >= 0) {
+    if (index_of(model.contacts, contact.name)) {
       complaints.push_back(
           {path, fmt::format("another contact is called '{}' too; give this one a 'name'", contact.name)});
     }
-    contact.face = named(model.faces, given.face, "face", path + ".face", complaints);
+    const auto face = named(model.faces, given.face, "face", path + ".face", complaints);
+    contact.face = face.value_or(0);
     const Target* t = links.find(given.point, {Thing::point, Thing::body}, path + ".point", complaints);
     if (t != nullptr) {
       contact.body = t->place.body;
       contact.at = t->place.at;
     }
-    if (t != nullptr && contact.face >= 0 && model.faces[contact.face].body == contact.body) {
+    if (t != nullptr && face && model.faces[*face].body == contact.body) {
       complaints.push_back({path, fmt::format("'{}' and '{}' are on the same body", given.point, given.face)});
     }
     contact.stiffness = given.stiffness;
@@ -184,15 +185,16 @@ void add_actuators(const Machine& machine, const Links& links, Model& model, Com
 }
 
 /// A reeving by its name or by its number from 1; guys by name.
-int reeving_of(const std::string& text, const Model& model, const std::string& path, Complaints& complaints) {
+std::optional<int> reeving_of(const std::string& text, const Model& model, const std::string& path,
+                              Complaints& complaints) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || index_of(model.reevings, text) >= 0) {
+  if (error != std::errc{} || end != text.data() + text.size() || index_of(model.reevings, text)) {
     return named(model.reevings, text, "reeving", path, complaints);
   }
   if (number >= 1 && number <= static_cast<int>(model.reevings.size())) return number - 1;
   complaints.push_back({path, fmt::format("the reevings have the numbers 1 to {}", model.reevings.size())});
-  return -1;
+  return std::nullopt;
 }
 
 void add_tensioners(const Machine& machine, Model& model, Complaints& complaints) {
@@ -200,12 +202,13 @@ void add_tensioners(const Machine& machine, Model& model, Complaints& complaints
     const auto& given = machine.tensioners[i];
     const std::string path = fmt::format("tensioners[{}]", i);
     Tensioner t;
-    t.reeving = reeving_of(given.reeving, model, path + ".reeving", complaints);
+    const auto reeving = reeving_of(given.reeving, model, path + ".reeving", complaints);
+    t.reeving = reeving.value_or(0);
     t.at_start = given.end == description::RopeEnd::start;
     auto change = signal_or_constant(given.change, si::m, model.signals, path + ".change", complaints);
     if (change) t.change = std::move(*change);
     if (at(t.change, 0).value != 0) complaints.push_back({path + ".change", "begins at 0 m"});
-    if (t.reeving >= 0 && model.reevings[t.reeving].closed) {
+    if (reeving && model.reevings[*reeving].closed) {
       complaints.push_back({path + ".reeving", "an endless rope has no end to pull at; move its take-up"});
     }
     model.tensioners.push_back(std::move(t));
@@ -280,7 +283,7 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
 
 void add_motion(const Machine& machine, const Links& links, Model& model, Complaints& complaints) {
   for (const auto& marker : machine.markers) {
-    if (index_of(machine.points, marker.name) < 0) continue;
+    if (!index_of(machine.points, marker.name)) continue;
     complaints.push_back({fmt::format("markers.{}", marker.name), "there is a point of this name already"});
   }
   for (Reeving& rope : model.reevings) {

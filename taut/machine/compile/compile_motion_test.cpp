@@ -81,7 +81,7 @@ TEST(CompileMotion, DrivesAndInertias) {
   const Reeving& rope = model->reevings[0];
   EXPECT_EQ(rope.nodes[0].drum, 0);
   EXPECT_EQ(rope.nodes[1].inertia, 0.3);
-  EXPECT_EQ(rope.nodes[1].drum, -1);
+  EXPECT_FALSE(rope.nodes[1].drum);
   EXPECT_EQ(rope.damping_ratio, 0.02);
   EXPECT_EQ(model->bodies[0].inertia, Vector3::Constant(7000));
 }
@@ -224,7 +224,7 @@ TEST(CompileMotion, Events) {
   EXPECT_TRUE(e[2].brake_set);
   EXPECT_FALSE(e[3].when->above);
   EXPECT_EQ(at(e[3].drive.signal, 0).value, -3e3);
-  EXPECT_EQ(e[4].part, -1);
+  EXPECT_FALSE(e[4].part);
 }
 
 TEST(CompileMotion, MistakesOfEvents) {

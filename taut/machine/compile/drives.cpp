@@ -57,8 +57,8 @@ void finish_drives(const Machine& machine, const Array<RopeData>& ropes, Model& 
       }
     }
     for (const Node& node : reeving.nodes) {
-      if (node.drum < 0) continue;
-      const auto d = static_cast<std::size_t>(node.drum);
+      if (!node.drum) continue;
+      const auto d = static_cast<std::size_t>(*node.drum);
       add_drum(machine.drums[d], ropes[r], reeving, model.drums[d]);
     }
   }

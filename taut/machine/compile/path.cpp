@@ -193,7 +193,7 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
   const Vector3& axis = stop.node.axis;
   const Vector3 in = (at - before).normalized();
   const Vector3 out = (after - at).normalized();
-  const bool from_above = stop.saddle || (stop.carriage < 0 && stop.node.support != Vector3::Zero());
+  const bool from_above = stop.saddle || (!stop.carriage && stop.node.support != Vector3::Zero());
   if (from_above && std::abs(axis.z()) <= M_SQRT1_2) return upper_side((after - before).normalized(), axis);
   const double bend = in.cross(out).dot(axis);
   // a rope that comes back beside itself, nearer than the sheave is wide, does not say which way round it went
@@ -205,7 +205,7 @@ int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const 
 
 /// How much a branch that ends at this stop carries: rolling loads before those that are fixed to it.
 int carries(const Stop& stop) {
-  if (stop.carriage < 0) return 0;
+  if (!stop.carriage) return 0;
   return stop.node.kind == NodeKind::contact ? 2 : 1;
 }
 
@@ -327,7 +327,7 @@ void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {
       node.side = bends[i].side;
       open[i] = bends[i].side == 0;
       node.side_open =
-          stops[i].carriage < 0 && node.support == Vector3::Zero() && node.radius > 0 && node.kind == NodeKind::contact;
+          !stops[i].carriage && node.support == Vector3::Zero() && node.radius > 0 && node.kind == NodeKind::contact;
     }
   }
   OpenSides(stops, std::move(bends), std::move(open)).set();

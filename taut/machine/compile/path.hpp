@@ -13,9 +13,9 @@ namespace taut::machine {
 struct Stop {
   Node node;
   description::Side side = description::Side::automatic;
-  int carriage = -1;  ///< index among the carriages
-  int roller = 0;     ///< of a carriage with several: which one
-  bool grip = false;  ///< where a rope that the carriage does not ride on is fixed to it
+  std::optional<int> carriage;  ///< index among the carriages
+  int roller = 0;               ///< of a carriage with several: which one
+  bool grip = false;            ///< where a rope that the carriage does not ride on is fixed to it
   bool saddle = false;
   bool drives = false;  ///< has a motor
 };

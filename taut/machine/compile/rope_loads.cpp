@@ -211,7 +211,8 @@ class Adder {
     rope.nodes.insert(rope.nodes.begin() + static_cast<std::ptrdiff_t>(at), std::move(node));
     for (Carriage& car : model_.carriages) {
       if (car.reeving == static_cast<int>(reeving) && car.node >= static_cast<int>(at)) ++car.node;
-      if (car.grip_reeving == static_cast<int>(reeving) && car.grip_node >= static_cast<int>(at)) ++car.grip_node;
+      const bool grips = car.grip && car.grip->reeving == static_cast<int>(reeving);
+      if (grips && car.grip->node >= static_cast<int>(at)) ++car.grip->node;
     }
   }
 

@@ -80,40 +80,40 @@ BeamPlans::BeamPlans(const Machine& machine, int first_body, std::vector<Complai
   }
 }
 
-int BeamPlans::find(const std::string& name) const {
+std::optional<int> BeamPlans::find(const std::string& name) const {
   const auto at = std::find_if(plans_.begin(), plans_.end(), [&](const Plan& p) { return p.beam.name == name; });
-  return at == plans_.end() ? -1 : static_cast<int>(at - plans_.begin());
+  return at == plans_.end() ? std::nullopt : std::optional(static_cast<int>(at - plans_.begin()));
 }
 
 BeamPlans::Spot BeamPlans::spot_on(const std::string& body, const Vector3& at) const {
   const bool top = body.size() > top_ending.size() && body.ends_with(top_ending);
-  const int beam = find(top ? body.substr(0, body.size() - top_ending.size()) : body);
-  return {.body = ground, .beam = beam, .top = top && beam >= 0, .at = at};
+  const auto beam = find(top ? body.substr(0, body.size() - top_ending.size()) : body);
+  return {.body = ground, .beam = beam, .top = top && beam, .at = at};
 }
 
 std::optional<BeamPlans::Spot> BeamPlans::spot_of(const std::string& name) const {
   const auto body_of = [&](const std::string& body, const Vector3& at) -> std::optional<Spot> {
     for (std::size_t i = 0; i < machine_.bodies.size(); ++i) {
-      if (machine_.bodies[i].name == body) return Spot{.body = static_cast<int>(i), .beam = -1, .top = false, .at = at};
+      if (machine_.bodies[i].name == body) return Spot{.body = static_cast<int>(i), .beam = {}, .top = false, .at = at};
     }
     Spot spot = spot_on(body, at);
-    if (spot.beam < 0) return std::nullopt;
+    if (!spot.beam) return std::nullopt;
     return spot;
   };
   for (const auto& point : machine_.points) {
     if (point.name != name) continue;
     return point.body ? body_of(*point.body, vector_of(point.at))
-                      : Spot{.body = ground, .beam = -1, .top = false, .at = vector_of(point.at)};
+                      : Spot{.body = ground, .beam = {}, .top = false, .at = vector_of(point.at)};
   }
   return body_of(name, Vector3::Zero());
 }
 
 std::optional<Vector3> BeamPlans::ground_of(const Spot& spot) const {
-  if (spot.beam < 0) {
+  if (!spot.beam) {
     if (spot.body == ground) return spot.at;
     return Vector3(vector_of(machine_.bodies[static_cast<std::size_t>(spot.body)].at) + spot.at);
   }
-  const Plan& plan = plans_[spot.beam];
+  const Plan& plan = plans_[*spot.beam];
   if (!plan.placed) return std::nullopt;
   return Vector3(plan.start + spot.at + (spot.top ? plan.way : Vector3(Vector3::Zero())));
 }
@@ -149,7 +149,7 @@ bool BeamPlans::locate(const Machine& machine, std::size_t i, std::vector<Compla
     complaints.push_back({path_of(given.name, "to"), "is the same place as 'from'"});
     return true;
   }
-  const bool on_ground = to->body == ground && to->beam < 0;
+  const bool on_ground = to->body == ground && !to->beam;
   plan.beam.top = given.top == BeamEnd::clamped || (given.top == BeamEnd::usual && !on_ground) ? BeamTop::clamped
                   : given.top == BeamEnd::hinge                                                ? BeamTop::hinged
                                                                                                : BeamTop::free;
@@ -196,18 +196,18 @@ void BeamPlans::add_stations(const Machine& machine) {
 
 void BeamPlans::add_station(const std::string& body, const Vector3& at) {
   const Spot spot = spot_on(body, at);
-  if (spot.beam < 0 || spot.top) return;
-  Plan& plan = plans_[spot.beam];
+  if (!spot.beam || spot.top) return;
+  Plan& plan = plans_[*spot.beam];
   if (plan.valid) plan.beam.stations.push_back(at.dot(plan.way) / plan.way.squaredNorm());
 }
 
-bool BeamPlans::knows(const std::string& body) const { return spot_on(body, Vector3::Zero()).beam >= 0; }
+bool BeamPlans::knows(const std::string& body) const { return spot_on(body, Vector3::Zero()).beam.has_value(); }
 
 Place BeamPlans::place(const std::string& body, const Vector3& at) const { return place_of(spot_on(body, at)); }
 
 Place BeamPlans::place_of(const Spot& spot) const {
-  if (spot.beam < 0) return {.body = spot.body, .at = spot.at};
-  const Plan& plan = plans_[spot.beam];
+  if (!spot.beam) return {.body = spot.body, .at = spot.at};
+  const Plan& plan = plans_[*spot.beam];
   if (!plan.valid) return {};
   const Vector3 at = spot.top ? Vector3(plan.way + spot.at) : spot.at;
   const double share = spot.top ? 1 : at.dot(plan.way) / plan.way.squaredNorm();

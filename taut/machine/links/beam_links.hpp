@@ -37,7 +37,7 @@ class BeamPlans {
   /// A named place: on a rigid body (or the ground), or on a beam.
   struct Spot {
     int body = ground;
-    int beam = -1;
+    std::optional<int> beam;
     bool top = false;
     Vector3 at = Vector3::Zero();
   };
@@ -49,7 +49,7 @@ class BeamPlans {
     bool valid = false, placed = false;
   };
 
-  int find(const std::string& name) const;
+  std::optional<int> find(const std::string& name) const;
   std::optional<Spot> spot_of(const std::string& name) const;
   Spot spot_on(const std::string& body, const Vector3& at) const;
   std::optional<Vector3> ground_of(const Spot& spot) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
@@ -10,12 +11,12 @@
 namespace taut::machine {
 namespace {
 
-/// The body that each one is on; -1: on none, or on one that can't be.
-Array<int> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
+/// The body that each one is on; empty: on none, or on one that can't be.
+Array<std::optional<int>> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
   names.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) names.push_back(body.name);
-  Array<int> parents(names.size(), -1);
+  Array<std::optional<int>> parents(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto& given = machine.bodies[i];
     if (!given.on) continue;
@@ -40,14 +41,14 @@ Array<int> parents_of(const Machine& machine, std::vector<Complaint>& complaints
 }  // namespace
 
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
-  const Array<int> parents = parents_of(machine, complaints);
+  const auto parents = parents_of(machine, complaints);
   enum class Now { open, under_way, done };
   Array<Now> now(parents.size(), Now::open);
   for (std::size_t first = 0; first < parents.size(); ++first) {
     // up to a body that stands, then down again
     Array<std::size_t> chain;
-    for (int i = static_cast<int>(first); i >= 0 && now[i] != Now::done; i = parents[i]) {
-      const auto k = static_cast<std::size_t>(i);
+    for (std::optional i = static_cast<int>(first); i && now[*i] != Now::done; i = parents[*i]) {
+      const auto k = static_cast<std::size_t>(*i);
       if (now[k] == Now::under_way) {
         complaints.push_back(
             {fmt::format("bodies.{}.on", machine.bodies[k].name), "the bodies stand on each other in a circle"});
@@ -59,8 +60,8 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
     std::reverse(chain.begin(), chain.end());
     for (const std::size_t i : chain) {
       now[i] = Now::done;
-      if (parents[i] < 0) continue;
-      const Body& under = model.bodies[parents[i]];
+      if (!parents[i]) continue;
+      const Body& under = model.bodies[*parents[i]];
       Body& body = model.bodies[i];
       body.position = under.position + under.orientation * body.position;
       body.orientation = under.orientation;

@@ -98,7 +98,7 @@ class MeasureReader {
   }
 
   void seen_from(Observable& o) {
-    o.seen_from = named(model_.bodies, *given_.seen_from, "body", path_ + ".seen_from", complaints_);
+    o.seen_from = named(model_.bodies, *given_.seen_from, "body", path_ + ".seen_from", complaints_).value_or(ground);
     if (o.quantity > Observed::wz) complain(".seen_from", "belongs to a place, a speed or a rotation of a body");
   }
 
@@ -124,7 +124,7 @@ class MeasureReader {
   void check_name() {
     if (given_.name.find_first_of(".[]<>= ") != std::string::npos) {
       complain("", "a name without blanks, dots and brackets is expected");
-    } else if (index_of(model_.signals, given_.name) >= 0) {
+    } else if (index_of(model_.signals, given_.name)) {
       complain("", "there is a signal of this name already");
     }
   }
@@ -145,15 +145,15 @@ void add_measures(const Machine& machine, const Links& links, Model& model, Comp
 void observe_measures(Model& model) {
   for (Observable& measure : model.measures) {
     measure.slot = index_of(model.observed, measure.name);
-    if (measure.slot < 0) {
+    if (!measure.slot) {
       measure.slot = static_cast<int>(model.observed.size());
       model.observed.push_back(measure);
     }
-    model.observed[measure.slot].slot = measure.slot;
+    model.observed[*measure.slot].slot = measure.slot;
   }
   // a mean may be taken by another measure
   for (Observable& of : model.mean_windows) {
-    of.slot = index_of(model.measures, of.name) < 0 ? -1 : index_of(model.observed, of.name);
+    if (index_of(model.measures, of.name)) of.slot = index_of(model.observed, of.name);
   }
 }
 

@@ -16,22 +16,22 @@ namespace taut::machine {
 
 using Complaints = std::vector<Complaint>;
 
-/// Index of the first of that name; -1 when there is none.
+/// Index of the first of that name.
 template <class All>
-int index_of(const All& all, const std::string& name) {
+std::optional<int> index_of(const All& all, const std::string& name) {
   const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return at == all.end() ? -1 : static_cast<int>(at - all.begin());
+  return at == all.end() ? std::nullopt : std::optional(static_cast<int>(at - all.begin()));
 }
 
-/// Index of the thing of that name, or -1 with a complaint.
+/// Index of the thing of that name; a complaint when there is none.
 template <class All>
-int named(const All& all, const std::string& name, const char* what, const std::string& path, Complaints& complaints) {
-  const int i = index_of(all, name);
-  if (i >= 0) return i;
+std::optional<int> named(const All& all, const std::string& name, const char* what, const std::string& path,
+                         Complaints& complaints) {
+  if (const auto i = index_of(all, name)) return i;
   std::vector<std::string> names;
   for (const auto& one : all) names.push_back(one.name);
   complaints.push_back({path, fmt::format("there is no {} '{}'{}", what, name, did_you_mean(name, names))});
-  return -1;
+  return std::nullopt;
 }
 
 /// What drives something, from the three keys of which it has one; none: empty.

@@ -154,7 +154,7 @@ class Resolver {
   std::string reason;
 
  private:
-  std::optional<Observable> make(const ObservableNames& names, int index, int part = -1) {
+  std::optional<Observable> make(const ObservableNames& names, int index, std::optional<int> part = std::nullopt) {
     const Named* named = find(names, path_.quantity);
     if (named != nullptr)
       return Observable{.name = text_,
@@ -168,34 +168,34 @@ class Resolver {
   }
 
   std::optional<Observable> measure() {
-    const int i = index_of(model_.measures, text_);
-    return i < 0 ? std::nullopt : std::optional(model_.measures[i]);
+    const auto i = index_of(model_.measures, text_);
+    return i ? std::optional(model_.measures[*i]) : std::nullopt;
   }
   std::optional<Observable> signal() {
-    const int i = index_of(model_.signals, text_);
-    if (i < 0) return std::nullopt;
+    const auto i = index_of(model_.signals, text_);
+    if (!i) return std::nullopt;
     return Observable{.name = text_,
                       .quantity = Observed::signal,
-                      .unit = model_.signals[i].unit,
-                      .index = i,
-                      .part = -1,
+                      .unit = model_.signals[*i].unit,
+                      .index = *i,
+                      .part = {},
                       .at = Vector3::Zero()};
   }
   std::optional<Observable> energy() {
-    return path_.name == "energy" && !path_.number ? make(of_energy, -1) : std::nullopt;
+    return path_.name == "energy" && !path_.number ? make(of_energy, ground) : std::nullopt;
   }
   std::optional<Observable> body() {
-    const int i = index_of(model_.bodies, path_.name);
-    if (i < 0 || path_.number) return std::nullopt;
-    if (auto found = make(of_place, i)) return found;
-    return make(of_body, i);
+    const auto i = index_of(model_.bodies, path_.name);
+    if (!i || path_.number) return std::nullopt;
+    if (auto found = make(of_place, *i)) return found;
+    return make(of_body, *i);
   }
   std::optional<Observable> rope() {
-    const int i = index_of(model_.reevings, path_.name);
-    if (i < 0) return std::nullopt;
-    if (!path_.number) return make(of_rope, i);
-    const int branches = branch_count(model_.reevings[i]);
-    if (*path_.number >= 1 && *path_.number <= branches) return make(of_branch, i, *path_.number - 1);
+    const auto i = index_of(model_.reevings, path_.name);
+    if (!i) return std::nullopt;
+    if (!path_.number) return make(of_rope, *i);
+    const int branches = branch_count(model_.reevings[*i]);
+    if (*path_.number >= 1 && *path_.number <= branches) return make(of_branch, *i, *path_.number - 1);
     reason = fmt::format("'{}' has the branches 1 to {} along its path", path_.name, branches);
     return std::nullopt;
   }
@@ -217,16 +217,16 @@ class Resolver {
     return std::nullopt;
   }
   std::optional<Observable> drum() {
-    const int i = index_of(model_.drums, path_.name);
-    return i < 0 || path_.number ? std::nullopt : make(of_drum, i);
+    const auto i = index_of(model_.drums, path_.name);
+    return i && !path_.number ? make(of_drum, *i) : std::nullopt;
   }
   std::optional<Observable> contact() {
-    const int i = index_of(model_.contacts, path_.name);
-    return i < 0 || path_.number ? std::nullopt : make(of_contact, i);
+    const auto i = index_of(model_.contacts, path_.name);
+    return i && !path_.number ? make(of_contact, *i) : std::nullopt;
   }
   std::optional<Observable> actuator() {
-    const int i = index_of(model_.actuators, path_.name);
-    return i < 0 || path_.number ? std::nullopt : make(of_actuator, i);
+    const auto i = index_of(model_.actuators, path_.name);
+    return i && !path_.number ? make(of_actuator, *i) : std::nullopt;
   }
   std::optional<Observable> place() {
     std::vector<Complaint> unheard;
@@ -317,7 +317,8 @@ std::vector<QuantityWords> observable_words() {
 
 Array<Observable> usual_observables(const Model& model) {
   Array<Observable> all;
-  const auto add = [&](const std::string& of, const ObservableNames& named, std::size_t index, int part = -1) {
+  const auto add = [&](const std::string& of, const ObservableNames& named, std::size_t index,
+                       std::optional<int> part = std::nullopt) {
     for (const Named& one : named) {
       all.push_back(
           {fmt::format("{}.{}", of, one.name), one.quantity, one.unit, static_cast<int>(index), part, Vector3::Zero()});
@@ -340,7 +341,7 @@ Array<Observable> usual_observables(const Model& model) {
     for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
       const Node& node = model.reevings[r].nodes[n];
       const bool load = node.kind == NodeKind::load && !(node.load.part > 0);
-      if (node.motor >= 0) add(node.name, only(of_sheave, {"speed"}), r, static_cast<int>(n));
+      if (node.motor) add(node.name, only(of_sheave, {"speed"}), r, static_cast<int>(n));
       if (load) add(node.name, only(of_load, {"T_in", "T_out"}), r, static_cast<int>(n));
     }
   }

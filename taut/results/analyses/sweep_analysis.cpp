@@ -29,7 +29,7 @@ Quantities<solve::SweepPoint> swept_value(const Unit& unit) {
   return {{"value", "", unit, "of the parameter, in its own unit", &solve::SweepPoint::value}};
 }
 
-bool is_shown(const machine::Body& body) { return !body.free.empty() && body.beam < 0; }
+bool is_shown(const machine::Body& body) { return !body.free.empty() && !body.beam; }
 
 /// Columns of a point: places of free bodies, and of each rope its tensions and its length.
 std::vector<Column> columns_of(const study::SweepRun& run, const machine::Model& m) {
@@ -107,7 +107,7 @@ void add_plots(const study::SweepRun& run, const machine::Model& m, const solve:
   Plot heights =
       plot("sweep_heights", "Heights of the bodies that are free to move", {.label = "height", .unit = si::m});
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    if (m.bodies[b].free.empty() || m.bodies[b].beam >= 0) continue;
+    if (m.bodies[b].free.empty() || m.bodies[b].beam) continue;
     heights.curves.push_back(curve(m.bodies[b].name, [&](const auto& p) { return p.at.state.bodies[b].position.z(); }));
   }
   if (!heights.curves.empty()) r.figures.emplace_back(std::move(heights));

@@ -149,7 +149,7 @@ std::set<std::string> gripping_places(const machine::Model& model) {
   std::set<std::string> names;
   for (const machine::Reeving& rope : model.reevings) {
     for (const machine::Node& node : rope.nodes) {
-      if (node.motor >= 0 || (node.kind == machine::NodeKind::load && node.load.part == 0)) names.insert(node.name);
+      if (node.motor || (node.kind == machine::NodeKind::load && node.load.part == 0)) names.insert(node.name);
     }
   }
   return names;

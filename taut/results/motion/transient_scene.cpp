@@ -48,9 +48,9 @@ void add_arc(const machine::Node& node, const solve::TransientFrame& frame, doub
 }
 
 double radius_now(const machine::Model& m, const machine::Node& node, const solve::TransientFrame& frame) {
-  if (node.drum < 0 || static_cast<std::size_t>(node.drum) >= frame.drums.size()) return node.radius;
-  const machine::Drum& drum = m.drums[node.drum];
-  const int layer = frame.drums[node.drum].layer;
+  if (!node.drum || static_cast<std::size_t>(*node.drum) >= frame.drums.size()) return node.radius;
+  const machine::Drum& drum = m.drums[*node.drum];
+  const int layer = frame.drums[*node.drum].layer;
   if (drum.layer < 1 || layer == drum.layer) return node.radius;
   // the deck's radius is core + (layer - 1/2) d of its own layer
   const double d = (node.radius - drum.core_radius) / (drum.layer - 0.5);
@@ -72,7 +72,7 @@ class Parts {
           part.force += rope.copies * c->force;
           part.turned = rope.nodes[n].side * c->angle;
         }
-        if (rope.nodes[n].drum >= 0) turn_drum(part, rope.nodes[n], n == 0);
+        if (rope.nodes[n].drum) turn_drum(part, rope.nodes[n], n == 0);
       }
     }
     for (const auto& b : frame_.branches) add_ends(b);
@@ -110,7 +110,7 @@ class Parts {
 
   /// Rope that is taken in at the start of a path runs against it.
   void turn_drum(HeldPart& part, const machine::Node& node, bool at_start) const {
-    const auto i = static_cast<std::size_t>(node.drum);
+    const auto i = static_cast<std::size_t>(*node.drum);
     if (i >= frame_.drums.size() || part.radius <= 0) return;
     const double taken = frame_.drums[i].content - first_.drums[i].content;
     part.turned = node.side * (at_start ? -1 : 1) * taken / part.radius;

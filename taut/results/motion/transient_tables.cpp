@@ -182,7 +182,7 @@ void add_slip_shares(const study::TransientRun& run, Result& r) {
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const auto& first = run.result.frames.front().contacts[c];
     const machine::Node& node = run.model.reevings[first.reeving].nodes[first.node];
-    if (node.motor < 0) continue;
+    if (!node.motor) continue;
     const auto [slipped, rim] = slips[c];
     if (!(rim > 0)) continue;
     const std::string name = fmt::format("{}.slip_share{}", node.name, run.ending);

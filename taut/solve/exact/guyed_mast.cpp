@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -230,15 +231,15 @@ bool holds(const GuyedMastProblem& p, Unknowns& u, int& iterations) {
          stable(p, u);
 }
 
-/// The whole load, in steps where one is too large; the share of the loads that is held.
-double load_up(GuyedMastProblem& p, Unknowns& u, int& iterations) {
-  double held = -1, step = 1;
+/// The whole load, in steps where one is too large; the share of the loads that is held, empty where the mast does not
+/// stand even without them.
+std::optional<double> load_up(GuyedMastProblem& p, Unknowns& u, int& iterations) {
   Unknowns at = u;
   p.share = 1;
   if (holds(p, at, iterations)) return u = at, 1.0;
   p.share = 0;
-  if (!holds(p, u, iterations)) return held;
-  held = 0, step = 0.5;
+  if (!holds(p, u, iterations)) return std::nullopt;
+  double held = 0, step = 0.5;
   while (held < 1 && step > 1e-3) {
     p.share = std::min(1.0, held + step);
     at = u;
@@ -279,8 +280,8 @@ void set_up(const GuyedMast& mast, GuyedMastProblem& p) {
   p.force = force > 0 ? force : 1;
 }
 
-std::string buckles(const GuyedMastProblem& p, double held) {
-  if (held < 0) {
+std::string buckles(const GuyedMastProblem& p, const std::optional<double>& held) {
+  if (!held) {
     return p.mast.guys.empty()
                ? "the mast does not stand up to its own weight: give it a stiffer section"
                : "the mast buckles under the tension of its guys alone: install them with less tension, "
@@ -288,7 +289,7 @@ std::string buckles(const GuyedMastProblem& p, double held) {
   }
   return fmt::format(
       "the mast finds no stable equilibrium above {:.3g} % of its loads: it buckles; give it a stiffer section, {}",
-      100 * held,
+      100 * *held,
       p.mast.guys.empty() ? "or guys" : "stiffer or tighter guys on the side away from the load, or lower rope forces");
 }
 
@@ -384,8 +385,8 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   set_up(mast, p);
   Unknowns u = Unknowns::Zero();
   int iterations = 0;
-  const double held = load_up(p, u, iterations);
-  if (held < 1) return infeasible(buckles(p, held));
+  const auto held = load_up(p, u, iterations);
+  if (!held || *held < 1) return infeasible(buckles(p, held));
   out = {};
   p.share = 1;
   fill(p, u, out);

@@ -182,11 +182,9 @@ TEST(ClosedLoop, AnEndlessRopeThatPassesTwice) {
                     .body = 0,
                     .reeving = 0,
                     .node = 3,
-                    .mainline = -1,
+                    .mainline = {},
                     .rollers = 1,
-                    .grip_reeving = 0,
-                    .grip_node = 1,
-                    .haulback = -1}};
+                    .grip = machine::Grip{.reeving = 0, .node = 1}}};
     EquilibriumOptions options;
     options.motion = Motion::in;  // against the path: the lower branch runs to A
     options.prescribed = machine::Prescribed{.carriage = 0, .x = 120};

@@ -180,7 +180,8 @@ TEST(BoomMotion, TheEnergyOfABreakIsAccountedFor) {
   gone.words = "break";
   gone.kind = taut::machine::EventKind::breaks;
   gone.at = 1;
-  gone.index = gone.part = 0;
+  gone.index = 0;
+  gone.part = 0;
   m.events.push_back(gone);
   const TransientResult r = run(m, 2, 1e-4, 0.02, Start::settled);
   const auto out = [](const TransientFrame& f) {

@@ -34,9 +34,9 @@ machine::Model pushed_mass(const machine::Actuator& ram) {
   m.actuators = {ram};
   m.actuators[0].name = "ram";
   m.actuators[0].to_body = 0;
-  m.observed = {{"F", machine::Observed::actuator_F, taut::si::N, 0, -1, origin},
-                {"l", machine::Observed::actuator_length, taut::si::m, 0, -1, origin},
-                {"v", machine::Observed::actuator_speed, taut::si::m_per_s, 0, -1, origin}};
+  m.observed = {{"F", machine::Observed::actuator_F, taut::si::N, 0, {}, origin},
+                {"l", machine::Observed::actuator_length, taut::si::m, 0, {}, origin},
+                {"v", machine::Observed::actuator_speed, taut::si::m_per_s, 0, {}, origin}};
   return m;
 }
 

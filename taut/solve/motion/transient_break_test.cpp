@@ -11,7 +11,7 @@ using taut::solve::EnergyLedger;
 using taut::solve::TransientFrame;
 using taut::solve::TransientResult;
 
-machine::Event break_at(double t, double over, int part = -1) {
+machine::Event break_at(double t, double over, std::optional<int> part = {}) {
   machine::Event event;
   event.words = "break";
   event.kind = machine::EventKind::breaks;

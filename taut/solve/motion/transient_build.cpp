@@ -196,7 +196,7 @@ class Builder {
     contact.round = given.radius > 0;
     contact.support = given.support;
     contact.copies = rope.copies;
-    contact.drum = given.drum;
+    contact.drum = given.drum.value_or(-1);
     if (options_.rope_mass) contact.mass = m().lines[in >= 0 ? in : out].mass;
     const int index = count(m().contacts.size());
     if (in >= 0) m().lines[in].contact[1] = index;
@@ -212,7 +212,7 @@ class Builder {
       for (int k = 0; k < nodes; ++k) {
         const machine::Node& node = rope.nodes[k];
         const bool end = !rope.closed && (k == 0 || k == nodes - 1);
-        if (node.kind == machine::NodeKind::clamp || (end && node.drum < 0)) continue;
+        if (node.kind == machine::NodeKind::clamp || (end && !node.drum)) continue;
         if (rope.segments > 1 && node.kind == machine::NodeKind::load) continue;
         const int out = end && k > 0 ? -1 : first + k * per_branch;
         const int in = end && k == 0 ? -1 : first + (k > 0 ? k * per_branch : lines) - 1;
@@ -233,21 +233,21 @@ class Builder {
       const double along = node.side;
       Spin spin;
       spin.body = contact.body;
-      spin.motor = node.motor;
-      if (node.drum >= 0) {
+      spin.motor = node.motor.value_or(-1);
+      if (node.drum) {
         contact.sense = contact.in < 0 ? -1 : 1;  // taking in
-        int& known = of_drum[node.drum];
+        int& known = of_drum[*node.drum];
         if (known < 0) {
           known = count(m().spins.size());
           spin.axis = contact.sense * along * node.axis;
-          spin.inertia = model_.drums[node.drum].inertia;
-          spin.drum = node.drum;
+          spin.inertia = model_.drums[*node.drum].inertia;
+          spin.drum = *node.drum;
           m().spins.push_back(spin);
         }
         // wound the other way than the first one, it is let out where that is taken in
         if ((contact.sense * along * node.axis).dot(m().spins[known].axis) < 0) contact.sense = -contact.sense;
         contact.spin = known;
-      } else if (node.motor >= 0 || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
+      } else if (node.motor || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
         contact.spin = count(m().spins.size());
         spin.axis = along * node.axis;
         spin.inertia = node.inertia;

@@ -194,7 +194,7 @@ TEST(TransientControl, ALongShakingRunGrowsCoarserAndKeepsItsSwing) {
     m.reevings.push_back(
         taut_test::reeve("rope", {taut_test::anchor("a", {end, 0, 0}), taut_test::anchor_on("mass", 0)}, 0.99, 0, 1e6));
   }
-  m.observed.push_back({"x", machine::Observed::x, si::m, 0, -1, Vector3::Zero()});
+  m.observed.push_back({"x", machine::Observed::x, si::m, 0, {}, Vector3::Zero()});
   const auto run = [&](double duration) { return taut_test::run_to_end(m, taut_test::lasting(duration, 1e-6, 500)); };
   const TransientResult usual = run(0.14), longer = run(0.6), longest = run(0.75);
   EXPECT_LT(usual.steps, 150'000);

@@ -37,8 +37,8 @@ int breaking_line(const Run& run, const Values& v, const machine::Event& event) 
   const auto [first, lines] = run.m.first_line[event.index];
   const int pieces = std::max(1, run.model.reevings[event.index].segments);
   int from = first, to = first + lines;
-  if (event.part >= 0) {
-    from = first + event.part * pieces;
+  if (event.part) {
+    from = first + *event.part * pieces;
     to = from + pieces;
   }
   constexpr double rounding = 1e-9;

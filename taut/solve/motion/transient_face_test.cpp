@@ -136,8 +136,8 @@ TEST(TransientFace, BouncesAsTheSpringAndItsDamperDo) {
     m.bodies[0].position.z() = 0.2;
     m.contacts[0].stiffness = 1e6;
     m.contacts[0].damping = damping;
-    m.observed = {{"N", machine::Observed::contact_N, taut::si::N, 0, -1, origin},
-                  {"v", machine::Observed::vz, taut::si::m_per_s, 0, -1, origin}};
+    m.observed = {{"N", machine::Observed::contact_N, taut::si::N, 0, {}, origin},
+                  {"v", machine::Observed::vz, taut::si::m_per_s, 0, {}, origin}};
     const double v = std::sqrt(2 * g * 0.2);
     const Bounce one = bounce(100, 1e6, damping, v);
     const TransientResult r = transient(m, lasting(0.35, 1e-7, 100));

@@ -144,11 +144,11 @@ double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm
 
 double observe_place(const Run& run, const Values& v, const machine::Observable& what) {
   static const Motion3 still;
-  const Motion3& body = what.index < 0 ? still : v.bodies[what.index];
+  const Motion3& body = what.index == machine::ground ? still : v.bodies[what.index];
   const Vector3 arm = body.R * what.at;
   const int k = static_cast<int>(what.quantity);
   const auto counted = [&](int body_of) { return counted_turn(run, v, body_of, k % 3); };
-  if (what.seen_from >= 0) {
+  if (what.seen_from != machine::ground) {
     const double turn = k / 3 == static_cast<int>(Observed::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
     return observe_from(v.bodies[what.seen_from], body, arm, what.quantity, turn);
   }
@@ -175,7 +175,7 @@ double observe_rope(const Run& run, const Values& v, const machine::Observable& 
       for (int i = first; i < first + lines; ++i) L += v.lines[i].L;
       return L;
     default:
-      for (int i = first + what.part * pieces; i < first + (what.part + 1) * pieces; ++i) {
+      for (int i = first + *what.part * pieces; i < first + (*what.part + 1) * pieces; ++i) {
         T = std::max({T, v.lines[i].end_T[0], v.lines[i].end_T[1]});
         L += v.lines[i].L;
       }
@@ -190,7 +190,7 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
     const TransientFrame::Contact c = chain_load_frame(run.m, v, k);
     return what.quantity == Observed::T_in ? c.T_in : what.quantity == Observed::T_out ? c.T_out : c.slip;
   }
-  const int i = contact_at(run.m, what.index, what.part);
+  const int i = contact_at(run.m, what.index, *what.part);
   if (i < 0 || run.m.contacts[i].in < 0 || run.m.contacts[i].out < 0) return 0;
   const TransientFrame::Contact c = contact_of(run.m, v, as_size(i));
   switch (what.quantity) {

@@ -13,7 +13,7 @@ double scaled(const Run& run, const Values& v, const machine::Observable& what) 
 }
 
 bool in_window(const Run& run, const Values& v, const machine::Observable& what) {
-  const double x = what.mean_of < 0 ? v.t : observe(run, v, run.model.mean_windows[what.mean_of]);
+  const double x = what.mean_of ? observe(run, v, run.model.mean_windows[*what.mean_of]) : v.t;
   return x >= what.mean_from && x <= what.mean_to;
 }
 
@@ -21,8 +21,8 @@ bool in_window(const Run& run, const Values& v, const machine::Observable& what)
 
 double observe(const Run& run, const Values& v, const machine::Observable& what) {
   const double value = scaled(run, v, what);
-  if (what.relative == Relative::none || what.slot < 0) return value + what.offset;
-  const double reference = run.reference[what.slot];
+  if (what.relative == Relative::none || !what.slot) return value + what.offset;
+  const double reference = run.reference[*what.slot];
   if (what.relative == Relative::difference) {
     return (std::isnan(reference) ? 0 : value - reference) + what.offset;
   }

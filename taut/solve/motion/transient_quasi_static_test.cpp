@@ -292,7 +292,8 @@ TEST(QuasiStatic, ABreakEndsAtRest) {
   gone.words = "break";
   gone.kind = machine::EventKind::breaks;
   gone.at = 1;
-  gone.index = gone.part = 0;
+  gone.index = 0;
+  gone.part = 0;
   m.events.push_back(gone);
   const TransientResult r = run(m, slowly(2, 20));
   EXPECT_NEAR(tension(r, 0.9, 1), 1000, 1e-6);

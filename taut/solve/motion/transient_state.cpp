@@ -33,8 +33,8 @@ std::optional<double> given_tension(const machine::Reeving& rope, std::size_t br
   using machine::Given;
   if (rope.given == Given::torque) return {};
   if (!rope.also) return rope.given == Given::length ? std::optional<double>() : rope.value;
-  const auto drive =
-      std::find_if(rope.nodes.begin(), rope.nodes.end(), [](const machine::Node& node) { return node.motor >= 0; });
+  const auto drive = std::find_if(rope.nodes.begin(), rope.nodes.end(),
+                                  [](const machine::Node& node) { return node.motor.has_value(); });
   const bool before = static_cast<std::ptrdiff_t>(branch) < drive - rope.nodes.begin();
   const Given side = before ? Given::tension_at_start : Given::tension_at_end;
   if (rope.given == side) return rope.value;

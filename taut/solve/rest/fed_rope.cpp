@@ -11,7 +11,7 @@ namespace {
 bool stops_feed(const mechanics::System& s, const mechanics::Layout::Turn& turn) {
   const machine::Node& node = mechanics::node_of(s, turn);
   if (node.kind == machine::NodeKind::clamp) return true;
-  return node.kind == machine::NodeKind::drive && (turn.row < 0 || !node.tension_drop);
+  return node.kind == machine::NodeKind::drive && (!turn.row || !node.tension_drop);
 }
 
 void add_fed_end(const mechanics::System& s, int r, machine::Given given, double tension, int row, Array<FedEnd>& all) {
@@ -46,9 +46,9 @@ Array<FedEnd> fed_ends(const mechanics::System& s) {
         reeving.also && (reeving.given == machine::Given::length || reeving.also->first == machine::Given::length);
     if (length_too) continue;
     add_fed_end(s, r, reeving.given, reeving.value, s.layout.ropes[r].row, all);
-    const int drive = s.layout.ropes[r].drive;
-    if (drive < 0 || !reeving.also) continue;
-    add_fed_end(s, r, reeving.also->first, reeving.also->second, s.layout.turns[drive].row, all);
+    const auto drive = s.layout.ropes[r].drive;
+    if (!drive || !reeving.also) continue;
+    add_fed_end(s, r, reeving.also->first, reeving.also->second, *s.layout.turns[*drive].row, all);
   }
   return all;
 }
@@ -64,24 +64,25 @@ double tension_rate(const mechanics::System& s, const mechanics::Configuration& 
   return b.leaves.dot(r.pull_from_u);
 }
 
-int deep_link(const mechanics::System& s, const Array<FedEnd>& fed, const mechanics::Configuration& c,
-              const mechanics::Evaluation& e) {
+std::optional<int> deep_link(const mechanics::System& s, const Array<FedEnd>& fed, const mechanics::Configuration& c,
+                             const mechanics::Evaluation& e) {
   for (const FedEnd& end : fed) {
     for (int k = end.first; k <= end.last; ++k) {
       if (!(tension_rate(s, c, e, k) < 0)) return k;
     }
   }
-  return -1;
+  return std::nullopt;
 }
 
-int deep_mainline_link(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
+std::optional<int> deep_mainline_link(const mechanics::System& s, const mechanics::Configuration& c,
+                                      const mechanics::Evaluation& e) {
   for (const mechanics::Layout::Rope& rope : s.layout.ropes) {
     if (rope.row != s.layout.coordinate_row) continue;
     for (int k = rope.first; k < rope.first + rope.count; ++k) {
       if (s.model.reevings[s.layout.branches[k].reeving].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
     }
   }
-  return -1;
+  return std::nullopt;
 }
 
 void draw_fed_taut(const mechanics::System& s, const Array<FedEnd>& fed, mechanics::Configuration& c) {

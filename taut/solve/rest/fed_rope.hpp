@@ -29,15 +29,15 @@ double tension_rate(const mechanics::System& system, const mechanics::Configurat
 /// A branch of a fed rope that is a deep loop: more rope in it makes it tighter, since its own weight pulls. Between
 /// fixed ends the energy U(L) + P L of a rope held at the tension T (P = T + T^2/(2 EA)) has the second derivative
 /// -(1 + T/EA) dT/dL; where that is negative the rope runs out, or in, at the least push, so that this second root of
-/// the given tension is no answer. -1: none.
-int deep_link(const mechanics::System& system, const Array<FedEnd>& fed, const mechanics::Configuration& c,
-              const mechanics::Evaluation& e);
+/// the given tension is no answer.
+std::optional<int> deep_link(const mechanics::System& system, const Array<FedEnd>& fed,
+                             const mechanics::Configuration& c, const mechanics::Evaluation& e);
 
 /// The same of the rope whose length follows from where a carriage is put (its mainline). There a deep loop is no
 /// answer where the rope could also be taut, or where it would have to push: then the weight of the loop does. It is
-/// one where the pull that the carriage needs is less than a taut rope's weight gives. A branch of it; -1: none.
-int deep_mainline_link(const mechanics::System& system, const mechanics::Configuration& c,
-                       const mechanics::Evaluation& e);
+/// one where the pull that the carriage needs is less than a taut rope's weight gives. A branch of it.
+std::optional<int> deep_mainline_link(const mechanics::System& system, const mechanics::Configuration& c,
+                                      const mechanics::Evaluation& e);
 
 /// Gives every branch of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.

@@ -103,7 +103,7 @@ TEST(FedRope, MoreRopeMakesADeepLoopTighter) {
     at(length, c, e);
     const double rate = (more - less) / (2 * step);
     EXPECT_NEAR(tension_rate(system, c, e, 0) / rate, 1, 1e-3) << length;
-    EXPECT_EQ(deep_link(system, fed_ends(system), c, e), rate < 0 ? -1 : 0);
+    EXPECT_EQ(deep_link(system, fed_ends(system), c, e), rate < 0 ? std::nullopt : std::optional(0));
     EXPECT_EQ(stability(system, c, e).outcome.ok(), rate < 0);
     deep += rate < 0 ? 0 : 1;
   }

@@ -43,15 +43,15 @@ machine::State first_state(const machine::Model& model, const EquilibriumOptions
   const machine::Prescribed& prescribed = *options.prescribed;
   const bool moves = prescribed.along.dot(model.bodies[carriage.body].position) != prescribed.x;
   const auto place = moves ? on_line(model, carriage, prescribed) : std::nullopt;
-  if (!place && carriage.mainline < 0) return machine::initial_state(model);
+  if (!place && !carriage.mainline) return machine::initial_state(model);
   machine::Model there = model;
   if (place) move_to(*place, there.bodies[carriage.body]);
   machine::State state = machine::initial_state(there);
-  if (carriage.mainline < 0) return state;
-  const machine::Reeving& mainline = there.reevings[carriage.mainline];
+  if (!carriage.mainline) return state;
+  const machine::Reeving& mainline = there.reevings[*carriage.mainline];
   double weight = there.bodies[carriage.body].mass * there.gravity;
   for (const machine::Load& load : there.loads) weight += load.at.body == carriage.body ? load.force.norm() : 0;
-  auto& branches = state.branches[carriage.mainline];
+  auto& branches = state.branches[*carriage.mainline];
   for (std::size_t k = 0; k < branches.size(); ++k) {
     const double straight =
         machine::straight_length(state, mainline.nodes[k], mainline.nodes[(k + 1) % mainline.nodes.size()]);

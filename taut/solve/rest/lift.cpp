@@ -71,9 +71,9 @@ Return deepest(const mechanics::System& s, const mechanics::Configuration& c, co
       const machine::Node& node = rope.nodes[n];
       if (!may_lift(node)) continue;
       const mechanics::Branch& b = e.branches[k];
-      const auto span = laid.force >= 0 ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
-                                        : rope::solve_span(mechanics::rope_of(rope, c.branches[k].length), b.chord,
-                                                           c.branches[k].force);
+      const auto span =
+          laid.force ? tl::expected<rope::Span, rope::NoCatenary>(b.span)
+                     : rope::solve_span(mechanics::rope_of(rope, c.branches[k].length), b.chord, c.branches[k].force);
       if (!span) continue;
       const Vector3 start = mechanics::end_at(rope.nodes[laid.from], c.bodies).centre + b.offset_from;
       const Vector3 top = mechanics::end_at(node, c.bodies).centre + node.radius * node.support;

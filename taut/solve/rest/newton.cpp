@@ -29,9 +29,9 @@ template <class F>
 void for_each_force(const mechanics::System& s, const F& f) {
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     const mechanics::Layout::Branch& laid = s.layout.branches[k];
-    if (laid.force < 0) continue;
+    if (!laid.force) continue;
     const int count = mechanics::force_count(s.model.reevings[laid.reeving]);
-    for (int i = 0; i < count; ++i) f(static_cast<int>(k), laid.force + i);
+    for (int i = 0; i < count; ++i) f(static_cast<int>(k), *laid.force + i);
   }
 }
 
@@ -53,9 +53,9 @@ class Linear {
       if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
     }
     for (const mechanics::Layout::Rope& rope : system.layout.ropes) {
-      if (rope.open_load >= 0) columns_[rope.open_load] = std::max(1.0, system.layout.heaviest);
+      if (rope.open_load) columns_[*rope.open_load] = std::max(1.0, system.layout.heaviest);
     }
-    if (system.layout.hold >= 0) columns_[system.layout.hold] = std::max(1.0, system.layout.heaviest);
+    if (system.layout.hold) columns_[system.layout.hold->unknown] = std::max(1.0, system.layout.heaviest);
     mechanics::scale_beams(system, columns_);
   }
 
@@ -106,10 +106,10 @@ class Linear {
   bool singular_ = false;
 };
 
-/// A branch whose force no row determines; -1: none.
-int undetermined_branch(const mechanics::System& s, const Linear& linear) {
+/// A branch whose force no row determines.
+std::optional<int> undetermined_branch(const mechanics::System& s, const Linear& linear) {
   const Eigen::VectorXd free = linear.free();
-  int worst = -1;
+  std::optional<int> worst;
   double most = least_free;
   for_each_force(s, [&](int branch, int unknown) {
     if (free.size() == 0 || free[unknown] <= most) return;
@@ -122,10 +122,11 @@ int undetermined_branch(const mechanics::System& s, const Linear& linear) {
 /// The part of a step that leaves a rope with weight a share of its pull.
 double longest_fall(const mechanics::System& s, const mechanics::Configuration& c, int k, const Eigen::VectorXd& step) {
   const mechanics::Layout::Branch& laid = s.layout.branches[k];
-  if (laid.force < 0 || s.model.reevings[laid.reeving].weight == 0) return 1;
+  if (!laid.force || s.model.reevings[laid.reeving].weight == 0) return 1;
   const Vector3& force = c.forces[k];
   const double weight = s.model.reevings[laid.reeving].weight * c.branches[k].length;
-  const double falls = -force.normalized().dot(step.segment<3>(laid.force)), most = most_fall * (force.norm() + weight);
+  const double falls = -force.normalized().dot(step.segment<3>(*laid.force)),
+               most = most_fall * (force.norm() + weight);
   return falls > most ? most / falls : 1;
 }
 
@@ -174,7 +175,7 @@ void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag,
     const bool fixed_at_end = reeving.given == machine::Given::tension_at_start;
     const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
     for (int k = first; k < last; ++k) {
-      J(t.row, s.layout.branches[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
+      J(*t.row, s.layout.branches[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
     }
   }
   for (const FedEnd& end : fed) {
@@ -251,10 +252,10 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
     const auto step = newton_step(s, c, e, rates, linear);
     it.singular = linear.singular();
     if (!step) return it;
-    it.deep = -1;
+    it.deep.reset();
     const auto taut = [&] {
       it.deep = deep_link(s, fed, tried.c, tried.e);
-      return it.deep < 0;
+      return !it.deep;
     };
     if (!gains(s, *step, tolerance, tried, it.stopped, taut)) {
       // no step gains: rounding, of tangent points for one, may leave a little more than asked
@@ -329,8 +330,8 @@ Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechani
     it.stopped = mechanics::evaluate(s, tried, there);
     const bool fails = it.stopped || !there.residual.allFinite();
     const double then = fails ? 0 : mechanics::misfit(s, there).force;
-    it.deep = fails ? -1 : deep_link(s, fed, tried, there);
-    if (fails || it.deep >= 0 || !(then <= most_growth * now)) {
+    it.deep = fails ? std::nullopt : deep_link(s, fed, tried, there);
+    if (fails || it.deep || !(then <= most_growth * now)) {
       drag *= 8;
       if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
       continue;

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
@@ -9,8 +11,8 @@ struct Iteration {
   int steps = 0;
   std::optional<mechanics::NoBranch> stopped;  ///< the branch that had no solution at the last point tried
   bool singular = false;                       ///< something is not held: a step without end
-  int deep = -1;          ///< the branch that the last step tried would have made a deep loop (fed_rope.hpp); -1: none
-  int undetermined = -1;  ///< a branch whose force could be another as well, found by newton_with_forces
+  std::optional<int> deep;          ///< the branch that the last step tried would have made a deep loop (fed_rope.hpp)
+  std::optional<int> undetermined;  ///< a branch whose force could be another as well, found by newton_with_forces
 };
 
 /// Damped Newton with the natural monotonicity test: a step is accepted when the next one, by the old derivatives,

@@ -87,18 +87,17 @@ std::string clamped_past(const mechanics::System& s, const Array<machine::Pose>&
 }  // namespace
 
 std::string past_stop(const mechanics::System& s, const mechanics::Configuration& c) {
-  if (s.layout.coordinate_row < 0) return {};
+  if (!s.layout.coordinate_row) return {};
   for (const machine::Carriage& car : s.model.carriages) {
     std::string words = past_on(s, c, car, car.reeving, car.node, car.node + car.rollers - 1);
-    if (words.empty() && car.grip_reeving >= 0)
-      words = past_on(s, c, car, car.grip_reeving, car.grip_node, car.grip_node);
+    if (words.empty() && car.grip) words = past_on(s, c, car, car.grip->reeving, car.grip->node, car.grip->node);
     if (!words.empty()) return words;
   }
   return {};
 }
 
 std::string section_past_stop(const mechanics::System& s) {
-  if (s.layout.coordinate_row < 0) return {};
+  if (!s.layout.coordinate_row) return {};
   const auto starts = machine::initial_state(s.model).bodies;
   for (const machine::Carriage& car : s.model.carriages) {
     const machine::Reeving& rope = s.model.reevings[car.reeving];

@@ -76,10 +76,10 @@ std::string slack_ropes(const mechanics::System& s, const mechanics::Evaluation&
   return words;
 }
 
-/// The freedom whose balance is worst, -1 without any.
-int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
-  int worst = -1;
-  double most = -1;
+/// The freedom whose balance is worst.
+std::optional<int> worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
+  std::optional<int> worst;
+  double most = -HUGE_VAL;
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
     const double size = std::abs(e.residual[i]) / (turns ? s.layout.length : 1);
@@ -91,15 +91,15 @@ int worst_freedom(const mechanics::System& s, const mechanics::Evaluation& e) {
   return worst;
 }
 
-/// The branch that all but vanished beside a body that rolls on the rope, -1 without one.
-int vanished(const mechanics::System& s, const mechanics::Configuration& c) {
+/// The branch that all but vanished beside a body that rolls on the rope.
+std::optional<int> vanished(const mechanics::System& s, const mechanics::Configuration& c) {
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
     if (s.model.reevings[t.reeving].nodes[t.node].at.body == machine::ground) continue;
     for (const int branch : {t.before, t.after}) {
       if (c.branches[branch].length < vanishing * s.layout.length) return branch;
     }
   }
-  return -1;
+  return std::nullopt;
 }
 
 /// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
@@ -123,7 +123,7 @@ std::string drawn_up(const mechanics::System& s, const mechanics::Configuration&
 
 /// A carriage that is put beyond the places that its rope runs between, in words; empty where it is not.
 std::string off_the_line(const mechanics::System& s) {
-  if (s.layout.coordinate_row < 0) return {};
+  if (!s.layout.coordinate_row) return {};
   for (const machine::Carriage& car : s.model.carriages) {
     if (car.body != s.layout.coordinate_body) continue;
     const Array<machine::Node>& nodes = s.model.reevings[car.reeving].nodes;
@@ -154,13 +154,13 @@ bool hangs_on_given_tension(const mechanics::System& s, int body) {
 
 }  // namespace
 
-int too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& iteration) {
-  if (iteration.deep < 0) return -1;
-  const int rope = s.layout.branches[iteration.deep].reeving;
+std::optional<int> too_heavy(const mechanics::System& s, const mechanics::Evaluation& e, const Iteration& iteration) {
+  if (!iteration.deep) return std::nullopt;
+  const int rope = s.layout.branches[*iteration.deep].reeving;
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
   }
-  return -1;
+  return std::nullopt;
 }
 
 Outcome too_heavy_outcome(const mechanics::System& s, int reeving, double least) {
@@ -180,27 +180,27 @@ Outcome reason(const mechanics::System& s, const mechanics::Configuration& c, co
                const Iteration& iteration) {
   if (const std::string why = off_the_line(s); !why.empty()) return infeasible(why);
   if (iteration.stopped) return no_branch(s, c, *iteration.stopped);
-  const int worst = worst_freedom(s, e);
+  const auto worst = worst_freedom(s, e);
   const std::string slack = slack_ropes(s, e);
   const mechanics::Misfit m = mechanics::misfit(s, e);
-  if (worst < 0) {
-    if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
+  if (!worst) {
+    if (const auto rope = too_heavy(s, e, iteration)) return too_heavy_outcome(s, *rope, 0);
     return not_converged(
         fmt::format("the ropes did not settle: {:.3g} N and {:.3g} m are open after the last step; are the given "
                     "lengths and tensions possible on these paths?",
                     m.force, m.length));
   }
-  const mechanics::Layout::Dof& dof = s.layout.dofs[worst];
+  const mechanics::Layout::Dof& dof = s.layout.dofs[*worst];
   const std::string& body = s.model.bodies[dof.body].name;
-  const double open = e.residual[worst];
+  const double open = e.residual[*worst];
   const std::string_view unit = dof.way.about != Vector3::Zero() ? "N m" : "N";
-  if (const int branch = vanished(s, c); branch >= 0) {
+  if (const auto branch = vanished(s, c)) {
     return infeasible(
         fmt::format("{} shrinks to nothing: what rolls there runs against its neighbour; hold it by a "
                     "mainline, or clamp it",
-                    branch_words(s, branch)));
+                    branch_words(s, *branch)));
   }
-  if (const int rope = too_heavy(s, e, iteration); rope >= 0) return too_heavy_outcome(s, rope, 0);
+  if (const auto rope = too_heavy(s, e, iteration)) return too_heavy_outcome(s, *rope, 0);
   if (const std::string why = drawn_up(s, c); !why.empty()) return infeasible(why);
   if (!slack.empty()) {
     return infeasible(fmt::format("nothing balances {:.6g} {} on body '{}' {}: slack: {}; shorten it, or hold the body",

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "taut/calc/outcome.hpp"
 #include "taut/solve/rest/newton.hpp"
 
@@ -8,9 +10,9 @@ namespace taut::solve {
 Outcome reason(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e,
                const Iteration& iteration);
 
-/// The rope whose own weight keeps it above its given tension where the iteration stopped, beside a deep loop; -1:
-/// none.
-int too_heavy(const mechanics::System& system, const mechanics::Evaluation& e, const Iteration& iteration);
+/// The rope whose own weight keeps it above its given tension where the iteration stopped, beside a deep loop.
+std::optional<int> too_heavy(const mechanics::System& system, const mechanics::Evaluation& e,
+                             const Iteration& iteration);
 
 /// That as an outcome. `least`: the tension that it can have, N; 0: not known.
 Outcome too_heavy_outcome(const mechanics::System& system, int reeving, double least);

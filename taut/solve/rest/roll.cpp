@@ -20,7 +20,7 @@ constexpr int roll_halvings = 12;
 
 bool rolls_free(const machine::Model& model, const machine::Carriage& car) {
   const machine::Reeving& rides = model.reevings[car.reeving];
-  if (car.mainline >= 0 || car.haulback >= 0 || car.grip_reeving >= 0) return false;
+  if (car.mainline || car.haulback || car.grip) return false;
   if (rides.nodes[car.node].kind != machine::NodeKind::contact) return false;
   for (const machine::Reeving& rope : model.reevings) {
     for (const machine::Node& node : rope.nodes) {

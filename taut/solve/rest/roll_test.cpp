@@ -20,7 +20,7 @@ machine::Model free_carriage(double rise, double length, double mass) {
   m.bodies.push_back(body("car", {50, 0, 10}, mass, "xyz"));
   m.reevings.push_back(reeve(
       "skyline", {anchor("head", {0, 0, 0}), over("car", origin, 0), anchor("tail", {100, 0, rise})}, length, 15, 2e7));
-  m.carriages.push_back({"car", 0, 0, 1, -1});
+  m.carriages.push_back({"car", 0, 0, 1, {}});
   return m;
 }
 

@@ -16,21 +16,23 @@ using Kind = solve::Condition::Kind;
 
 class GivenResolver {
  public:
-  GivenResolver(const GivenRequest& request, int carriage, std::string path, Names& p)
+  GivenResolver(const GivenRequest& request, std::optional<int> carriage, std::string path, Names& p)
       : request_(request), carriage_(carriage), path_(std::move(path)), p_(p) {}
 
   solve::Condition resolve() {
     solve::Condition c;
-    c.reeving = reeving_of(p_, request_.reeving, path_ + ".reeving");
-    for (const std::string& name : request_.of) c.of.push_back(reeving_of(p_, name, path_ + ".of"));
-    const bool known = c.reeving >= 0 && std::all_of(c.of.begin(), c.of.end(), [](int r) { return r >= 0; });
-    if (!known) return {};
+    const auto own = reeving_of(p_, request_.reeving, path_ + ".reeving");
+    for (const std::string& name : request_.of) {
+      if (const auto one = reeving_of(p_, name, path_ + ".of")) c.of.push_back(*one);
+    }
+    if (!own || c.of.size() != request_.of.size()) return {};
+    c.reeving = *own;
     c.at_end = request_.at == RopeEnd::end;
-    if (carriage_ >= 0 && p_.model.carriages[carriage_].mainline == c.reeving) {
+    if (carriage_ && p_.model.carriages[*carriage_].mainline == c.reeving) {
       complain("reeving",
                fmt::format("the place of '{}' decides the length of its mainline; name the rope it rides on, "
                            "or another, and the mainline with 'of'",
-                           p_.model.carriages[carriage_].name));
+                           p_.model.carriages[*carriage_].name));
     }
     if (p_.model.reevings[c.reeving].given == machine::Given::torque && !request_.loop_length) {
       complain("reeving", "its rope is given by a torque already");
@@ -72,7 +74,7 @@ class GivenResolver {
 
   void sag(solve::Condition& c) {
     c.value = *request_.sag;
-    c.kind = carriage_ >= 0 && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
+    c.kind = carriage_ && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
     if (c.kind == Kind::sag_at_carriage) return;
     const int spans = machine::branch_count(p_.model.reevings[c.reeving]);
     c.span = request_.span ? *request_.span - 1 : longest_span(p_.model, c.reeving);
@@ -82,16 +84,16 @@ class GivenResolver {
   void free(solve::Condition& c) {
     c.kind = Kind::free_running;
     if (!request_.free_running) return complain("free_running", "false says nothing: give one of the modes");
-    if (carriage_ < 0) return complain("free_running", "needs 'carriage' and 'x': where it is to stand");
-    const machine::Carriage& car = p_.model.carriages[carriage_];
+    if (!carriage_) return complain("free_running", "needs 'carriage' and 'x': where it is to stand");
+    const machine::Carriage& car = p_.model.carriages[*carriage_];
     const bool clamped = p_.model.reevings[car.reeving].nodes[car.node].kind == machine::NodeKind::clamp;
-    if (car.mainline >= 0 || clamped) {
+    if (car.mainline || clamped) {
       complain("free_running", fmt::format("'{}' is {}", car.name, clamped ? "clamped" : "held by its mainline"));
     }
   }
 
   const GivenRequest& request_;
-  int carriage_;
+  std::optional<int> carriage_;
   std::string path_;
   Names& p_;
 };
@@ -102,7 +104,7 @@ int longest_span(const machine::Model& m, int reeving) {
   const machine::State state = machine::initial_state(m);
   const auto& nodes = m.reevings[reeving].nodes;
   int longest = 0;
-  double most = -1;
+  double most = 0;
   for (int k = 0; k < machine::branch_count(m.reevings[reeving]); ++k) {
     const auto& next = nodes[as_size(k + 1) % nodes.size()];
     const double chord = (machine::in_ground(state, next.at) - machine::in_ground(state, nodes[k].at)).norm();
@@ -148,7 +150,8 @@ const Description& GivenRequest::describe() {
   return d;
 }
 
-solve::Condition condition_of(const GivenRequest& request, int carriage, const std::string& path, Names& p) {
+solve::Condition condition_of(const GivenRequest& request, std::optional<int> carriage, const std::string& path,
+                              Names& p) {
   return GivenResolver(request, carriage, path, p).resolve();
 }
 

@@ -30,7 +30,8 @@ struct GivenRequest {
 /// The free branch of a rope with the longest chord, from 0: what a sag is of where a deck names none.
 int longest_span(const machine::Model& model, int reeving);
 
-/// What that means for the solver, where `carriage` is put somewhere (-1: none is).
-solve::Condition condition_of(const GivenRequest& request, int carriage, const std::string& path, Names& names);
+/// What that means for the solver, where `carriage` is put somewhere.
+solve::Condition condition_of(const GivenRequest& request, std::optional<int> carriage, const std::string& path,
+                              Names& names);
 
 }  // namespace taut::study

@@ -93,7 +93,7 @@ void check_radii(const machine::Machine& machine, const machine::Model& model, s
       return event.kind == machine::EventKind::drive && turns_it(event.drive);
     });
   };
-  const auto is_point = [&](int machine::Node::*of, int index) {
+  const auto is_point = [&](std::optional<int> machine::Node::*of, int index) {
     return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const machine::Reeving& rope) {
       return std::any_of(rope.nodes.begin(), rope.nodes.end(),
                          [&](const machine::Node& node) { return node.*of == index && node.radius == 0; });

@@ -11,24 +11,24 @@ namespace taut::study {
 namespace {
 
 template <class Things>
-int index_named(const Things& things, std::string_view kind, const std::string& name, const std::string& path,
-                std::vector<Complaint>& complaints) {
+std::optional<int> index_named(const Things& things, std::string_view kind, const std::string& name,
+                               const std::string& path, std::vector<Complaint>& complaints) {
   std::vector<std::string> known;
   for (const auto& one : things) {
     if (one.name == name) return static_cast<int>(known.size());
     known.push_back(one.name);
   }
   complaints.push_back({path, fmt::format("there is no {} '{}'{}", kind, name, did_you_mean(name, known))});
-  return -1;
+  return std::nullopt;
 }
 
 }  // namespace
 
-int carriage_of(Names& names, const std::string& name, const std::string& path) {
+std::optional<int> carriage_of(Names& names, const std::string& name, const std::string& path) {
   return index_named(names.model.carriages, "carriage", name, path, names.complaints);
 }
 
-int reeving_of(Names& names, const std::string& name, const std::string& path) {
+std::optional<int> reeving_of(Names& names, const std::string& name, const std::string& path) {
   return index_named(names.model.reevings, "reeving or guy", name, path, names.complaints);
 }
 
@@ -60,13 +60,13 @@ std::optional<machine::Prescribed> prescribed_of(const std::optional<std::string
     return std::nullopt;
   }
   if (!carriage) return std::nullopt;
-  const int car = carriage_of(names, *carriage, path + ".carriage");
-  if (car < 0) return std::nullopt;
-  if (const machine::Node* support = support_at(names.model, car, *x, way)) {
+  const auto car = carriage_of(names, *carriage, path + ".carriage");
+  if (!car) return std::nullopt;
+  if (const machine::Node* support = support_at(names.model, *car, *x, way)) {
     names.complaints.push_back({path + ".x", fmt::format("the carriage would be on '{}', in no span", support->name)});
   }
   check_hold(names.model, car, names.complaints);
-  return machine::Prescribed{.carriage = car, .x = *x, .along = way, .z = {}};
+  return machine::Prescribed{.carriage = *car, .x = *x, .along = way, .z = {}};
 }
 
 }  // namespace taut::study

@@ -20,10 +20,10 @@ struct Names {
   std::vector<std::pair<std::string, std::string>> endings = {};  ///< kind and ending of the analyses before
 };
 
-/// The carriage of that name; -1 with a complaint at `path` where there is none.
-int carriage_of(Names& names, const std::string& name, const std::string& path);
+/// The carriage of that name; a complaint at `path` where there is none.
+std::optional<int> carriage_of(Names& names, const std::string& name, const std::string& path);
 /// The same for a reeving; a guy is one.
-int reeving_of(Names& names, const std::string& name, const std::string& path);
+std::optional<int> reeving_of(Names& names, const std::string& name, const std::string& path);
 /// A carriage that is put at x, where the deck says both; complains of one without the other, and of a place on a
 /// support.
 std::optional<machine::Prescribed> prescribed_of(const std::optional<std::string>& carriage,

@@ -49,10 +49,10 @@ LoadPathOptions path_over(const Way& way, const WayPart& part) {
   return options;
 }
 
-Way way_of(const std::string& carriage, const std::vector<double>& along, const std::string& path, Names& names) {
+Way way_of(std::optional<int> carriage, const std::vector<double>& along, const std::string& path, Names& names) {
   Way way;
-  way.carriage = carriage_of(names, carriage, path + ".carriage");
-  check_hold(names.model, way.carriage, names.complaints);
+  way.carriage = carriage.value_or(0);
+  check_hold(names.model, carriage, names.complaints);
   way.along = direction_of(along, path + ".along", names.complaints);
   return way;
 }
@@ -63,18 +63,18 @@ Vector3 direction_of(const Array<double>& along, const std::string& path, std::v
   return Vector3::UnitX();
 }
 
-void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints) {
-  if (carriage < 0) return;
-  const machine::Carriage& car = model.carriages[carriage];
+void check_hold(const machine::Model& model, std::optional<int> carriage, std::vector<Complaint>& complaints) {
+  if (!carriage) return;
+  const machine::Carriage& car = model.carriages[*carriage];
   const auto rope = [&](int i) -> const machine::Reeving& { return model.reevings[i]; };
-  const auto by_length = [&](int i) { return i >= 0 && rope(i).given == machine::Given::length; };
-  if (!by_length(car.mainline) || !by_length(car.haulback) || car.grip_reeving >= 0) return;
+  const auto by_length = [&](std::optional<int> i) { return i && rope(*i).given == machine::Given::length; };
+  if (!by_length(car.mainline) || !by_length(car.haulback) || car.grip) return;
   const std::string at = fmt::format("machine.carriages.{}.haulback", car.name);
   if (std::any_of(complaints.begin(), complaints.end(), [&](const auto& c) { return c.path == at; })) return;
   complaints.push_back(
       {at, fmt::format("an analysis puts '{}' somewhere: then give the pull of '{}' or of '{}', not the "
                        "lengths of both",
-                       car.name, rope(car.haulback).name, rope(car.mainline).name)});
+                       car.name, rope(*car.haulback).name, rope(*car.mainline).name)});
 }
 
 }  // namespace taut::study

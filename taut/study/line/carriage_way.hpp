@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,13 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 /// A load path over the positions of a part; of a single position it has two, both there.
 LoadPathOptions path_over(const Way& way, const WayPart& part);
 
-/// The way of a carriage that a deck names, from one end to the other; complaints below `path`.
-Way way_of(const std::string& carriage, const std::vector<double>& along, const std::string& path, Names& names);
+/// The way of a carriage, empty after a complaint, from one end to the other; complaints below `path`.
+Way way_of(std::optional<int> carriage, const std::vector<double>& along, const std::string& path, Names& names);
 
 /// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
 Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints);
 
 /// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, reported once.
-void check_hold(const machine::Model& model, int carriage, std::vector<Complaint>& complaints);
+void check_hold(const machine::Model& model, std::optional<int> carriage, std::vector<Complaint>& complaints);
 
 }  // namespace taut::study

@@ -67,7 +67,7 @@ bool all_against(const RopeSense& s) { return s.driven && s.against > 0 && s.wit
 
 }  // namespace
 
-std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, int carriage) {
+std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, std::optional<int> carriage) {
   std::vector<Winch> all;
   const auto& drums = machine.drums;
   for (std::size_t r = 0; r < machine.reevings.size(); ++r) {
@@ -80,11 +80,11 @@ std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& m
     const auto on_drum = [&](const machine::Node& n) {
       return std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == n.name; });
     };
-    const auto rides = [&](const machine::Node& n) { return carriage >= 0 && n.at.body == m.carriages[carriage].body; };
+    const auto rides = [&](const machine::Node& n) { return carriage && n.at.body == m.carriages[*carriage].body; };
     const bool start = on_drum(rope.nodes.front()) || rope.given == machine::Given::tension_at_start;
     const bool end = on_drum(rope.nodes.back()) || rope.given == machine::Given::tension_at_end;
     const bool mainline =
-        carriage >= 0 && (m.carriages[carriage].mainline == index || m.carriages[carriage].haulback == index);
+        carriage && (m.carriages[*carriage].mainline == index || m.carriages[*carriage].haulback == index);
     if (start || (mainline && !end && !rides(rope.nodes.front()))) {
       all.push_back({rope.nodes.front().name, index, false, false});
     }
@@ -118,7 +118,7 @@ void RopeSenses::take(const machine::Model& m, const Running& of, const LoadPath
   for (const solve::ContactResult& c : now.at.contacts) {
     if (c.reeving != reeving || c.node == still) continue;
     const machine::Node& node = rope.nodes[c.node];
-    if (node.kind != machine::NodeKind::contact || node.motor >= 0) continue;
+    if (node.kind != machine::NodeKind::contact || node.motor) continue;
     const solve::ContactResult* const was = contact_of(before.at, reeving, c.node);
     const int declared = sense_of(c);
     if (was == nullptr || declared == 0 || sense_of(*was) != declared) continue;

@@ -18,7 +18,7 @@ struct Winch {
 };
 
 /// Ropes that end on a drum, or have a tension given, or hold the carriage as its mainline or haulback.
-std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, int carriage);
+std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& machine, std::optional<int> carriage);
 
 /// How a rope runs over a contact while a carriage goes its way, against how its friction has it run: towards
 /// the larger tension. The rope's own way follows from its lengths on either side.
