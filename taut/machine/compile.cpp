@@ -48,6 +48,7 @@ class Compiler {
 
   tl::expected<Model, std::vector<Complaint>> run() {
     model_.gravity = machine_.gravity;
+    model_.places = links_.places();
     model_.signals = signals_of(machine_, complaints_);
     add_bodies();
     add_body_motion(machine_, model_, complaints_);

@@ -211,6 +211,7 @@ struct Model {
   Array<Observable> measures;      ///< named quantities; each is observed too
   Array<Observable> mean_windows;  ///< quantities that bound the intervals of means
   Array<Beam> beams;
+  Array<NamedPlace> places;  ///< that can be observed
 };
 
 /// Chainage of a place: its x in the terrain, m.

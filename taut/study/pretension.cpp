@@ -8,7 +8,6 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
-#include "taut/machine/links/links.hpp"
 #include "taut/machine/links/observable.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/motion_checks.hpp"
@@ -282,9 +281,7 @@ void resolve_until(const PullRequest& request, const std::string& path, Names& p
     p.complaints.push_back({path, "'until' needs 'moves': by how much"});
     return;
   }
-  std::vector<Complaint> reported_before;
-  const machine::Links links(p.machine, reported_before);
-  const auto until = machine::observable(*request.until, p.model, links, path + ".until", p.complaints);
+  const auto until = machine::observable(*request.until, p.model, path + ".until", p.complaints);
   if (!until) return;
   const auto moves = parse_quantity(*request.moves, until->unit);
   if (!moves) {

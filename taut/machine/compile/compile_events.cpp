@@ -8,14 +8,13 @@ namespace {
 
 class EventReader {
  public:
-  EventReader(const description::Event& given, const Model& model, const Links& links, std::string path,
-              Complaints& complaints)
-      : given_(given), model_(model), links_(links), path_(std::move(path)), complaints_(complaints) {}
+  EventReader(const description::Event& given, const Model& model, std::string path, Complaints& complaints)
+      : given_(given), model_(model), path_(std::move(path)), complaints_(complaints) {}
 
   Event read() {
     event_.words = "stop";
     event_.at = given_.at;
-    if (given_.when) event_.when = condition(*given_.when, model_, links_, path_ + ".when", complaints_);
+    if (given_.when) event_.when = condition(*given_.when, model_, path_ + ".when", complaints_);
     event_.over = given_.over;
     if (given_.over > 0 && !given_.breaks) complain(".over", "belongs to a 'break'");
     if (given_.mode && !given_.actuator && !given_.brake) complain(".mode", "belongs to an 'actuator' or a 'brake'");
@@ -45,7 +44,7 @@ class EventReader {
     if (set_index(index_of(model_.reevings, *given_.breaks))) return;
     // a branch of it is what observers call REEVING[k].T
     if (given_.breaks->back() == ']') {
-      if (const auto branch = observable(*given_.breaks + ".T", model_, links_, path_ + ".break", complaints_)) {
+      if (const auto branch = observable(*given_.breaks + ".T", model_, path_ + ".break", complaints_)) {
         event_.index = branch->index;
         event_.part = branch->part;
       }
@@ -88,7 +87,6 @@ class EventReader {
 
   const description::Event& given_;
   const Model& model_;
-  const Links& links_;
   std::string path_;
   Complaints& complaints_;
   Event event_;
@@ -96,9 +94,8 @@ class EventReader {
 
 }  // namespace
 
-Event event_of(const description::Event& given, const Model& model, const Links& links, const std::string& path,
-               Complaints& complaints) {
-  return EventReader(given, model, links, path, complaints).read();
+Event event_of(const description::Event& given, const Model& model, const std::string& path, Complaints& complaints) {
+  return EventReader(given, model, path, complaints).read();
 }
 
 }  // namespace taut::machine

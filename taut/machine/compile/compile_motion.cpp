@@ -296,20 +296,20 @@ void add_motion(const Machine& machine, const Links& links, Model& model, Compla
   add_contacts(machine, links, model, complaints);
   add_actuators(machine, links, model, complaints);
   add_tensioners(machine, model, complaints);
-  add_measures(machine, links, model, complaints);
+  add_measures(machine, model, complaints);
   for (std::size_t i = 0; i < machine.observe.size(); ++i) {
     const auto here = machine.observe.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(machine.observe.begin(), here, *here) != here) {
       complaints.push_back({fmt::format("observe[{}]", i), fmt::format("'{}' stands here a second time", *here)});
       continue;
     }
-    const auto found = observable(machine.observe[i], model, links, fmt::format("observe[{}]", i), complaints);
+    const auto found = observable(machine.observe[i], model, fmt::format("observe[{}]", i), complaints);
     if (found) model.observed.push_back(*found);
   }
   if (machine.observe.empty()) model.observed = usual_observables(model);
   observe_measures(model);
   for (std::size_t i = 0; i < machine.events.size(); ++i) {
-    model.events.push_back(event_of(machine.events[i], model, links, fmt::format("events[{}]", i), complaints));
+    model.events.push_back(event_of(machine.events[i], model, fmt::format("events[{}]", i), complaints));
   }
 }
 

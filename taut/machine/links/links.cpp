@@ -97,6 +97,16 @@ Place Links::place_on(const Machine& machine, const std::string& body, const Vec
   return {.body = ground, .at = at};
 }
 
+Array<NamedPlace> Links::places() const {
+  Array<NamedPlace> all;
+  for (const Thing kind : {Thing::point, Thing::sheave, Thing::drum}) {
+    for (const Target& t : all_) {
+      if (t.thing == kind) all.push_back({.name = t.name, .place = t.place});
+    }
+  }
+  return all;
+}
+
 const Target* Links::find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
                           std::vector<Complaint>& complaints) const {
   for (const Thing kind : kinds) {

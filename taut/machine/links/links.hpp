@@ -31,6 +31,9 @@ class Links {
   const Target* find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
                      std::vector<Complaint>& complaints) const;
 
+  /// Points and markers, then sheaves and supports, then drums.
+  Array<NamedPlace> places() const;
+
   const BeamPlans& beams() const { return beams_; }
 
  private:

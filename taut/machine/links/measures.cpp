@@ -58,15 +58,11 @@ using description::Taken;
 
 class MeasureReader {
  public:
-  MeasureReader(const Measure& given, const Links& links, Model& model, Complaints& complaints)
-      : given_(given),
-        links_(links),
-        model_(model),
-        path_(fmt::format("measures.{}", given.name)),
-        complaints_(complaints) {}
+  MeasureReader(const Measure& given, Model& model, Complaints& complaints)
+      : given_(given), model_(model), path_(fmt::format("measures.{}", given.name)), complaints_(complaints) {}
 
   void read() {
-    auto found = observable(given_.of, model_, links_, path_ + ".of", complaints_);
+    auto found = observable(given_.of, model_, path_ + ".of", complaints_);
     if (!found) return;
     Observable o = std::move(*found);
     o.name = given_.name;
@@ -105,7 +101,7 @@ class MeasureReader {
   void window(Observable& o) {
     Unit unit = si::s;
     if (given_.mean->of) {
-      const auto found = observable(*given_.mean->of, model_, links_, path_ + ".mean.of", complaints_);
+      const auto found = observable(*given_.mean->of, model_, path_ + ".mean.of", complaints_);
       if (!found) return;
       unit = found->unit;
       o.mean_of = static_cast<int>(model_.mean_windows.size());
@@ -130,7 +126,6 @@ class MeasureReader {
   }
 
   const Measure& given_;
-  const Links& links_;
   Model& model_;
   std::string path_;
   Complaints& complaints_;
@@ -138,8 +133,8 @@ class MeasureReader {
 
 }  // namespace
 
-void add_measures(const Machine& machine, const Links& links, Model& model, Complaints& complaints) {
-  for (const Measure& given : machine.measures) MeasureReader(given, links, model, complaints).read();
+void add_measures(const Machine& machine, Model& model, Complaints& complaints) {
+  for (const Measure& given : machine.measures) MeasureReader(given, model, complaints).read();
 }
 
 void observe_measures(Model& model) {

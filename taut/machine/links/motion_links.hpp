@@ -40,7 +40,6 @@ std::optional<Drive> drive_of(const std::optional<std::string>& speed, const std
                               const std::string& path, Complaints& complaints);
 
 /// What happens, and when. `model`: everything but its events.
-Event event_of(const description::Event& given, const Model& model, const Links& links, const std::string& path,
-               Complaints& complaints);
+Event event_of(const description::Event& given, const Model& model, const std::string& path, Complaints& complaints);
 
 }  // namespace taut::machine

@@ -130,8 +130,7 @@ Path split(const std::string& text) {
 
 class Resolver {
  public:
-  Resolver(const std::string& text, const Model& model, const Links& links)
-      : text_(text), path_(split(text)), model_(model), links_(links) {}
+  Resolver(const std::string& text, const Model& model) : text_(text), path_(split(text)), model_(model) {}
 
   /// Empty, with `reason`, when there is nothing of this kind.
   std::optional<Observable> resolve() {
@@ -229,11 +228,11 @@ class Resolver {
     return i && !path_.number ? make(of_actuator, *i) : std::nullopt;
   }
   std::optional<Observable> place() {
-    std::vector<Complaint> unheard;
-    const Target* t = links_.find(path_.name, {Thing::point, Thing::sheave, Thing::drum}, {}, unheard);
-    if (t == nullptr || path_.number) return std::nullopt;
-    auto found = make(of_place, t->place.body);
-    if (found) found->at = t->place.at;
+    const auto i = index_of(model_.places, path_.name);
+    if (!i || path_.number) return std::nullopt;
+    const Place& place = model_.places[*i].place;
+    auto found = make(of_place, place.body);
+    if (found) found->at = place.at;
     return found;
   }
 
@@ -252,7 +251,6 @@ class Resolver {
   const std::string& text_;
   Path path_;
   const Model& model_;
-  const Links& links_;
   std::vector<std::string> offered_;
 };
 
@@ -277,23 +275,23 @@ std::string trimmed(const std::string& text) {
 
 }  // namespace
 
-std::optional<Observable> observable(const std::string& text, const Model& model, const Links& links,
-                                     const std::string& path, std::vector<Complaint>& complaints) {
+std::optional<Observable> observable(const std::string& text, const Model& model, const std::string& path,
+                                     std::vector<Complaint>& complaints) {
   const std::string name = trimmed(text);
-  Resolver resolver(name, model, links);
+  Resolver resolver(name, model);
   auto found = resolver.resolve();
   if (!found) complaints.push_back({path, resolver.reason});
   return found;
 }
 
-std::optional<Condition> condition(const std::string& text, const Model& model, const Links& links,
-                                   const std::string& path, std::vector<Complaint>& complaints) {
+std::optional<Condition> condition(const std::string& text, const Model& model, const std::string& path,
+                                   std::vector<Complaint>& complaints) {
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos || text.find_first_of("<>=", sign + 1) != std::string::npos) {
     complaints.push_back({path, fmt::format("'{}' is no condition: write 'car.z > 12 m' or 'car.z < 12 m'", text)});
     return std::nullopt;
   }
-  const auto of = observable(text.substr(0, sign), model, links, path, complaints);
+  const auto of = observable(text.substr(0, sign), model, path, complaints);
   if (!of) return std::nullopt;
   const auto threshold = parse_quantity(trimmed(text.substr(sign + 1)), of->unit);
   if (!threshold) {

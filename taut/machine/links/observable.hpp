@@ -6,20 +6,19 @@
 #include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/calc/quantity.hpp"
-#include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
 
 namespace taut::machine {
 
 /// What a path of a deck asks for: "car.z", "skyline.T_max", "ext[2].T", "winch.torque", "energy.kinetic", the name of
-/// a signal. `model`: its bodies, reevings, drums, contacts, actuators and signals are there. Complains at `path` with
-/// what there is instead.
-std::optional<Observable> observable(const std::string& text, const Model& model, const Links& links,
-                                     const std::string& path, std::vector<Complaint>& complaints);
+/// a signal. `model`: its bodies, reevings, drums, contacts, actuators, signals and places are there. Complains at
+/// `path` with what there is instead.
+std::optional<Observable> observable(const std::string& text, const Model& model, const std::string& path,
+                                     std::vector<Complaint>& complaints);
 
 /// "car.z > 12 m", either way round of < and >.
-std::optional<Condition> condition(const std::string& text, const Model& model, const Links& links,
-                                   const std::string& path, std::vector<Complaint>& complaints);
+std::optional<Condition> condition(const std::string& text, const Model& model, const std::string& path,
+                                   std::vector<Complaint>& complaints);
 
 /// What is worth writing down when the deck names nothing: tensions at both ends and the largest of each rope, place of
 /// each free body along its ways, speed of each drum and motor, normal and friction force of each contact, force of
