@@ -233,8 +233,9 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   a.t = times_of(run);
   a.events = main_events(run);
   for (const auto& frame : frames) {
-    const ShownFrame shown{body_lines(run.model, frame), rope_parts(run.model, frame),
-                           held_parts(run.model, frame, frames.front())};
+    const ShownFrame shown{.bodies = body_lines(run.model, frame),
+                           .ropes = rope_parts(run.model, frame),
+                           .held = held_parts(run.model, frame, frames.front())};
     if (a.lines.empty()) begin(a, shown, view);
     add(a, shown, view);
   }
