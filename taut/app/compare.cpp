@@ -213,6 +213,7 @@ const Quantities<ShownRow>& compared_quantities() {
 
 void add_compared_table(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
   std::vector<ShownRow> shown;
+  shown.reserve(rows.size());
   for (const ComparedRow& row : rows) shown.push_back({.row = row, .display = display});
   r.tables.push_back(make_table("compared", "Published, reference, and what taut gives", compared_quantities(), shown));
 }

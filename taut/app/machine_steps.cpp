@@ -14,9 +14,6 @@
 namespace taut::app {
 namespace {
 
-using solve::BranchResult;
-using solve::EquilibriumResult;
-
 /// The answer with the largest tension.
 results::Answer governing(const results::MachineRun& run) {
   results::Answer worst;

@@ -79,6 +79,7 @@ const Quantities<ChosenRope>& chosen_ropes() {
 
 Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
   std::vector<ChosenRope> rows;
+  rows.reserve(space.ropes.size());
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     rows.push_back({.of = space.ropes[k], .rope = space.ropes[k].rows[best.choice[k]]});
   }
@@ -105,6 +106,7 @@ const Quantities<ChosenSection>& chosen_sections() {
 
 Table section_table(const DesignSpace& space, const SizingCandidate& best) {
   std::vector<ChosenSection> rows;
+  rows.reserve(space.sections.size());
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
     rows.push_back({.of = space.sections[k], .section = space.sections[k].rows[best.choice[space.ropes.size() + k]]});
   }
@@ -257,6 +259,7 @@ void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& point
   }
   columns = joined(columns, trade_off_quantities(cost_unit(task.request.seek)));
   std::vector<TradeOff> rows;
+  rows.reserve(points.size());
   for (const DesignPoint& point : points) rows.push_back({.space = task.space, .point = point});
   r.tables.push_back(
       make_table("design_trade_off", "The least choice over what is free besides, and what holds it", columns, rows));

@@ -19,8 +19,6 @@
 namespace taut::results {
 namespace {
 
-using solve::EquilibriumResult;
-
 constexpr int points_per_span = 32;
 /// Machines narrower than this part of their length need no plan.
 constexpr double least_width = 1e-3;

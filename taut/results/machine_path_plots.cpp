@@ -9,9 +9,6 @@
 namespace taut::results {
 namespace {
 
-using solve::BranchResult;
-using solve::EquilibriumResult;
-
 constexpr int clearance_points_per_span = 12;
 constexpr std::size_t most_curves = 6;
 constexpr std::size_t most_names = 9;

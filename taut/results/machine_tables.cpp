@@ -53,6 +53,7 @@ Table anchors(const machine::Model& m, const EquilibriumResult& e) {
 
 Table ropes(const machine::Model& m, const EquilibriumResult& e) {
   std::vector<solve::RopeRow> rows;
+  rows.reserve(e.ropes.size());
   for (std::size_t i = 0; i < e.ropes.size(); ++i) rows.push_back({m, e, static_cast<int>(i)});
   return make_table("ropes", "Ropes", solve::rope_quantities(), rows);
 }

@@ -339,12 +339,12 @@ Quantities<EnvelopeExtreme> envelope_quantities(const Unit& unit) {
   Quantities<Row> all = {{"name", "", si::one, "what it belongs to", &Row::name},
                          {"quantity", "", si::one, "what it is; forces of all copies", &Row::what}};
   const auto add = [&](const std::string& end, double Row::*value, EnvelopeState Row::*state, const char* words) {
-    all.push_back({end, "", unit, words, value});
-    all.push_back({end + "_x", "x", si::m, "place of the carriage there", [=](const Row& r) { return (r.*state).x; }});
-    all.push_back({end + "_load", "m", si::kg, "load there", [=](const Row& r) { return (r.*state).load; }});
-    all.push_back({end + "_motion", "", si::one, "motion there", [=](const Row& r) { return (r.*state).motion; }});
-    all.push_back({end + "_temperature", "", si::K.in("degC"), "temperature there",
-                   [=](const Row& r) { return (r.*state).temperature; }});
+    all.emplace_back(end, "", unit, words, value);
+    all.emplace_back(end + "_x", "x", si::m, "place of the carriage there", [=](const Row& r) { return (r.*state).x; });
+    all.emplace_back(end + "_load", "m", si::kg, "load there", [=](const Row& r) { return (r.*state).load; });
+    all.emplace_back(end + "_motion", "", si::one, "motion there", [=](const Row& r) { return (r.*state).motion; });
+    all.emplace_back(end + "_temperature", "", si::K.in("degC"), "temperature there",
+                     [=](const Row& r) { return (r.*state).temperature; });
   };
   add("min", &Row::least, &Row::at_least, "least value over all states");
   add("max", &Row::most, &Row::at_most, "largest value over all states");

@@ -8,9 +8,6 @@
 namespace taut::study {
 namespace {
 
-using solve::TransientFrame;
-using solve::TransientResult;
-
 // Pictures of 2000 moments are as good as of more; with many parts in each of them they would take gigabytes.
 constexpr std::size_t most_frames = 2001, most_parts = 400'000;
 

@@ -188,6 +188,7 @@ const Quantities<GuyRow>& guy_quantities() {
 
 Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
   std::vector<GuyRow> rows;
+  rows.reserve(m.guys.size());
   for (std::size_t i = 0; i < m.guys.size(); ++i) rows.push_back({.name = mast.guys[i].name, .state = m.guys[i]});
   return make_table("guys", "Guylines at the governing carriage position, force on the anchor", guy_quantities(), rows);
 }

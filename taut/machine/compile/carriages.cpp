@@ -136,6 +136,28 @@ void check(const description::Carriage& car, const std::string& path, std::vecto
   if (car.rollers == 1 && car.wheelbase) complain(complaints, path + ".wheelbase", "needs 'rollers: 2' or more");
 }
 
+void check_rides(const description::Carriage& given, const std::string& path, const Passes& passes,
+                 std::vector<Complaint>& complaints) {
+  if (passes.rolls == 1) return;
+  complain(complaints, path,
+           fmt::format("the path of the rope it rides on goes {}: write '{{through: {}}}' in it once",
+                       how_often(passes.rolls), given.name));
+}
+
+/// The rope to which a carriage is fixed, and whether it also rides on it.
+struct Gripped {
+  const std::string& rope;
+  bool rides;
+};
+
+void check_grips(const description::Carriage& given, const std::string& path, const Passes& passes, const Gripped& on,
+                 std::vector<Complaint>& complaints) {
+  if (passes.grips == 1) return;
+  complain(complaints, path + ".fixed_to",
+           fmt::format("the path of '{}' goes {}: write '{{through: {}{}}}' in it once", on.rope,
+                       how_often(passes.grips), given.name, on.rides ? ", grip: true" : ""));
+}
+
 Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reeving>& reevings,
                      const Array<Array<Stop>>& stops, std::vector<Complaint>& complaints) {
   const description::Carriage& given = machine.carriages[index];
@@ -163,16 +185,8 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reev
       complain(complaints, path,
                fmt::format("rides on '{}', but the path of '{}' goes through it", given.rides, reevings[r].name));
     }
-    if (rides && passes.rolls != 1) {
-      complain(complaints, path,
-               fmt::format("the path of the rope it rides on goes {}: write '{{through: {}}}' in it once",
-                           how_often(passes.rolls), given.name));
-    }
-    if (grips && passes.grips != 1) {
-      complain(complaints, path + ".fixed_to",
-               fmt::format("the path of '{}' goes {}: write '{{through: {}{}}}' in it once", reevings[r].name,
-                           how_often(passes.grips), given.name, rides ? ", grip: true" : ""));
-    }
+    if (rides) check_rides(given, path, passes, complaints);
+    if (grips) check_grips(given, path, passes, {.rope = reevings[r].name, .rides = rides}, complaints);
   }
   const auto check_end = [&](std::optional<int> rope, const char* key) {
     if (!rope || pulls(stops[*rope], car.body)) return;

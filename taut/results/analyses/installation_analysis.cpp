@@ -82,14 +82,14 @@ const Quantities<LengthsRow>& lengths_of_ropes() {
     Quantities<LengthsRow> quantities = {
         {"rope", "", si::one, "the rope", [](const LengthsRow& r) { return r.rope.name; }}};
     for (const auto& q : study::length_quantities()) {
-      quantities.push_back({q.about.name, q.about.symbol, q.about.unit, q.about.words,
-                            [of = q.of](const LengthsRow& r) { return of(r.lengths); }});
+      quantities.emplace_back(q.about.name, q.about.symbol, q.about.unit, q.about.words,
+                              [of = q.of](const LengthsRow& r) { return of(r.lengths); });
     }
-    quantities.push_back({"copies", "n", si::one, "ropes side by side, each of these lengths",
-                          [](const LengthsRow& r) { return static_cast<double>(r.rope.copies); }});
-    quantities.push_back(
-        {"on_drums", "", si::m, "unstretched rope on its drums, where the deck has a length_on_drum",
-         [](const LengthsRow& r) { return on_drums(*r.run.machine, r.rope.name, r.lengths.unstretched); }});
+    quantities.emplace_back("copies", "n", si::one, "ropes side by side, each of these lengths",
+                            [](const LengthsRow& r) { return static_cast<double>(r.rope.copies); });
+    quantities.emplace_back(
+        "on_drums", "", si::m, "unstretched rope on its drums, where the deck has a length_on_drum",
+        [](const LengthsRow& r) { return on_drums(*r.run.machine, r.rope.name, r.lengths.unstretched); });
     return quantities;
   }();
   return all;
@@ -99,6 +99,7 @@ const Quantities<LengthsRow>& lengths_of_ropes() {
 Table lengths_table(const InstallationRun& run, const Row& row) {
   const machine::Model& m = row.at.at.model;
   std::vector<LengthsRow> rows;
+  rows.reserve(m.reevings.size());
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     rows.push_back({run, m.reevings[i], study::lengths_of(m, row.at.at.result, static_cast<int>(i))});
   }

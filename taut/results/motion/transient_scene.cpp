@@ -10,8 +10,6 @@
 namespace taut::results {
 namespace {
 
-using solve::TransientFrame;
-
 constexpr double arc_step = 0.3;  ///< rad
 constexpr double largest_arc = 40;
 

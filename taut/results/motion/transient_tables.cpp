@@ -11,8 +11,6 @@
 namespace taut::results {
 namespace {
 
-using solve::EnergyLedger;
-
 /// One form of energy.
 struct EnergyRow {
   std::string form;

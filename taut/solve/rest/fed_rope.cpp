@@ -54,13 +54,13 @@ Array<FedEnd> fed_ends(const mechanics::System& s) {
 }
 
 double tension_rate(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                    int k) {
-  const mechanics::Layout::Branch& l = s.layout.branches[k];
+                    int branch) {
+  const mechanics::Layout::Branch& l = s.layout.branches[branch];
   const machine::Reeving& rope = s.model.reevings[l.reeving];
-  const mechanics::Branch& b = e.branches[k];
-  const mechanics::BranchRates r =
-      mechanics::rates(mechanics::rope_of(rope, c.branches[k].length), mechanics::end_at(rope.nodes[l.from], c.bodies),
-                       mechanics::end_at(rope.nodes[l.to], c.bodies), b);
+  const mechanics::Branch& b = e.branches[branch];
+  const mechanics::BranchRates r = mechanics::rates(mechanics::rope_of(rope, c.branches[branch].length),
+                                                    mechanics::end_at(rope.nodes[l.from], c.bodies),
+                                                    mechanics::end_at(rope.nodes[l.to], c.bodies), b);
   return b.leaves.dot(r.pull_from_u);
 }
 

@@ -11,7 +11,6 @@
 namespace taut::study {
 namespace {
 
-using solve::Condition;
 using Kind = solve::Condition::Kind;
 
 class GivenResolver {
@@ -151,8 +150,8 @@ const Description& GivenRequest::describe() {
 }
 
 solve::Condition condition_of(const GivenRequest& request, std::optional<int> carriage, const std::string& path,
-                              Names& p) {
-  return GivenResolver(request, carriage, path, p).resolve();
+                              Names& names) {
+  return GivenResolver(request, carriage, path, names).resolve();
 }
 
 }  // namespace taut::study

@@ -11,8 +11,6 @@
 namespace taut::study {
 namespace {
 
-using solve::EquilibriumResult;
-
 constexpr double no_friction = 1e-6;  ///< difference of tensions, of the larger one
 constexpr double no_way = 1e-3;       ///< of a rope, of the carriage's way: it gives a little and runs nowhere
 

@@ -130,6 +130,7 @@ std::string name_of(Operation operation) {
 
 Table cases_table(const Input& in, const Output& out) {
   std::vector<CaseRow> rows;
+  rows.reserve(in.cases.size());
   for (std::size_t i = 0; i < in.cases.size(); ++i) {
     rows.push_back(
         {.one = in.cases[i], .F = out.F[i], .tensions = tensions(out, out.F[i]), .governs = governs(out, i)});

@@ -79,6 +79,7 @@ double height_of(const Input& in) { return std::max(in.skyline_block_height, in.
 
 Table positions_table(const std::vector<Position>& positions, const Output& governing) {
   std::vector<PositionRow> rows;
+  rows.reserve(positions.size());
   for (const Position& p : positions) {
     rows.push_back({.position = p, .governs = p.outcome.ok() && p.out.x == governing.x});
   }
