@@ -8,6 +8,8 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "taut/machine/state.hpp"
 #include "taut/rope/tangent.hpp"
@@ -17,7 +19,21 @@ namespace {
 
 bool in_a_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether a text holds a name as a word of its own: "car" in "car.z".
+/// Calls `f` with each word of a text: "car" and "z" of "car.z".
+template <class F>
+void for_each_word(std::string_view text, const F& f) {
+  for (std::size_t i = 0; i < text.size();) {
+    if (!in_a_name(text[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t first = i;
+    while (i < text.size() && in_a_name(text[i])) ++i;
+    f(text.substr(first, i - first));
+  }
+}
+
+/// Whether a text holds a name with nothing of a word before and behind it: "first car" in "first car.z".
 bool mentions(std::string_view text, std::string_view name) {
   for (std::size_t i = text.find(name); i != std::string_view::npos; i = text.find(name, i + 1)) {
     const std::size_t end = i + name.size();
@@ -29,19 +45,32 @@ bool mentions(std::string_view text, std::string_view name) {
 /// Every text of a deck that may name a part of the machine, and where it stands.
 class Mentions {
  public:
-  explicit Mentions(const MachineDeck& deck) : given_(given_of(MachineDeck::describe(), &deck)) {}
+  explicit Mentions(const MachineDeck& deck) : given_(given_of(MachineDeck::describe(), &deck)) {
+    for (const Given& one : given_) {
+      for_each_word(one.text, [&](std::string_view word) { by_word_[word].push_back(&one); });
+      if (names_by_key(one)) for_each_word(one.key, [&](std::string_view word) { by_word_[word].push_back(&one); });
+    }
+  }
 
   /// `list`: where the part is described itself.
   bool of(std::string_view list, const std::string& name) const {
     const std::string own = fmt::format("machine.{}.{}.", list, name);
+    const auto elsewhere = [&](const Given& one) { return !one.key.starts_with(own); };
+    if (std::all_of(name.begin(), name.end(), in_a_name)) {
+      const auto found = by_word_.find(name);
+      return found != by_word_.end() &&
+             std::any_of(found->second.begin(), found->second.end(), [&](const Given* one) { return elsewhere(*one); });
+    }
     return std::any_of(given_.begin(), given_.end(), [&](const Given& one) {
-      if (one.key.starts_with(own)) return false;
-      return mentions(one.text, name) || (!one.key.starts_with("machine.") && mentions(one.key, name));
+      return elsewhere(one) && (mentions(one.text, name) || (names_by_key(one) && mentions(one.key, name)));
     });
   }
 
  private:
+  static bool names_by_key(const Given& one) { return !one.key.starts_with("machine."); }
+
   std::vector<Given> given_;
+  std::unordered_map<std::string_view, std::vector<const Given*>> by_word_;
 };
 
 template <class Parts>

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <unordered_map>
 
 #include "taut/base/version.hpp"
 #include "taut/calc/comparison.hpp"
@@ -29,13 +31,22 @@ Json columns(const std::vector<Column>& all) {
 }
 
 Json values(const std::vector<Value>& all) {
+  // an object looks through all its members for a name: thousands of values are put beside each other instead
   Json map = Json::object();
+  auto& members = map.get_ref<Json::object_t&>();
+  std::unordered_map<std::string_view, std::size_t> places;
   for (const Value& v : all) {
-    map[v.name] = {{"value", number(v.value)},
-                   {"unit", v.unit.symbol},
-                   {"symbol", v.symbol},
-                   {"label", v.label},
-                   {"source", v.source}};
+    Json one = {{"value", number(v.value)},
+                {"unit", v.unit.symbol},
+                {"symbol", v.symbol},
+                {"label", v.label},
+                {"source", v.source}};
+    const auto [place, is_new] = places.try_emplace(v.name, members.size());
+    if (is_new) {
+      members.push_back({v.name, std::move(one)});
+    } else {
+      (members.begin() + static_cast<std::ptrdiff_t>(place->second))->second = std::move(one);
+    }
   }
   return map;
 }

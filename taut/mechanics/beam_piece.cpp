@@ -118,7 +118,7 @@ struct SectionRate {
 /// A piece with all its derivatives.
 class PieceRates {
  public:
-  PieceRates(const System& s, const Configuration& c, std::size_t index, Eigen::MatrixXd& J)
+  PieceRates(const System& s, const Configuration& c, std::size_t index, Entries& J)
       : s_(s),
         c_(c),
         p_(s.layout.pieces[index]),
@@ -209,17 +209,19 @@ class PieceRates {
     add_force_rows(column, piece_.end,
                    {.turn = in.end_body, .force = end_.force, .dF = end.segment<3>(6), .dM = end.tail<3>()}, -1);
     const int row = p_.unknown;
-    J_.block<3, 1>(row, column) += in.start + end.head<3>() - in.end;
+    J_.add_below(row, column, in.start + end.head<3>() - in.end);
     if (piece_.end_hold == BeamHold::hinged) {
-      J_.block<3, 1>(row + 3, column) += end.tail<3>();
+      J_.add_below(row + 3, column, end.tail<3>());
     } else if (first()) {
-      J_.block<3, 1>(row + 3, column) += end.segment<3>(3) - structure::sine_by_left(Q_end_) * in.end_body +
-                                         structure::sine_by_right(Q_end_) * in.reference;
+      J_.add_below(row + 3, column,
+                   end.segment<3>(3) - structure::sine_by_left(Q_end_) * in.end_body +
+                       structure::sine_by_right(Q_end_) * in.reference);
     } else {
-      J_.block<3, 1>(row + 3, column) +=
-          structure::sine_by_left(Q_end_) * end.segment<3>(3) - structure::sine_by_right(Q_end_) * in.end_body;
+      J_.add_below(
+          row + 3, column,
+          structure::sine_by_left(Q_end_) * end.segment<3>(3) - structure::sine_by_right(Q_end_) * in.end_body);
     }
-    if (p_.hinged) J_(row + 6, column) += in.twist;
+    if (p_.hinged) J_.add(row + 6, column, in.twist);
   }
 
   Vector3 small_by(const Input& in) const {
@@ -232,7 +234,7 @@ class PieceRates {
     const Vector3 all = by.turn.cross(arm).cross(by.force) + arm.cross(by.dF) + by.dM;
     for (int i = s_.layout.first_dof[place.body]; i < s_.layout.first_dof[as_size(place.body) + 1]; ++i) {
       const machine::Freedom& way = s_.layout.dofs[i].way;
-      J_(i, column) += factor * (by.dF.dot(way.along) + all.dot(way.about));
+      J_.add(i, column, factor * (by.dF.dot(way.along) + all.dot(way.about)));
     }
   }
 
@@ -241,7 +243,7 @@ class PieceRates {
   const Layout::Piece& p_;
   const machine::BeamPiece& piece_;
   const machine::PieceState& state_;
-  Eigen::MatrixXd& J_;
+  Entries& J_;
   structure::RodRates rates_;
   RodState start_, end_;
   Hinge hinge_;
@@ -274,7 +276,7 @@ void add_beams(const System& s, const Configuration& c, Evaluation& e) {
   }
 }
 
-void add_beam_rates(const System& s, const Configuration& c, Eigen::MatrixXd& J) {
+void add_beam_rates(const System& s, const Configuration& c, Entries& J) {
   for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) PieceRates(s, c, k, J).add();
 }
 

@@ -16,7 +16,7 @@ structure::RodState piece_start(const System& s, const Configuration& c, std::si
 void add_beams(const System& system, const Configuration& c, Evaluation& e);
 
 /// Their derivatives.
-void add_beam_rates(const System& system, const Configuration& c, Eigen::MatrixXd& J);
+void add_beam_rates(const System& system, const Configuration& c, Entries& J);
 
 /// The unknowns of the pieces moved by `part` of a step.
 void move_beams(const System& system, const Eigen::VectorXd& step, double part, Configuration& moved);

@@ -17,7 +17,7 @@ struct Assembly {
   const System& system;
   const Configuration& c;
   const Evaluation& e;
-  Eigen::MatrixXd& J;
+  Entries& J;
   Array<Columns>& columns;
 };
 
@@ -96,7 +96,7 @@ void add_force_rows(Assembly& a, const EndPull& at, const Columns& columns, doub
       const Vector3& dF = at.dF[k];
       double value = dF.dot(way.along);
       if (turns) value += way.about.dot(at.darm[k].cross(at.F) + at.arm.cross(dF));
-      a.J(i, columns.unknown[k]) += factor * value;
+      a.J.add(i, columns.unknown[k], factor * value);
     }
   }
 }
@@ -131,7 +131,7 @@ void add_dead_force(Assembly& a, int body, const Vector3& arm, const Vector3& F)
     const Vector3& row = layout.dofs[i].way.about;
     if (row == Vector3::Zero()) continue;
     for (int j = layout.first_dof[body]; j < layout.first_dof[as_size(body) + 1]; ++j) {
-      a.J(i, j) += row.dot(layout.dofs[j].way.about.cross(arm).cross(F));
+      a.J.add(i, j, row.dot(layout.dofs[j].way.about.cross(arm).cross(F)));
     }
   }
 }
@@ -155,10 +155,11 @@ void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_ou
   const Columns &in = a.columns[t.before], &out = a.columns[t.after];
   const Vector3 &d_in = a.e.branches[t.before].arrives, &d_out = a.e.branches[t.after].leaves;
   for (std::size_t k = 0; k < as_size(in.count); ++k) {
-    a.J(row, in.unknown[k]) += factor_in * d_in.dot(in.pull_to[k]) + factor_wrap * bend.by_in.dot(in.arrives[k]);
+    a.J.add(row, in.unknown[k], factor_in * d_in.dot(in.pull_to[k]) + factor_wrap * bend.by_in.dot(in.arrives[k]));
   }
   for (std::size_t k = 0; k < as_size(out.count); ++k) {
-    a.J(row, out.unknown[k]) += factor_out * d_out.dot(out.pull_from[k]) + factor_wrap * bend.by_out.dot(out.leaves[k]);
+    a.J.add(row, out.unknown[k],
+            factor_out * d_out.dot(out.pull_from[k]) + factor_wrap * bend.by_out.dot(out.leaves[k]));
   }
 }
 
@@ -184,7 +185,7 @@ void add_contact(Assembly& a, int turn) {
 /// The free length of a branch in a row.
 void add_length(Assembly& a, int index, int row) {
   const Columns& columns = a.columns[index];
-  for (std::size_t k = 0; k < as_size(columns.count); ++k) a.J(row, columns.unknown[k]) += columns.length[k];
+  for (std::size_t k = 0; k < as_size(columns.count); ++k) a.J.add(row, columns.unknown[k], columns.length[k]);
 }
 
 /// The end tension of a rope as a row.
@@ -192,7 +193,7 @@ void add_tension(Assembly& a, int index, bool start, int row) {
   const Columns& columns = a.columns[index];
   const Branch& b = a.e.branches[index];
   for (std::size_t k = 0; k < as_size(columns.count); ++k) {
-    a.J(row, columns.unknown[k]) += start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]);
+    a.J.add(row, columns.unknown[k], start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]));
   }
 }
 
@@ -249,9 +250,9 @@ void add_coordinate(Assembly& a) {
   const int body = layout.coordinate_body;
   const int first = layout.first_dof[body], last = layout.first_dof[as_size(body) + 1];
   for (int i = first; i < last; ++i)
-    a.J(*layout.coordinate_row, i) = layout.dofs[i].way.along.dot(layout.coordinate_along);
+    a.J.add(*layout.coordinate_row, i, layout.dofs[i].way.along.dot(layout.coordinate_along));
   if (layout.height_row) {
-    for (int i = first; i < last; ++i) a.J(*layout.height_row, i) = layout.dofs[i].way.along.z();
+    for (int i = first; i < last; ++i) a.J.add(*layout.height_row, i, layout.dofs[i].way.along.z());
   }
   if (!layout.hold) return;
   const std::size_t before = as_size(layout.turns[layout.hold->first_turn].before);
@@ -264,7 +265,7 @@ void add_coordinate(Assembly& a) {
     const Vector3 turn = a.c.hold / size * (d - along * along.dot(d));
     for (int i = first; i < last; ++i) {
       const machine::Freedom& way = layout.dofs[i].way;
-      a.J(i, unknown) += turn.dot(way.along) + way.about.dot(arm.cross(turn) + a.c.hold * darm.cross(along));
+      a.J.add(i, unknown, turn.dot(way.along) + way.about.dot(arm.cross(turn) + a.c.hold * darm.cross(along)));
     }
   };
   for (std::size_t k = 0; k < as_size(in.count); ++k) add(in.unknown[k], in.arrives[k], Vector3::Zero());
@@ -272,15 +273,15 @@ void add_coordinate(Assembly& a) {
   for (int j = first; j < last; ++j) add(j, Vector3::Zero(), layout.dofs[j].way.about.cross(arm));
   for (int i = first; i < last; ++i) {
     const machine::Freedom& way = layout.dofs[i].way;
-    a.J(i, layout.hold->unknown) = along.dot(way.along) + way.about.dot(arm.cross(along));
+    a.J.add(i, layout.hold->unknown, along.dot(way.along) + way.about.dot(arm.cross(along)));
   }
 }
 
 }  // namespace
 
-void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Entries& J,
               Array<BranchColumns>& columns) {
-  J.setZero(system.layout.size, system.layout.size);
+  J.reset(system.layout.size);
   columns.resize(system.layout.branches.size());
   Assembly a{.system = system, .c = c, .e = e, .J = J, .columns = columns};
   for (int k = 0; k < static_cast<int>(columns.size()); ++k) fill_columns(a, k, columns[k]);

@@ -43,9 +43,10 @@ double worst_derivative(const machine::Model& m, std::optional<machine::Prescrib
   }
   mechanics::Evaluation e;
   settle(system, c, e);
-  Eigen::MatrixXd J;
+  taut::Entries added;
   taut::Array<mechanics::BranchColumns> columns;
-  mechanics::jacobian(system, c, e, J, columns);
+  mechanics::jacobian(system, c, e, added, columns);
+  const Eigen::MatrixXd J = added.dense();
   double worst = 0;
   for (Eigen::Index j = 0; j < layout.size; ++j) {
     mechanics::Configuration ahead, back;

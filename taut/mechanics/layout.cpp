@@ -1,5 +1,6 @@
 #include "taut/mechanics/layout.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -119,10 +120,13 @@ void measure(Layout& l, const machine::Model& model, const machine::State& state
       l.heaviest = std::max({l.heaviest, node.load.force, std::abs(node.tension_drop.value_or(0))});
     }
   }
+  Eigen::AlignedBox3d box;
   for (const Layout::Branch& laid : l.branches) {
     const machine::Reeving& rope = model.reevings[laid.reeving];
-    const Vector3 chord =
-        machine::in_ground(state, rope.nodes[laid.to].at) - machine::in_ground(state, rope.nodes[laid.from].at);
+    const Vector3 from = machine::in_ground(state, rope.nodes[laid.from].at),
+                  to = machine::in_ground(state, rope.nodes[laid.to].at), chord = to - from;
+    box.extend(from);
+    box.extend(to);
     l.length = std::max(l.length, chord.norm());
     l.heaviest = std::max(l.heaviest, rope.weight * chord.norm());
     if (std::isfinite(rope.stiffness)) l.stiffest = std::max(l.stiffest, rope.stiffness);
@@ -132,6 +136,7 @@ void measure(Layout& l, const machine::Model& model, const machine::State& state
     if (!beam.pieces.empty()) l.heaviest = std::max(l.heaviest, beam.length * beam.pieces.front().rod.section.weight);
   }
   if (l.length == 0) l.length = 1;
+  l.extent = std::max(l.length, box.isEmpty() ? 0 : box.sizes().norm());
 }
 
 void add_beams(Layout& l, const machine::Model& model) {

@@ -68,6 +68,7 @@ struct Layout {
   std::optional<Hold> hold;
   double heaviest = 0;         ///< largest weight or load, N: a scale
   double length = 0;           ///< longest span, m: a scale
+  double extent = 0;           ///< diagonal of the box around the ends of all spans, at least the longest one, m
   double stiffest = 0;         ///< largest finite EA of a rope, N
   double slack_stiffness = 0;  ///< EA by which a slack rope whose force is an unknown shares its slack out, N
 };

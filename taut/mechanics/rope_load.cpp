@@ -82,12 +82,12 @@ namespace {
 
 /// The row of a load's place: its share of the free length of its span.
 void add_share_row(const System& s, const Layout::Turn& t, const LoadedSpan& span, const Array<BranchColumns>& columns,
-                   Eigen::MatrixXd& J) {
+                   Entries& J) {
   const double share = node_of(s, t).load.share;
   for (int k = span.first; k <= span.last; ++k) {
     const BranchColumns& free = columns[k];
     for (std::size_t i = 0; i < as_size(free.count); ++i) {
-      J(*t.row, free.unknown[i]) += ((k <= t.before ? 1 : 0) - share) * free.length[i];
+      J.add(*t.row, free.unknown[i], ((k <= t.before ? 1 : 0) - share) * free.length[i]);
     }
   }
 }
@@ -95,7 +95,7 @@ void add_share_row(const System& s, const Layout::Turn& t, const LoadedSpan& spa
 }  // namespace
 
 void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e, const Array<BranchColumns>& columns,
-                    Eigen::MatrixXd& J) {
+                    Entries& J) {
   for (int turn = 0; turn < static_cast<int>(s.layout.turns.size()); ++turn) {
     const Layout::Turn& t = s.layout.turns[turn];
     if (!is_load(s, t)) continue;
@@ -108,7 +108,7 @@ void add_rope_loads(const System& s, const Configuration& c, const Evaluation& e
     const auto add = [&](int unknown, const Vector3& by) {
       for (int k = 0; k < row_count(s, t); ++k) {
         const int row = first_row(s, t) + k;
-        J(row, unknown) += by.dot(s.layout.dofs[row].way.along);
+        J.add(row, unknown, by.dot(s.layout.dofs[row].way.along));
       }
     };
     const auto turned = [&](const Vector3& change) -> Vector3 {

@@ -16,6 +16,6 @@ void add_rope_loads(const System& system, const Configuration& c, Evaluation& e)
 
 /// The derivatives of both.
 void add_rope_loads(const System& system, const Configuration& c, const Evaluation& e,
-                    const Array<BranchColumns>& columns, Eigen::MatrixXd& J);
+                    const Array<BranchColumns>& columns, Entries& J);
 
 }  // namespace taut::mechanics

@@ -138,7 +138,7 @@ BranchRates stiff_rates(const BranchAt& at) {
 
 namespace {
 
-void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Entries& J) {
   const Branch& b = at.branch;
   const int row = *at.system.layout.branches[at.index].force;
   const BranchEnds l = ends_of(at.system, at.index, at.c);
@@ -156,11 +156,12 @@ void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& column
   const Matrix3 to = tangent_offset_rate(l.to, b.arrives) * arrives;
   // the columns of the ends' bodies, then the length
   const std::size_t own = as_size(columns.count - 1);
-  for (std::size_t i = 0; i < own; ++i) J.block<3, 1>(row, columns.unknown[i]) -= ends[i];
-  J.block<3, 1>(row, columns.unknown[own]) +=
-      by_length.dx_dlength * along + by_length.dz_dlength * up() + columns.arm_from[own] - columns.arm_to[own];
-  J.block<3, 3>(row, row) += compliance + from - to;
+  for (std::size_t i = 0; i < own; ++i) J.add_below(row, columns.unknown[i], -ends[i]);
+  J.add_below(row, columns.unknown[own],
+              by_length.dx_dlength * along + by_length.dz_dlength * up() + columns.arm_from[own] - columns.arm_to[own]);
+  const Matrix3 by_force = compliance + from - to;
   for (int i = 0; i < 3; ++i) {
+    J.add_below(row, row + i, by_force.col(i));
     const std::size_t k = as_size(columns.count++);
     columns.unknown[k] = row + i;
     columns.length[k] = 0;
@@ -172,7 +173,7 @@ void add_heavy(const BranchAt& at, const BranchWays& ends, BranchColumns& column
   }
 }
 
-void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Entries& J) {
   const System& s = at.system;
   const Branch& b = at.branch;
   const int row = *s.layout.branches[at.index].force;
@@ -181,10 +182,10 @@ void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns
   const double scale = s.layout.length;
   const std::size_t own = as_size(columns.count - 1);
   for (std::size_t i = 0; i < own; ++i) {
-    J(row, columns.unknown[i]) += scale * b.leaves.dot(strain.pull_from_X * ends[i]);
+    J.add(row, columns.unknown[i], scale * b.leaves.dot(strain.pull_from_X * ends[i]));
   }
-  J(row, columns.unknown[own]) += scale * b.leaves.dot(strain.pull_from_u);
-  J(row, row) -= scale / stretching(s, rope_at(s, at.index), b.T_from);
+  J.add(row, columns.unknown[own], scale * b.leaves.dot(strain.pull_from_u));
+  J.add(row, row, -scale / stretching(s, rope_at(s, at.index), b.T_from));
   const std::size_t k = as_size(columns.count++);
   columns.unknown[k] = row;
   columns.length[k] = 0;
@@ -194,7 +195,7 @@ void add_line(const BranchAt& at, const BranchWays& ends, BranchColumns& columns
 
 }  // namespace
 
-void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J) {
+void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Entries& J) {
   rope_at(at.system, at.index).weight > 0 ? add_heavy(at, ends, columns, J) : add_line(at, ends, columns, J);
 }
 

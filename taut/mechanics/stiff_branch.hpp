@@ -32,7 +32,7 @@ using BranchWays = std::array<Vector3, BranchColumns::most>;
 
 /// Adds its forces to the branch's columns, and the derivatives of its own rows by all of them. The columns before
 /// them are those of its bodies and its length.
-void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Eigen::MatrixXd& J);
+void add_stiff_columns(const BranchAt& at, const BranchWays& ends, BranchColumns& columns, Entries& J);
 
 /// The layout with the forces of all branches of ropes stiffer than `limit` (N) among its unknowns. A slack rope
 /// without weight and stiffer than `slack_stiffness` (N) shares its slack among its branches as one of this EA.

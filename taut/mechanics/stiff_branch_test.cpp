@@ -32,9 +32,10 @@ double worst_rate(const machine::Model& m) {
   const mechanics::System system{.model = m, .layout = layout};
   c = mechanics::with_forces(system, c, e);
   EXPECT_FALSE(mechanics::evaluate(system, c, e));
-  Eigen::MatrixXd J;
+  taut::Entries added;
   taut::Array<mechanics::BranchColumns> columns;
-  mechanics::jacobian(system, c, e, J, columns);
+  mechanics::jacobian(system, c, e, added, columns);
+  const Eigen::MatrixXd J = added.dense();
   Eigen::VectorXd size = Eigen::VectorXd::Ones(layout.size);
   size.tail(layout.size - by_length.size).setConstant(e.largest_force);
   const Eigen::MatrixXd scaled = J * size.asDiagonal();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/math/entries.hpp"
 #include "taut/mechanics/arc_length.hpp"
 #include "taut/mechanics/bend.hpp"
 #include "taut/mechanics/branch.hpp"
@@ -63,7 +64,7 @@ struct BranchColumns {
 
 /// d(residual)/d(unknowns), exact, by way of the branches' columns. Rotations: by a small turn about the freedom's
 /// axis.
-void jacobian(const System& system, const Configuration& c, const Evaluation& e, Eigen::MatrixXd& J,
+void jacobian(const System& system, const Configuration& c, const Evaluation& e, Entries& J,
               Array<BranchColumns>& columns);
 
 /// A step of the unknowns, and what it does to the force of each branch in its plane to first order: a start for the

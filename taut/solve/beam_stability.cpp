@@ -295,7 +295,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   mechanics::Configuration now = c;
   mechanics::Evaluation e;
   if (mechanics::evaluate(rest, now, e)) return std::nullopt;
-  Eigen::MatrixXd J;
+  Entries J;
   Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(rest, now, e, J, columns);
   Array<std::optional<int>> coordinates(s.layout.dofs.size());
@@ -310,7 +310,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   }
   const auto eliminated = static_cast<int>(order.size());
   order.insert(order.end(), left.begin(), left.end());
-  const std::optional<Eigen::MatrixXd> condensed = condense(J, order, eliminated);
+  const std::optional<Eigen::MatrixXd> condensed = condense(J.dense(), order, eliminated);
   if (!condensed) return std::nullopt;
   const Eigen::MatrixXd stiffness = -*condensed;
   const StiffnessAssembly machine(s, c, stiffness, coordinates);

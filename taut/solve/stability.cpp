@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 #include <utility>
+#include <vector>
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
@@ -14,6 +17,8 @@
 
 namespace taut::solve {
 namespace {
+
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
@@ -138,23 +143,30 @@ Array<double> material_rates(const mechanics::System& s, const mechanics::Config
 }
 
 /// The unknowns by the coordinates: rope between the middles of arcs is kept, but for what passes a contact.
-Eigen::MatrixXd unknowns_by(const mechanics::System& s, const mechanics::Configuration& c,
-                            const mechanics::Evaluation& e, const Array<mechanics::BranchColumns>& columns,
-                            const Coordinates& all) {
-  const auto n = static_cast<Eigen::Index>(all.rows.size());
-  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(s.layout.size, n);
-  if (n == 0) return Z;  // nothing moves, and a matrix without columns has no rows to take
-  for (Eigen::Index j = 0; j < n; ++j) {
+Rows unknowns_by(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                 const Array<mechanics::BranchColumns>& columns, const Coordinates& all) {
+  // of each unknown its coordinates, each with the factor by which it follows
+  Array<Array<std::pair<int, double>>> by(as_size(s.layout.size));
+  for (int j = 0; j < static_cast<int>(all.rows.size()); ++j) {
     const auto [plus, minus] = all.unknown[j];
-    Z(plus, j) = 1;
-    if (minus) Z(*minus, j) = -1;
+    by[plus].emplace_back(j, 1);
+    if (minus) by[*minus].emplace_back(j, -1);
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const int own = s.layout.branches[k].unknown;
+    Array<std::pair<int, double>>& own = by[s.layout.branches[k].unknown];
     const Array<double> rates = material_rates(s, c, e, columns[k], k);
-    for (std::size_t j = 0; j + 1 < rates.size(); ++j) Z.row(own) -= rates[j] * Z.row(columns[k].unknown[j]);
-    Z.row(own) /= rates.back();
+    for (std::size_t j = 0; j + 1 < rates.size(); ++j) {
+      for (const auto& [coordinate, factor] : by[columns[k].unknown[j]])
+        own.emplace_back(coordinate, -rates[j] * factor);
+    }
+    for (auto& one : own) one.second /= rates.back();
   }
+  Array<Eigen::Triplet<double, int>> entries;
+  for (int i = 0; i < s.layout.size; ++i) {
+    for (const auto& [coordinate, factor] : by[i]) entries.emplace_back(i, coordinate, factor);
+  }
+  Rows Z(s.layout.size, static_cast<Eigen::Index>(all.rows.size()));
+  Z.setFromTriplets(entries.begin(), entries.end());
   return Z;
 }
 
@@ -193,47 +205,108 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, cons
                                                 const mechanics::Evaluation& e) {
   const Array<FedEnd> fed = s.lengths_kept ? Array<FedEnd>() : fed_ends(s);
   if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
-  Eigen::MatrixXd J;
+  Entries J;
   Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(s, c, e, J, columns);
   const Coordinates all = coordinates_of(s, e, fed);
   EnergyCurvature curvature{.rows = all.rows, .matrix = {}, .unknowns = unknowns_by(s, c, e, columns, all)};
-  const auto n = static_cast<Eigen::Index>(all.rows.size());
-  const Eigen::MatrixXd slopes = J * curvature.unknowns;
-  curvature.matrix.resize(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    curvature.matrix.row(i) = -all.factor[k] * slopes.row(all.residual[k]);
+  const auto n = static_cast<int>(all.rows.size());
+  const Rows slopes = J.rows() * curvature.unknowns;
+  Array<Eigen::Triplet<double, int>> entries;
+  for (int i = 0; i < n; ++i) {
+    for (Rows::InnerIterator slope(slopes, all.residual[i]); slope; ++slope) {
+      entries.emplace_back(i, static_cast<int>(slope.col()), -all.factor[i] * slope.value());
+    }
   }
+  curvature.matrix.resize(n, n);
+  curvature.matrix.setFromTriplets(entries.begin(), entries.end());
   return curvature;
 }
 
-std::optional<Eigen::VectorXd> negative_direction(const Eigen::MatrixXd& matrix) {
-  const Eigen::Index n = matrix.rows();
-  Eigen::VectorXd scale(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double size = matrix.row(i).cwiseAbs().maxCoeff();
-    const double d = std::abs(matrix(i, i));
-    scale[i] = size > 0 ? 1 / std::sqrt(std::max(d, 1e-12 * size)) : 1;
+namespace {
+
+/// Rows and columns scaled so that the diagonal is 1, where it is not much smaller than its row.
+Eigen::VectorXd unit_diagonal(const Rows& matrix) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.rows());
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    double size = 0;
+    for (Rows::InnerIterator entry(matrix, i); entry; ++entry) size = std::max(size, std::abs(entry.value()));
+    if (size > 0) scale[i] = 1 / std::sqrt(std::max(std::abs(matrix.coeff(i, i)), 1e-12 * size));
   }
-  Eigen::MatrixXd A = scale.asDiagonal() * matrix * scale.asDiagonal();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double pivot = A(k, k);
-    if (pivot < -matrix_rounding) {
-      // those before k follow: U v = pivot e_k
-      Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
-      v[k] = 1;
-      for (Eigen::Index i = k - 1; i >= 0; --i) {
-        if (A(i, i) <= matrix_rounding) continue;
-        for (Eigen::Index j = i + 1; j <= k; ++j) v[i] -= A(i, j) / A(i, i) * v[j];
+  return scale;
+}
+
+/// Elimination of a sparse matrix row by row without pivoting. A neutral pivot is passed by: nothing holds that row,
+/// nothing drives it.
+class Elimination {
+ public:
+  using Row = Array<std::pair<int, double>>;  ///< columns, ascending, and their entries
+
+  explicit Elimination(int size) : upper_(as_size(size)), work_(as_size(size), 0), marked_(as_size(size), false) {}
+
+  /// What is left of the diagonal of row `i` once those before it follow.
+  double eliminate(const Rows& matrix, const Eigen::VectorXd& scale, int i) {
+    for (Rows::InnerIterator entry(matrix, i); entry; ++entry) {
+      const auto j = static_cast<int>(entry.col());
+      mark(j);
+      work_[j] = scale[i] * entry.value() * scale[j];
+    }
+    mark(i);
+    Row row;
+    while (!open_.empty()) {
+      const int k = open_.top();
+      open_.pop();
+      const double value = std::exchange(work_[k], 0);
+      marked_[k] = false;
+      if (k >= i) {
+        row.emplace_back(k, value);
+        continue;
       }
-      return Eigen::VectorXd(scale.cwiseProduct(v));
+      const double pivot = upper_[k].front().second;
+      if (pivot <= matrix_rounding || value == 0) continue;
+      for (const auto& [j, above] : upper_[k]) {
+        if (j == k) continue;
+        mark(j);
+        work_[j] -= value / pivot * above;
+      }
     }
-    if (pivot <= matrix_rounding) continue;  // neutral: nothing holds it, nothing drives it
-    for (Eigen::Index i = k + 1; i < n; ++i) {
-      const double factor = A(i, k) / pivot;
-      for (Eigen::Index j = k + 1; j < n; ++j) A(i, j) -= factor * A(k, j);
+    upper_[i] = std::move(row);
+    return upper_[i].front().second;
+  }
+
+  /// Scaled direction in which row `i` moves by 1 and those before it follow.
+  Eigen::VectorXd direction(int i) const {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(upper_.size()));
+    v[i] = 1;
+    for (int k = i - 1; k >= 0; --k) {
+      const double pivot = upper_[k].front().second;
+      if (pivot <= matrix_rounding) continue;
+      for (const auto& [j, above] : upper_[k]) v[k] -= j == k ? 0 : above / pivot * v[j];
     }
+    return v;
+  }
+
+ private:
+  void mark(int j) {
+    if (marked_[j]) return;
+    marked_[j] = true;
+    open_.push(j);
+  }
+
+  Array<Row> upper_;
+  Array<double> work_;
+  Array<bool> marked_;
+  std::priority_queue<int, std::vector<int>, std::greater<>> open_;
+};
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> negative_direction(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix) {
+  const Eigen::VectorXd scale = unit_diagonal(matrix);
+  Elimination elimination(static_cast<int>(matrix.rows()));
+  for (int i = 0; i < matrix.rows(); ++i) {
+    if (elimination.eliminate(matrix, scale, i) >= -matrix_rounding) continue;
+    return Eigen::VectorXd(scale.cwiseProduct(elimination.direction(i)));
   }
   return std::nullopt;
 }

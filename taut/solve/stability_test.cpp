@@ -55,13 +55,31 @@ TEST(Stability, TheCurvatureOfAnEnergyIsSymmetric) {
 
 TEST(Stability, NegativeDirections) {
   Eigen::Matrix3d A = Eigen::Vector3d(4, 1e6, 1e-3).asDiagonal();
-  EXPECT_FALSE(negative_direction(A));
+  EXPECT_FALSE(negative_direction(A.sparseView()));
   A(2, 2) = 0;  // neutral
-  EXPECT_FALSE(negative_direction(A));
+  EXPECT_FALSE(negative_direction(A.sparseView()));
   A << 2, 3, 0, 3, 2, 0, 0, 0, 1;  // eigenvalues 5, -1, 1
+  const auto v = negative_direction(A.sparseView());
+  ASSERT_TRUE(v);
+  EXPECT_LT(v->dot(A * *v), 0);
+}
+
+TEST(Stability, ANegativeDirectionOfALargeMatrix) {
+  // springs in a row with a negative one among them: the two parts are pushed apart
+  const int n = 500, weak = 300;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> A(n, n);
+  for (int i = 0; i <= n; ++i) {
+    const double k = i == weak ? -0.01 : 1;
+    if (i > 0) A.coeffRef(i - 1, i - 1) += k;
+    if (i < n) A.coeffRef(i, i) += k;
+    if (i > 0 && i < n) A.coeffRef(i - 1, i) = A.coeffRef(i, i - 1) = -k;
+  }
   const auto v = negative_direction(A);
   ASSERT_TRUE(v);
   EXPECT_LT(v->dot(A * *v), 0);
+  A.coeffRef(weak - 1, weak - 1) += 1;  // both parts held
+  A.coeffRef(weak, weak) += 1;
+  EXPECT_FALSE(negative_direction(A));
 }
 
 /// A pole on a hinge between two weightless guys in its plane, with a weight on top.

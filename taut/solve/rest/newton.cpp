@@ -1,11 +1,10 @@
 #include "taut/solve/rest/newton.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "taut/base/array.hpp"
-#include "taut/math/dense_lu.hpp"
+#include "taut/math/linear_system.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
@@ -14,9 +13,8 @@ namespace taut::solve {
 namespace {
 
 constexpr double least_part = 1.0 / 1024;
-constexpr double singular_below = 1e-14;
 constexpr double longest_turn = 0.5;       // rad per step
-constexpr double longest_move = 0.5;       // of the machine's length per step
+constexpr double longest_move = 0.5;       // of the machine's extent per step
 constexpr double shortest_branch = 0.4;    // of its length before the step
 constexpr double rounding_strain = 4e-15;  // of EA: what rounded coordinates leave of a balance
 constexpr double most_rounding = 1e-8;     // of the largest force: more of it is no balance
@@ -47,7 +45,7 @@ double force_change(const mechanics::System& s, const mechanics::Evaluation& e, 
 /// The scaled linear system of one point.
 class Linear {
  public:
-  Linear(const mechanics::System& system, Eigen::Index n) : columns_(n), rows_(n) {
+  explicit Linear(const mechanics::System& system) : columns_(system.layout.size) {
     columns_.setConstant(system.layout.length);
     for (std::size_t i = 0; i < system.layout.dofs.size(); ++i) {
       if (system.layout.dofs[i].way.about != Vector3::Zero()) columns_[static_cast<Eigen::Index>(i)] = 1;
@@ -66,49 +64,21 @@ class Linear {
     });
   }
 
-  void factor(const Eigen::MatrixXd& J) {
-    scaled_ = J * columns_.asDiagonal();
-    for (Eigen::Index i = 0; i < rows_.size(); ++i) {
-      const double size = scaled_.row(i).cwiseAbs().maxCoeff();
-      rows_[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
-      scaled_.row(i) *= rows_[i];
-    }
-    lu_.factor(scaled_);
-    singular_ = !(lu_.pivot_ratio() > singular_below);
-    if (singular_) {
-      orthogonal_.setThreshold(1e-12);
-      orthogonal_.compute(scaled_);
-    }
-  }
-
-  /// The scaled step -J^-1 r, of least length where J is singular.
-  Eigen::VectorXd solve(const Eigen::VectorXd& r) const {
-    const Eigen::VectorXd right = -rows_.cwiseProduct(r);
-    return singular_ ? Eigen::VectorXd(orthogonal_.solve(right)) : lu_.solve(right);
-  }
-
+  void factor(const Entries& J) { system_.factor(J, columns_); }
+  /// The scaled step -J^-1 r.
+  Eigen::VectorXd solve(const Eigen::VectorXd& r) const { return system_.solve(-r); }
   Eigen::VectorXd unscaled(const Eigen::VectorXd& step) const { return columns_.cwiseProduct(step); }
-  bool singular() const { return singular_; }
-
-  /// How much of each unknown is in what no row determines, as a share of its scale; empty where all are.
-  Eigen::VectorXd free() const {
-    const Eigen::Index n = rows_.size();
-    if (!singular_ || orthogonal_.rank() == n) return {};
-    const Eigen::MatrixXd open = orthogonal_.matrixZ().adjoint().rightCols(n - orthogonal_.rank());
-    return (orthogonal_.colsPermutation() * open).rowwise().norm();
-  }
+  bool singular() const { return system_.singular(); }
+  Eigen::VectorXd undetermined() const { return system_.undetermined(); }
 
  private:
-  Eigen::VectorXd columns_, rows_;
-  Eigen::MatrixXd scaled_;
-  DenseLu lu_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal_;
-  bool singular_ = false;
+  Eigen::VectorXd columns_;
+  LinearSystem system_;
 };
 
 /// A branch whose force no row determines.
 std::optional<int> undetermined_branch(const mechanics::System& s, const Linear& linear) {
-  const Eigen::VectorXd free = linear.free();
+  const Eigen::VectorXd free = linear.undetermined();
   std::optional<int> worst;
   double most = least_free;
   for_each_force(s, [&](int branch, int unknown) {
@@ -135,7 +105,7 @@ double longest_part(const mechanics::System& s, const mechanics::Configuration& 
   double part = 1;
   for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
-    const double most = turns ? longest_turn : longest_move * s.layout.length;
+    const double most = turns ? longest_turn : longest_move * s.layout.extent;
     part = std::min(part, most / std::max(most, std::abs(step[static_cast<Eigen::Index>(i)])));
   }
   for (std::size_t k = 0; k < c.branches.size(); ++k) {
@@ -159,30 +129,43 @@ bool settled(const mechanics::System& s, const mechanics::Evaluation& e, double 
          std::max(m.length, m.span) <= tolerance * s.layout.length;
 }
 
-/// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
-/// towards equilibrium. A rope flows to where its tension is larger; how much passed a contact is what its branches
-/// on the side of its fixed end have lost. A fed rope is paid out while its tension is above the given one.
-void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag, double ropes, Eigen::MatrixXd& J) {
-  for (std::size_t i = 0; i < s.layout.dofs.size(); ++i) {
-    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
-    const auto k = static_cast<Eigen::Index>(i);
-    J(k, k) -= drag * (turns ? s.layout.length * s.layout.length : 1);
-  }
+/// Calls `f` with each row of a rope that flows over a contact or is fed in, and what flowed: the sum of the lengths
+/// of its branches first .. last times a sign. How much passed a contact is what its branches on the side of its fixed
+/// end have lost.
+template <class F>
+void for_each_flow(const mechanics::System& s, const Array<FedEnd>& fed, const F& f) {
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
     const machine::Reeving& reeving = s.model.reevings[t.reeving];
     if (reeving.nodes[t.node].kind != machine::NodeKind::contact) continue;
     const mechanics::Layout::Rope& rope = s.layout.ropes[t.reeving];
     const bool fixed_at_end = reeving.given == machine::Given::tension_at_start;
-    const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count : t.after;
-    for (int k = first; k < last; ++k) {
-      J(*t.row, s.layout.branches[k].unknown) += fixed_at_end ? -ropes * drag : ropes * drag;
-    }
+    const int first = fixed_at_end ? t.after : rope.first, last = fixed_at_end ? rope.first + rope.count - 1 : t.before;
+    f(*t.row, first, last, fixed_at_end ? -1 : 1);
   }
-  for (const FedEnd& end : fed) {
-    for (int k = end.first; k <= end.last; ++k) {
-      J(end.row, s.layout.branches[k].unknown) -= ropes * drag;
-    }
+  for (const FedEnd& end : fed) f(end.row, end.first, end.last, -1);
+}
+
+/// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
+/// towards equilibrium. A rope flows to where its tension is larger; a fed rope is paid out while its tension is above
+/// the given one.
+void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag, double ropes, Entries& J) {
+  for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
+    const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
+    J.add(i, i, -drag * (turns ? s.layout.length * s.layout.length : 1));
   }
+  for_each_flow(s, fed, [&](int row, int first, int last, int sign) {
+    for (int k = first; k <= last; ++k) J.add(row, s.layout.branches[k].unknown, sign * ropes * drag);
+  });
+}
+
+/// Whether the forces after a step still push the bodies on along it: their fall is slower than it could be. Where
+/// ropes flow too, a pull may push on for ever.
+bool pushes_on(const mechanics::System& s, const Array<FedEnd>& fed, const Eigen::VectorXd& step,
+               const Eigen::VectorXd& residual) {
+  bool flows = false;
+  for_each_flow(s, fed, [&](int, int, int, int) { flows = true; });
+  const auto freedoms = static_cast<Eigen::Index>(s.layout.dofs.size());
+  return !flows && residual.head(freedoms).dot(step.head(freedoms)) > 0;
 }
 
 /// A configuration that is tried, evaluated.
@@ -193,7 +176,7 @@ struct Trial {
 
 /// Room for the derivatives of an iteration.
 struct Rates {
-  Eigen::MatrixXd J;
+  Entries J;
   Array<mechanics::BranchColumns> columns;
 };
 
@@ -240,7 +223,7 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
   Iteration it;
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
-  Linear linear(s, s.layout.size);
+  Linear linear(s);
   const Array<FedEnd> fed = fed_ends(s);
   Rates rates;
   Trial tried{.c = c, .e = {}};
@@ -274,7 +257,7 @@ Iteration newton_with_forces(const mechanics::System& s, mechanics::Configuratio
   Iteration it;
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
-  Linear linear(s, s.layout.size);
+  Linear linear(s);
   Rates rates;
   Trial tried{.c = c, .e = {}};
   double before = HUGE_VAL;
@@ -308,9 +291,9 @@ Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechani
   Iteration it;
   it.stopped = mechanics::evaluate(s, c, e);
   if (it.stopped) return it;
-  Linear linear(s, s.layout.size);
+  Linear linear(s);
   const Array<FedEnd> fed = fed_ends(s);
-  Eigen::MatrixXd J;
+  Entries J;
   Array<mechanics::BranchColumns> columns;
   mechanics::Configuration tried = c;
   mechanics::Evaluation there;
@@ -333,12 +316,13 @@ Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechani
     it.deep = fails ? std::nullopt : deep_link(s, fed, tried, there);
     if (fails || it.deep || !(then <= most_growth * now)) {
       drag *= 8;
-      if (!(drag < 1e12 * e.largest_force / s.layout.length)) return it;
+      if (!(drag < 1e12 * e.largest_force / s.layout.extent)) return it;
       continue;
     }
+    const bool on = pushes_on(s, fed, change.step, there.residual);
     std::swap(c, tried);
     std::swap(e, there);
-    drag *= std::clamp(then / now, 0.2, 2.0);
+    drag *= std::clamp(then / now, 0.2, on ? 0.5 : 2.0);
     now = then;
   }
   return it;

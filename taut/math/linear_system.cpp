@@ -1,0 +1,142 @@
+#include "taut/math/linear_system.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/QR>
+#include <Eigen/SparseLU>
+#include <Eigen/SparseQR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "taut/base/expects.hpp"
+#include "taut/math/dense_lu.hpp"
+
+namespace taut {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr int most_dense = 128;  ///< rows: up to here the full matrix is quicker
+constexpr double singular_below = 1e-14;
+constexpr double rank_threshold = 1e-12;
+
+/// Eigen's factors, which tell their determinant and not their pivots.
+class SparseFactors : public Eigen::SparseLU<Sparse, Eigen::COLAMDOrdering<int>> {
+ public:
+  /// The smallest pivot by the largest: 0 (to rounding) where the matrix is singular.
+  double pivot_ratio() const {
+    if (info() != Eigen::Success) return 0;
+    double least = HUGE_VAL, most = 0;
+    for (int column = 0; column < cols(); ++column) {
+      for (SCMatrix::InnerIterator entry(m_Lstore, column); entry; ++entry) {
+        if (entry.index() != column) continue;
+        least = std::min(least, std::abs(entry.value()));
+        most = std::max(most, std::abs(entry.value()));
+        break;
+      }
+    }
+    return least / most;
+  }
+};
+
+using SparseOrthogonal = Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>>;
+
+/// What the matrix takes to nothing, as columns: R [z; -I] = 0.
+Eigen::MatrixXd null_space(const SparseOrthogonal& orthogonal) {
+  const Eigen::Index n = orthogonal.cols(), rank = orthogonal.rank();
+  const Sparse R = orthogonal.matrixR();
+  Eigen::MatrixXd z = R.topRightCorner(rank, n - rank);
+  R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(z);
+  Eigen::MatrixXd all(n, n - rank);
+  all << z, -Eigen::MatrixXd::Identity(n - rank, n - rank);
+  return orthogonal.colsPermutation() * all;
+}
+
+}  // namespace
+
+struct LinearSystem::Factors {
+  Eigen::VectorXd rows;  ///< by which each row is multiplied
+  DenseLu dense;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> dense_orthogonal;
+  SparseFactors sparse;
+  SparseOrthogonal sparse_orthogonal;
+  Array<int> columns, entries;  ///< the pattern for which `sparse` has its order
+  bool full = true, singular = false;
+
+  bool same_pattern(const Sparse& A) const {
+    return std::equal(columns.begin(), columns.end(), A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1) &&
+           std::equal(entries.begin(), entries.end(), A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  }
+
+  void factor_full(const Entries& A, const Eigen::VectorXd& scale) {
+    Eigen::MatrixXd scaled = A.dense() * scale.asDiagonal();
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+      const double size = scaled.row(i).cwiseAbs().maxCoeff();
+      rows[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
+      scaled.row(i) *= rows[i];
+    }
+    dense.factor(scaled);
+    singular = !(dense.pivot_ratio() > singular_below);
+    if (!singular) return;
+    dense_orthogonal.setThreshold(rank_threshold);
+    dense_orthogonal.compute(scaled);
+  }
+
+  void factor_sparse(const Entries& A, const Eigen::VectorXd& scale) {
+    Sparse scaled = A.columns() * scale.asDiagonal();
+    rows.setZero();
+    for (int column = 0; column < scaled.cols(); ++column) {
+      for (Sparse::InnerIterator entry(scaled, column); entry; ++entry) {
+        rows[entry.row()] = std::max(rows[entry.row()], std::abs(entry.value()));
+      }
+    }
+    rows = rows.unaryExpr([](double size) { return size > 0 && std::isfinite(size) ? 1 / size : 1; });
+    scaled = rows.asDiagonal() * scaled;
+    if (!same_pattern(scaled)) {
+      sparse.analyzePattern(scaled);
+      columns.assign(scaled.outerIndexPtr(), scaled.outerIndexPtr() + scaled.cols() + 1);
+      entries.assign(scaled.innerIndexPtr(), scaled.innerIndexPtr() + scaled.nonZeros());
+    }
+    sparse.factorize(scaled);
+    singular = !(sparse.pivot_ratio() > singular_below);
+    if (!singular) return;
+    sparse_orthogonal.setPivotThreshold(rank_threshold);
+    sparse_orthogonal.compute(scaled);
+  }
+};
+
+LinearSystem::LinearSystem() : factors_(std::make_unique<Factors>()) {}
+LinearSystem::~LinearSystem() = default;
+
+void LinearSystem::factor(const Entries& A, const Eigen::VectorXd& scale) {
+  expects(A.size() == scale.size(), "a scale for each unknown");
+  factors_->full = A.size() <= most_dense;
+  factors_->rows.resize(A.size());
+  factors_->full ? factors_->factor_full(A, scale) : factors_->factor_sparse(A, scale);
+}
+
+bool LinearSystem::singular() const { return factors_->singular; }
+
+Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& b) const {
+  const Eigen::VectorXd right = factors_->rows.cwiseProduct(b);
+  if (!factors_->singular) return factors_->full ? factors_->dense.solve(right) : factors_->sparse.solve(right).eval();
+  return factors_->full ? Eigen::VectorXd(factors_->dense_orthogonal.solve(right))
+                        : Eigen::VectorXd(factors_->sparse_orthogonal.solve(right));
+}
+
+Eigen::VectorXd LinearSystem::undetermined() const {
+  const Eigen::Index n = factors_->rows.size();
+  if (!factors_->singular) return {};
+  if (!factors_->full) {
+    if (factors_->sparse_orthogonal.rank() == n) return {};
+    Eigen::MatrixXd open = null_space(factors_->sparse_orthogonal);
+    open.colwise().normalize();
+    return open.rowwise().norm().cwiseMin(1.0);
+  }
+  const auto& orthogonal = factors_->dense_orthogonal;
+  if (orthogonal.rank() == n) return {};
+  const Eigen::MatrixXd open = orthogonal.matrixZ().adjoint().rightCols(n - orthogonal.rank());
+  return (orthogonal.colsPermutation() * open).rowwise().norm();
+}
+
+}  // namespace taut
