@@ -14,16 +14,15 @@ void Entries::add_below(int row, int column, const Eigen::Vector3d& values) {
   for (int i = 0; i < 3; ++i) add(row + i, column, values[i]);
 }
 
-Eigen::MatrixXd Entries::dense() const {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(size_, size_);
+void Entries::fill(Eigen::MatrixXd& full) const {
+  full.setZero(size_, size_);
   for (const auto& one : all_) full(one.row(), one.col()) += one.value();
-  return full;
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> Entries::rows() const {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(size_, size_);
-  matrix.setFromTriplets(all_.begin(), all_.end());
-  return matrix;
+Eigen::MatrixXd Entries::dense() const {
+  Eigen::MatrixXd full;
+  fill(full);
+  return full;
 }
 
 Eigen::SparseMatrix<double> Entries::columns() const {

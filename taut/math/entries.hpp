@@ -20,7 +20,7 @@ class Entries {
   void add_below(int row, int column, const Eigen::Vector3d& values);
 
   Eigen::MatrixXd dense() const;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> rows() const;
+  void fill(Eigen::MatrixXd& full) const;  ///< the same in storage that is used again
   Eigen::SparseMatrix<double> columns() const;
   const Array<Eigen::Triplet<double, int>>& all() const { return all_; }
 

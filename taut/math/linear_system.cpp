@@ -56,10 +56,11 @@ Eigen::MatrixXd null_space(const SparseOrthogonal& orthogonal) {
 
 struct LinearSystem::Factors {
   Eigen::VectorXd rows;  ///< by which each row is multiplied
+  Eigen::MatrixXd matrix;
   DenseLu dense;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> dense_orthogonal;
-  SparseFactors sparse;
-  SparseOrthogonal sparse_orthogonal;
+  std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> dense_orthogonal;
+  std::optional<SparseFactors> sparse;
+  std::optional<SparseOrthogonal> sparse_orthogonal;
   Array<int> columns, entries;  ///< the pattern for which `sparse` has its order
   bool full = true, singular = false;
 
@@ -69,17 +70,19 @@ struct LinearSystem::Factors {
   }
 
   void factor_full(const Entries& A, const Eigen::VectorXd& scale) {
-    Eigen::MatrixXd scaled = A.dense() * scale.asDiagonal();
+    A.fill(matrix);
+    for (Eigen::Index j = 0; j < scale.size(); ++j) matrix.col(j) *= scale[j];
     for (Eigen::Index i = 0; i < rows.size(); ++i) {
-      const double size = scaled.row(i).cwiseAbs().maxCoeff();
+      const double size = matrix.row(i).cwiseAbs().maxCoeff();
       rows[i] = size > 0 && std::isfinite(size) ? 1 / size : 1;
-      scaled.row(i) *= rows[i];
+      matrix.row(i) *= rows[i];
     }
-    dense.factor(scaled);
+    dense.factor(matrix);
     singular = !(dense.pivot_ratio() > singular_below);
     if (!singular) return;
-    dense_orthogonal.setThreshold(rank_threshold);
-    dense_orthogonal.compute(scaled);
+    dense_orthogonal.emplace();
+    dense_orthogonal->setThreshold(rank_threshold);
+    dense_orthogonal->compute(matrix);
   }
 
   void factor_sparse(const Entries& A, const Eigen::VectorXd& scale) {
@@ -92,16 +95,18 @@ struct LinearSystem::Factors {
     }
     rows = rows.unaryExpr([](double size) { return size > 0 && std::isfinite(size) ? 1 / size : 1; });
     scaled = rows.asDiagonal() * scaled;
+    if (!sparse) sparse.emplace();
     if (!same_pattern(scaled)) {
-      sparse.analyzePattern(scaled);
+      sparse->analyzePattern(scaled);
       columns.assign(scaled.outerIndexPtr(), scaled.outerIndexPtr() + scaled.cols() + 1);
       entries.assign(scaled.innerIndexPtr(), scaled.innerIndexPtr() + scaled.nonZeros());
     }
-    sparse.factorize(scaled);
-    singular = !(sparse.pivot_ratio() > singular_below);
+    sparse->factorize(scaled);
+    singular = !(sparse->pivot_ratio() > singular_below);
     if (!singular) return;
-    sparse_orthogonal.setPivotThreshold(rank_threshold);
-    sparse_orthogonal.compute(scaled);
+    sparse_orthogonal.emplace();
+    sparse_orthogonal->setPivotThreshold(rank_threshold);
+    sparse_orthogonal->compute(scaled);
   }
 };
 
@@ -119,21 +124,21 @@ bool LinearSystem::singular() const { return factors_->singular; }
 
 Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& b) const {
   const Eigen::VectorXd right = factors_->rows.cwiseProduct(b);
-  if (!factors_->singular) return factors_->full ? factors_->dense.solve(right) : factors_->sparse.solve(right).eval();
-  return factors_->full ? Eigen::VectorXd(factors_->dense_orthogonal.solve(right))
-                        : Eigen::VectorXd(factors_->sparse_orthogonal.solve(right));
+  if (!factors_->singular) return factors_->full ? factors_->dense.solve(right) : factors_->sparse->solve(right).eval();
+  return factors_->full ? Eigen::VectorXd(factors_->dense_orthogonal->solve(right))
+                        : Eigen::VectorXd(factors_->sparse_orthogonal->solve(right));
 }
 
 Eigen::VectorXd LinearSystem::undetermined() const {
   const Eigen::Index n = factors_->rows.size();
   if (!factors_->singular) return {};
   if (!factors_->full) {
-    if (factors_->sparse_orthogonal.rank() == n) return {};
-    Eigen::MatrixXd open = null_space(factors_->sparse_orthogonal);
+    if (factors_->sparse_orthogonal->rank() == n) return {};
+    Eigen::MatrixXd open = null_space(*factors_->sparse_orthogonal);
     open.colwise().normalize();
     return open.rowwise().norm().cwiseMin(1.0);
   }
-  const auto& orthogonal = factors_->dense_orthogonal;
+  const auto& orthogonal = *factors_->dense_orthogonal;
   if (orthogonal.rank() == n) return {};
   const Eigen::MatrixXd open = orthogonal.matrixZ().adjoint().rightCols(n - orthogonal.rank());
   return (orthogonal.colsPermutation() * open).rowwise().norm();

@@ -18,7 +18,7 @@
 namespace taut::solve {
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Triplets = Array<Eigen::Triplet<double, int>>;
 
 constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
@@ -143,31 +143,76 @@ Array<double> material_rates(const mechanics::System& s, const mechanics::Config
 }
 
 /// The unknowns by the coordinates: rope between the middles of arcs is kept, but for what passes a contact.
-Rows unknowns_by(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
-                 const Array<mechanics::BranchColumns>& columns, const Coordinates& all) {
-  // of each unknown its coordinates, each with the factor by which it follows
-  Array<Array<std::pair<int, double>>> by(as_size(s.layout.size));
+SparseRows unknowns_by(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                       const Array<mechanics::BranchColumns>& columns, const Coordinates& all) {
+  Triplets units;
   for (int j = 0; j < static_cast<int>(all.rows.size()); ++j) {
     const auto [plus, minus] = all.unknown[j];
-    by[plus].emplace_back(j, 1);
-    if (minus) by[*minus].emplace_back(j, -1);
+    units.emplace_back(plus, j, 1);
+    if (minus) units.emplace_back(*minus, j, -1);
   }
+  const SparseRows moved(s.layout.size, units);
+  Triplets entries;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    Array<std::pair<int, double>>& own = by[s.layout.branches[k].unknown];
+    const int own = s.layout.branches[k].unknown;
     const Array<double> rates = material_rates(s, c, e, columns[k], k);
+    for (const auto& [coordinate, sign] : moved.row(own)) entries.emplace_back(own, coordinate, sign / rates.back());
     for (std::size_t j = 0; j + 1 < rates.size(); ++j) {
-      for (const auto& [coordinate, factor] : by[columns[k].unknown[j]])
-        own.emplace_back(coordinate, -rates[j] * factor);
+      const double rate = -rates[j] / rates.back();
+      for (const auto& [coordinate, sign] : moved.row(columns[k].unknown[j])) {
+        entries.emplace_back(own, coordinate, rate * sign);
+      }
     }
-    for (auto& one : own) one.second /= rates.back();
   }
-  Array<Eigen::Triplet<double, int>> entries;
-  for (int i = 0; i < s.layout.size; ++i) {
-    for (const auto& [coordinate, factor] : by[i]) entries.emplace_back(i, coordinate, factor);
+  Array<bool> follows(as_size(s.layout.size), false);
+  for (const mechanics::Layout::Branch& laid : s.layout.branches) follows[laid.unknown] = true;
+  for (const auto& unit : units) {
+    if (!follows[unit.row()]) entries.push_back(unit);
   }
-  Rows Z(s.layout.size, static_cast<Eigen::Index>(all.rows.size()));
-  Z.setFromTriplets(entries.begin(), entries.end());
-  return Z;
+  return {s.layout.size, entries};
+}
+
+/// Row numbers, the lowest first, each once however often it is put in.
+class Ahead {
+ public:
+  explicit Ahead(int size) : waits_(as_size(size), false) {}
+  bool empty() const { return rows_.empty(); }
+  void put(int row) {
+    if (waits_[row]) return;
+    waits_[row] = true;
+    rows_.push(row);
+  }
+  int take() {
+    const int row = rows_.top();
+    rows_.pop();
+    waits_[row] = false;
+    return row;
+  }
+
+ private:
+  Array<bool> waits_;
+  std::priority_queue<int, std::vector<int>, std::greater<>> rows_;
+};
+
+/// A B, of A the rows named, each times its factor.
+SparseRows product(const SparseRows& A, const Array<int>& rows, const Array<double>& factors, const SparseRows& B,
+                   int columns) {
+  Triplets entries;
+  Array<double> sum(as_size(columns), 0);
+  Ahead touched(columns);
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+    for (const auto& [k, value] : A.row(rows[i])) {
+      for (const auto& [j, factor] : B.row(k)) {
+        sum[j] += value * factor;
+        touched.put(j);
+      }
+    }
+    while (!touched.empty()) {
+      const int j = touched.take();
+      entries.emplace_back(i, j, factors[i] * std::exchange(sum[j], 0));
+    }
+  }
+  return {static_cast<int>(rows.size()), entries};
 }
 
 std::string_view axis_name(const Vector3& d) {
@@ -210,28 +255,25 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, cons
   mechanics::jacobian(s, c, e, J, columns);
   const Coordinates all = coordinates_of(s, e, fed);
   EnergyCurvature curvature{.rows = all.rows, .matrix = {}, .unknowns = unknowns_by(s, c, e, columns, all)};
+  Array<double> factors = all.factor;
+  for (double& factor : factors) factor = -factor;
   const auto n = static_cast<int>(all.rows.size());
-  const Rows slopes = J.rows() * curvature.unknowns;
-  Array<Eigen::Triplet<double, int>> entries;
-  for (int i = 0; i < n; ++i) {
-    for (Rows::InnerIterator slope(slopes, all.residual[i]); slope; ++slope) {
-      entries.emplace_back(i, static_cast<int>(slope.col()), -all.factor[i] * slope.value());
-    }
-  }
-  curvature.matrix.resize(n, n);
-  curvature.matrix.setFromTriplets(entries.begin(), entries.end());
+  curvature.matrix = product({J.size(), J.all()}, all.residual, factors, curvature.unknowns, n);
   return curvature;
 }
 
 namespace {
 
 /// Rows and columns scaled so that the diagonal is 1, where it is not much smaller than its row.
-Eigen::VectorXd unit_diagonal(const Rows& matrix) {
-  Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.rows());
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    double size = 0;
-    for (Rows::InnerIterator entry(matrix, i); entry; ++entry) size = std::max(size, std::abs(entry.value()));
-    if (size > 0) scale[i] = 1 / std::sqrt(std::max(std::abs(matrix.coeff(i, i)), 1e-12 * size));
+Array<double> unit_diagonal(const SparseRows& matrix) {
+  Array<double> scale(as_size(matrix.rows()), 1);
+  for (int i = 0; i < matrix.rows(); ++i) {
+    double size = 0, diagonal = 0;
+    for (const auto& [column, value] : matrix.row(i)) {
+      size = std::max(size, std::abs(value));
+      if (column == i) diagonal += value;
+    }
+    if (size > 0) scale[i] = 1 / std::sqrt(std::max(std::abs(diagonal), 1e-12 * size));
   }
   return scale;
 }
@@ -240,73 +282,65 @@ Eigen::VectorXd unit_diagonal(const Rows& matrix) {
 /// nothing drives it.
 class Elimination {
  public:
-  using Row = Array<std::pair<int, double>>;  ///< columns, ascending, and their entries
+  explicit Elimination(int size) : work_(as_size(size), 0), ahead_(size) { first_.reserve(as_size(size) + 1); }
 
-  explicit Elimination(int size) : upper_(as_size(size)), work_(as_size(size), 0), marked_(as_size(size), false) {}
-
-  /// What is left of the diagonal of row `i` once those before it follow.
-  double eliminate(const Rows& matrix, const Eigen::VectorXd& scale, int i) {
-    for (Rows::InnerIterator entry(matrix, i); entry; ++entry) {
-      const auto j = static_cast<int>(entry.col());
-      mark(j);
-      work_[j] = scale[i] * entry.value() * scale[j];
+  /// What is left of the diagonal of the next row once those before it follow.
+  double eliminate(const SparseRows& matrix, const Array<double>& scale) {
+    const auto i = static_cast<int>(first_.size()) - 1;
+    for (const auto& [j, value] : matrix.row(i)) {
+      ahead_.put(j);
+      work_[j] += scale[i] * value * scale[j];
     }
-    mark(i);
-    Row row;
-    while (!open_.empty()) {
-      const int k = open_.top();
-      open_.pop();
+    ahead_.put(i);
+    while (!ahead_.empty()) {
+      const int k = ahead_.take();
       const double value = std::exchange(work_[k], 0);
-      marked_[k] = false;
       if (k >= i) {
-        row.emplace_back(k, value);
+        upper_.push_back({k, value});
         continue;
       }
-      const double pivot = upper_[k].front().second;
-      if (pivot <= matrix_rounding || value == 0) continue;
-      for (const auto& [j, above] : upper_[k]) {
-        if (j == k) continue;
-        mark(j);
-        work_[j] -= value / pivot * above;
+      if (pivot(k) <= matrix_rounding || value == 0) continue;
+      const double factor = value / pivot(k);
+      for (int at = first_[k] + 1; at < first_[k + 1]; ++at) {
+        ahead_.put(upper_[at].column);
+        work_[upper_[at].column] -= factor * upper_[at].value;
       }
     }
-    upper_[i] = std::move(row);
-    return upper_[i].front().second;
+    first_.push_back(static_cast<int>(upper_.size()));
+    return pivot(i);
   }
 
-  /// Scaled direction in which row `i` moves by 1 and those before it follow.
+  /// The scaled direction in which row `i`, the last one, moves by 1 and those before it follow.
   Eigen::VectorXd direction(int i) const {
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(upper_.size()));
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(work_.size()));
     v[i] = 1;
     for (int k = i - 1; k >= 0; --k) {
-      const double pivot = upper_[k].front().second;
-      if (pivot <= matrix_rounding) continue;
-      for (const auto& [j, above] : upper_[k]) v[k] -= j == k ? 0 : above / pivot * v[j];
+      if (pivot(k) <= matrix_rounding) continue;
+      for (int at = first_[k] + 1; at < first_[k + 1]; ++at) v[k] -= upper_[at].value / pivot(k) * v[upper_[at].column];
     }
     return v;
   }
 
  private:
-  void mark(int j) {
-    if (marked_[j]) return;
-    marked_[j] = true;
-    open_.push(j);
-  }
+  /// Each row begins with its diagonal.
+  double pivot(int k) const { return upper_[first_[k]].value; }
 
-  Array<Row> upper_;
+  Array<int> first_ = {0};
+  Array<SparseRows::Entry> upper_;
   Array<double> work_;
-  Array<bool> marked_;
-  std::priority_queue<int, std::vector<int>, std::greater<>> open_;
+  Ahead ahead_;
 };
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> negative_direction(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix) {
-  const Eigen::VectorXd scale = unit_diagonal(matrix);
-  Elimination elimination(static_cast<int>(matrix.rows()));
+std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix) {
+  const Array<double> scale = unit_diagonal(matrix);
+  Elimination elimination(matrix.rows());
   for (int i = 0; i < matrix.rows(); ++i) {
-    if (elimination.eliminate(matrix, scale, i) >= -matrix_rounding) continue;
-    return Eigen::VectorXd(scale.cwiseProduct(elimination.direction(i)));
+    if (elimination.eliminate(matrix, scale) >= -matrix_rounding) continue;
+    Eigen::VectorXd direction = elimination.direction(i);
+    for (int j = 0; j <= i; ++j) direction[j] *= scale[j];
+    return direction;
   }
   return std::nullopt;
 }
@@ -366,7 +400,7 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   }
   const EnergyCurvature::Row& row = curvature->rows[most];
   result.rope = row.of != EnergyCurvature::Of::freedom;
-  result.push = curvature->unknowns * *direction;
+  result.push = curvature->unknowns.times(*direction);
   result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
   result.outcome = infeasible(
       fmt::format("the equilibrium found is not one to stay in: at the least push {}; hold it by another rope, or "

@@ -3,6 +3,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
+#include "taut/math/sparse_rows.hpp"
 #include "taut/mechanics/system.hpp"
 
 namespace taut::solve {
@@ -22,8 +23,8 @@ struct EnergyCurvature {
     int index = 0;  ///< in the layout's dofs, its turns, its fed_ends
   };
   Array<Row> rows;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix;    ///< N/m, N, N m
-  Eigen::SparseMatrix<double, Eigen::RowMajor> unknowns;  ///< of the machine, by these coordinates
+  SparseRows matrix;    ///< N/m, N, N m
+  SparseRows unknowns;  ///< of the machine, by these coordinates
 };
 
 /// Empty where it has none: beams (see beam_stability.hpp), forces along ropes, torques of drives, and losses of a
@@ -36,7 +37,7 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& system,
 /// A direction in which a matrix that is symmetric, or nearly so, is negative; empty where there is none beyond
 /// rounding. By elimination in the order of its rows (Sylvester's law of inertia): what is left of a row is the force
 /// against it while those before it follow freely, right also where they are stiff and not quite symmetric.
-std::optional<Eigen::VectorXd> negative_direction(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix);
+std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix);
 
 struct Stability {
   Outcome outcome;       ///< not ok: at the least push the machine moves away; the message names what moves most
