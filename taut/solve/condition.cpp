@@ -33,6 +33,7 @@ bool direct(Kind kind) {
 constexpr double first_step = 1e-3;         ///< of the length, of the tension's logarithm
 constexpr double search_tolerance = 1e-12;  ///< a taut span's sag goes with many times its length's error
 constexpr double least_step = 1e-7;
+constexpr double met = 1e-11;  ///< of the value sought: what the tolerance of the search leaves open
 constexpr int most_search_steps = 60;
 
 /// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
@@ -47,8 +48,18 @@ class ConditionSearch {
     best.model = model;
   }
 
-  /// NaN where there is no equilibrium.
+  /// NaN where there is no equilibrium; 0 where it is met to rounding.
   double operator()(double u) {
+    const auto known = std::find_if(tried_.begin(), tried_.end(), [&](const auto& one) { return one.first == u; });
+    if (known != tried_.end()) return known->second;
+    return tried_.emplace_back(u, search(u)).second;
+  }
+
+  Conditioned best;
+  Outcome failed;
+
+ private:
+  double search(double u) {
     machine::Model varied = best.model;
     machine::Reeving& rope = varied.reevings[condition_.reeving];
     rope.value = rope.given == machine::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
@@ -63,13 +74,9 @@ class ConditionSearch {
       best_misfit = std::abs(open);
       best = {.model = std::move(varied), .result = std::move(r)};
     }
-    return open;
+    return std::abs(open) <= met * std::abs(condition_.value) ? 0 : open;
   }
 
-  Conditioned best;
-  Outcome failed;
-
- private:
   double misfit(const machine::Model& model, const EquilibriumResult& r) const {
     switch (condition_.kind) {
       case Kind::sag_at_carriage:
@@ -99,6 +106,7 @@ class ConditionSearch {
   EquilibriumOptions options_;
   std::optional<machine::State> near_;
   double first_;
+  Array<std::pair<double, double>> tried_;  ///< u and what was open there
   double best_misfit = std::numeric_limits<double>::infinity();
 };
 
@@ -176,7 +184,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
     return done;
   }
   EquilibriumOptions plain = options;
-  plain.band = false;
+  plain.band = plain.beam_factors = false;
   plain.held = true;
   plain.tolerance = std::min(options.tolerance, search_tolerance);
   ConditionSearch search(model, condition, plain, start);
@@ -201,7 +209,8 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   static_cast<void>(find_root([&](double u) { return search(u); }, between->first, between->second));
   EquilibriumOptions found = options;
   found.held = true;
-  if (options.band) search.best.result = equilibrium(search.best.model, found, search.best.result.state);
+  const bool beams = options.beam_factors && !model.beams.empty();
+  if (options.band || beams) search.best.result = equilibrium(search.best.model, found, search.best.result.state);
   // where it stands by itself is what was looked for
   if (!options.held && condition.kind != Kind::free_running && search.best.result.outcome.ok()) {
     search.best.result.outcome = stands_by_itself(search.best.model, options, search.best.result);

@@ -505,7 +505,7 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
     return result;
   }
   fill_tables(system, s.c, s.e, result.state, result);
-  result.outcome = check_beams(system, s.c, result.beams);
+  if (options.beam_factors) result.outcome = check_beams(system, s.c, result.beams);
   if (result.outcome.ok() && !options.held) result.outcome = stands_by_itself(model, options, result);
   return result;
 }

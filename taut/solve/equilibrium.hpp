@@ -25,6 +25,9 @@ struct EquilibriumOptions {
   /// Given tensions are those of the installation: the solution has to be stable with the lengths found held constant,
   /// not with the tensions held constant.
   bool lengths_kept = false;
+  /// Whether the load factors of the beams are found (BeamResult::critical_factor) and a beam that buckles is told by
+  /// name. A search does without.
+  bool beam_factors = true;
   std::optional<machine::Prescribed> prescribed;
   /// Whether a force along the track may hold a prescribed carriage that no rope holds. When false there is no
   /// equilibrium where such a force is needed; below 1e-9 of the weight and load of the carriage it counts as zero.
