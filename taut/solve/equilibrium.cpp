@@ -33,6 +33,7 @@ namespace {
 using Flow = Array<Array<int>>;
 
 constexpr int relaxing_steps = 400;
+constexpr double same_place = 1e-6;  ///< of the machine's length: two answers are one
 constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;        ///< of what touches what
@@ -132,11 +133,25 @@ void accept_lifted(const mechanics::System& system, Solved& s) {
   if (stability(system, s.c, s.e).outcome.ok() && hanging(system, s.c, s.e).lifted) s.outcome = {};
 }
 
+/// Whether two answers are one.
+bool same_answer(const mechanics::System& system, const Solved& a, const Solved& b) {
+  const double most = same_place * system.layout.length;
+  for (std::size_t i = 0; i < a.c.bodies.size(); ++i) {
+    if (!((a.c.bodies[i].position - b.c.bodies[i].position).norm() <= most)) return false;
+  }
+  for (std::size_t k = 0; k < a.c.branches.size(); ++k) {
+    if (!(std::abs(a.c.branches[k].length - b.c.branches[k].length) <= most)) return false;
+  }
+  return true;
+}
+
 /// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
 /// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
-/// fall, which tells best where things go.
+/// fall, which tells best where things go. `unstable`: the answer of Newton alone. A beam that buckles there does not
+/// bend in a fall, which is one of bodies and ropes: where the fall leads back to that answer, the other ways do too.
 Iteration come_to_rest(const mechanics::System& system, const machine::State& state,
-                       const mechanics::Configuration& start, const EquilibriumOptions& options, Solved& s) {
+                       const mechanics::Configuration& start, const EquilibriumOptions& options,
+                       const std::optional<Solved>& unstable, Solved& s) {
   constexpr double any = std::numeric_limits<double>::infinity();
   Iteration it, reported;
   std::optional<Solved> ends;
@@ -158,6 +173,8 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
     }
     s.outcome = it.converged ? stays(system, s.c, s.e).outcome : Outcome();
     if (it.converged && s.outcome.ok()) return it;
+    const bool buckles = it.converged && unstable && !system.layout.pieces.empty();
+    if (buckles && same_answer(system, s, *unstable)) return it;
     if (ends && (reported.converged || !it.converged)) continue;
     ends = s;
     reported = it;
@@ -202,7 +219,7 @@ Iteration find(const mechanics::System& system, const machine::State& state, con
       mechanics::move(system, unstable->c, {.step = found.push, .force = no_change}, 1, start);
     }
   }
-  it = come_to_rest(system, state, start, options, s);
+  it = come_to_rest(system, state, start, options, unstable, s);
   if (it.converged && s.outcome.ok()) return it;
   if (unstable) {
     unstable->steps = s.steps;
