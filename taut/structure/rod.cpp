@@ -10,7 +10,11 @@
 namespace taut::structure {
 namespace {
 
-using Rates = Eigen::Matrix<double, 12, 12>;
+/// First order: of place, turn, force and moment by a turn of all axes as built and by turn, force and moment at the
+/// start.
+using RatesOfFirst = Eigen::Matrix<double, 12, 12>;
+/// Second order: of place, turn and moment by turn, force and moment at the start; the force changes as it does there.
+using RatesOfSecond = Eigen::Matrix<double, 9, 9>;
 
 /// What is integrated: second order: the quaternion of the section; first order: `turn`.
 struct Packed {
@@ -53,16 +57,10 @@ class Equation {
         chord_(piece.bow.axes(Matrix3::Identity(), piece.from).transpose()),
         start_(std::move(start_axes)) {}
 
-  Packed rate(double s, const Packed& p, const Rates* variation, Rates* variation_rate) const {
-    return piece_.order == BeamOrder::second ? second(s, p, variation, variation_rate)
-                                             : first(s, p, variation, variation_rate);
-  }
-
   /// First order: axes as built at s.
   Matrix3 built(double s) const { return piece_.bow.axes(start_ * chord_, s); }
 
- private:
-  Packed second(double s, const Packed& p, const Rates* v, Rates* v_rate) const {
+  Packed rate(double s, const Packed& p, const RatesOfSecond* v, RatesOfSecond* v_rate) const {
     const BeamSection& b = piece_.section;
     const Matrix3 R = quaternion(p.q).normalized().toRotationMatrix();
     const Vector3 c = compliance(b), d = R.col(2);
@@ -70,14 +68,16 @@ class Equation {
     const Vector3 along = (1 + stretch) * d;
     const Vector3 curvature = c.cwiseProduct(R.transpose() * p.moment) + built_curvature(piece_.bow, s);
     if (v != nullptr) {
-      const auto turn = v->middleRows<3>(3), force = v->middleRows<3>(6), moment = v->bottomRows<3>();
+      const auto turn = v->middleRows<3>(3), moment = v->bottomRows<3>();
       const Matrix3 D = -cross(d);  // of d by a turn
       const Matrix3 by_turn = (1 + stretch) * D + d * (p.force.transpose() * D) / b.EA;
       const Matrix3 C = R * c.asDiagonal() * R.transpose();
-      v_rate->topRows<3>() = by_turn * turn + d * (d.transpose() * force) / b.EA;
-      v_rate->middleRows<3>(3) = C * (moment + cross(p.moment) * turn);
-      v_rate->middleRows<3>(6).setZero();
-      v_rate->bottomRows<3>() = cross(p.force) * v_rate->topRows<3>() - cross(along) * force;
+      v_rate->topRows<3>().noalias() = by_turn * turn;
+      v_rate->block<3, 3>(0, 3) += d * d.transpose() / b.EA;
+      v_rate->middleRows<3>(3).noalias() = C * moment;
+      v_rate->middleRows<3>(3).noalias() += (C * cross(p.moment)) * turn;
+      v_rate->bottomRows<3>().noalias() = cross(p.force) * v_rate->topRows<3>();
+      v_rate->block<3, 3>(6, 3) -= cross(along);
     }
     return {.place = along,
             .turn = Vector3::Zero(),
@@ -86,7 +86,7 @@ class Equation {
             .q = product(p.q, curvature / 2)};
   }
 
-  Packed first(double s, const Packed& p, const Rates* v, Rates* v_rate) const {
+  Packed rate(double s, const Packed& p, const RatesOfFirst* v, RatesOfFirst* v_rate) const {
     const BeamSection& b = piece_.section;
     const Matrix3 A = built(s);
     const Vector3 d = A.col(2);
@@ -111,6 +111,7 @@ class Equation {
             .q = Eigen::Vector4d::Zero()};
   }
 
+ private:
   const RodPiece& piece_;
   Matrix3 chord_;  ///< from the axes at the piece's start to those of the beam's chord
   Matrix3 start_;
@@ -122,6 +123,7 @@ RodState unpack(const RodPiece& piece, const Equation& equation, double s, const
   return state;
 }
 
+template <class Rates>
 RodState integrate(const RodPiece& piece, const RodState& start, std::vector<RodState>* each, Rates* v) {
   expects(piece.steps > 0 && piece.to > piece.from, "a piece has a length and at least one step");
   const Equation equation(piece, start.axes);
@@ -160,16 +162,21 @@ Matrix3 Bow::axes(const Matrix3& chord, double s) const {
 }
 
 RodState along(const RodPiece& piece, const RodState& start, std::vector<RodState>* each) {
-  return integrate(piece, start, each, nullptr);
+  return piece.order == BeamOrder::second ? integrate<RatesOfSecond>(piece, start, each, nullptr)
+                                          : integrate<RatesOfFirst>(piece, start, each, nullptr);
 }
 
 RodState along(const RodPiece& piece, const RodState& start, RodRates& rates) {
   rates.setZero();
-  rates.block<3, 3>(3, 3).setIdentity();
-  rates.block<3, 3>(6, 6).setIdentity();
-  rates.block<3, 3>(9, 9).setIdentity();
-  const RodState end = integrate(piece, start, nullptr, &rates);
-  if (piece.order == BeamOrder::second) rates.leftCols<3>() = rates.middleCols<3>(3);
+  rates.bottomRightCorner<9, 9>().setIdentity();
+  if (piece.order == BeamOrder::first) return integrate(piece, start, nullptr, &rates);
+  RatesOfSecond second = RatesOfSecond::Zero();
+  second.block<3, 3>(3, 0).setIdentity();
+  second.block<3, 3>(6, 6).setIdentity();
+  const RodState end = integrate(piece, start, nullptr, &second);
+  rates.topRightCorner<6, 9>() = second.topRows<6>();
+  rates.bottomRightCorner<3, 9>() = second.bottomRows<3>();
+  rates.leftCols<3>() = rates.middleCols<3>(3);
   return end;
 }
 
