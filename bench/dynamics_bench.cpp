@@ -217,10 +217,11 @@ void belt(benchmark::State& state) {
   m.reevings.push_back(rope);
   m.motors.resize(2);
   m.motors[0].drive.kind = machine::DriveKind::speed;
-  m.motors[0].drive.signal.law = machine::Moves{.from = 0, .moves = {{.at = 0, .to = 2, .over = 0.2, .smooth = true}}};
+  m.motors[0].drive.signal.law =
+      machine::Moves{.from = 0, .moves = {{.at = 0, .to = 2, .over = 0.2, .change = machine::Change::smooth}}};
   m.motors[1].drive.kind = machine::DriveKind::torque;
   m.motors[1].drive.signal.law =
-      machine::Moves{.from = 0, .moves = {{.at = 0, .to = -1000, .over = 0.2, .smooth = true}}};
+      machine::Moves{.from = 0, .moves = {{.at = 0, .to = -1000, .over = 0.2, .change = machine::Change::smooth}}};
   solve::TransientOptions options;
   options.duration = 2;
   options.output_step = 2;

@@ -23,6 +23,7 @@
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/machine/links/signals_of.hpp"
+#include "taut/math/fixed_angles.hpp"
 
 namespace taut::machine {
 namespace {
@@ -99,6 +100,8 @@ class Compiler {
       body.position = vector_of(given.at);
       body.mass = given.mass;
       body.centre = vector_of(given.centre);
+      if (given.turned && given.motion) complain(path + ".turned", "a body with a 'motion' stands as that begins");
+      if (given.turned) body.orientation = by_fixed_angles({given.turned->rx, given.turned->ry, given.turned->rz});
       std::size_t rotations = 0;
       for (auto way = given.free.begin(); way != given.free.end(); ++way) {
         if (std::find(given.free.begin(), way, *way) != way) {
@@ -278,7 +281,16 @@ class Compiler {
       }
       const bool hangs = !given.force && !given.dragged;  // a bunch that drags acts by its force alone
       model_.loads.push_back({t->place, force, hangs ? mass : 0});
+      if (given.signal) add_signal(given, fmt::format("loads[{}].signal", i), model_.loads.back());
     }
+  }
+
+  void add_signal(const description::Load& given, const std::string& path, Load& load) {
+    if (!given.force || load.force == Vector3::Zero()) {
+      complain(path, "needs a 'force' beside it that is not zero, for its direction and for what is at rest");
+      return;
+    }
+    load.over_time = signal_or_constant(*given.signal, si::N, model_.signals, path, complaints_);
   }
 
   /// A load's name is its own: paths and `with` find it by that.

@@ -46,6 +46,7 @@ struct Load {
   Place at;                         ///< on a body
   Vector3 force = Vector3::Zero();  ///< N
   double mass = 0;                  ///< kg, of the hanging mass: its inertia in motion; `force` contains its weight
+  std::optional<Signal> over_time = std::nullopt;  ///< N: in motion the size of the force, in the direction of `force`
 };
 
 /// Kind of a node on the path of a rope.

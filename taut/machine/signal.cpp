@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -22,7 +23,13 @@ SignalValue value_of(const Moves& law, double t) {
     }
     const double s = (t - move.at) / move.over;
     const double step = move.to - from;
-    if (!move.smooth) return {.value = from + step * s, .rate = step / move.over, .acceleration = 0};
+    if (move.change == Change::linear) return {.value = from + step * s, .rate = step / move.over, .acceleration = 0};
+    if (move.change == Change::half_cosine) {
+      const double angle = std::numbers::pi * s, speed = std::numbers::pi / move.over;
+      return {.value = from + step * (1 - std::cos(angle)) / 2,
+              .rate = step * speed * std::sin(angle) / 2,
+              .acceleration = step * speed * speed * std::cos(angle) / 2};
+    }
     const double s2 = s * s;
     return {.value = from + step * s2 * s * (10 + s * (6 * s - 15)),
             .rate = step * 30 * s2 * (1 + s * (s - 2)) / move.over,
@@ -61,8 +68,26 @@ SignalValue value_of(const Sine& law, double t) {
           .acceleration = -law.omega * law.omega * s};
 }
 
-/// Between two breakpoints: a polynomial of degree 5 at most, for which three points of Gauss are exact.
+/// The half cosine in which `signal` is at the time t; none otherwise.
+const Move* half_cosine_at(const Signal& signal, double t) {
+  const auto* law = std::get_if<Moves>(&signal.law);
+  if (law == nullptr) return nullptr;
+  for (const Move& move : law->moves) {
+    if (move.change == Change::half_cosine && t > move.at && t < move.at + move.over) return &move;
+  }
+  return nullptr;
+}
+
+/// Between two breakpoints: a polynomial of degree 5 at most, for which three points of Gauss are exact, or a half
+/// cosine.
 double integral_of_piece(const Signal& signal, double from, double to) {
+  if (const Move* move = half_cosine_at(signal, (from + to) / 2)) {
+    const double speed = std::numbers::pi / move->over, half = speed * (to - from) / 2;
+    const double middle = speed * ((from + to) / 2 - move->at);
+    const double start = at(signal, move->at).value, step = move->to - start;
+    // the cosine's integral 2 cos(middle) sin(half)/speed, without cancellation
+    return (start + step / 2) * (to - from) - step * std::cos(middle) * std::sin(half) / speed;
+  }
   static const std::array<double, 3> place = {-std::sqrt(0.6), 0, std::sqrt(0.6)};
   static constexpr std::array<double, 3> weight = {5.0 / 9, 8.0 / 9, 5.0 / 9};
   const double half = (to - from) / 2, middle = (from + to) / 2;

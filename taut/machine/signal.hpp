@@ -16,13 +16,19 @@ struct SignalValue {
   double acceleration = 0;
 };
 
-/// One change of a signal: from its value at the time `at` to `to`, within the time `over`; 0: a jump. Linear, or
-/// smooth: 10 s^3 - 15 s^4 + 6 s^5, with rate and acceleration zero at both ends.
+/// How a value changes with the share s of the time that has passed.
+enum class Change {
+  linear,      ///< s
+  smooth,      ///< 10 s^3 - 15 s^4 + 6 s^5: rate and acceleration zero at both ends
+  half_cosine  ///< (1 - cos(pi s))/2: rate zero at both ends
+};
+
+/// One change of a signal: from its value at the time `at` to `to`, within the time `over`; 0: a jump.
 struct Move {
   double at = 0;
   double to = 0;
   double over = 0;
-  bool smooth = false;
+  Change change = Change::linear;
 };
 
 /// Successive changes; none begins before the last one has ended.

@@ -9,9 +9,12 @@
 namespace taut::machine::signal_test {
 
 Signal ramp(double from, double to, double start, double duration, bool smooth = false) {
-  return {.name = "r",
-          .unit = si::m_per_s,
-          .law = Moves{.from = from, .moves = {{.at = start, .to = to, .over = duration, .smooth = smooth}}}};
+  return {
+      .name = "r",
+      .unit = si::m_per_s,
+      .law = Moves{
+          .from = from,
+          .moves = {{.at = start, .to = to, .over = duration, .change = smooth ? Change::smooth : Change::linear}}}};
 }
 
 /// Derivatives against central differences, away from breakpoints.
@@ -49,6 +52,18 @@ TEST(Signal, AJumpIsTheNewValueAtOnce) {
   EXPECT_EQ(integral(jump, 0, 2), 3);
 }
 
+TEST(Signal, AHalfCosineHasItsLawItsRatesAndItsIntegral) {
+  Signal r = ramp(2, -1, 1, 2);
+  std::get<Moves>(r.law).moves[0].change = Change::half_cosine;
+  EXPECT_NEAR(at(r, 1.5).value, 2 - 3 * (1 - std::sqrt(0.5)) / 2, 1e-15);
+  EXPECT_EQ(at(r, 1).rate, 0);
+  EXPECT_NEAR(at(r, 2).rate, -3 * M_PI / 4, 1e-15);
+  for (const double t : {1.2, 1.9, 2.7}) expect_derivatives(r, t);
+  EXPECT_NEAR(integral(r, 0, 4), 2 + 1 - 1, 1e-14);
+  // of cos(pi s) over a part: 2 (1 - sin(pi/4))/pi less
+  EXPECT_NEAR(integral(r, 1, 1.5), 0.5 * 0.5 + 1.5 * 2 / M_PI * std::sin(M_PI / 4), 1e-14);
+}
+
 TEST(Signal, ASmoothRampBeginsAndEndsAtRest) {
   const Signal r = ramp(2, -1, 1, 2, true);
   for (const double t : {1.0, 3.0 - 1e-12}) {
@@ -64,9 +79,9 @@ TEST(Signal, MovesFollowEachOther) {
   const Signal s{.name = "s",
                  .unit = si::m,
                  .law = Moves{.from = 0,
-                              .moves = {{.at = 1, .to = 2, .over = 1, .smooth = false},
-                                        {.at = 2, .to = 5, .over = 2, .smooth = true},
-                                        {.at = 6, .to = 0, .over = 0, .smooth = false}}}};
+                              .moves = {{.at = 1, .to = 2, .over = 1, .change = Change::linear},
+                                        {.at = 2, .to = 5, .over = 2, .change = Change::smooth},
+                                        {.at = 6, .to = 0, .over = 0, .change = Change::linear}}}};
   EXPECT_EQ(at(s, 0.5).value, 0);
   EXPECT_EQ(at(s, 1.5).value, 1);
   EXPECT_EQ(at(s, 3).value, 3.5);
@@ -114,7 +129,7 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
     t += *rc::gen::inRange(0, 200) / 100.0;
     const double over = *rc::gen::inRange(0, 200) / 100.0;
-    moves.moves.push_back({t, number(), over, *rc::gen::arbitrary<bool>()});
+    moves.moves.push_back({t, number(), over, *rc::gen::element(Change::linear, Change::smooth, Change::half_cosine)});
     t += over;
   }
   const Signal s{.name = "s", .unit = si::m, .law = moves};

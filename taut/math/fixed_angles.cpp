@@ -1,5 +1,6 @@
 #include "taut/math/fixed_angles.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +16,12 @@ Vector3 fixed_angles(const Matrix3& R) {
     return angles;
   }
   return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0))};
+}
+
+Matrix3 by_fixed_angles(const Vector3& angles) {
+  Matrix3 R = Matrix3::Identity();
+  for (int k = 0; k < 3; ++k) R = Eigen::AngleAxisd(angles[k], Vector3::Unit(k)).toRotationMatrix() * R;
+  return R;
 }
 
 }  // namespace taut

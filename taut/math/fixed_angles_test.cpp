@@ -27,6 +27,7 @@ TEST(FixedAngles, OneAfterTheOther) {
     for (const double x : {-2.5, 0.3, 3.0}) {
       const Vector3 found = fixed_angles(turned(-0.7, 2) * turned(y, 1) * turned(x, 0));
       EXPECT_LT((found - Vector3(x, y, -0.7)).norm(), 1e-12);
+      EXPECT_LT((by_fixed_angles({x, y, -0.7}) - turned(-0.7, 2) * turned(y, 1) * turned(x, 0)).norm(), 1e-15);
     }
   }
 }

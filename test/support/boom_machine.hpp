@@ -36,7 +36,8 @@ inline constexpr int s1 = 0, s2 = 1, s3 = 2, hook = 3, load = 4;
 inline machine::Signal boom_ramp(double to, double start, const taut::Unit& unit) {
   machine::Signal s;
   s.unit = unit;
-  s.law = taut::machine::Moves{.from = 0, .moves = {{.at = start, .to = to, .over = 0.5, .smooth = false}}};
+  s.law = taut::machine::Moves{
+      .from = 0, .moves = {{.at = start, .to = to, .over = 0.5, .change = taut::machine::Change::linear}}};
   return s;
 }
 

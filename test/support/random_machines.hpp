@@ -54,7 +54,7 @@ class RandomMachine {
 
   machine::Signal ramp(double to) {
     machine::Signal signal;
-    signal.law = machine::Moves{0, {{between(0, 1), to, between(0.1, 1), true}}};
+    signal.law = machine::Moves{0, {{between(0, 1), to, between(0.1, 1), machine::Change::smooth}}};
     return signal;
   }
 

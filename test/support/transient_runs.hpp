@@ -47,7 +47,8 @@ inline taut::solve::TransientResult run_to_end(const taut::machine::Model& m,
 /// From one value to another without a jump of rate or acceleration.
 inline taut::machine::Signal smooth_move(double from, double to, double start, double over) {
   taut::machine::Signal s;
-  s.law = taut::machine::Moves{.from = from, .moves = {{.at = start, .to = to, .over = over, .smooth = true}}};
+  s.law = taut::machine::Moves{
+      .from = from, .moves = {{.at = start, .to = to, .over = over, .change = taut::machine::Change::smooth}}};
   return s;
 }
 

@@ -90,6 +90,14 @@ const Description& Rope::describe() {
   return d;
 }
 
+const Description& Turned::describe() {
+  static const Description d = Describe<Turned>()
+                                   .field(&Turned::rx, "rx", "", si::rad.in("deg"), "about x, first")
+                                   .field(&Turned::ry, "ry", "", si::rad.in("deg"), "then about y")
+                                   .field(&Turned::rz, "rz", "", si::rad.in("deg"), "then about z");
+  return d;
+}
+
 const Description& Body::describe() {
   static const Description d =
       Describe<Body>()
@@ -109,6 +117,8 @@ const Description& Body::describe() {
                  "about the centre of mass: one for all axes, or Ixx, Iyy, Izz; used in motion only")
           .at_least(0)
           .record(&Body::motion, "motion", "given motion; statics takes its place at the start")
+          .record(&Body::turned, "turned",
+                  "rotations about the axes of the ground at the start, right-handed; of a free body a first guess")
           .field(&Body::on, "on",
                  "the body in whose frame at the start its place, axes and guide are given; default: the ground");
   return d;
@@ -226,6 +236,9 @@ const Description& Load::describe() {
           .field(&Load::force, "force", "F", si::N, "force in the ground frame")
           .at_least(-strongest)
           .at_most(strongest)
+          .field(
+              &Load::signal, "signal",
+              "in motion the size of the force over time, in the direction of 'force': a signal; statics takes 'force'")
           .record(&Load::dragged, "dragged", "the mass is a bunch of logs that drags one end over the ground")
           .exactly_one({"mass", "force"});
   return d;

@@ -39,6 +39,12 @@ struct Rope {
   static const Description& describe();
 };
 
+/// Rotations about the ground axes x, then y, then z, rad.
+struct Turned {
+  double rx = 0, ry = 0, rz = 0;
+  static const Description& describe();
+};
+
 struct Body {
   std::string name;
   double mass = 0;                ///< kg
@@ -49,6 +55,7 @@ struct Body {
   /// Moment of inertia about the centre of mass, kg m2: one value for all axes, or Ixx, Iyy, Izz; for dynamics.
   std::vector<double> inertia;
   std::optional<BodyMotion> motion;
+  std::optional<Turned> turned = std::nullopt;   ///< how it stands at the start; of a free body a first guess
   std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
   static const Description& describe();
 };
@@ -192,6 +199,7 @@ struct Load {
   std::string at;
   std::optional<double> mass;
   std::optional<Triple> force;
+  std::optional<std::string> signal = std::nullopt;  ///< in motion: size of the force over time, N
   std::optional<Dragged> dragged = std::nullopt;
   std::optional<std::string> name = std::nullopt;
   static const Description& describe();

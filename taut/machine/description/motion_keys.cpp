@@ -11,32 +11,36 @@ constexpr double longest = 3.2e7;  ///< a year, within which a motion ends, s
 }  // namespace
 
 const Description& Move::describe() {
-  static const Description d = Describe<Move>()
-                                   .field(&Move::at, "at", "t", si::s, "time at which it begins")
-                                   .at_least(0)
-                                   .at_most(longest)
-                                   .field(&Move::to, "to", "the value after the change, with its unit")
-                                   .required()
-                                   .field(&Move::over, "over", "dt", si::s, "duration; 0: a jump")
-                                   .at_least(0)
-                                   .at_most(longest)
-                                   .field(&Move::smooth, "smooth", "rate and acceleration are zero at both ends");
+  static const Description d =
+      Describe<Move>()
+          .field(&Move::at, "at", "t", si::s, "time at which it begins")
+          .at_least(0)
+          .at_most(longest)
+          .field(&Move::to, "to", "the value after the change, with its unit")
+          .required()
+          .field(&Move::over, "over", "dt", si::s, "duration; 0: a jump")
+          .at_least(0)
+          .at_most(longest)
+          .field(&Move::smooth, "smooth", "rate and acceleration are zero at both ends")
+          .field(&Move::half_cosine, "half_cosine", "half a cosine: the rate is zero at both ends");
   return d;
 }
 
 const Description& Ramp::describe() {
-  static const Description d = Describe<Ramp>()
-                                   .field(&Ramp::from, "from", "the value before, with its unit; default: 0")
-                                   .field(&Ramp::to, "to", "the value after, with its unit")
-                                   .required()
-                                   .field(&Ramp::start, "start", "t", si::s, "time at which it begins")
-                                   .at_least(0)
-                                   .at_most(longest)
-                                   .field(&Ramp::duration, "duration", "dt", si::s, "duration; 0: a jump")
-                                   .at_least(0)
-                                   .at_most(longest)
-                                   .required()
-                                   .field(&Ramp::smooth, "smooth", "rate and acceleration are zero at both ends");
+  static const Description d =
+      Describe<Ramp>()
+          .field(&Ramp::from, "from", "the value before, with its unit; default: 0")
+          .field(&Ramp::to, "to", "the value after, with its unit")
+          .required()
+          .field(&Ramp::start, "start", "t", si::s, "time at which it begins")
+          .at_least(0)
+          .at_most(longest)
+          .field(&Ramp::duration, "duration", "dt", si::s, "duration; 0: a jump")
+          .at_least(0)
+          .at_most(longest)
+          .required()
+          .field(&Ramp::smooth, "smooth", "rate and acceleration are zero at both ends")
+          .field(&Ramp::half_cosine, "half_cosine", "half a cosine: the rate is zero at both ends");
   return d;
 }
 

@@ -14,7 +14,7 @@ struct Move {
   double at = 0;    ///< s
   std::string to;   ///< with its unit
   double over = 0;  ///< s
-  bool smooth = false;
+  bool smooth = false, half_cosine = false;
   static const Description& describe();
 };
 
@@ -23,7 +23,7 @@ struct Ramp {
   std::string to;
   double start = 0;     ///< s
   double duration = 0;  ///< s
-  bool smooth = false;
+  bool smooth = false, half_cosine = false;
   static const Description& describe();
 };
 

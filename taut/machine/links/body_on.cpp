@@ -64,7 +64,7 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
       const Body& under = model.bodies[*parents[i]];
       Body& body = model.bodies[i];
       body.position = under.position + under.orientation * body.position;
-      body.orientation = under.orientation;
+      body.orientation = under.orientation * body.orientation;
       for (Freedom& way : body.free) {
         if (machine.bodies[i].guide && way.about.norm() == 0) way.along = under.orientation * way.along;
       }

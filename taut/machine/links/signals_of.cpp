@@ -46,9 +46,16 @@ class Values {
   bool known_ = false;
 };
 
+template <class Given>
+Change change_of(const Given& given, const std::string& key, Values& values) {
+  if (given.smooth && given.half_cosine) values.complain(key, "is either 'smooth' or a 'half_cosine', not both");
+  return given.smooth ? Change::smooth : given.half_cosine ? Change::half_cosine : Change::linear;
+}
+
 Moves ramp_of(const description::Ramp& given, Values& values) {
   Moves law;
-  law.moves.push_back({given.start, values.read(given.to, ".ramp.to"), given.duration, given.smooth});
+  law.moves.push_back(
+      {given.start, values.read(given.to, ".ramp.to"), given.duration, change_of(given, ".ramp", values)});
   law.from = values.read(given.from, ".ramp.from");
   return law;
 }
@@ -58,7 +65,8 @@ Moves sequence_of(const Array<description::Move>& given, Values& values) {
   double free_from = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string key = fmt::format(".sequence[{}]", i);
-    law.moves.push_back({given[i].at, values.read(given[i].to, key + ".to"), given[i].over, given[i].smooth});
+    law.moves.push_back(
+        {given[i].at, values.read(given[i].to, key + ".to"), given[i].over, change_of(given[i], key, values)});
     if (given[i].at < free_from) {
       values.complain(key, fmt::format("begins at {:.6g} s, before the change before it has ended", given[i].at));
     }

@@ -72,7 +72,7 @@ Json signal(const machine::Signal& s) {
   if (const auto* moves = std::get_if<machine::Moves>(&s.law)) {
     Json list = Json::array();
     for (const machine::Move& m : moves->moves)
-      list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), m.smooth});
+      list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), static_cast<int>(m.change)});
     j["moves"] = {{"from", json_number(moves->from)}, {"list", std::move(list)}};
   }
   if (const auto* curve = std::get_if<machine::Curve>(&s.law)) {
@@ -96,7 +96,10 @@ machine::Signal signal_in(const Json& j) {
     machine::Moves moves;
     moves.from = number_in(j["moves"].at("from"));
     for (const Json& m : j["moves"].at("list")) {
-      moves.moves.push_back({number_in(m.at(0)), number_in(m.at(1)), number_in(m.at(2)), m.at(3).get<bool>()});
+      const int change = m.at(3).get<int>();
+      if (change < 0 || change > static_cast<int>(machine::Change::half_cosine)) throw std::out_of_range("a change");
+      moves.moves.push_back(
+          {number_in(m.at(0)), number_in(m.at(1)), number_in(m.at(2)), static_cast<machine::Change>(change)});
     }
     s.law = std::move(moves);
   }

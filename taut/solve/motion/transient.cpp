@@ -41,8 +41,11 @@ void place_inside(const machine::Model& model, const EquilibriumResult& found, D
   }
 }
 
-/// Forces along ropes as they are at rest: friction is none, others as they begin.
+/// Loads over time as they begin; forces along ropes as they are at rest: friction is none, others as they begin.
 machine::Model with_loads_at_rest(machine::Model model) {
+  for (machine::Load& load : model.loads) {
+    if (load.over_time) load.force = machine::at(*load.over_time, 0).value * load.force.normalized();
+  }
   for (machine::Reeving& rope : model.reevings) {
     for (machine::Node& node : rope.nodes) {
       if (node.kind != machine::NodeKind::load) continue;

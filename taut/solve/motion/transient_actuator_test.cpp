@@ -97,7 +97,7 @@ TEST(TransientActuator, ASpeedMovesItWithoutDrift) {
   machine::Actuator ram;
   ram.kind = ActuatorKind::speed;
   ram.signal = constant(0, taut::si::m_per_s);
-  ram.signal.law = taut::machine::Moves{0, {{0, 0.5, 1, false}, {3, 0, 1, false}}};
+  ram.signal.law = taut::machine::Moves{0, {{0, 0.5, 1, machine::Change::linear}, {3, 0, 1, machine::Change::linear}}};
   ram.lock_stiffness = 1e7;
   ram.lock_damping = 5e4;
   const TransientResult r = run(pushed_mass(ram), 6, 1e-6);

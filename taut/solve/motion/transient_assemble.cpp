@@ -39,7 +39,7 @@ double dead_power(const Mechanism& m, int body, const Values& now, const Vector3
   }
   if (shape.model < 0) return power;
   for (const machine::Load& load : m.model->loads) {
-    if (load.at.body == shape.model) power += load.force.dot(along + about.cross(is.R * load.at.at));
+    if (load.at.body == shape.model && !load.over_time) power += load.force.dot(along + about.cross(is.R * load.at.at));
   }
   return power;
 }
@@ -93,7 +93,7 @@ double turning_entry(const Mechanism& m, const Scheme& s, int body, const Values
   turned += shape.own_mass * m.model->gravity * B.cross(b.cross(is.R * shape.own_centre)).z();
   if (shape.model >= 0) {
     for (const machine::Load& load : m.model->loads) {
-      if (load.at.body == shape.model) turned -= load.force.dot(B.cross(b.cross(is.R * load.at.at)));
+      if (load.at.body == shape.model && !load.over_time) turned -= load.force.dot(B.cross(b.cross(is.R * load.at.at)));
     }
   }
   return entry + s.reach * s.reach * turned;
@@ -260,7 +260,7 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
 Vector3 dead_load(const Mechanism& m, int model_body) {
   Vector3 force = Vector3::Zero();
   for (const machine::Load& load : m.model->loads) {
-    if (load.at.body == model_body) force += load.force;
+    if (load.at.body == model_body && !load.over_time) force += load.force;
   }
   return force;
 }

@@ -33,6 +33,10 @@ Vector3 couple_place(const Values& v, const Couple& couple, std::size_t side) {
   return body.x + body.R * couple.place[side];
 }
 
+const Couple& push_couple(const Mechanism& m, std::size_t i) {
+  return m.couples[m.model->contacts.size() + m.model->actuators.size() + i];
+}
+
 constexpr std::size_t per_face = 3;  ///< numbers of a contact in DynamicState::force
 
 }  // namespace
@@ -50,6 +54,12 @@ void add_couples(Mechanism& m) {
   for (const machine::Actuator& actuator : m.model->actuators) {
     m.couples.push_back(couple_between(m, actuator.to_body, actuator.to, actuator.from_body, actuator.from));
   }
+  for (int i = 0; i < static_cast<int>(m.model->loads.size()); ++i) {
+    const machine::Load& load = m.model->loads[i];
+    if (!load.over_time) continue;
+    m.pushes.push_back(i);
+    m.couples.push_back(couple_between(m, load.at.body, load.at.at, machine::ground, Vector3::Zero()));
+  }
 }
 
 void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
@@ -57,6 +67,7 @@ void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
   const bool known = start.force.size() == per_face * faces + actuators;
   v.faces.resize(faces);
   v.actuators.resize(actuators);
+  v.pushes.resize(m.pushes.size());
   for (std::size_t i = 0; i < faces; ++i) {
     const Couple& couple = m.couples[i];
     const machine::Face& face = m.model->faces[m.model->contacts[i].face];
@@ -126,11 +137,23 @@ Outcome check_couples(const Mechanism& m, const Values& v) {
 void follow_couples(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
   for (std::size_t i = 0; i < now.faces.size(); ++i) follow_face(m, s, i, before, now);
   for (std::size_t i = 0; i < now.actuators.size(); ++i) follow_actuator(m, s, i, before, now);
+  for (std::size_t i = 0; i < now.pushes.size(); ++i) {
+    const machine::Load& load = m.model->loads[m.pushes[i]];
+    now.pushes[i].at = couple_place(now, push_couple(m, i), 0);
+    now.pushes[i].force = machine::at(*load.over_time, now.when).value * load.force.normalized();
+  }
 }
 
 void assemble_couples(Mechanism& m, const Scheme& s, const Values& now, Work& w) {
   for (std::size_t i = 0; i < now.faces.size(); ++i) assemble_face(m, s, i, now, w);
   for (std::size_t i = 0; i < now.actuators.size(); ++i) assemble_actuator(m, s, i, now, w);
+  for (std::size_t i = 0; i < now.pushes.size(); ++i) {
+    CoupleColumns columns;
+    const PushValues& is = now.pushes[i];
+    const int count = couple_columns(m, push_couple(m, i), now, {is.at, Vector3::Zero()}, columns);
+    for (int k = 0; k < count; ++k) columns[as_size(k)].force = Vector3::Zero();
+    add_force(m, s, push_couple(m, i), is.force, false, count, columns, w);
+  }
 }
 
 int couple_columns(const Mechanism& m, const Couple& couple, const Values& now, const std::array<Vector3, 2>& at_place,
@@ -176,7 +199,7 @@ void add_force(Mechanism& m, const Scheme& s, const Couple& couple, const Vector
 }
 
 CoupleChange change_of_couples(Work& w, const Values& now) {
-  w.push.resize(2 * now.faces.size() + now.actuators.size(), 0.0);
+  w.push.resize(2 * now.faces.size() + now.actuators.size() + now.pushes.size(), 0.0);
   w.push_state.resize(now.faces.size(), 0);
   CoupleChange change;
   std::size_t k = 0;
@@ -194,6 +217,7 @@ CoupleChange change_of_couples(Work& w, const Values& now) {
     w.push_state[i] = state;
   }
   for (const ActuatorValues& actuator : now.actuators) compare(actuator.F);
+  for (const PushValues& push : now.pushes) compare(push.force.norm());
   return change;
 }
 
@@ -215,6 +239,7 @@ double yielding(const Mechanism& m, int body, const Vector3& place) {
 /// Stiffness and damper of a couple as it is, N/m, N s/m.
 std::pair<double, double> spring_of(const Mechanism& m, std::size_t couple, const Values& v) {
   const std::size_t faces = v.faces.size();
+  if (couple >= faces + v.actuators.size()) return {0, 0};
   if (couple >= faces) return {-v.actuators[couple - faces].F_l, -v.actuators[couple - faces].F_v};
   const machine::FaceContact& law = m.model->contacts[couple];
   if (law.static_friction == 0) return {law.stiffness, law.damping};
@@ -275,6 +300,10 @@ CoupleWork work_of_couples(const Mechanism& m, const Values& before, const Value
     const ActuatorValues &a = before.actuators[i], &b = now.actuators[i];
     work.supplied += (a.F + b.F) / 2 * (b.length - a.length);
   }
+  for (std::size_t i = 0; i < now.pushes.size(); ++i) {
+    const PushValues &a = before.pushes[i], &b = now.pushes[i];
+    work.supplied += (a.force + b.force).dot(b.at - a.at) / 2;
+  }
   return work;
 }
 
@@ -290,6 +319,10 @@ double taken_by_couples(const Mechanism& m, const Values& before, const Values& 
   for (std::size_t i = 0; i < now.actuators.size(); ++i) {
     const ActuatorValues &a = before.actuators[i], &b = now.actuators[i];
     taken -= (b.F - a.F) / 2 * (b.length - a.length);
+  }
+  for (std::size_t i = 0; i < now.pushes.size(); ++i) {
+    const PushValues &a = before.pushes[i], &b = now.pushes[i];
+    taken -= (b.force - a.force).dot(b.at - a.at) / 2;
   }
   return taken;
 }
@@ -309,6 +342,10 @@ double power_of_couples(const Mechanism& m, int body, const Values& v) {
     for (std::size_t i = 0; i < v.actuators.size(); ++i) {
       const ActuatorValues& actuator = v.actuators[i];
       add(m.couples[v.faces.size() + i], side, actuator.end[side], actuator.F * actuator.t);
+    }
+    if (side > 0) continue;
+    for (std::size_t i = 0; i < v.pushes.size(); ++i) {
+      add(push_couple(m, i), side, v.pushes[i].at, v.pushes[i].force);
     }
   }
   return power;

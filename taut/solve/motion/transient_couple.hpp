@@ -2,7 +2,8 @@
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/transient_ledger.hpp"
 
-/// Points on faces and actuators of a machine in motion: forces between two places, each with its derivatives.
+/// Points on faces, actuators and loads over time of a machine in motion: forces between two places, each with its
+/// derivatives.
 /// docs/theory/faces.md.
 namespace taut::solve::dynamics {
 
@@ -32,7 +33,7 @@ struct CoupleBounds {
 };
 CoupleBounds bounds_of_couples(const Mechanism& m, const Values& v);
 
-/// Work in a step: what dashpots and friction take, what actuators give, J.
+/// Work in a step: what dashpots and friction take, what actuators and loads over time give, J.
 struct CoupleWork {
   double lost = 0, supplied = 0;
 };

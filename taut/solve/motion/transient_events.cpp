@@ -311,6 +311,9 @@ Array<double> stops_of(const machine::Model& model, double from, double to) {
   for (const machine::Motor& motor : model.motors) add(motor.drive.signal);
   for (const machine::Actuator& actuator : model.actuators) add(actuator.signal);
   for (const machine::Tensioner& tensioner : model.tensioners) add(tensioner.change);
+  for (const machine::Load& load : model.loads) {
+    if (load.over_time) add(*load.over_time);
+  }
   for (const machine::Body& body : model.bodies) {
     for (const machine::DrivenWay& way : body.driven) add(way.signal);
   }

@@ -177,7 +177,7 @@ TEST(TransientFace, SlidesOnATiltingPlate) {
   machine::Body plate = body("plate", {0, 0, 0}, 0, "");
   taut::machine::Signal tilt;
   tilt.unit = taut::si::rad;
-  tilt.law = taut::machine::Moves{0, {{0, 0.2, 20, true}}};
+  tilt.law = taut::machine::Moves{0, {{0, 0.2, 20, machine::Change::smooth}}};
   plate.driven = {{origin, Vector3::UnitY(), tilt}};
   m.bodies.push_back(plate);
   m.faces[0].body = 1;

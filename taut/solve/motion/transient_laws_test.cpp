@@ -291,7 +291,7 @@ TEST(TransientLaws, ARunIntoTheBlocksIsToldWithItsTime) {
   m.bodies.push_back(body("load", {0, 0, -2}, 100, "z"));
   m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("load", 0)}, 2, 0, 1e6));
   machine::Signal in;
-  in.law = machine::Moves{0, {{0, -2, 1, false}}};
+  in.law = machine::Moves{0, {{0, -2, 1, machine::Change::linear}}};
   m.tensioners.push_back({0, true, in});
   const TransientResult r = transient(m, lasting(2, 1e-3));
   EXPECT_FALSE(r.outcome.ok());

@@ -220,7 +220,7 @@ Stored stored_in_bodies(const Mechanism& m, const Values& v) {
     if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
   }
   for (const machine::Load& load : m.model->loads) {
-    if (load.at.body < 0) continue;
+    if (load.at.body < 0 || load.over_time) continue;
     const Motion3& is = v.bodies[load.at.body];
     s.potential -= load.force.dot(is.x + is.R * load.at.at);
   }

@@ -169,7 +169,8 @@ struct Mechanism {
   Array<Array<int>> inside;               ///< by reeving: bodies that are inner nodes
   Array<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
   Array<ChainLoad> chain_loads;           ///< along ropes in segments
-  Array<Couple> couples;                  ///< contacts of the model on faces, then its actuators
+  Array<Couple> couples;                  ///< contacts of the model on faces, then its actuators, then `pushes`
+  Array<int> pushes;                      ///< loads of the model whose size is a signal
   Array<int> body_place_first;            ///< by body: where its block begins in body_places
   Array<int> body_places;
   Array<int> spin_place_first, spin_places;  ///< a spin with the freedoms of its body, row by row

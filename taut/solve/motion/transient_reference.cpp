@@ -373,8 +373,9 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
 
 Outcome reference_refuses(const Mechanism& m) {
   if (!m.chain_loads.empty()) return infeasible("the reference has no forces along ropes in 'segments'");
-  if (!m.model->contacts.empty() || !m.model->actuators.empty())
-    return infeasible("the reference does without contacts on faces and actuators; take 'method: implicit'");
+  if (!m.couples.empty())
+    return infeasible(
+        "the reference does without contacts on faces, actuators and loads over time; take 'method: implicit'");
   for (const Body& body : m.bodies) {
     int turns = body.driven ? 1 : 0;
     for (int f = 0; f < body.count; ++f) turns += body.about[as_size(f)] != Vector3::Zero() ? 1 : 0;

@@ -67,6 +67,12 @@ struct ActuatorValues {
   Vector3 apart = Vector3::Zero();  ///< velocity of `to` seen from `from`, m/s
 };
 
+/// A load whose size is a signal.
+struct PushValues {
+  Vector3 at = Vector3::Zero();     ///< where it acts, ground frame, m
+  Vector3 force = Vector3::Zero();  ///< N
+};
+
 /// A force along a rope in segments at one time.
 struct ChainLoadValues {
   int line = 0;                               ///< the segment that encloses its place
@@ -101,6 +107,7 @@ struct Values {
   Array<ChainLoadValues> chain_loads;
   Array<FaceValues> faces;                ///< by contact of the model
   Array<ActuatorValues> actuators;        ///< by actuator of the model
+  Array<PushValues> pushes;               ///< by Mechanism::pushes
   Array<double> tensioned, tension_rate;  ///< by tensioner: length let in since the start, m, m/s
   Array<machine::Drive> drum_drive, motor_drive;
   const machine::Drive& drive(const Spin& spin) const {

@@ -106,7 +106,7 @@ TEST(TransientWitness, TackleWithLossesHoistsAndLowers) {
     nodes.push_back(anchor("becket", {0, 0, 0}));
     m.reevings.push_back(reeve("hoist", nodes, total, 0, EA));
     m.tensioners.push_back({0, true, {}});
-    m.tensioners[0].change.law = machine::Moves{0, {{0, -speed, 1, false}}};
+    m.tensioners[0].change.law = machine::Moves{0, {{0, -speed, 1, machine::Change::linear}}};
     TransientOptions options;
     options.duration = options.output_step = 0.1;
     options.tolerance = 1e-7;

@@ -17,8 +17,11 @@ TEST(TransientWound, RopeLetIntoSlackFallsToItsMiddle) {
   machine::Model m;
   const machine::Node winch = add_drum(m, "winch", origin, 0.3);
   m.drums[0].drive.kind = machine::DriveKind::speed;
-  m.drums[0].drive.signal.law =
-      machine::Moves{0, {{0.2, -0.5, 0.4, true}, {1.2, 0, 0.4, true}, {2, 0.5, 0.4, true}, {3, 0, 0.4, true}}};
+  m.drums[0].drive.signal.law = machine::Moves{0,
+                                               {{0.2, -0.5, 0.4, machine::Change::smooth},
+                                                {1.2, 0, 0.4, machine::Change::smooth},
+                                                {2, 0.5, 0.4, machine::Change::smooth},
+                                                {3, 0, 0.4, machine::Change::smooth}}};
   m.reevings.push_back(reeve("rope", {winch, anchor("eye", {0.3, 0, -20})}, 21, 40, 1e7));
   m.observed.push_back({"slack", machine::Observed::dissipated, si::J, machine::ground, {}, Vector3::Zero()});
   const TransientResult r = run_to_end(m, lasting(3.6, 1e-7, 36));
