@@ -102,6 +102,7 @@ struct Node {
   /// closed rope the length starts where the rope arrives at its drive.
   double length_before = 0;
   double inertia = 0;        ///< of a sheave that turns, kg m2
+  double drag = 0;           ///< of such a sheave: moment against its angular velocity, N m s
   std::optional<int> drum;   ///< of an anchor: index of its drum; empty: a pin
   std::optional<int> motor;  ///< of a sheave: index of the motor that drives it
   RopeLoad load;             ///< of a load

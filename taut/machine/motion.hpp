@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,8 +33,22 @@ enum class DriveKind {
 struct Drive {
   DriveKind kind = DriveKind::held;
   Signal signal;       ///< NaN: the deck has no signal of this speed, which only a motion needs
-  bool brake = false;  ///< true: the brake is set and holds it against any drive
+  bool brake = false;  ///< true: the brake is set: it holds, against any drive, up to its torque
+  double brake_since = -std::numeric_limits<double>::infinity();  ///< time at which it was set, s
 };
+
+/// A brake that holds a drum up to a torque.
+struct Brake {
+  double torque = 0;  ///< N m
+  double delay = 0;   ///< from its setting until it begins to act, s
+  double rise = 0;    ///< in which its torque then grows to the full one, linearly, s
+};
+/// Its torque at a time after it was set, N m.
+inline double torque_of(const Brake& brake, double since_set) {
+  const double acts = since_set - brake.delay;
+  if (acts < 0) return 0;
+  return brake.rise > 0 ? brake.torque * std::min(1.0, acts / brake.rise) : brake.torque;
+}
 
 /// A drum at the first or last node of one rope or several (Node::drum).
 struct Drum {
@@ -49,6 +64,8 @@ struct Drum {
   double layer_height = 0;     ///< m; 0: the rope's diameter
   double flange_diameter = 0;  ///< m; 0: not limited
   double inertia = 0;          ///< kg m2
+  double drag = 0;             ///< moment against its angular velocity, N m s
+  std::optional<Brake> brake;  ///< none: it holds anything
   Drive drive;
 };
 

@@ -73,6 +73,8 @@ inline constexpr Unit kg_m2{
     .dimension = dimension(1, 2, 0), .symbol = "kg m^2", .shown = "kg m^2", .is_angle = false, .kind = "inertia"};
 inline constexpr Unit N_s_per_m{
     .dimension = dimension(1, 0, -1), .symbol = "N s/m", .shown = "N s/m", .is_angle = false, .kind = "damping"};
+inline constexpr Unit N_m_s{
+    .dimension = dimension(1, 2, -1), .symbol = "N m s", .shown = "N m s", .is_angle = false, .kind = "rotary damping"};
 inline constexpr Unit K{
     .dimension = dimension(0, 0, 0, 1), .symbol = "K", .shown = "K", .is_angle = false, .kind = "temperature"};
 inline constexpr Unit per_K{.dimension = dimension(0, 0, 0, -1),

@@ -263,12 +263,18 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
     drum.core_radius = given.core_diameter / 2;
     drum.layer = given.layer.value_or(1);
     drum.inertia = given.inertia;
+    drum.drag = given.drag;
+    if (given.brake_torque) drum.brake = Brake{*given.brake_torque, given.brake_delay, given.brake_rise};
     drum.drive = drive_of(given, model.signals, complaints);
     model.drums.push_back(std::move(drum));
   }
   for (const auto& [list, rounds] :
        {std::pair{"sheaves", &machine.sheaves}, std::pair{"supports", &machine.supports}}) {
     for (const auto& given : *rounds) {
+      if (given.drag > 0 && !(given.inertia.value_or(0) > 0)) {
+        complaints.push_back(
+            {fmt::format("{}.{}.drag", list, given.name), "needs the 'inertia' of what it holds back"});
+      }
       if (!given.motor) continue;
       const std::string path = fmt::format("{}.{}.motor", list, given.name);
       const auto drive = drive_of(given.motor->speed, given.motor->torque, {}, model.signals, path, complaints);

@@ -22,6 +22,11 @@ class Checker {
     if (drum_.flange_diameter && *drum_.flange_diameter <= drum_.core_diameter) {
       complain(".flange_diameter", "is not larger than the core");
     }
+    need(!drum_.brake_torque || drum_.inertia > 0,
+         "a brake with a 'brake_torque' needs the 'inertia' of what it stops");
+    need(drum_.brake_torque || (drum_.brake_delay == 0 && drum_.brake_rise == 0),
+         "'brake_delay' and 'brake_rise' belong to a 'brake_torque'");
+    need(drum_.drag == 0 || drum_.inertia > 0, "a drum with a 'drag' needs its 'inertia'");
     const bool turned = drum_.drive && drum_.drive->torque;
     need(!turned || drum_.core_diameter > 0, "a drum with a torque needs a 'core_diameter'");
   }

@@ -44,6 +44,7 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   node.radius = round.diameter / 2;
   node.axis = unit_axis(round.axis);
   node.inertia = stop.saddle ? 0 : round.inertia.value_or(0);
+  node.drag = round.drag;
   if (stop.saddle) {
     const double mu = round.friction.value_or(0);
     node.law = {.friction = mu, .efficiency = mu > 0 ? 0.0 : 1.0};

@@ -151,6 +151,10 @@ const Description& Round::describe() {
                   "let it lift off")
           .field(&Round::inertia, "inertia", "J", si::kg_m2, "moment of inertia; used in motion only")
           .at_least(0)
+          .field(&Round::drag, "drag", "c", si::N_m_s,
+                 "viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia'")
+          .at_least(0)
+          .at_most(strongest)
           .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
 }

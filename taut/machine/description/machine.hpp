@@ -87,6 +87,7 @@ struct Round {
   double efficiency = 1;           ///< of a turning sheave
   Uplift uplift = Uplift::usual;   ///< where the rope pulls it upwards
   std::optional<double> inertia;   ///< kg m2, for dynamics
+  double drag = 0;                 ///< N m s, for dynamics
   std::optional<Motor> motor;
   static const Description& describe();
 };
@@ -111,6 +112,10 @@ struct Drum {
   std::optional<int> layer;
   std::optional<Drive> drive;
   double inertia = 0;                     ///< kg m2, for dynamics
+  double drag = 0;                        ///< N m s, for dynamics
+  std::optional<double> brake_torque;     ///< N m, for dynamics; default: it holds anything
+  double brake_delay = 0;                 ///< s
+  double brake_rise = 0;                  ///< s
   std::optional<Layers> layers;           ///< automatic: the layer follows from the rope on the drum
   std::optional<double> length_on_drum;   ///< unstretched, m
   std::optional<double> wound_at;         ///< winding tension, N; default: 0, in motion the tension at the start

@@ -2,6 +2,11 @@
 #include "taut/machine/description/machine_limits.hpp"
 
 namespace taut::machine::description {
+namespace {
+
+constexpr double slowest = 3600;  ///< brake, s
+
+}  // namespace
 
 const Description& Motor::describe() {
   static const Description d = Describe<Motor>()
@@ -25,7 +30,8 @@ const Description& Drive::describe() {
                  "nothing else is given")
           .field(&Drive::pull, "pull", "tension of the rope where it leaves the drum: a signal, or a force")
           .choice(&Drive::brake, "brake", {{"set", Brake::set}, {"open", Brake::open}},
-                  "set: the brake holds against any drive; open without a drive: the drum turns freely");
+                  "set: the brake holds against any drive, up to 'brake_torque'; open without a drive: the drum turns "
+                  "freely");
   return d;
 }
 
@@ -69,7 +75,21 @@ const Description& Drum::describe() {
           .above(0)
           .field(&Drum::inertia, "inertia", "J", si::kg_m2,
                  "moment of inertia of everything that turns with it; used in motion only")
-          .at_least(0);
+          .at_least(0)
+          .field(&Drum::drag, "drag", "c", si::N_m_s,
+                 "viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia'")
+          .at_least(0)
+          .at_most(strongest)
+          .field(&Drum::brake_torque, "brake_torque", "M_b", si::N_m,
+                 "moment above which the drum turns in its brake; used in motion only; default: it holds anything")
+          .above(0)
+          .at_most(strongest)
+          .field(&Drum::brake_delay, "brake_delay", "dt", si::s, "time from setting the brake until it begins to act")
+          .at_least(0)
+          .at_most(slowest)
+          .field(&Drum::brake_rise, "brake_rise", "dt", si::s, "time in which its moment then grows to the full one")
+          .at_least(0)
+          .at_most(slowest);
   return d;
 }
 

@@ -118,7 +118,10 @@ machine::Signal signal_in(const Json& j) {
 Json drives(const std::vector<machine::Drive>& all) {
   Json list = Json::array();
   for (const machine::Drive& d : all) {
-    list.push_back({{"kind", static_cast<int>(d.kind)}, {"brake", d.brake}, {"signal", signal(d.signal)}});
+    list.push_back({{"kind", static_cast<int>(d.kind)},
+                    {"brake", d.brake},
+                    {"brake_since", json_number(d.brake_since)},
+                    {"signal", signal(d.signal)}});
   }
   return list;
 }
@@ -128,6 +131,7 @@ std::vector<machine::Drive> drives_in(const Json& j) {
     const int kind = d.at("kind").get<int>();
     if (kind < 0 || kind > static_cast<int>(machine::DriveKind::pull)) throw std::out_of_range("kind of a drive");
     all.push_back({static_cast<machine::DriveKind>(kind), signal_in(d.at("signal")), d.at("brake").get<bool>()});
+    if (d.contains("brake_since")) all.back().brake_since = number_in(d.at("brake_since"));
   }
   return all;
 }

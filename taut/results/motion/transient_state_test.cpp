@@ -60,7 +60,8 @@ solve::DynamicState state() {
   const machine::Signal moves{
       .name = "v",
       .unit = si::m_per_s,
-      .law = machine::Moves{.from = 0.25, .moves = {{.at = 1, .to = 0.7, .over = 0.5, .change = machine::Change::half_cosine}}}};
+      .law = machine::Moves{.from = 0.25,
+                            .moves = {{.at = 1, .to = 0.7, .over = 0.5, .change = machine::Change::half_cosine}}}};
   s.drum_drive = {{.kind = machine::DriveKind::speed, .signal = moves, .brake = true}};
   s.damping_time = {0.003};
   return s;

@@ -92,7 +92,7 @@ void add_energy(const study::TransientRun& run, Result& r) {
   add("supplied by drives", &solve::EnergyLedger::supplied);
   add(run.options.quasi_static ? "damped where it fell" : "damped in ropes", &solve::EnergyLedger::damped);
   add("slip of ropes on sheaves", &solve::EnergyLedger::slipped);
-  add("bearings of sheaves", &solve::EnergyLedger::bearings);
+  add("bearings of sheaves, brakes, drag", &solve::EnergyLedger::bearings);
   const bool jolts = std::any_of(run.result.events.begin(), run.result.events.end(), [](const auto& event) {
     return event.what == "brake" || event.what == "drive" || event.what == "layer";
   });

@@ -80,6 +80,26 @@ Outcome settle(Run& run) {
       "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
 }
 
+/// While the machine comes to rest, a drum in its brake does not turn.
+void hold_brakes(Run& run) {
+  for (std::size_t i = 0; i < run.before.drum_drive.size(); ++i) {
+    machine::Drive& drive = run.before.drum_drive[i];
+    if (drive.brake && run.model.drums[i].brake) drive = {};
+  }
+  run.now.drum_drive = run.before.drum_drive;
+}
+
+/// Without inertia a drum that turns in its brake has no speed.
+Outcome check_brakes(const Run& run) {
+  const auto slips = [](const machine::Drum& drum) { return drum.brake.has_value(); };
+  const auto found = std::find_if(run.model.drums.begin(), run.model.drums.end(), slips);
+  if (!run.options.quasi_static || found == run.model.drums.end()) return {};
+  return infeasible(
+      fmt::format("a quasi-static motion has no inertia that the brake of '{}' could stop: leave out "
+                  "its 'brake_torque', or compute the motion with inertia",
+                  found->name));
+}
+
 void prepare(Run& run, const DynamicState& start) {
   Built built = build(run.model, start, run.options);
   run.result.outcome = built.outcome;
@@ -151,6 +171,10 @@ bool dynamics::open_run(Run& run) {
   if (!run.result.outcome.ok()) return false;
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;
+  run.result.outcome = check_brakes(run);
+  if (!run.result.outcome.ok()) return false;
+  const Array<machine::Drive> drives = run.before.drum_drive;
+  hold_brakes(run);
   if (settles) run.result.outcome = solve::settle(run);
   const bool slides = !options.from && options.start == Start::sliding;
   if (slides || options.quasi_static) {
@@ -159,6 +183,7 @@ bool dynamics::open_run(Run& run) {
   if (run.result.outcome.ok() && slides) {
     run.result.outcome = slide_into_place(run);
   }
+  run.before.drum_drive = run.now.drum_drive = drives;
   if (!run.result.outcome.ok()) return false;
   if (!options.quasi_static) damp(run);
   return true;

@@ -241,6 +241,7 @@ class Builder {
           known = count(m().spins.size());
           spin.axis = contact.sense * along * node.axis;
           spin.inertia = model_.drums[*node.drum].inertia;
+          spin.drag = options_.quasi_static ? 0 : model_.drums[*node.drum].drag;
           spin.drum = *node.drum;
           m().spins.push_back(spin);
         }
@@ -251,6 +252,7 @@ class Builder {
         contact.spin = count(m().spins.size());
         spin.axis = along * node.axis;
         spin.inertia = node.inertia;
+        spin.drag = options_.quasi_static ? 0 : node.drag;
         m().spins.push_back(spin);
       }
       if (contact.spin >= 0) m().spins[contact.spin].contacts.emplace_back(i, contact.sense);

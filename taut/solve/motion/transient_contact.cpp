@@ -221,6 +221,10 @@ void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
   w.residual[c] +=
       change - drive_torque(m, spin, before, now.when) + is.turns * is.capacity - rope_moment(m, spin, before, now);
   values[m.spin_places[first]] += spin.inertia;
+  if (!s.at_rest) {
+    w.residual[c] += spin.drag * is.omega;
+    values[m.spin_places[first]] += s.reach * spin.drag;
+  }
   for (const auto& [index, sense] : spin.contacts) {
     const Contact& contact = m.contacts[index];
     const double lever = sense * contact.copies * working_radius(m, contact, before);
@@ -274,10 +278,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
 void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Values& before, Values& now) {
   const Spin& spin = m.spins[i];
   SpinValues& is = now.spins[i];
-  is.capacity = 0;
-  for (const auto& one : spin.contacts) {
-    is.capacity += bearing_slope(m, m.contacts[one.first], before, now).capacity;
-  }
+  is.capacity = friction_of_spin(m, spin, before, now);
   if (is.capacity <= 0 || prescribed(m, spin, before, now.when)) {
     is.turns = 0;
     return;

@@ -9,9 +9,32 @@ double working_radius(const Mechanism& /*m*/, const Contact& contact, const Valu
   return v.lines[leaves ? contact.out : contact.in].radius[leaves ? 0 : 1];
 }
 
+namespace {
+
+/// The brake in which a drum may turn; none: no brake is set, or it holds anything.
+const machine::Brake* slipping_brake(const Mechanism& m, const Spin& spin, const Values& v) {
+  if (spin.drum < 0 || !v.drive(spin).brake) return nullptr;
+  const auto& brake = m.model->drums[spin.drum].brake;
+  return brake ? &*brake : nullptr;
+}
+
+}  // namespace
+
+double brake_torque(const Mechanism& m, const Spin& spin, const Values& v, double t) {
+  const machine::Brake* brake = slipping_brake(m, spin, v);
+  return brake == nullptr ? 0 : machine::torque_of(*brake, t - v.drive(spin).brake_since);
+}
+
+double friction_of_spin(const Mechanism& m, const Spin& spin, const Values& before, const Values& now) {
+  double moment = brake_torque(m, spin, before, now.when);
+  for (const auto& one : spin.contacts) moment += bearing_slope(m, m.contacts[one.first], before, now).capacity;
+  return moment;
+}
+
 std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t) {
   if (spin.drum < 0 && spin.motor < 0) return std::nullopt;
   const machine::Drive& drive = v.drive(spin);
+  if (slipping_brake(m, spin, v) != nullptr) return std::nullopt;  // setting it cuts the drive
   if (drive.brake || drive.kind == machine::DriveKind::held) return Turning{};
   // gives its tension to the rope, whatever the drum asks beside it: the rope goes by, and the drum does not count
   if (drive.kind == machine::DriveKind::pull && spin.drum >= 0) return Turning{};

@@ -74,6 +74,15 @@ void turn_with_rope(Run& run, Values& v, int drum) {
   }
 }
 
+/// A brake that was set at the time t begins to act, and acts in full, at the end of a step.
+void stop_at_brake(Run& run, int drum, double t) {
+  const auto& brake = run.m.model->drums[drum].brake;
+  if (!brake) return;
+  for (const double stop : {t + brake->delay, t + brake->delay + brake->rise}) {
+    if (stop > t && stop < run.end) run.stops.insert(std::lower_bound(run.stops.begin(), run.stops.end(), stop), stop);
+  }
+}
+
 bool apply_event(Run& run, Values& v, const machine::Event& event) {
   switch (event.kind) {
     case machine::EventKind::breaks:
@@ -84,7 +93,10 @@ bool apply_event(Run& run, Values& v, const machine::Event& event) {
       return true;
     case machine::EventKind::brake: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
-      drives[event.index].brake = event.brake_set;
+      machine::Drive& drive = drives[event.index];
+      if (event.brake_set && !drive.brake) drive.brake_since = v.t;
+      drive.brake = event.brake_set;
+      if (event.brake_set && !event.of_motor) stop_at_brake(run, event.index, v.t);
       note(run, v.t, "brake", event.words);
       break;
     }

@@ -183,14 +183,14 @@ double drive_moment(const Mechanism& m, int spin, const Values& v) {
   if (!prescribed(m, of, v, v.when)) return drive_torque(m, of, v, v.when);
   double alpha = v.spins[spin].alpha;
   if (of.body >= 0) alpha += (v.bodies[of.body].R * of.axis).dot(acceleration(m, of.body, v).second);
-  return of.inertia * alpha - rope_moment(m, of, v, v);
+  return of.inertia * alpha + of.drag * v.spins[spin].omega - rope_moment(m, of, v, v);
 }
 
 Powers powers(const Mechanism& m, const Values& v) {
   Powers p;
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const SpinValues& is = v.spins[i];
-    p.bearings += is.turns * is.capacity * is.omega;
+    p.bearings += (is.turns * is.capacity + m.spins[i].drag * is.omega) * is.omega;
     if (m.spins[i].drum < 0 && m.spins[i].motor < 0) continue;
     const bool light = m.spins[i].inertia <= 0 && !prescribed(m, m.spins[i], v, v.when);
     if (!light) p.supplied += drive_moment(m, static_cast<int>(i), v) * is.omega;

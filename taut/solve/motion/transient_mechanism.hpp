@@ -104,6 +104,7 @@ struct Spin {
   int body = -1;
   Vector3 axis = Vector3::UnitY();  ///< body frame; in the sense of the angle
   double inertia = 0;
+  double drag = 0;  ///< N m s
   int column = -1;  ///< -1: prescribed
   int drum = -1, motor = -1;
   Array<std::pair<int, double>> contacts;  ///< and their sense: +1 where the path runs with the angle

@@ -121,10 +121,7 @@ bool evaluate(ReferenceState& of, double t, const double* place, const double* r
     SpinValues& is = now.spins[i];
     const std::size_t c = as_size(m.spins[i].column);
     now.q[c] = is.angle = place[c];
-    is.capacity = 0;
-    for (const auto& one : m.spins[i].contacts) {
-      is.capacity += bearing_slope(m, m.contacts[one.first], of.base, now).capacity;
-    }
+    is.capacity = friction_of_spin(m, m.spins[i], of.base, now);
   }
   return true;
 }

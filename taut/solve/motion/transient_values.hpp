@@ -295,6 +295,10 @@ struct Turning {
 };
 std::optional<Turning> prescribed(const Mechanism& m, const Spin& spin, const Values& v, double t);
 double drive_torque(const Mechanism& m, const Spin& spin, const Values& v, double t);
+/// What a brake that is set takes at most from a drum that turns in it, N m; 0 for one that holds anything.
+double brake_torque(const Mechanism& m, const Spin& spin, const Values& v, double t);
+/// The same of its bearings and its brake together: Coulomb friction against the carrying body, N m.
+double friction_of_spin(const Mechanism& m, const Spin& spin, const Values& before, const Values& now);
 /// The tension that a drum without inertia, or one that pulls, gives its rope: none to one that is broken somewhere,
 /// and less to one that breaks, by what is left of it in `rope`.
 std::optional<double> given_tension(const Mechanism& m, const Contact& contact, const Values& v, double t,
